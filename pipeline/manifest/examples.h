@@ -45,8 +45,7 @@ inline constexpr Words<Examples::Cycle> cycle_words = {
     {"start-peak-end", Examples::Cycle::start_peak_end}};
 
 /// Of a folder.
-template <class Field, MaybeConst<Examples> E>
-void fields_of(Field&& field, E& examples) {
+void fields_of(auto&& field, MaybeConst<Examples> auto& examples) {
   field("folder", examples.folder, concerns::repertoire);
   field("include", examples.include, concerns::repertoire);
   field("exclude", examples.exclude, concerns::repertoire);
@@ -61,10 +60,7 @@ void fields_of(Field&& field, E& examples) {
 struct ExampleSetForm {
   static void read(const Given& given, Examples& examples);
   static nlohmann::ordered_json write(const Examples& examples, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
-    names.template of<Examples>();
-  }
+  static void walk(auto& names) { names.template of<Examples>(); }
 };
 
 /// What people thought of the examples.
@@ -90,8 +86,7 @@ struct RatingsForm {
   static nlohmann::ordered_json write(const Ratings& ratings, const Writing& how);
 };
 
-template <class Field, MaybeConst<Expectation> E>
-void fields_of(Field&& field, E& expected) {
+void fields_of(auto&& field, MaybeConst<Expectation> auto& expected) {
   field("parameter", expected.parameter, concerns::page | concerns::required);
   field("order", expected.order, concerns::page | concerns::required);
 }

@@ -32,8 +32,7 @@ struct Foil {
   friend bool operator==(const Foil&, const Foil&) = default;
 };
 
-template <class Field, MaybeConst<Foil> F>
-void fields_of(Field&& field, F& foil) {
+void fields_of(auto&& field, MaybeConst<Foil> auto& foil) {
   field("of", foil.of, concerns::motion | concerns::required);
   field("differ", foil.differ, concerns::motion | concerns::required, foil_aspect_words);
 }

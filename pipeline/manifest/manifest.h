@@ -48,14 +48,10 @@ struct Equalize {
 struct AlikeForm {
   static void read(const Given& given, std::optional<Among>& among);
   static nlohmann::ordered_json write(const std::optional<Among>& among, const Writing&);
-  template <class Names>
-  static void walk(Names& names) {
-    names.add("by");
-  }
+  static void walk(auto& names) { names.add("by"); }
 };
 
-template <class Field, MaybeConst<Equalize> E>
-void fields_of(Field&& field, E& equalize) {
+void fields_of(auto&& field, MaybeConst<Equalize> auto& equalize) {
   field.by("luminance", equalize.luminance, concerns::picture, AlikeForm());
   field.by("size", equalize.size, concerns::picture, AlikeForm());
   field.by("place", equalize.place, concerns::picture, AlikeForm());
@@ -66,10 +62,7 @@ void fields_of(Field&& field, E& equalize) {
 struct EqualizeForm {
   static void read(const Given& given, Equalize& equalize);
   static nlohmann::ordered_json write(const Equalize& equalize, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
-    names.template of<Equalize>();
-  }
+  static void walk(auto& names) { names.template of<Equalize>(); }
 };
 
 /// The stimuli that are made alike with each other.
@@ -104,8 +97,7 @@ struct Manifest {
 Stimulus plain_stimulus(const Manifest& manifest);
 Overlay plain_overlay(const Manifest& manifest);
 
-template <class Field, MaybeConst<Manifest> M>
-void fields_of(Field&& field, M& manifest) {
+void fields_of(auto&& field, MaybeConst<Manifest> auto& manifest) {
   field("mien", manifest.version, concerns::required);
   field("study", manifest.study, concerns::page | concerns::required);
   field("seed", manifest.seed, concerns::repertoire | concerns::motion | concerns::picture);

@@ -40,8 +40,7 @@ struct Matching {
   std::vector<Demographic> demographics;
 };
 
-template <class Field, MaybeConst<Matching> M>
-void fields_of(Field&& field, M& matching) {
+void fields_of(auto&& field, MaybeConst<Matching> auto& matching) {
   field("title", matching.title, concerns::nothing);
   field("language", matching.language, concerns::nothing, language_words);
   field("participants", matching.participants, concerns::required);

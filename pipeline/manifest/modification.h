@@ -31,8 +31,7 @@ struct PoseMotionForm {
   static nlohmann::ordered_json write(const PoseSource& pose, const Writing& how);
 };
 
-template <class Field, MaybeConst<PoseSource> P>
-void fields_of(Field&& field, P& pose) {
+void fields_of(auto&& field, MaybeConst<PoseSource> auto& pose) {
   field.by("motion", pose, concerns::motion | concerns::required | concerns::alone,
            PoseMotionForm());
   field("take", pose.take, concerns::motion);
@@ -47,8 +46,7 @@ struct PoseDifferenceSource {
   friend bool operator==(const PoseDifferenceSource&, const PoseDifferenceSource&) = default;
 };
 
-template <class Field, MaybeConst<PoseDifferenceSource> P>
-void fields_of(Field&& field, P& pose) {
+void fields_of(auto&& field, MaybeConst<PoseDifferenceSource> auto& pose) {
   field("neutral", pose.neutral, concerns::motion);
   field("posed", pose.posed, concerns::motion);
 }
@@ -64,8 +62,7 @@ inline constexpr Words<motion::FootRepair> repair_words = {
     {"hip-shift", motion::FootRepair::hip_shift},
     {"none", motion::FootRepair::none}};
 
-template <class Field, MaybeConst<motion::PathGains> G>
-void fields_of(Field&& field, G& gains) {
+void fields_of(auto&& field, MaybeConst<motion::PathGains> auto& gains) {
   field("low", gains.low, concerns::motion);
   field("middle", gains.middle, concerns::motion);
   field("high", gains.high, concerns::motion);
@@ -83,15 +80,13 @@ struct PostureForm {
   static void read(const Given& given, std::vector<motion::PostureChange>& posture);
   static nlohmann::ordered_json write(const std::vector<motion::PostureChange>& posture,
                                       const Writing&);
-  template <class Names>
-  static void walk(Names& names) {
+  static void walk(auto& names) {
     for (const motion::PostureUnitName& unit : motion::posture_units())
       names.add(std::string(unit.name));
   }
 };
 
-template <class Field, MaybeConst<motion::Modification> M>
-void fields_of(Field&& field, M& modification) {
+void fields_of(auto&& field, MaybeConst<motion::Modification> auto& modification) {
   field("paths", modification.paths, concerns::motion);
   field("gains", modification.gains, concerns::motion);
   field("signal", modification.signal, concerns::motion, signal_words);
@@ -119,8 +114,7 @@ struct ModificationEdit {
 struct EditForm {
   static void read(const Given& given, ModificationEdit& edit);
   static nlohmann::ordered_json write(const ModificationEdit& edit, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
+  static void walk(auto& names) {
     names.template of<motion::Modification>();
     std::optional<PoseDifferenceSource> pose;
     names("pose", pose, concerns::motion);
@@ -138,8 +132,7 @@ struct Recipe {
   ModificationEdit edit;
 };
 
-template <class Field, MaybeConst<Recipe> R>
-void fields_of(Field&& field, R& recipe) {
+void fields_of(auto&& field, MaybeConst<Recipe> auto& recipe) {
   field("ja", recipe.japanese, concerns::page);
   field("note", recipe.note, concerns::page);
   field.inside(recipe.edit, concerns::motion, EditForm());
@@ -176,15 +169,11 @@ struct ModificationStep {
 struct StyleForm {
   static void read(const Given& given, std::optional<StyleStep>& style);
   static nlohmann::ordered_json write(const std::optional<StyleStep>& style, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
-    names.template of<StyleStep>();
-  }
+  static void walk(auto& names) { names.template of<StyleStep>(); }
 };
 
 /// As it is written. (What its artifacts depend on is `modification`, `pose` and `style`.)
-template <class Field, MaybeConst<ModificationStep> S>
-void fields_of(Field&& field, S& step) {
+void fields_of(auto&& field, MaybeConst<ModificationStep> auto& step) {
   field("emotion", step.emotion, concerns::motion);
   field("strength", step.strength, concerns::motion);
   field.inside(step.edit, concerns::motion, EditForm());

@@ -45,8 +45,7 @@ struct Presentation {
   friend bool operator==(const Presentation&, const Presentation&) = default;
 };
 
-template <class Field, MaybeConst<Presentation> P>
-void fields_of(Field&& field, P& shown) {
+void fields_of(auto&& field, MaybeConst<Presentation> auto& shown) {
   field.group("card", [&](auto& card) {
     card("text", shown.card, concerns::shown | concerns::alone);
     card("seconds", shown.card_seconds, concerns::shown);
@@ -70,8 +69,7 @@ struct ClipFiles {
   friend bool operator==(const ClipFiles&, const ClipFiles&) = default;
 };
 
-template <class Field, MaybeConst<ClipFiles> C>
-void fields_of(Field&& field, C& clips) {
+void fields_of(auto&& field, MaybeConst<ClipFiles> auto& clips) {
   field("bvh", clips.bvh, concerns::files);
   field("glb", clips.glb, concerns::files);
 }
@@ -110,8 +108,7 @@ struct Output {
   friend bool operator==(const Output&, const Output&) = default;
 };
 
-template <class Field, MaybeConst<Output> O>
-void fields_of(Field&& field, O& output) {
+void fields_of(auto&& field, MaybeConst<Output> auto& output) {
   field("size", output.size, concerns::picture);
   field("scale", output.scale, concerns::picture);
   field("crop", output.crop, concerns::picture);

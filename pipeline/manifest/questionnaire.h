@@ -49,8 +49,7 @@ struct AnswerSettings {
   friend bool operator==(const AnswerSettings&, const AnswerSettings&) = default;
 };
 
-template <class Field, MaybeConst<AnswerSettings> A>
-void fields_of(Field&& field, A& answer) {
+void fields_of(auto&& field, MaybeConst<AnswerSettings> auto& answer) {
   field("points", answer.points, concerns::nothing);
   field("slider", answer.slider, concerns::nothing);
   field("words", answer.words, concerns::nothing);
@@ -67,8 +66,7 @@ struct Demographic {
   bool required = false;
 };
 
-template <class Field, MaybeConst<Demographic> D>
-void fields_of(Field&& field, D& question) {
+void fields_of(auto&& field, MaybeConst<Demographic> auto& question) {
   field("id", question.id, concerns::required);
   field("ask", question.ask, concerns::required);
   field.by("answer", question.answer, concerns::required, AnswerChoiceForm());
@@ -85,8 +83,7 @@ struct Pace {
   friend bool operator==(const Pace&, const Pace&) = default;
 };
 
-template <class Field, MaybeConst<Pace> P>
-void fields_of(Field&& field, P& pace) {
+void fields_of(auto&& field, MaybeConst<Pace> auto& pace) {
   field("words_per_minute", pace.words_per_minute, concerns::nothing);
   field("answer", pace.answer, concerns::nothing);
   field("comment", pace.comment, concerns::nothing);
@@ -102,8 +99,7 @@ struct AnalysisPlan {
   int most_failed = 1;  ///< a participant who fails more attention checks is excluded
 };
 
-template <class Field, MaybeConst<AnalysisPlan> A>
-void fields_of(Field&& field, A& analysis) {
+void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
   field.by("plan", analysis.plan, concerns::nothing, TextForm());
   field("alpha", analysis.alpha, concerns::nothing);
   field("correction", analysis.correction, concerns::nothing, correction_words);
@@ -143,8 +139,7 @@ struct Questionnaire {
   AnalysisPlan analysis;
 };
 
-template <class Field, MaybeConst<Questionnaire> Q>
-void fields_of(Field&& field, Q& asked) {
+void fields_of(auto&& field, MaybeConst<Questionnaire> auto& asked) {
   field("title", asked.title, concerns::nothing);
   field("language", asked.language, concerns::nothing, language_words);
   field("participants", asked.participants, concerns::required);

@@ -13,8 +13,7 @@ constexpr Words<OrderKind> order_words = {
     {"full", OrderKind::full}, {"fixed", OrderKind::fixed}, {"latin", OrderKind::latin}};
 
 /// A member of a map, if it is there.
-template <class Value>
-void read_member(const Given& given, const char* key, Value& value) {
+void read_member(const Given& given, const char* key, auto& value) {
   const nlohmann::json* found = member(given.value, key);
   if (found != nullptr) read({*found, member_path(given.path, key), given.context}, value);
 }

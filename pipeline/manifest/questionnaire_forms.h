@@ -26,10 +26,7 @@ struct TextSource {
 struct TextForm {
   static void read(const Given& given, TextSource& source);
   static nlohmann::ordered_json write(const TextSource& source, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
-    names.add("file");
-  }
+  static void walk(auto& names) { names.add("file"); }
 };
 
 /// Which stimuli are asked about: those named, or those whose levels are among the given ones in
@@ -58,8 +55,7 @@ struct ScaleChoice {
 struct ScaleChoiceForm {
   static void read(const Given& given, ScaleChoice& choice);
   static nlohmann::ordered_json write(const ScaleChoice& choice, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
+  static void walk(auto& names) {
     names.add("file");
     names.add("ask");
   }
@@ -96,10 +92,7 @@ struct TrialOrder {
 struct TrialOrderForm {
   static void read(const Given& given, TrialOrder& order);
   static nlohmann::ordered_json write(const TrialOrder& order, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
-    names.add("blocked");
-  }
+  static void walk(auto& names) { names.add("blocked"); }
 };
 
 /// How often a video may be seen again; however often, it is counted.

@@ -24,14 +24,10 @@ struct RecipeBook {
 struct RecipesMapForm {
   static void read(const Given& given, std::vector<Recipe>& recipes);
   static nlohmann::ordered_json write(const std::vector<Recipe>& recipes, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
-    names.template of<Recipe>();
-  }
+  static void walk(auto& names) { names.template of<Recipe>(); }
 };
 
-template <class Field, MaybeConst<RecipeBook> B>
-void fields_of(Field&& field, B& book) {
+void fields_of(auto&& field, MaybeConst<RecipeBook> auto& book) {
   field("name", book.name, concerns::page);
   field.by("recipes", book.recipes, concerns::motion | concerns::required, RecipesMapForm());
 }

@@ -24,8 +24,7 @@ struct RegressionLimits {
   friend bool operator==(const RegressionLimits&, const RegressionLimits&) = default;
 };
 
-template <class Field, MaybeConst<RegressionLimits> L>
-void fields_of(Field&& field, L& limits) {
+void fields_of(auto&& field, MaybeConst<RegressionLimits> auto& limits) {
   field("position_mm", limits.position_mm, concerns::nothing);
   field("turn_degrees", limits.turn_degrees, concerns::nothing);
   field("speed_m_s", limits.speed_m_s, concerns::nothing);

@@ -24,8 +24,7 @@ struct Sheet {
   int columns = 6;                  ///< of pictures
 };
 
-template <class Field, MaybeConst<Sheet> S>
-void fields_of(Field&& field, S& sheet) {
+void fields_of(auto&& field, MaybeConst<Sheet> auto& sheet) {
   field("id", sheet.id, concerns::page);
   field.group("compare", [&](auto& compare) {
     compare("target", sheet.target, concerns::page);
@@ -51,8 +50,7 @@ struct Overlay {
   double opacity = 0.75;  ///< of figures in the same place; those side by side are opaque
 };
 
-template <class Field, MaybeConst<Overlay> O>
-void fields_of(Field&& field, O& overlay) {
+void fields_of(auto&& field, MaybeConst<Overlay> auto& overlay) {
   field("id", overlay.film.id, concerns::picture);
   field("target", overlay.target, concerns::picture | concerns::required);
   field("created", overlay.created, concerns::picture | concerns::required);

@@ -52,8 +52,7 @@ inline constexpr Words<motion::WarpShape> time_warp_words = {
 /// How examples become a clip.
 using Interpolation = motion::SynthesisOptions;
 
-template <class Field, MaybeConst<Interpolation> I>
-void fields_of(Field&& field, I& how) {
+void fields_of(auto&& field, MaybeConst<Interpolation> auto& how) {
   field("method", how.weights.method, concerns::motion, method_words);
   field("neighbours", how.weights.nearest.neighbours, concerns::motion);
   field("blends", how.weights.nearest.trials, concerns::motion);
@@ -78,8 +77,7 @@ struct ClipSource {
   std::optional<std::array<int, 2>> frames;  ///< first and last, counted from 0; all when absent
 };
 
-template <class Field, MaybeConst<ClipSource> C>
-void fields_of(Field&& field, C& clip) {
+void fields_of(auto&& field, MaybeConst<ClipSource> auto& clip) {
   field("file", clip.file, concerns::motion | concerns::required | concerns::alone);
   field("take", clip.take, concerns::motion);
   field("frames", clip.frames, concerns::motion);
@@ -95,10 +93,7 @@ struct StepsForm {
   static void read(const Given& given, std::vector<ModificationStep>& steps);
   static nlohmann::ordered_json write(const std::vector<ModificationStep>& steps,
                                       const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
-    names.template of<ModificationStep>();
-  }
+  static void walk(auto& names) { names.template of<ModificationStep>(); }
 };
 
 /// One motion to make. Exactly one of adjectives, features, weights, clip, path and foil is given.
@@ -124,8 +119,7 @@ struct Stimulus {
   RegressionLimits regression;           ///< the manifest's with this stimulus's own over it
 };
 
-template <class Field, MaybeConst<Stimulus> S>
-void fields_of(Field&& field, S& stimulus) {
+void fields_of(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
   field("id", stimulus.id, concerns::motion | concerns::required);
   field("role", stimulus.role, concerns::picture, role_words);
   field("foil", stimulus.foil, concerns::motion);

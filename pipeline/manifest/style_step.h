@@ -57,8 +57,7 @@ struct StyleRepairForm {
   static nlohmann::ordered_json write(bool feet, const Writing&);
 };
 
-template <class Field, MaybeConst<StyleStep> S>
-void fields_of(Field&& field, S& style) {
+void fields_of(auto&& field, MaybeConst<StyleStep> auto& style) {
   field("method", style.method, concerns::motion | concerns::required, style_methods);
   field("neutral", style.neutral, concerns::motion);
   field("styled", style.styled, concerns::motion);

@@ -30,8 +30,7 @@ struct WalkStep {
   friend bool operator==(const WalkStep&, const WalkStep&) = default;
 };
 
-template <class Field, MaybeConst<WalkStep> S>
-void fields_of(Field&& field, S& step) {
+void fields_of(auto&& field, MaybeConst<WalkStep> auto& step) {
   field("walk", step.walk_s, concerns::motion);
   field("turn", step.turn_deg, concerns::motion);
   field("stand", step.stand_s, concerns::motion);
@@ -48,8 +47,7 @@ struct MoodChange {
   friend bool operator==(const MoodChange&, const MoodChange&) = default;
 };
 
-template <class Field, MaybeConst<MoodChange> C>
-void fields_of(Field&& field, C& change) {
+void fields_of(auto&& field, MaybeConst<MoodChange> auto& change) {
   field("at", change.seconds, concerns::motion | concerns::required);
   field("mood", change.mood, concerns::motion | concerns::required);
 }
@@ -65,8 +63,7 @@ struct GraphMotion {
   friend bool operator==(const GraphMotion&, const GraphMotion&) = default;
 };
 
-template <class Field, MaybeConst<GraphMotion> M>
-void fields_of(Field&& field, M& motion) {
+void fields_of(auto&& field, MaybeConst<GraphMotion> auto& motion) {
   field("file", motion.file, concerns::motion | concerns::required | concerns::alone);
   field("take", motion.take, concerns::motion);
 }
@@ -88,8 +85,7 @@ struct WalkPath {
   friend bool operator==(const WalkPath&, const WalkPath&) = default;
 };
 
-template <class Field, MaybeConst<WalkPath> P>
-void fields_of(Field&& field, P& path) {
+void fields_of(auto&& field, MaybeConst<WalkPath> auto& path) {
   field("set", path.set, concerns::motion);
   field("mood", path.mood, concerns::motion);
   field("pace", path.pace, concerns::motion);
@@ -104,10 +100,7 @@ void fields_of(Field&& field, P& path) {
 struct WalkPathForm {
   static void read(const Given& given, std::optional<WalkPath>& path);
   static nlohmann::ordered_json write(const std::optional<WalkPath>& path, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
-    names.template of<WalkPath>();
-  }
+  static void walk(auto& names) { names.template of<WalkPath>(); }
 };
 
 /// Names of the walks that the set holds; none for a set that there is not.

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
 #include <fcntl.h>

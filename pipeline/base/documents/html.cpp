@@ -88,20 +88,24 @@ std::string embedded_svg(std::string_view svg, std::string_view alternative) {
                      html_escaped(alternative));
 }
 
-std::string data_uri(std::string_view media_type, std::string_view bytes) {
+std::string in_base64(std::string_view bytes) {
   constexpr std::string_view digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string uri = fmt::format("data:{};base64,", media_type);
-  uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::string_view three = bytes.substr(i, 3);
     unsigned bits = 0;
     for (std::size_t k = 0; k < 3; ++k)
       bits = bits << 8U | (k < three.size() ? static_cast<unsigned char>(three[k]) : 0U);
     for (std::size_t k = 0; k < 4; ++k)
-      uri += k <= three.size() ? digits[bits >> (18U - 6U * k) & 63U] : '=';
+      text += k <= three.size() ? digits[bits >> (18U - 6U * k) & 63U] : '=';
   }
-  return uri;
+  return text;
+}
+
+std::string data_uri(std::string_view media_type, std::string_view bytes) {
+  return fmt::format("data:{};base64,{}", media_type, in_base64(bytes));
 }
 
 std::string html_page(std::string_view title, std::string_view style, std::string_view body,

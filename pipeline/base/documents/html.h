@@ -23,6 +23,9 @@ std::string html_table(std::initializer_list<std::string_view> heads, const std:
 /// would share their names.
 std::string embedded_svg(std::string_view svg, std::string_view alternative);
 
+/// Bytes in base64 (RFC 4648).
+std::string in_base64(std::string_view bytes);
+
 /// Bytes as an address: "data:image/png;base64,…".
 std::string data_uri(std::string_view media_type, std::string_view bytes);
 

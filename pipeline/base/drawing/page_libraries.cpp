@@ -1,7 +1,6 @@
 #include "pipeline/base/drawing/page_libraries.h"
 
 #include <array>
-#include <cstdio>
 #include <optional>
 
 #include <fmt/format.h>

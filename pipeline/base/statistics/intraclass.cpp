@@ -28,8 +28,7 @@ struct RatedCells {
 };
 
 /// Indices of the lines that hold an answer; −1 of the others.
-template <class Holds>
-std::vector<Eigen::Index> numbered(Eigen::Index lines, const Holds& holds) {
+std::vector<Eigen::Index> numbered(Eigen::Index lines, const auto& holds) {
   std::vector<Eigen::Index> numbers;
   Eigen::Index next = 0;
   for (Eigen::Index i = 0; i < lines; ++i) numbers.push_back(holds(i) ? next++ : -1);

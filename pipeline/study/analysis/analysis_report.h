@@ -4,7 +4,6 @@
 
 #include "pipeline/study/analysis/analysis.h"
 #include "pipeline/study/analysis/dendrogram.h"
-#include "pipeline/study/analysis/published_clusters.h"
 
 namespace mien::pipeline {
 

@@ -14,17 +14,6 @@ using nlohmann::ordered_json;
 
 ordered_json metres(const motion::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-ordered_json body_info(const motion::Skeleton& body) {
-  ordered_json names = ordered_json::array(), parents = names, offsets = names, tips = names;
-  for (const motion::Joint& joint : body.joints) {
-    names.push_back(joint.name);
-    parents.push_back(joint.parent);
-    offsets.push_back(metres(joint.offset));
-    tips.push_back(joint.tip ? metres(*joint.tip) : ordered_json());
-  }
-  return {{"names", names}, {"parents", parents}, {"offsets", offsets}, {"tips", tips}};
-}
-
 const ScaleGroup* find_group(const std::string& id, const ScaleSet& scales) {
   for (const ScaleGroup& group : scales.groups) {
     if (group.id == id) return &group;
@@ -103,6 +92,17 @@ ordered_json feature_sliders(const motion::ParameterTable& table) {
 }
 
 }  // namespace
+
+ordered_json body_info(const motion::Skeleton& body) {
+  ordered_json names = ordered_json::array(), parents = names, offsets = names, tips = names;
+  for (const motion::Joint& joint : body.joints) {
+    names.push_back(joint.name);
+    parents.push_back(joint.parent);
+    offsets.push_back(metres(joint.offset));
+    tips.push_back(joint.tip ? metres(*joint.tip) : ordered_json());
+  }
+  return {{"names", names}, {"parents", parents}, {"offsets", offsets}, {"tips", tips}};
+}
 
 ordered_json live_info(const motion::LiveBundle& bundle, const ScaleSet& scales,
                        const std::vector<std::string>& primary) {

@@ -10,6 +10,9 @@
 
 namespace mien::pipeline {
 
+/// A body as pages read it: names, parents, offsets and tips of its joints.
+nlohmann::ordered_json body_info(const motion::Skeleton& body);
+
 /// What pages read first (LiveInfo of pipeline/study/page/src/live/core.ts): body, examples,
 /// sliders with their texts and where the examples lie on the average, targets. `primary`:
 /// adjectives shown at once; empty: the scales' groups, or all where there are none.

@@ -10,16 +10,7 @@
 
 namespace mien::pipeline {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-std::string in_base64(const std::string& bytes) {
-  const std::string uri = data_uri("application/octet-stream", bytes);
-  return uri.substr(uri.find(',') + 1);
-}
-
-}  // namespace
 
 fs::path live_module_beside(const fs::path& program) {
   const fs::path folder = program.parent_path();

@@ -29,9 +29,8 @@ std::string group_name(const MatchingEvaluation& evaluation, const std::string& 
 }
 
 /// For each group the bars that `bar` makes of what belongs to its target.
-template <class Results, class Make>
-std::vector<Bar> grouped_bars(const MatchingEvaluation& evaluation, const Results& results,
-                              const Make& make) {
+std::vector<Bar> grouped_bars(const MatchingEvaluation& evaluation, const auto& results,
+                              const auto& make) {
   std::vector<Bar> bars;
   for (const std::string& target : groups_of(evaluation)) {
     for (const auto& result : results) {
@@ -73,65 +72,55 @@ std::vector<Bar> share_bars(const MatchingEvaluation& evaluation, int MatchingSh
 }  // namespace
 
 BarChart first_guess_chart(const MatchingEvaluation& evaluation, bool simulated) {
-  BarChart chart;
-  chart.title = "Distance of the first guess";
-  chart.axis = "D, metres";
-  chart.whiskers = "± 1 SD over participants";
-  chart.bars = mean_bars(evaluation, MatchingMeasure::first_guess_d);
-  chart.line = evaluation.threshold_m;
-  chart.line_name = fmt::format("threshold {:g} m", evaluation.threshold_m);
-  chart.decimals = 3;
-  chart.simulated = simulated;
-  return chart;
+  return {.title = "Distance of the first guess",
+          .axis = "D, metres",
+          .whiskers = "± 1 SD over participants",
+          .bars = mean_bars(evaluation, MatchingMeasure::first_guess_d),
+          .line = evaluation.threshold_m,
+          .line_name = fmt::format("threshold {:g} m", evaluation.threshold_m),
+          .decimals = 3,
+          .simulated = simulated};
 }
 
 BarChart first_guess_success_chart(const MatchingEvaluation& evaluation, bool simulated) {
-  BarChart chart;
-  chart.title = "First guesses that matched";
-  chart.axis = fmt::format("share of guesses with D < {:g} m", evaluation.threshold_m);
-  chart.bars = share_bars(evaluation, &MatchingShare::near_guesses, &MatchingShare::guesses);
-  chart.percent = true;
-  chart.simulated = simulated;
-  return chart;
+  return {.title = "First guesses that matched",
+          .axis = fmt::format("share of guesses with D < {:g} m", evaluation.threshold_m),
+          .bars = share_bars(evaluation, &MatchingShare::near_guesses, &MatchingShare::guesses),
+          .percent = true,
+          .simulated = simulated};
 }
 
 BarChart time_chart(const MatchingEvaluation& evaluation, bool simulated) {
-  BarChart chart;
-  chart.title = "Time until the match";
-  chart.axis = "seconds";
-  chart.whiskers = "± 1 SD over participants";
-  chart.bars = mean_bars(evaluation, MatchingMeasure::time_s);
-  chart.simulated = simulated;
-  return chart;
+  return {.title = "Time until the match",
+          .axis = "seconds",
+          .whiskers = "± 1 SD over participants",
+          .bars = mean_bars(evaluation, MatchingMeasure::time_s),
+          .simulated = simulated};
 }
 
 BarChart time_saved_chart(const MatchingEvaluation& evaluation, bool simulated) {
-  BarChart chart;
-  chart.title = "Time saved";
-  chart.axis = "seconds that the first-named interface saves (below 0: that it costs)";
-  chart.whiskers = "90 % interval of the mean";
-  chart.bars = grouped_bars(evaluation, evaluation.comparisons,
-                            [](const MatchingComparison& c) -> std::optional<Bar> {
-                              if (c.measure != MatchingMeasure::time_s) return std::nullopt;
-                              return Bar{.name = c.second,
-                                         .value = c.difference.mean,
-                                         .low = c.difference.low(0.9),
-                                         .high = c.difference.high(0.9),
-                                         .note = "against " + c.first,
-                                         .second_note = fmt::format("n = {}", c.exact.pairs)};
-                            });
-  chart.simulated = simulated;
-  return chart;
+  return {.title = "Time saved",
+          .axis = "seconds that the first-named interface saves (below 0: that it costs)",
+          .whiskers = "90 % interval of the mean",
+          .bars = grouped_bars(evaluation, evaluation.comparisons,
+                               [](const MatchingComparison& c) -> std::optional<Bar> {
+                                 if (c.measure != MatchingMeasure::time_s) return std::nullopt;
+                                 return Bar{.name = c.second,
+                                            .value = c.difference.mean,
+                                            .low = c.difference.low(0.9),
+                                            .high = c.difference.high(0.9),
+                                            .note = "against " + c.first,
+                                            .second_note = fmt::format("n = {}", c.exact.pairs)};
+                               }),
+          .simulated = simulated};
 }
 
 BarChart failures_chart(const MatchingEvaluation& evaluation, bool simulated) {
-  BarChart chart;
-  chart.title = "Trials without a match";
-  chart.axis = "share of trials that reached the time limit";
-  chart.bars = share_bars(evaluation, &MatchingShare::failures, &MatchingShare::trials);
-  chart.percent = true;
-  chart.simulated = simulated;
-  return chart;
+  return {.title = "Trials without a match",
+          .axis = "share of trials that reached the time limit",
+          .bars = share_bars(evaluation, &MatchingShare::failures, &MatchingShare::trials),
+          .percent = true,
+          .simulated = simulated};
 }
 
 }  // namespace mien::pipeline

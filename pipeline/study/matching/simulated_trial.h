@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include "motion/measures/distance/distance.h"
-#include "pipeline/production/synthesis/slider_interface.h"
 
 namespace mien::pipeline {
 

@@ -41,8 +41,7 @@ void count_sides(const SessionPlan& plan, Balance& balance) {
   }
 }
 
-template <class Counts>
-CountRange range_over(const Counts& counts, std::size_t possible) {
+CountRange range_over(const auto& counts, std::size_t possible) {
   if (counts.empty()) return {};
   CountRange range{counts.begin()->second, counts.begin()->second};
   for (const auto& [key, count] : counts) {

@@ -1,10 +1,11 @@
 #include "pipeline/study/server/http_message.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
+
+#include "motion/text/as_number.h"
 
 namespace mien::pipeline {
 
@@ -16,13 +17,6 @@ bool is_plain(char character) {
   return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
          (character >= '0' && character <= '9') || character == '.' || character == '_' ||
          character == '-';
-}
-
-std::optional<std::uint64_t> whole_number(std::string_view text) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 struct ByteRange {
@@ -42,8 +36,8 @@ RangeKind read_range(std::string_view header, std::uint64_t size, ByteRange& ran
     return RangeKind::whole;
   const std::string_view first_text = header.substr(0, dash);
   const std::string_view last_text = header.substr(dash + 1);
-  const std::optional<std::uint64_t> first = whole_number(first_text);
-  const std::optional<std::uint64_t> last = whole_number(last_text);
+  const std::optional<std::uint64_t> first = motion::as_number<std::uint64_t>(first_text);
+  const std::optional<std::uint64_t> last = motion::as_number<std::uint64_t>(last_text);
   if (first_text.empty()) {
     if (!last) return RangeKind::whole;
     if (*last == 0 || size == 0) return RangeKind::beyond;
@@ -60,6 +54,14 @@ RangeKind read_range(std::string_view header, std::uint64_t size, ByteRange& ran
 
 HttpResponse http_json(const std::string& text) {
   return {.type = "application/json; charset=utf-8", .body = text};
+}
+
+bool is_json(const HttpRequest& request) {
+  const auto type = request.headers.find("content-type");
+  if (type == request.headers.end()) return false;
+  std::string name = type->second.substr(0, type->second.find(';'));
+  while (!name.empty() && name.back() == ' ') name.pop_back();
+  return name == "application/json";
 }
 
 HttpResponse http_refusal(int status, const std::string& error, const std::string& wrong,

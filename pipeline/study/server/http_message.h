@@ -39,6 +39,9 @@ struct HttpResponse {
   bool webassembly = false;
 };
 
+/// Whether the body is told to be "application/json", with or without parameters.
+bool is_json(const HttpRequest& request);
+
 /// {"error": …, "wrong": …, "remedy": …}
 HttpResponse http_refusal(int status, const std::string& error, const std::string& wrong,
                           const std::string& remedy);

@@ -24,16 +24,14 @@ class TimedStream {
   /// For all that comes until it is called again: a byte now and then holds nobody up.
   void expires_after(std::chrono::milliseconds time) { deadline_ = Clock::now() + time; }
 
-  template <class Buffers>
-  std::size_t read_some(const Buffers& buffers, ErrorCode& error) {
+  std::size_t read_some(const auto& buffers, ErrorCode& error) {
     std::size_t count = 0;
     do count = socket_.read_some(buffers, error);
     while (error == boost::asio::error::would_block && wait(POLLIN, error));
     return count;
   }
 
-  template <class Buffers>
-  std::size_t write_some(const Buffers& buffers, ErrorCode& error) {
+  std::size_t write_some(const auto& buffers, ErrorCode& error) {
     std::size_t count = 0;
     do count = socket_.write_some(buffers, error);
     while (error == boost::asio::error::would_block && wait(POLLOUT, error));

@@ -19,8 +19,7 @@ using nlohmann::ordered_json;
 constexpr std::size_t most_vocabularies = 8;
 
 /// A document's texts, and where they stand.
-template <class Visit>
-void each_text(const ordered_json& value, const std::string& path, const Visit& visit) {
+void each_text(const ordered_json& value, const std::string& path, const auto& visit) {
   if (value.is_string()) visit(value.get_ref<const std::string&>(), path);
   if (!value.is_structured()) return;
   std::size_t index = 0;

@@ -10,6 +10,7 @@
 #include "motion/live/live_core.h"
 #include "motion/measures/distance/distance.h"
 #include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/synthesis/motions.h"
 #include "pipeline/production/synthesis/synthesis.h"
 #include "pipeline/study/live/live_bundle_writer.h"
 #include "pipeline/study/live/live_info.h"
@@ -34,18 +35,6 @@ ordered_json findings_json(const std::vector<motion::Finding>& findings) {
                     {"sentence", finding.sentence}});
   }
   return list;
-}
-
-ordered_json body_json(const motion::Skeleton& body) {
-  ordered_json names = ordered_json::array(), parents = names, offsets = names, tips = names;
-  for (const motion::Joint& joint : body.joints) {
-    names.push_back(joint.name);
-    parents.push_back(joint.parent);
-    offsets.push_back({joint.offset.x(), joint.offset.y(), joint.offset.z()});
-    tips.push_back(joint.tip ? ordered_json{joint.tip->x(), joint.tip->y(), joint.tip->z()}
-                             : ordered_json());
-  }
-  return {{"names", names}, {"parents", parents}, {"offsets", offsets}, {"tips", tips}};
 }
 
 ordered_json values_json(const NamedValues& values) {
@@ -121,13 +110,6 @@ const motion::Example& compared(StudioMotion& made) {
   return *made.compared;
 }
 
-const Stimulus* stimulus_in(const Manifest& manifest, const std::string& id) {
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (stimulus.id == id) return &stimulus;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 Motions& StudioMotions::study(const ordered_json& document) {
@@ -152,7 +134,7 @@ StudioMotions::Kept StudioMotions::made(const ordered_json& document, const std:
     if (asked == key) return kept;
   }
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
-  const Stimulus* stimulus = stimulus_in(manifest, name);
+  const Stimulus* stimulus = find_stimulus(manifest, name);
   auto motion = std::make_shared<StudioMotion>();
   motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
   // As in a run: a file or a path needs no examples, and there may be none.
@@ -177,7 +159,7 @@ StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const st
     if (asked == key) return kept;
   }
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
-  const Stimulus* stimulus = stimulus_in(manifest, name);
+  const Stimulus* stimulus = find_stimulus(manifest, name);
   shown_.emplace_front(key, stimulus == nullptr
                                 ? Shown{manifest.look.figure}
                                 : Shown{stimulus->look.figure, staged_role(stimulus->role)});
@@ -202,7 +184,7 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
                                      ? ordered_json::object()
                                      : weights_json(synthesis, study(document).repertoire());
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    const ordered_json head = {{"body", body_json(synthesis.motion.clip.body)},
+    const ordered_json head = {{"body", body_info(synthesis.motion.clip.body)},
                                {"findings", findings_json(synthesis.findings)},
                                {"warnings", synthesis.warnings},
                                {"notes", synthesis.notes},

@@ -72,17 +72,6 @@ ordered_json sliders_json(const Manifest& manifest, const motion::LiveBundle& bu
   return sliders;
 }
 
-ordered_json demographics_of(const Matching& matching) {
-  ordered_json questions = ordered_json::array();
-  for (const Demographic& one : matching.demographics) {
-    ordered_json answer = one.answer.is_number ? "number" : "text";
-    if (!one.answer.choices.empty()) answer = one.answer.choices;
-    questions.push_back(
-        {{"id", one.id}, {"ask", one.ask}, {"answer", answer}, {"required", one.required}});
-  }
-  return questions;
-}
-
 ordered_json sessions_of(const std::vector<SessionPlan>& plans) {
   ordered_json sessions = ordered_json::array();
   for (const SessionPlan& plan : plans) {
@@ -137,7 +126,7 @@ ordered_json experiment_of(const Manifest& manifest, const motion::LiveBundle& b
                              {"settings", {{"phones", word_of(phones_words, matching.phones)}}},
                              {"matching", settings_of(manifest, bundle)},
                              {"items", ordered_json::object()},
-                             {"demographics", demographics_of(matching)},
+                             {"demographics", demographics_json(matching.demographics)},
                              {"media", ordered_json::object()},
                              {"stimuli", ordered_json::object()},
                              {"sessions", sessions_of(plans)}};

@@ -57,17 +57,6 @@ ordered_json settings_json(const Questionnaire& asked) {
           {"question", asked.question}};
 }
 
-ordered_json demographics_json(const Questionnaire& asked) {
-  ordered_json questions = ordered_json::array();
-  for (const Demographic& one : asked.demographics) {
-    ordered_json answer = one.answer.is_number ? "number" : "text";
-    if (!one.answer.choices.empty()) answer = one.answer.choices;
-    questions.push_back(
-        {{"id", one.id}, {"ask", one.ask}, {"answer", answer}, {"required", one.required}});
-  }
-  return questions;
-}
-
 ordered_json trial_json(const Manifest& manifest, const Trial& trial) {
   ordered_json media = ordered_json::array();
   for (const std::string& stimulus : trial.stimuli)
@@ -149,6 +138,17 @@ std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage 
   return paragraphs;
 }
 
+ordered_json demographics_json(const std::vector<Demographic>& demographics) {
+  ordered_json questions = ordered_json::array();
+  for (const Demographic& one : demographics) {
+    ordered_json answer = one.answer.is_number ? "number" : "text";
+    if (!one.answer.choices.empty()) answer = one.answer.choices;
+    questions.push_back(
+        {{"id", one.id}, {"ask", one.ask}, {"answer", answer}, {"required", one.required}});
+  }
+  return questions;
+}
+
 ordered_json experiment_json(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                              const MediaFiles& media) {
   const Questionnaire& asked = questionnaire_of(manifest);
@@ -168,7 +168,7 @@ ordered_json experiment_json(const Manifest& manifest, const std::vector<Session
                              {"settings", settings_json(asked)},
                              {"items", items_json(manifest)},
                              {"choices", choices_json(manifest)},
-                             {"demographics", demographics_json(asked)},
+                             {"demographics", demographics_json(asked.demographics)},
                              {"sessions", sessions_json(manifest, plans)}};
   add_media(experiment, media);
   return experiment;

@@ -23,4 +23,7 @@ nlohmann::ordered_json experiment_json(const Manifest& manifest,
 /// A text as its paragraphs, which blank lines part; lines within a paragraph are joined.
 std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage language);
 
+/// The questions about participants, as pages ask them.
+nlohmann::ordered_json demographics_json(const std::vector<Demographic>& demographics);
+
 }  // namespace mien::pipeline

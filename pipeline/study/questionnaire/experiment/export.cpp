@@ -10,6 +10,7 @@
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/html.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
@@ -22,23 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-std::string in_base64(std::string_view bytes) {
-  constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto at = [&](std::size_t k) -> std::uint32_t {
-      return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;
-    };
-    const std::uint32_t three = at(0) << 16U | at(1) << 8U | at(2);
-    for (int k = 0; k < 4; ++k)
-      text += letters[three >> (18U - 6U * static_cast<unsigned>(k)) & 63U];
-  }
-  for (std::size_t i = bytes.size(); i % 3 != 0; ++i) text[text.size() - (3 - i % 3)] = '=';
-  return text;
-}
 
 /// A page that was opened from a disk cannot read a motion beside it, but run it as a script.
 std::string as_script(const MediaFile& file, std::string_view bytes) {

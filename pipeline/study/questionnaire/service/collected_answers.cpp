@@ -1,7 +1,9 @@
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <utility>
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/study/questionnaire/service/matching_rows.h"
@@ -23,25 +25,29 @@ PageRecord parsed(const StoredRecord& stored) {
   return read_record(nlohmann::json::parse(stored.content));
 }
 
-std::vector<MatchedTrial> matched_trials(const ServedStudy& study, const StudySessions& sessions) {
-  std::vector<MatchedTrial> trials;
-  if (!study.facts.matching) return trials;
+/// Gives `take` every record of a trial, with its plan and its trial.
+void for_each_trial(const StudySessions& sessions, const auto& take) {
   std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
   for (const SessionState& state : sessions.states()) {
     const SessionPlan plan = sessions.plan_of(state.session);
-    for (const StoredRecord& stored : records[state.session.index]) {
-      PageRecord record = parsed(stored);
-      const Trial* trial = trial_of(plan, stored.name);
-      if (trial == nullptr || !record.matching) continue;
-      trials.push_back({.participant = plan.participant,
-                        .session = record.session,
-                        .design = study.facts.design,
-                        .trial = *trial,
-                        .match = std::move(*record.matching),
-                        .limit_s = study.facts.matching->limit_s,
-                        .threshold_m = study.facts.matching->threshold_m});
-    }
+    for (const StoredRecord& stored : records[state.session.index])
+      if (const Trial* trial = trial_of(plan, stored.name)) take(plan, *trial, parsed(stored));
   }
+}
+
+std::vector<MatchedTrial> matched_trials(const ServedStudy& study, const StudySessions& sessions) {
+  std::vector<MatchedTrial> trials;
+  if (!study.facts.matching) return trials;
+  for_each_trial(sessions, [&](const SessionPlan& plan, const Trial& trial, PageRecord record) {
+    if (!record.matching) return;
+    trials.push_back({.participant = plan.participant,
+                      .session = record.session,
+                      .design = study.facts.design,
+                      .trial = trial,
+                      .match = std::move(*record.matching),
+                      .limit_s = study.facts.matching->limit_s,
+                      .threshold_m = study.facts.matching->threshold_m});
+  });
   return trials;
 }
 
@@ -57,17 +63,9 @@ std::string changes_csv(const ServedStudy& study, const StudySessions& sessions)
 
 std::string answers_csv(const ServedStudy& study, const StudySessions& sessions) {
   std::vector<AnswerRow> rows;
-  std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
-  for (const SessionState& state : sessions.states()) {
-    const SessionPlan plan = sessions.plan_of(state.session);
-    for (const StoredRecord& stored : records[state.session.index]) {
-      const Trial* trial = trial_of(plan, stored.name);
-      if (trial == nullptr) continue;
-      std::vector<AnswerRow> more = rows_of(study.facts, plan, *trial, parsed(stored));
-      rows.insert(rows.end(), std::make_move_iterator(more.begin()),
-                  std::make_move_iterator(more.end()));
-    }
-  }
+  for_each_trial(sessions, [&](const SessionPlan& plan, const Trial& trial, PageRecord record) {
+    std::ranges::move(rows_of(study.facts, plan, trial, record), std::back_inserter(rows));
+  });
   return to_csv(rows);
 }
 

@@ -61,7 +61,7 @@ const std::string& hash_at(const std::map<std::string, std::string>& hashes,
 
 AnswerRow row_of_trial(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                        const PageRecord& record) {
-  AnswerRow row;
+  AnswerRow row = record.measured;
   row.participant = plan.participant;
   row.session = record.session;
   row.trial = trial.number;
@@ -75,17 +75,6 @@ AnswerRow row_of_trial(const AskedFacts& facts, const SessionPlan& plan, const T
   row.is_warmup = trial.warm_up;
   row.is_catch = trial.is_catch || trial.kind == TrialKind::attention;
   row.expected = trial.expected;
-  row.replays = record.replays;
-  row.trial_ms = record.trial_ms;
-  row.play_start_ms = record.play_start_ms;
-  row.ended_ms = record.ended_ms;
-  row.stalls = record.stalls;
-  row.stall_ms = record.stall_ms;
-  row.dropped_frames = record.dropped_frames;
-  row.blurs = record.blurs;
-  row.viewport_width = record.viewport_width;
-  row.viewport_height = record.viewport_height;
-  row.refresh_hz = record.refresh_hz;
   row.seed = plan.seed;
   row.design = facts.design;
   row.simulated = facts.simulated;
@@ -155,17 +144,17 @@ PageRecord read_record(const nlohmann::json& text) {
     record.responses.push_back(read_response(response));
   record.comment = reader.text("comment", longest_comment);
   record.started_at = reader.text("started_at", longest_name);
-  record.replays = reader.count("replays");
-  record.trial_ms = reader.amount("trial_ms", longest_ms);
-  record.play_start_ms = reader.amount("play_start_ms", longest_ms);
-  record.ended_ms = reader.amount("ended_ms", longest_ms);
-  record.stalls = reader.count("stalls");
-  record.stall_ms = reader.amount("stall_ms", longest_ms);
-  record.dropped_frames = reader.count("dropped_frames");
-  record.blurs = reader.count("blurs");
-  record.viewport_width = reader.count("viewport_width");
-  record.viewport_height = reader.count("viewport_height");
-  record.refresh_hz = reader.amount("refresh_hz", 10'000);
+  record.measured.replays = reader.count("replays");
+  record.measured.trial_ms = reader.amount("trial_ms", longest_ms);
+  record.measured.play_start_ms = reader.amount("play_start_ms", longest_ms);
+  record.measured.ended_ms = reader.amount("ended_ms", longest_ms);
+  record.measured.stalls = reader.count("stalls");
+  record.measured.stall_ms = reader.amount("stall_ms", longest_ms);
+  record.measured.dropped_frames = reader.count("dropped_frames");
+  record.measured.blurs = reader.count("blurs");
+  record.measured.viewport_width = reader.count("viewport_width");
+  record.measured.viewport_height = reader.count("viewport_height");
+  record.measured.refresh_hz = reader.amount("refresh_hz", 10'000);
   record.media_sha256 = read_hashes(reader.find("media_sha256"));
   if (const nlohmann::json* matching = reader.find("matching"))
     record.matching = read_matching_record(*matching);

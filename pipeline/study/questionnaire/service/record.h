@@ -60,12 +60,7 @@ struct PageRecord {
   std::vector<GivenResponse> responses;
   std::string comment;
   std::string started_at;  ///< ISO time by the participant's clock
-  std::optional<int> replays;
-  std::optional<double> trial_ms, play_start_ms, ended_ms;
-  std::optional<int> stalls;
-  std::optional<double> stall_ms;
-  std::optional<int> dropped_frames, blurs, viewport_width, viewport_height;
-  std::optional<double> refresh_hz;
+  AnswerRow measured;      ///< of a row of the trial what the browser counts and times, and no more
   std::vector<std::string> media_sha256;   ///< of what was shown, then of the reference
   std::optional<MatchingRecord> matching;  ///< of a trial of matching
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
