@@ -22,7 +22,8 @@ struct TakeLimits {
   double frozen_m_s = 0.001;            ///< …nor does the root move faster
   Levels frozen_seconds = {0.25, 1.0};  ///< as long
   double calibration_seconds = 0.1;     ///< at the start, in which a take may leap out of a pose
-  int calibration_joints = 3;           ///< more than these leap at once then
+  int calibration_joints = 3;           ///< more than these leap at once then…
+  double calibration_times = 5.0;       ///< …or half of them step so much farther than after it
   double drift_seconds = 1.0;           ///< on both feet, at least
   Levels rise_metres = {0.03, 0.1};     ///< of the whole body over a take
 };
@@ -46,8 +47,10 @@ bool is_frozen(const LintSubject& subject, int step);
 Findings find_frozen(const LintSubject& subject, const LintSubject* original);
 
 /// One finding at most: the first frames, where more than `calibration_joints` joints (the root is
-/// one) leap at once out of the pose that they show, as out of the T-pose of a calibration, within
-/// `calibration_seconds` or after nothing has moved. None of loops.
+/// one) leap at once out of the pose that they show, as out of the T-pose of a calibration, or where
+/// one leaps and half of all step by more than 1° and `calibration_times` as far as in the
+/// `calibration_seconds` that follow. It lasts so long at most, or until something moves. None of
+/// loops.
 Findings find_calibration_pose(const LintSubject& subject, const LintOptions& options);
 
 /// Walks on the spot, and how fast the floor would move under them. None of loops, whose place is

@@ -24,6 +24,12 @@ std::vector<Vec3> turns(const Clip& clip, int joint) {
   return steps;
 }
 
+std::vector<double> lengths(const std::vector<Vec3>& steps) {
+  std::vector<double> result;
+  for (const Vec3& step : steps) result.push_back(step.norm());
+  return result;
+}
+
 std::vector<Vec3> root_steps(const Clip& clip) {
   std::vector<Vec3> steps;
   for (int t = 0; t + 1 < clip.frame_count(); ++t) {
@@ -137,6 +143,21 @@ std::vector<int> leaping_joints(const LintSubject& subject, const LintOptions& o
   return counts;
 }
 
+/// Whether half of all joints, or more, step farther at step `i` than in any of the steps that
+/// follow it: out of a pose that is another altogether, however near its limbs may be.
+bool is_another_pose(const LintSubject& subject, int i) {
+  const int after = static_cast<int>(std::ceil(take_limits.calibration_seconds * subject.rate()));
+  int joints = 0;
+  for (int j = 0; j < subject.clip.body.size(); ++j) {
+    const std::vector<double> steps = in_degrees(lengths(turns(subject.clip, j)));
+    const auto next = steps.begin() + i + 1;
+    const auto end = next + std::min<std::ptrdiff_t>(after, steps.end() - next);
+    const double usual = next == end ? 0.0 : *std::max_element(next, end);
+    joints += steps[i] > std::max(1.0, take_limits.calibration_times * usual) ? 1 : 0;
+  }
+  return 2 * joints >= subject.clip.body.size();
+}
+
 /// The step over the seam at the end of the middle lap beyond twice what the loop does elsewhere.
 double seam_excess(const LintSubject& subject, const std::vector<double>& steps) {
   std::vector<double> elsewhere;
@@ -189,7 +210,9 @@ Findings find_calibration_pose(const LintSubject& subject, const LintOptions& op
   bool has_moved = false;
   for (int i = 0; i + 2 < static_cast<int>(leaping.size()); ++i) {
     if (i >= few && has_moved) break;
-    if (leaping[i] > take_limits.calibration_joints) {
+    const bool is_left = leaping[i] > take_limits.calibration_joints ||
+                         (leaping[i] > 0 && is_another_pose(subject, i));
+    if (is_left) {
       Finding finding;
       finding.check = "calibration-pose";
       finding.last = i;
@@ -198,7 +221,8 @@ Findings find_calibration_pose(const LintSubject& subject, const LintOptions& op
       finding.unit = "joints";
       finding.severity = Severity::error;
       finding.sentence = std::string("The take begins with another pose, as for calibration: ") +
-                         std::to_string(leaping[i]) + " joints leap at once after it.";
+                         std::to_string(leaping[i]) +
+                         (leaping[i] == 1 ? " joint leaps" : " joints leap at once") + " after it.";
       return {finding};
     }
     has_moved = has_moved || !is_frozen(subject, i);

@@ -55,6 +55,11 @@ CLI::Validator limits_of(const CommandOption& option) {
   return CLI::Range(static_cast<int>(option.least), static_cast<int>(option.largest));
 }
 
+/// A value that is empty, as a shell's unset variable is: never meant as leaving the option out.
+std::string fault_of_empty(const std::string& given) {
+  return given.empty() ? "empty; give a value, or leave it out" : "";
+}
+
 void add_option(CLI::App& app, const CommandOption& option) {
   CLI::Option* added = std::visit(AddedOption{app, option}, option.variable);
   if (option.is_required) added->required();
@@ -68,6 +73,7 @@ void add_option(CLI::App& app, const CommandOption& option) {
   } else if (!option.choices.empty()) {
     added->check(CLI::IsMember(option.choices));
   }
+  if (!option.value.empty()) added->check(fault_of_empty);
   if (!option.usual.empty()) added->default_str(option.usual);
   if (!option.group.empty()) added->group(option.group);
 }

@@ -9,7 +9,7 @@
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/production/run/study_inputs.h"
-#include "pipeline/study/matching/experiment/matching_plan.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/matching/experiment/starting_distance.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/latin_square.h"
@@ -53,7 +53,10 @@ void tell_matching(const Manifest& manifest, const std::vector<SessionPlan>& pla
 
 int design_matching(const Manifest& manifest, const MatchingDesign& design,
                     const Console& console) {
-  const std::vector<SessionPlan> plans = plan_matching(manifest, design.participants);
+  Motions motions(manifest);
+  const MatchingStudy study = matching_study(manifest, motions, design.participants);
+  tell_matched_at_start(manifest, study, console);
+  const std::vector<SessionPlan>& plans = study.plans;
   const std::string csv = plans_csv(plans);
   if (design.plans.empty()) {
     console.out << csv;

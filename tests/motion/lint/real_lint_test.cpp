@@ -52,6 +52,17 @@ TEST_F(RealLint, CapturedWalksHaveNoErrors) {
   }
 }
 
+// Captures of this kind begin with the pose in which all angles were zero.
+TEST_F(RealLint, ACaptureThatBeginsWithItsRestPoseIsJudgedWithoutIt) {
+  const auto findings = lint(to_body(read_motion(mocap / "cmu" / "01_01.bvh")));
+  const Finding* found = find(findings, "calibration-pose");
+  ASSERT_TRUE(found) << all_of(findings);
+  EXPECT_EQ(found->last, 0);
+  EXPECT_FALSE(find(findings, "jump", "", 0, 2)) << all_of(findings);
+  for (const char* take : {"02_01.amc", "02_02.amc", "02_03.amc"})
+    EXPECT_FALSE(find(lint(to_body(read_motion(mocap / "cmu" / take))), "calibration-pose"));
+}
+
 // These takes were not cleaned: ankles and heads leap by 25–49° between frames 0.01 s apart in
 // which they hardly move before and after, and what counts as the ball of the foot is the end of
 // the toes, which dips as the foot rolls off.

@@ -155,6 +155,15 @@ TEST(WholeTakes, ThatBeginWithAPoseOfCalibrationAreJudgedWithoutIt) {
   }
 }
 
+// A fault of one joint at the start is not taken for a pose of the whole body.
+TEST(WholeTakes, InWhichOneJointLeapsAtTheStartHaveNoPoseOfCalibration) {
+  Clip take = three_cycles(builtin_walks()[0]);
+  take.poses[0].rotations[LeftElbow] = take.poses[0].rotations[LeftElbow] * exp(Vec3(0, 0, 1.5));
+  const auto findings = lint(take);
+  EXPECT_FALSE(find(findings, "calibration-pose")) << all_of(findings);
+  EXPECT_TRUE(find_error(findings, "jump", "", 0, 1)) << all_of(findings);
+}
+
 TEST(WholeTakes, ThatLeapLaterHaveNoPoseOfCalibration) {
   const Clip walk = three_cycles(builtin_walks()[0]);
   Clip torn = walk;
@@ -179,6 +188,25 @@ Clip standing(double seconds) {
     clip.poses.push_back(pose);
   }
   return clip;
+}
+
+/// A pose near the motion's own but for one arm, as of somebody who stands ready: one joint leaps.
+Pose pose_of_readiness(const Clip& clip) {
+  Pose pose = clip.poses.front();
+  for (Quat& rotation : pose.rotations) rotation = rotation * exp(Vec3(0.08, 0.05, -0.06));
+  pose.rotations[LeftElbow] = pose.rotations[LeftElbow] * exp(Vec3(0, 0, 1.5));
+  return pose;
+}
+
+TEST(WholeTakes, MayBeginWithAPoseOutOfWhichFewJointsLeapButAllStep) {
+  Clip take = standing(3.0);
+  take.poses.insert(take.poses.begin(), pose_of_readiness(take));
+  const auto findings = lint(take);
+  const Finding* found = find(findings, "calibration-pose");
+  ASSERT_TRUE(found) << all_of(findings);
+  EXPECT_EQ(found->last, 0);
+  EXPECT_EQ(found->measured, 1.0);
+  EXPECT_FALSE(find(findings, "jump")) << all_of(findings);
 }
 
 TEST(WholeTakes, OfBodiesThatSlideOnBothFeetDriftAndDoNotSkate) {

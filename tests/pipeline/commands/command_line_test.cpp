@@ -80,6 +80,9 @@ TEST(CommandValues, RefuseWhatTheyDoNotAllowAndRunNothing) {
       {{"sell", "a", "--basket", "pear,aple"}, "--basket: \"aple\": did you mean \"apple\"?"},
       {{"sell", "a", "--names", "b", "--open"}, "excludes"},
       {{"sell", "a", "--open", "--shar", "1"}, "unknown option --shar; did you mean --share?"},
+      {{"sell", "a", "--names", ""}, "--names: empty; give a value, or leave it out"},
+      {{"sell", "a", "--fruit", ""}, "--fruit: "},
+      {{"sell", ""}, "place: empty; give a value, or leave it out"},
       {{"sell", "a", "b"}, "mien sell: \"b\" is a word too many;"}};
   for (const auto& [words, fault] : cases) {
     Market market;
