@@ -16,7 +16,7 @@
 #include "pipeline/production/archive/not_kept.h"
 #include "pipeline/production/archive/study_contents.h"
 #include "pipeline/production/run/run.h"
-#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/stale_artifacts.h"
 
 namespace mien::pipeline {
 

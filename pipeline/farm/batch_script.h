@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/farm/slurm_text.h"
+#include "pipeline/farm/slurm_answers.h"
 
 namespace mien::pipeline {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/farm/slurm_text.h"
+#include "pipeline/farm/slurm_answers.h"
 #include "pipeline/farm/submission_journal.h"
 
 namespace mien::pipeline {

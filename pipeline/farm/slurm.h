@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/farm/slurm_text.h"
+#include "pipeline/farm/slurm_answers.h"
 #include "pipeline/tasks/command_run.h"
 
 namespace mien::pipeline {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/tasks/artifact_key.h"
+#include "pipeline/tasks/key_builder.h"
 
 namespace mien::pipeline {
 

@@ -1,5 +1,6 @@
 #include "pipeline/farm/trouble_words.h"
 
+#include <csignal>
 #include <cstring>
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "pipeline/farm/ended_elements.h"
-#include "pipeline/farm/slurm_text.h"
+#include "pipeline/farm/slurm_answers.h"
 
 namespace mien::pipeline {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <variant>
 
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "scenes/figures/figure.h"
 
 namespace mien::pipeline {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "motion/skeleton/clip.h"
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/synthesis/motions.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/tasks/artifact_key.h"
+#include "pipeline/tasks/key_builder.h"
 #include "pipeline/tasks/store.h"
 
 namespace mien::pipeline {

@@ -23,6 +23,7 @@
 #include "pipeline/study/analysis/analysis_tables.h"
 #include "pipeline/study/analysis/calibration_chart.h"
 #include "pipeline/study/analysis/cluster_names.h"
+#include "pipeline/study/analysis/published_clusters.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "pipeline/production/archive/not_kept.h"
-#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/stale_artifacts.h"
 
 namespace mien::pipeline {
 

@@ -9,7 +9,7 @@
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/production/archive/not_kept.h"
-#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/stale_artifacts.h"
 #include "pipeline/tasks/store.h"
 
 namespace mien::pipeline {

@@ -14,10 +14,10 @@
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/frame_drawer.h"
 #include "pipeline/production/film/frame_taker.h"
+#include "pipeline/production/film/stored_frame.h"
 #include "pipeline/tasks/progress_bar.h"
-#include "render/error.h"
+#include "pipeline/tasks/task_graph.h"
 #include "render/image/contact_sheet.h"
-#include "render/image/image_io.h"
 #include "render/image/resize.h"
 #include "render/image/tone.h"
 #include "render/tracer/tracer.h"
@@ -35,22 +35,6 @@ void give_back_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);
 #endif
-}
-
-/// A frame that the store has, decoded. One that does not decode is thrown away.
-std::optional<render::Image8> stored_frame(FrameStore* store, int frame, const Output& output,
-                                           const render::Tone& tone) {
-  if (store == nullptr) return std::nullopt;
-  const FrameFormat format = output.frames == FrameFormat::none ? FrameFormat::png : output.frames;
-  const std::string name = frame_name(format, frame);
-  const auto file = store->find(name);
-  if (!file) return std::nullopt;
-  try {
-    return read_frame(*file, format, output.shown_size(), tone);
-  } catch (const render::Error&) {
-    store->discard(name);
-    return std::nullopt;
-  }
 }
 
 /// Whether the set looks another way in each frame, by a camera or ground that moves.

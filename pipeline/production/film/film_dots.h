@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/tasks/task_graph.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/film/film.h"

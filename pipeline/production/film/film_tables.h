@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/table.h"
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/tasks/task_graph.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/film_presentation.h"

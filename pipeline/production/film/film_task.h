@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
-#include "pipeline/tasks/artifact_key.h"
+#include "pipeline/tasks/key_builder.h"
 #include "pipeline/tasks/task_graph.h"
 #include "scenes/stage/shot.h"
 

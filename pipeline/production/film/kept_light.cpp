@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/tasks/artifact_key.h"
 #include "pipeline/tasks/code_identity.h"
-#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/key_builder.h"
+#include "pipeline/tasks/stale_artifacts.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/error.h"
 

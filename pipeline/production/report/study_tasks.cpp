@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/manifest/ratings/answers/impression_table.h"
 #include "pipeline/production/report/foils.h"
 #include "pipeline/production/report/report.h"

@@ -7,7 +7,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "motion/text/shell_word.h"
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_tables.h"

@@ -7,7 +7,7 @@
 
 #include "pipeline/production/run/production.h"
 #include "pipeline/tasks/progress.h"
-#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/stale_artifacts.h"
 #include "pipeline/tasks/store.h"
 
 namespace mien::pipeline {

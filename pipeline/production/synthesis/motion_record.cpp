@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/tasks/artifact_key.h"
+#include "pipeline/tasks/key_builder.h"
 
 namespace mien::pipeline {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/tasks/task_graph.h"

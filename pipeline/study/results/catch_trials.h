@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/base/statistics/correlation.h"
-#include "pipeline/study/results/gathered.h"
+#include "pipeline/study/results/gathered_answers.h"
 
 namespace mien::pipeline {
 

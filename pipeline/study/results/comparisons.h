@@ -8,7 +8,7 @@
 #include "pipeline/base/statistics/hodges_lehmann.h"
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/base/statistics/wilcoxon.h"
-#include "pipeline/study/results/gathered.h"
+#include "pipeline/study/results/gathered_answers.h"
 
 namespace mien::pipeline {
 

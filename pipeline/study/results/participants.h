@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/study/results/gathered.h"
+#include "pipeline/study/results/gathered_answers.h"
 
 namespace mien::pipeline {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/study/results/gathered.h"
+#include "pipeline/study/results/gathered_answers.h"
 
 namespace mien::pipeline {
 

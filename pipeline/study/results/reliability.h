@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/base/statistics/intraclass.h"
-#include "pipeline/study/results/gathered.h"
+#include "pipeline/study/results/gathered_answers.h"
 
 namespace mien::pipeline {
 

@@ -7,11 +7,11 @@
 #include "pipeline/study/results/catch_trials.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/confusion.h"
-#include "pipeline/study/results/gathered.h"
+#include "pipeline/study/results/gathered_answers.h"
 #include "pipeline/study/results/given_words.h"
 #include "pipeline/study/results/group_comparisons.h"
+#include "pipeline/study/results/pair_preferences.h"
 #include "pipeline/study/results/participants.h"
-#include "pipeline/study/results/preferences.h"
 #include "pipeline/study/results/reliability.h"
 #include "pipeline/study/results/summaries.h"
 

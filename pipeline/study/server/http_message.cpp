@@ -56,14 +56,6 @@ HttpResponse http_json(const std::string& text) {
   return {.type = "application/json; charset=utf-8", .body = text};
 }
 
-bool is_json(const HttpRequest& request) {
-  const auto type = request.headers.find("content-type");
-  if (type == request.headers.end()) return false;
-  std::string name = type->second.substr(0, type->second.find(';'));
-  while (!name.empty() && name.back() == ' ') name.pop_back();
-  return name == "application/json";
-}
-
 HttpResponse http_refusal(int status, const std::string& error, const std::string& wrong,
                           const std::string& remedy) {
   HttpResponse response =

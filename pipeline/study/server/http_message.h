@@ -59,9 +59,6 @@ HttpResponse http_value(const nlohmann::ordered_json& value, int status = 200);
 /// What a header says; nothing without it. `name` is in lower case.
 std::string header_of(const HttpRequest& request, const std::string& name);
 
-/// Whether the body is said to be "application/json", with or without parameters.
-bool is_json(const HttpRequest& request);
-
 /// A file, or of it the part that a "Range" header asks for (RFC 9110 §14). Several ranges at once
 /// are answered with the whole file, and a range beyond its end with 416; 404 without the file.
 HttpResponse http_file(const HttpRequest& request, const std::filesystem::path& file,

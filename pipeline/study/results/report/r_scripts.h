@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "pipeline/study/results/gathered.h"
+#include "pipeline/study/results/gathered_answers.h"
 
 namespace mien::pipeline {
 

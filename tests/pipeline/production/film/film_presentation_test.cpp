@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/production/film/fixation_cross.h"
+
 namespace mien::pipeline {
 namespace {
 

@@ -12,8 +12,8 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/production/report/study_tasks.h"
 #include "pipeline/production/run/codebook.h"
 #include "pipeline/production/run/provenance.h"

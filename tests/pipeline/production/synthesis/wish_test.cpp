@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/determinants.h"
 #include "pipeline/production/synthesis/synthesis.h"
 
 namespace mien::pipeline {

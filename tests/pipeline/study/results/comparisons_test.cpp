@@ -11,7 +11,7 @@
 #include "pipeline/study/results/best_seen.h"
 #include "pipeline/study/results/confusion.h"
 #include "pipeline/study/results/group_comparisons.h"
-#include "pipeline/study/results/preferences.h"
+#include "pipeline/study/results/pair_preferences.h"
 #include "pipeline/study/results/reliability.h"
 #include "pipeline/study/results/result_tables.h"
 #include "pipeline/study/results/summaries.h"

@@ -1,4 +1,4 @@
-#include "pipeline/study/results/gathered.h"
+#include "pipeline/study/results/gathered_answers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "pipeline/farm/slurm_text.h"
+#include "pipeline/farm/slurm_answers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "pipeline/study/results/preferences.h"
+#include "pipeline/study/results/pair_preferences.h"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "pipeline/tasks/artifact_key.h"
+#include "pipeline/tasks/key_builder.h"
 
 #include <string>
 #include <utility>

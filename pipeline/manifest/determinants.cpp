@@ -1,4 +1,4 @@
-#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/determinants.h"
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/stale_artifacts.h"
 
 #include <algorithm>
 #include <set>

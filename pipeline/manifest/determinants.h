@@ -2,7 +2,7 @@
 
 #include "pipeline/manifest/file_keys.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/tasks/artifact_key.h"
+#include "pipeline/tasks/key_builder.h"
 
 namespace mien::pipeline {
 
