@@ -1,5 +1,6 @@
 #include "pipeline/study/results/axis_correlations.h"
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <barrier>
 #include <chrono>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 

@@ -1,5 +1,6 @@
 #include "pipeline/study/results/figures/difference_figures.h"
 
+#include <cmath>
 #include <map>
 #include <tuple>
 

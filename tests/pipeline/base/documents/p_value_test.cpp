@@ -1,5 +1,6 @@
 #include "pipeline/base/documents/p_value.h"
 
+#include <cmath>
 #include <cstdlib>
 
 #include <gtest/gtest.h>

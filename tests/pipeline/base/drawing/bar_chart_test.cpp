@@ -1,5 +1,7 @@
 #include "pipeline/base/drawing/bar_chart.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "pipeline/plot_texts.h"

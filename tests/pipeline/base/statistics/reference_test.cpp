@@ -1,5 +1,6 @@
 // Every statistic against what R says of the same numbers: reference/reference.R.
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>

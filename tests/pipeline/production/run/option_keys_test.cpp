@@ -11,6 +11,7 @@
 #include "pipeline/base/reading/field_names.h"
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/schema_paths.h"
 #include "pipeline/production/run/option_variants.h"
