@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/production/synthesis/slider_interface.h"
 #include "pipeline/study/matching/simulated_trial.h"
 #include "pipeline/study/matching/target_sampling.h"
 

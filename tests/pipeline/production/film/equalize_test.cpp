@@ -414,7 +414,7 @@ TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
   Manifest manifest = study();
   manifest.equalize = {.size = Among::study};
   const auto is_told = [&] {
-    const std::vector<Fault> faults = check_meaning(manifest);
+    const std::vector<Fault> faults = check_meaning({.manifest = manifest});
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
       return fault.wrong == "the camera of \"long\" says already how large its figure is seen";
     });
@@ -428,7 +428,7 @@ TEST(Equalize, CannotMoveAPictureWhoseCameraIsGivenInNumbers) {
   Manifest manifest = study();
   manifest.equalize = {.place = Among::study};
   const auto is_told = [&] {
-    const std::vector<Fault> faults = check_meaning(manifest);
+    const std::vector<Fault> faults = check_meaning({.manifest = manifest});
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
       return fault.wrong == "the camera of \"long\" says already where its figure is seen";
     });
@@ -537,7 +537,7 @@ TEST(VideoNames, OfTwoStimuliMustDiffer) {
   manifest.stimuli[0].id = "a.lossless";
   manifest.stimuli[1].id = "a";
   const auto is_told = [&] {
-    const std::vector<Fault> faults = check_meaning(manifest);
+    const std::vector<Fault> faults = check_meaning({.manifest = manifest});
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
       return fault.wrong == "its video a.lossless.mp4 would be that of \"a.lossless\"";
     });

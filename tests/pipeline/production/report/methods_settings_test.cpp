@@ -1,4 +1,4 @@
-#include "pipeline/production/report/methods_settings.h"
+#include "pipeline/production/report/methods_parts.h"
 
 #include <filesystem>
 #include <fstream>
