@@ -155,7 +155,7 @@ bool is_another_pose(const LintSubject& subject, int i) {
     const double usual = next == end ? 0.0 : *std::max_element(next, end);
     joints += steps[i] > std::max(1.0, take_limits.calibration_times * usual) ? 1 : 0;
   }
-  return 2 * joints >= subject.clip.body.size();
+  return joints > take_limits.calibration_joints && 2 * joints >= subject.clip.body.size();
 }
 
 /// The step over the seam at the end of the middle lap beyond twice what the loop does elsewhere.

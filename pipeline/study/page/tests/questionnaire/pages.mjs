@@ -21,13 +21,18 @@ export const isPast = (page, trial, before) => page.waitForFunction(([name, old]
   return shown && shown.dataset.mark !== old;
 }, [trial, before], { timeout: 60000 });
 
-/** Texts of the files that the page saves, by the names of `kinds` that theirs hold. */
+/** Texts of the files that the page saves, by the names of `kinds` that theirs hold. What the browser has not
+ *  read when it is closed is left out: scenarios that want a file wait for it. */
 export function savedTexts(page, kinds) {
   const saved = {};
   page.on("download", async (download) => {
-    const stream = await download.createReadStream();
     let text = "";
-    for await (const part of stream) text += part;
+    try {
+      for await (const part of await download.createReadStream()) text += part;
+    } catch (error) {
+      if (page.isClosed()) return;
+      throw error;
+    }
     saved[kinds.find((kind) => download.suggestedFilename().includes(kind))] = text;
   });
   return saved;
