@@ -3,7 +3,6 @@
 
 #include "motion/formats/bvh.h"
 #include "motion/formats/bvh_rotation.h"
-#include "motion/formats/bvh_text.h"
 #include "motion/formats/frame_rate.h"
 
 namespace mien::motion {
@@ -36,6 +35,12 @@ double as_written(double value, int decimals) {
   return whole == 0.0 ? 0.0 : whole / scale;
 }
 
+/// How many decimals a number has that is written with `most` of them, without zeros at the end.
+int decimals_of(double written, int most) {
+  while (most > 0 && as_written(written, most - 1) == written) --most;
+  return most;
+}
+
 Vec3 as_written(const Vec3& vector, int decimals) {
   return {as_written(vector.x(), decimals), as_written(vector.y(), decimals),
           as_written(vector.z(), decimals)};
@@ -63,8 +68,8 @@ Recording as_read_from_bvh(const Recording& recording) {
     if (joint.tip) *joint.tip = as_written(*joint.tip, bvh_position_decimals);
   }
   const double period = 1.0 / recording.frames_per_second;
-  read.frames_per_second = frame_rate_of_period(as_written(period, bvh_time_decimals),
-                                                bvh_number(period, bvh_time_decimals));
+  const double written = as_written(period, bvh_time_decimals);
+  read.frames_per_second = frame_rate_of_period(written, decimals_of(written, bvh_time_decimals));
   std::vector<Vec3> angles(recording.skeleton.joints.size(), Vec3::Zero());
   for (const Pose& pose : recording.poses) {
     Pose& now = read.poses.emplace_back();

@@ -9,9 +9,6 @@
 
 namespace mien::motion {
 
-/// A number as it is written: with so many decimals at most.
-std::string bvh_number(double value, int decimals);
-
 /// BVH text piece by piece, as `to_bvh` (bvh.h) writes it: the head, then frame after frame.
 class BvhText {
  public:

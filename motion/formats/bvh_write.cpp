@@ -12,6 +12,17 @@ namespace mien::motion {
 
 namespace {
 
+/// A number as it is written: with so many decimals at most.
+std::string bvh_number(double value, int decimals) {
+  std::array<char, 400> digits;
+  const std::to_chars_result result = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                                    value, std::chars_format::fixed, decimals);
+  std::string_view number(digits.data(), static_cast<size_t>(result.ptr - digits.data()));
+  number = number.substr(0, number.find_last_not_of('0') + 1);
+  if (number.ends_with('.')) number.remove_suffix(1);
+  return std::string(number == "-0" ? "0" : number);
+}
+
 /// Fixed notation, rounded to `decimals`, trailing zeros left out.
 void append_number(std::string& text, double value, int decimals) {
   text += bvh_number(value, decimals);
@@ -111,16 +122,6 @@ void append_hierarchy(std::string& text, const Skeleton& skeleton,
 }
 
 }  // namespace
-
-std::string bvh_number(double value, int decimals) {
-  std::array<char, 400> digits;
-  const std::to_chars_result result = std::to_chars(digits.data(), digits.data() + digits.size(),
-                                                    value, std::chars_format::fixed, decimals);
-  std::string_view number(digits.data(), static_cast<size_t>(result.ptr - digits.data()));
-  number = number.substr(0, number.find_last_not_of('0') + 1);
-  if (number.ends_with('.')) number.remove_suffix(1);
-  return std::string(number == "-0" ? "0" : number);
-}
 
 BvhText::BvhText(Skeleton skeleton, std::vector<bool> moving)
     : skeleton_(std::move(skeleton)),

@@ -29,18 +29,21 @@ double nearest_rate(std::span<const double> rates, double seconds, double most) 
 
 }  // namespace
 
+double frame_rate_of_period(double seconds, int decimals) {
+  const double last_digit = std::pow(10.0, -decimals);
+  for (const std::span<const double> rates : {std::span<const double>(whole_rates), {ntsc_rates}}) {
+    const double rate = nearest_rate(rates, seconds, 0.5 * last_digit);
+    if (decimals > 0 && rate > 0.0) return rate;
+  }
+  return snapped_frame_rate(1.0 / seconds);
+}
+
 double frame_rate_of_period(double seconds, std::string_view written) {
   const size_t point = written.find('.');
   const bool is_plain = written.find_first_of("eE") == std::string_view::npos;
-  if (is_plain && point != std::string_view::npos) {
-    const double last_digit = std::pow(10.0, -static_cast<double>(written.size() - point - 1));
-    for (const std::span<const double> rates :
-         {std::span<const double>(whole_rates), {ntsc_rates}}) {
-      const double rate = nearest_rate(rates, seconds, 0.5 * last_digit);
-      if (rate > 0.0) return rate;
-    }
-  }
-  return snapped_frame_rate(1.0 / seconds);
+  const bool has_decimals = is_plain && point != std::string_view::npos;
+  return frame_rate_of_period(seconds,
+                              has_decimals ? static_cast<int>(written.size() - point - 1) : 0);
 }
 
 double snapped_frame_rate(double frames_per_second) {

@@ -134,8 +134,8 @@ MappedJoints groups_of(const Skeleton& rig, const KeyJoints& keys, double confid
   group_leg(grouping, parting, keys.left, LeftHip);
   group_leg(grouping, parting, keys.right, RightHip);
   for (MappedJoint& joint : joints) {
-    if (joint.at_tip || std::ranges::find(keys.by_shape, joint.position) == keys.by_shape.end())
-      continue;
+    const auto found = std::find(keys.by_shape.begin(), keys.by_shape.end(), joint.position);
+    if (joint.at_tip || found == keys.by_shape.end()) continue;
     joint.confidence *= shape_factor;
     joint.found_by = "topology";
   }

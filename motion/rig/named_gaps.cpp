@@ -167,8 +167,8 @@ bool is_carrier(const BoneTree& tree, int joint) {
   const auto has_side = [&](int child) {
     return joint_word(tree.rig.joints[child].name).side != JointWord::Side::middle;
   };
-  return children.size() > 2 || std::ranges::any_of(children, has_side) ||
-         std::ranges::count_if(children, goes_on) != 1;
+  return children.size() > 2 || std::any_of(children.begin(), children.end(), has_side) ||
+         std::count_if(children.begin(), children.end(), goes_on) != 1;
 }
 
 }  // namespace
