@@ -49,8 +49,8 @@ Findings find_frozen(const LintSubject& subject, const LintSubject* original);
 /// One finding at most: the first frames, where more than `calibration_joints` joints (the root is
 /// one) leap at once out of the pose that they show, as out of the T-pose of a calibration. Or one
 /// leaps, and half of all joints and more than `calibration_joints` step by more than 1° and
-/// `calibration_times` as far as in the `calibration_seconds` that follow. The pose lasts so long at
-/// most, or until something moves. None of loops.
+/// `calibration_times` as far as in the `calibration_seconds` that follow. The pose lasts so long
+/// at most, or until something moves. None of loops.
 Findings find_calibration_pose(const LintSubject& subject, const LintOptions& options);
 
 /// Walks on the spot, and how fast the floor would move under them. None of loops, whose place is

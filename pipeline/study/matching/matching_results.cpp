@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault.h"
-#include "motion/text/as_number.h"
 
 namespace mien::pipeline {
 

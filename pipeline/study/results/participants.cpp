@@ -149,7 +149,8 @@ std::vector<DemographicSummary> demographics_of(const ParticipantTable& particip
       if (!is_there || row[column].text.empty()) continue;
       ++people;
       ++words[row[column].text];
-      if (const auto number = motion::as_written_number(row[column].text)) numbers.push_back(*number);
+      if (const auto number = motion::as_written_number(row[column].text))
+        numbers.push_back(*number);
     }
     if (people == 0) continue;
     const bool is_worded = gathered.worded_questions.contains(question);

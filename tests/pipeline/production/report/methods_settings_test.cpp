@@ -1,5 +1,3 @@
-#include "pipeline/production/report/methods_parts.h"
-
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -12,6 +10,7 @@
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/schema_paths.h"
 #include "pipeline/production/report/methods.h"
+#include "pipeline/production/report/methods_parts.h"
 #include "pipeline/production/report/stated_settings.h"
 #include "pipeline/production/run/option_variants.h"
 #include "pipeline/temporary_folder.h"
