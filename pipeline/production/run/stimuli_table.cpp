@@ -65,7 +65,7 @@ Row making_of(const Overlay& overlay) {
 std::string figure_options(const Look& look) {
   const OrderedJson figure = FigureForm::write(look.figure, Writing{.for_key = true});
   if (figure.is_string()) return "";
-  const OrderedJson& options = figure.items().begin().value();
+  const OrderedJson options = *figure.begin();
   return options.is_null() || options.empty() ? "" : options.dump();
 }
 

@@ -31,11 +31,6 @@ struct RawAnswer {
   }
 };
 
-std::optional<double> number_or_nothing(const std::string& text) {
-  const auto value = motion::as_number<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
 std::vector<RawAnswer> raw_answers(const std::vector<AnswerRow>& rows, const ScaleSet& scales) {
   std::map<std::string, const Scale*> known;
   for (const Scale& scale : scales.scales) known.emplace(scale.id, &scale);
