@@ -19,8 +19,8 @@ namespace mien::pipeline {
 nlohmann::ordered_json open_job_template(const std::vector<Stage>& stages, const StudyCall& call,
                                          const JobRequest& request);
 
-/// The template as a file of that ending: .json, or .yaml and .yml, since JSON is YAML. Throws Error
-/// for another one.
+/// The template as a file of that ending: .json, or .yaml and .yml, since JSON is YAML. Throws
+/// Error for another one.
 std::string open_job_text(const nlohmann::ordered_json& job, const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

@@ -17,7 +17,7 @@ void append(std::vector<Fault>& faults, std::vector<Fault> more) {
                 std::make_move_iterator(more.end()));
 }
 
-std::vector<Fault> told_once(std::vector<std::vector<Fault>> lists) {
+std::vector<Fault> merged_faults(std::vector<std::vector<Fault>> lists) {
   std::vector<Fault> faults;
   std::set<std::string> told;
   for (std::vector<Fault>& list : lists) {

@@ -13,9 +13,9 @@ namespace mien::pipeline {
 /// Adds faults at the end.
 void append(std::vector<Fault>& faults, std::vector<Fault> more);
 
-/// The faults of several lists in reading order, each mistake told once: where a list has a fault
-/// of a value, those that later lists have of the same value are left out.
-std::vector<Fault> told_once(std::vector<std::vector<Fault>> lists);
+/// The faults of several lists in reading order. Where a list has a fault of a value, the faults
+/// that later lists have of the same value are left out: they follow from it.
+std::vector<Fault> merged_faults(std::vector<std::vector<Fault>> lists);
 
 /// Faults of one document, found by its checks one after the other.
 class FaultList {

@@ -177,7 +177,7 @@ int perform(const Command& command, const Console& console) {
 int run_command_line(const Command& program, int argc, const char* const* argv,
                      const Console& console) {
   if (argc == 2 && std::string_view(argv[1]) == "--commands") {
-    console.out << told_program(program) << '\n';
+    console.out << program_as_json(program) << '\n';
     return exit_done;
   }
   CLI::App app(program.summary, program.name);

@@ -84,7 +84,7 @@ void refuse_other_version() {
       program_version(), starter));
 }
 
-std::string told_program(const Command& program) {
+std::string program_as_json(const Command& program) {
   return nlohmann::json{{"version", program_version()}, {"program", program}}.dump();
 }
 

@@ -32,8 +32,8 @@ void become_other_program(int argc, char** argv);
 /// std::runtime_error.
 void refuse_other_version();
 
-/// What a program tells another of itself, and reads of it (JSON).
-std::string told_program(const Command& program);
+/// The commands of a program as JSON, from which another program makes its help and manual.
+std::string program_as_json(const Command& program);
 
 /// The program with all that the others beside it tell of their commands. Throws
 /// std::runtime_error when one of them is not there or does not answer.

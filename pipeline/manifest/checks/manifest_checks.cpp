@@ -94,7 +94,7 @@ std::vector<Fault> check_parts(const Manifest& manifest) {
 }  // namespace
 
 std::vector<Fault> check_meaning(const ResolvedManifest& resolved) {
-  return told_once(
+  return merged_faults(
       {check_parts(resolved.manifest), check_looks(resolved.manifest), check_asked(resolved)});
 }
 

@@ -24,8 +24,8 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   ResolvedManifest resolved = resolve(build_manifest(std::move(written), file));
   std::vector<Fault> meaning = check_meaning(resolved);
   return {std::move(resolved.manifest),
-          told_once({std::move(faults), std::move(against_schema), std::move(resolved.faults),
-                     std::move(meaning)})};
+          merged_faults({std::move(faults), std::move(against_schema), std::move(resolved.faults),
+                         std::move(meaning)})};
 }
 
 std::vector<NamedFile> files_named(std::string_view text, const std::filesystem::path& file,

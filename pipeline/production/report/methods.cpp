@@ -55,14 +55,14 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   MethodsText out(manifest, motions);
   tell_program(out);
   tell_design(out);
-  if (uses_examples(manifest)) tell_examples(out);
-  tell_blends(out);
+  if (uses_examples(manifest)) describe_examples(out);
+  describe_blends(out);
   tell_files(out);
   tell_paths(out);
-  tell_modifications(out);
-  tell_matching_settings(out);
+  describe_modifications(out);
+  describe_matching_settings(out);
   out.end_paragraph();
-  tell_pictures(out);
+  describe_pictures(out);
   out.end_paragraph();
   std::string text = out.text();
   text.pop_back();  // one line end is enough

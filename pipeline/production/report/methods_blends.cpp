@@ -102,7 +102,7 @@ void tell_held(MethodsText& out) {
 
 }  // namespace
 
-void tell_blends(MethodsText& out) {
+void describe_blends(MethodsText& out) {
   if (!blends_examples(out.manifest)) return;
   if (!stimuli_from(out.manifest, "adjectives").empty() ||
       !stimuli_from(out.manifest, "features").empty()) {

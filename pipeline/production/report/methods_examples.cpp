@@ -41,7 +41,7 @@ void tell_repertoire(MethodsText& out) {
         count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
   }
   out.say("They last " + with_mean(seconds, 2, " s"));
-  tell_example_settings(out);
+  describe_example_settings(out);
 }
 
 /// Where the ratings come from, if a file has them.
@@ -109,7 +109,7 @@ void tell_ratings(MethodsText& out) {
 
 }  // namespace
 
-void tell_examples(MethodsText& out) {
+void describe_examples(MethodsText& out) {
   tell_repertoire(out);
   tell_ratings(out);
 }

@@ -111,7 +111,7 @@ void tell_foils(MethodsText& out) {
 
 }  // namespace
 
-void tell_modifications(MethodsText& out) {
+void describe_modifications(MethodsText& out) {
   tell_steps(out);
   tell_foils(out);
 }

@@ -121,10 +121,10 @@ void tell_distances(MethodsText& out) {
 
 }  // namespace
 
-void tell_pictures(MethodsText& out) {
+void describe_pictures(MethodsText& out) {
   tell_looks(out);
   tell_videos(out);
-  tell_settings(out);
+  describe_settings(out);
   tell_equalizing(out);
   tell_distances(out);
 }

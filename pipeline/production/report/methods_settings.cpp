@@ -90,7 +90,7 @@ void tell_dots(MethodsText& out) {
 
 }  // namespace
 
-void tell_settings(MethodsText& out) {
+void describe_settings(MethodsText& out) {
   tell_dots(out);
   StatedSettings settings;
   Names everybody;
@@ -114,14 +114,14 @@ void tell_settings(MethodsText& out) {
     out.say("Settings other than mien's own were: " + settings.text(everybody));
 }
 
-void tell_example_settings(MethodsText& out) {
+void describe_example_settings(MethodsText& out) {
   if (!out.manifest.examples.builtin.empty()) return;
   StatedSettings settings;
   add_differences("examples.", out.manifest.examples, "", settings);
   if (!settings.empty()) out.say("They were taken by these settings: " + settings.text({""}));
 }
 
-void tell_matching_settings(MethodsText& out) {
+void describe_matching_settings(MethodsText& out) {
   if (!out.manifest.matching) return;
   const Matching& matching = *out.manifest.matching;
   if (matching.order == MatchingOrder::guesses_first)

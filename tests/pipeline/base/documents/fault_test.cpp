@@ -30,7 +30,7 @@ TEST(Fault, OfAValueIsToldByTheFirstListThatKnowsOneAndInReadingOrder) {
   const Fault above = {{"m.yaml", 1, 1}, "study", "no name", ""};
   const Fault whole = {{"m.yaml", 2, 1}, "", "no manifest", ""};
   std::string told;
-  for (const Fault& fault : told_once({{kind, also}, {later, above}, {whole, kind}, {whole}}))
+  for (const Fault& fault : merged_faults({{kind, also}, {later, above}, {whole, kind}, {whole}}))
     told += fault.wrong + "; ";
   EXPECT_EQ(told, "no name; no manifest; no number; no whole number; ");
 }
