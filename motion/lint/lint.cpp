@@ -135,6 +135,13 @@ std::vector<Finding> lint(const Clip& clip, const LintOptions& options, const Cl
   return findings;
 }
 
+std::optional<Finding> calibration_pose(const Clip& clip) {
+  if (clip.poses.empty() || !is_body(clip.body) || !is_calculable(clip)) return std::nullopt;
+  const Findings found = find_calibration_pose(lint_subject(clip), LintOptions());
+  if (found.empty()) return std::nullopt;
+  return found[0];
+}
+
 std::vector<Finding> lint(const Recording& recording, const LintOptions& options) {
   Clip clip;
   clip.body = recording.skeleton;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,10 @@ const std::vector<LintCheck>& lint_checks();
 /// check, frame and joint. A clip without frames has none.
 std::vector<Finding> lint(const Clip& clip, const LintOptions& options = {},
                           const Clip* original = nullptr);
+
+/// The finding of check `calibration-pose`: another pose before the motion of a canonical body, as
+/// a T-pose in frame 0. None where the clip has no frames, or numbers that are none.
+std::optional<Finding> calibration_pose(const Clip& clip);
 
 /// What is wrong with the data of a recording as it was read, before it is put on the canonical
 /// body, whose bones never change: numbers that are none and bones that grow.

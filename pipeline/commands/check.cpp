@@ -30,14 +30,49 @@ struct CheckOptions {
   bool json = false;
 };
 
+/// Motions that are made of a large study: as many as one likes to wait for.
+constexpr std::size_t most_rehearsed = 50;
+
+/// A manifest's faults, or those of a file of scales, recipes or a set.
+struct Findings {
+  std::vector<Fault> faults;
+  std::vector<Fault> warnings;        ///< of a manifest without faults
+  std::vector<std::string> possible;  ///< what adjectives can be, of a manifest without faults
+  std::size_t stimuli = 0;
+  std::size_t rehearsed = 0;  ///< stimuli whose motions were made
+};
+
+/// How many motions were made, and what adjectives can be.
+std::vector<std::string> notes_of(const Findings& findings) {
+  std::vector<std::string> notes;
+  if (findings.rehearsed < findings.stimuli)
+    notes.push_back(fmt::format("made {} of {} motions, of every kind; --thorough makes all",
+                                findings.rehearsed, findings.stimuli));
+  notes.insert(notes.end(), findings.possible.begin(), findings.possible.end());
+  return notes;
+}
+
 nlohmann::ordered_json as_json(const Fault& fault) {
   return {{"file", fault.place.file}, {"line", fault.place.line}, {"column", fault.place.column},
           {"path", fault.path},       {"wrong", fault.wrong},     {"remedy", fault.remedy}};
 }
 
-/// Faults and warnings as JSON; of very many, how many are left out.
+/// Faults, warnings and notes as JSON; of very many faults and warnings, how many are left out.
 class JsonFindings {
  public:
+  void add(const std::string& file, const Findings& findings) {
+    add("faults", findings.faults);
+    add("warnings", findings.warnings);
+    for (const std::string& note : notes_of(findings))
+      result_["notes"].push_back({{"file", file}, {"text", note}});
+  }
+
+  std::string text() {
+    if (left_out_ > 0) result_["left_out"] = left_out_;
+    return result_.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  }
+
+ private:
   void add(const char* kind, const std::vector<Fault>& faults) {
     constexpr std::size_t most = 1000;
     nlohmann::ordered_json& list = result_[kind];
@@ -50,27 +85,10 @@ class JsonFindings {
     }
   }
 
-  std::string text() {
-    if (left_out_ > 0) result_["left_out"] = left_out_;
-    return result_.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  }
-
- private:
   nlohmann::ordered_json result_ = {{"faults", nlohmann::ordered_json::array()},
-                                    {"warnings", nlohmann::ordered_json::array()}};
+                                    {"warnings", nlohmann::ordered_json::array()},
+                                    {"notes", nlohmann::ordered_json::array()}};
   std::size_t left_out_ = 0;
-};
-
-/// Motions that are made of a large study: as many as one likes to wait for.
-constexpr std::size_t most_rehearsed = 50;
-
-/// A manifest's faults, or those of a file of scales, recipes or a set.
-struct Findings {
-  std::vector<Fault> faults;
-  std::vector<Fault> warnings;        ///< of a manifest without faults
-  std::vector<std::string> possible;  ///< what adjectives can be, of a manifest without faults
-  std::size_t stimuli = 0;
-  std::size_t rehearsed = 0;  ///< stimuli whose motions were made
 };
 
 DocumentKind kind_of_file(const std::string& file) {
@@ -114,11 +132,7 @@ void tell(const Findings& findings, const std::string& file, const Console& cons
   if (!findings.warnings.empty())
     console.err << fault_lines(findings.warnings, "warning: ") << '\n';
   if (findings.faults.empty()) console.out << file << ": no faults\n";
-  if (findings.rehearsed < findings.stimuli) {
-    console.out << fmt::format("made {} of {} motions, of every kind; --thorough makes all\n",
-                               findings.rehearsed, findings.stimuli);
-  }
-  for (const std::string& line : findings.possible) console.out << line << '\n';
+  for (const std::string& note : notes_of(findings)) console.out << note << '\n';
 }
 
 int check(const CheckOptions& options, const Console& console) {
@@ -127,8 +141,7 @@ int check(const CheckOptions& options, const Console& console) {
   for (const std::string& name : options.manifests) {
     const std::string file = given_or_installed(name, console);
     const Findings findings = findings_in(file, options);
-    json.add("faults", findings.faults);
-    json.add("warnings", findings.warnings);
+    json.add(file, findings);
     is_good = is_good && findings.faults.empty();
     if (!options.json) tell(findings, file, console);
   }
@@ -151,7 +164,7 @@ Command check_command() {
            flag("--thorough", &options->thorough,
                 fmt::format("Make all motions, and of a large study not {} of every kind alone",
                             most_rehearsed)),
-           flag("--json", &options->json, "Faults and warnings as JSON on standard output")},
+           flag("--json", &options->json, "Faults, warnings and notes as JSON on standard output")},
       .notes =
           "Makes and stages the motions of a manifest without faults; draws nothing and writes no "
           "file. Faults are told as file:line:column: path.to.key: what is wrong; how to mend "

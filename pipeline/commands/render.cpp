@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
+#include "motion/lint/lint.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
 #include "motion/skeleton/straighten.h"
@@ -62,7 +64,10 @@ motion::Clip clip_in(const std::string& file, const std::string& take, const Con
   const motion::Recording recording = read_take(file, take);
   for (const std::string& warning : motion::sketch(recording).warnings)
     console.err << "warning: " << file << ": " << warning << '\n';
-  return clip_of(recording);
+  motion::Clip clip = clip_of(recording);
+  if (const std::optional<motion::Finding> pose = motion::calibration_pose(clip))
+    console.err << "warning: " << file << ": " << pose->sentence << '\n';
+  return clip;
 }
 
 /// One motion in neutral colours, or a target, what was created after it, and a reference.

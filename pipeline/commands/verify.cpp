@@ -13,7 +13,7 @@
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/verification_text.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
-#include "pipeline/production/archive/redraw.h"
+#include "pipeline/production/archive/rerender.h"
 #include "pipeline/production/run/provenance.h"
 #include "pipeline/tasks/progress_bar.h"
 
@@ -38,11 +38,11 @@ struct VerifyOptions {
 /// What came of drawing frames again.
 struct Rerendered {
   std::uint64_t seed = 0;
-  std::vector<RedrawnFrame> frames;
+  std::vector<RerenderedFrame> frames;
   std::vector<std::string> changes;  ///< since the study was made: then pictures may differ
 
   bool all_agree() const {
-    return std::ranges::all_of(frames, [](const RedrawnFrame& frame) { return frame.agrees; });
+    return std::ranges::all_of(frames, [](const RerenderedFrame& frame) { return frame.agrees; });
   }
 };
 
@@ -57,27 +57,27 @@ Rerendered rerender(const StudyContents& contents, const VerifyOptions& options,
                 "leave --rerender out; mien clean --keep videos,metrics keeps what it needs");
   }
   ProgressBar bar(console.err, console.err_is_terminal);
-  result.frames = redraw(manifest, contents, drawn_by_lot(films, options.rerender, result.seed),
-                         options.threads(), console.stop,
-                         [&](double share, const std::string& film) { bar.show(share, film); });
+  result.frames = rerender(manifest, contents, drawn_by_lot(films, options.rerender, result.seed),
+                           options.threads(), console.stop,
+                           [&](double share, const std::string& film) { bar.show(share, film); });
   return result;
 }
 
 void tell(const Rerendered& drawn, const Console& console) {
   for (const std::string& change : drawn.changes) console.err << "warning: " << change << '\n';
-  for (const RedrawnFrame& frame : drawn.frames) {
+  for (const RerenderedFrame& frame : drawn.frames) {
     console.out << fmt::format("{:<9} frame {} of {}, against {}: {}\n",
                                frame.agrees ? "agrees" : "differs", frame.frame, frame.film,
                                frame.against, frame.how);
   }
-  const auto agree = std::ranges::count(drawn.frames, true, &RedrawnFrame::agrees);
+  const auto agree = std::ranges::count(drawn.frames, true, &RerenderedFrame::agrees);
   console.out << fmt::format("{} of {} frames drawn again agree (seed {})\n", agree,
                              drawn.frames.size(), drawn.seed);
 }
 
 ordered_json as_json(const Rerendered& drawn) {
   ordered_json frames = ordered_json::array();
-  for (const RedrawnFrame& frame : drawn.frames) {
+  for (const RerenderedFrame& frame : drawn.frames) {
     frames.push_back({{"film", frame.film},
                       {"frame", frame.frame},
                       {"against", frame.against},

@@ -6,7 +6,7 @@
 
 #include "motion/text/as_number.h"
 #include "pipeline/farm/film_lengths.h"
-#include "pipeline/farm/silent_jobs.h"
+#include "pipeline/farm/jobs/silent_jobs.h"
 #include "pipeline/farm/stages.h"
 #include "pipeline/farm/submission.h"
 #include "pipeline/tasks/disk_fault.h"

@@ -8,8 +8,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/farm/job_troubles.h"
-#include "pipeline/farm/worker_reports.h"
+#include "pipeline/farm/jobs/job_troubles.h"
+#include "pipeline/farm/jobs/worker_reports.h"
 #include "pipeline/production/run/production.h"
 
 namespace mien::pipeline {

@@ -6,8 +6,8 @@
 
 #include "motion/text/as_number.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/farm/jobs/task_list.h"
 #include "pipeline/farm/resumption.h"
-#include "pipeline/farm/task_list.h"
 #include "pipeline/production/film/film_task.h"
 
 namespace mien::pipeline {

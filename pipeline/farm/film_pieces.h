@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/farm/job_fates.h"
+#include "pipeline/farm/jobs/job_fates.h"
 #include "pipeline/farm/stages.h"
 
 namespace mien::pipeline {

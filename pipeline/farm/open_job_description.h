@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/farm/batch_script.h"
+#include "pipeline/farm/slurm/batch_script.h"
 #include "pipeline/farm/stages.h"
 
 namespace mien::pipeline {

@@ -2,9 +2,9 @@
 
 #include <charconv>
 
-#include "pipeline/farm/ended_elements.h"
+#include "pipeline/farm/jobs/ended_elements.h"
+#include "pipeline/farm/jobs/task_list.h"
 #include "pipeline/farm/stages.h"
-#include "pipeline/farm/task_list.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/farm/job_fates.h"
+#include "pipeline/farm/jobs/job_fates.h"
 
 namespace mien::pipeline {
 

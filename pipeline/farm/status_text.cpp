@@ -4,8 +4,8 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/shell_word.h"
 #include "pipeline/farm/farm_status.h"
-#include "pipeline/farm/job_attempts.h"
-#include "pipeline/farm/worker_codes.h"
+#include "pipeline/farm/slurm/job_attempts.h"
+#include "pipeline/farm/slurm/worker_codes.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {

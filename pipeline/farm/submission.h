@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/farm/batch_script.h"
-#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/jobs/submission_journal.h"
+#include "pipeline/farm/slurm/batch_script.h"
+#include "pipeline/farm/slurm/slurm.h"
 #include "pipeline/farm/stages.h"
-#include "pipeline/farm/submission_journal.h"
 
 namespace mien::pipeline {
 

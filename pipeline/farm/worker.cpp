@@ -13,9 +13,9 @@
 #include "motion/text/nearest_word.h"
 #include "motion/text/shell_word.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/farm/submission_journal.h"
+#include "pipeline/farm/jobs/submission_journal.h"
+#include "pipeline/farm/slurm/worker_codes.h"
 #include "pipeline/farm/work_item.h"
-#include "pipeline/farm/worker_codes.h"
 
 namespace mien::pipeline {
 

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "end_to_end/program.h"
+#include "real_data.h"
 
 namespace mien::test {
 namespace {
@@ -176,6 +177,19 @@ TEST(CommandLine, CheckSpeaksJson) {
   const Ended fine = run_mien({"check", good.string(), "--json"});
   EXPECT_EQ(fine.code, 0);
   EXPECT_TRUE(json::parse(fine.output)["faults"].empty());
+}
+
+TEST(CommandLine, CheckSaysInJsonAllThatItPrints) {
+  const Ended printed = run_mien({"check", "quickstart"});
+  std::string notes = "no faults";
+  const json found = json::parse(run_mien({"check", "quickstart", "--json"}).output);
+  ASSERT_FALSE(found["notes"].empty());
+  std::string file;
+  for (const json& note : found["notes"]) {
+    file = note["file"].get<std::string>();
+    notes += "\n" + note["text"].get<std::string>();
+  }
+  EXPECT_EQ(printed.output, file + ": " + notes + "\n");
 }
 
 TEST(CommandLine, CheckReadsScalesFilesToo) {
@@ -629,6 +643,21 @@ TEST(CommandLine, ModifiesAMotionFile) {
   const std::string recipes = (scratch.path() / "my.recipes.yaml").string();
   std::ofstream(recipes) << "recipes:\n  gloomy: {posture: {head-flexion: 15}}\n";
   EXPECT_EQ(run_mien({"motion", "modify", walk, "gloomy", sad, "--recipes", recipes}).code, 0);
+}
+
+TEST(CommandLine, RenderWarnsOfAPoseOfCalibration) {
+  const auto data = real_data();
+  if (!data) GTEST_SKIP() << "no real motions here (MIEN_DATA)";
+  const Scratch scratch;
+  const auto errors_of = [&](const char* file) {
+    return run_mien({"render", (*data / "mocap/cmu" / file).string(), "-o",
+                     (scratch.path() / "still.png").string(), "--size", "64x48", "--quality",
+                     "draft", "--still"})
+        .errors;
+  };
+  const char* sentence = "The take begins with another pose, as for calibration";
+  EXPECT_TRUE(contains(errors_of("01_01.bvh"), sentence)) << errors_of("01_01.bvh");
+  EXPECT_FALSE(contains(errors_of("02_01.amc"), sentence)) << errors_of("02_01.amc");
 }
 
 TEST(CommandLine, RendersAMotionFileByItself) {

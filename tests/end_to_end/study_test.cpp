@@ -136,6 +136,10 @@ TEST(StudyCommands, EvaluateComparesInterfaces) {
   EXPECT_NEAR(summary["comparisons"][1]["p_exact"].get<double>(), 0.03125, 1e-9);
   EXPECT_TRUE(fs::exists(out / "time_saved.svg"));
   EXPECT_EQ(run_mien({"study", "evaluate", recorded, "--limit", "0"}).code, 2);
+  EXPECT_EQ(ended.errors, "");
+  const Ended easy =
+      run_mien({"study", "evaluate", recorded, "--threshold", "0.2", "-o", out.string()});
+  EXPECT_NE(easy.errors.find("note: every first guess matched"), std::string::npos) << easy.errors;
 }
 
 TEST(StudyCommands, PrintTheBuiltInScales) {

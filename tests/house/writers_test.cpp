@@ -18,7 +18,7 @@ const std::set<std::string> writers = {"motion/text/result_file.cpp",
                                        "render/image/png_file.cpp",
                                        "pipeline/tasks/claim.cpp",
                                        "pipeline/tasks/frame_store.cpp",
-                                       "pipeline/farm/submission_journal.cpp",
+                                       "pipeline/farm/jobs/submission_journal.cpp",
                                        "pipeline/study/studio/open_browser.cpp",
                                        "pipeline/commands/motion/live_stream.h"};
 

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/farm/farm.h"
-#include "pipeline/farm/job_fates.h"
-#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/jobs/job_fates.h"
+#include "pipeline/farm/slurm/slurm.h"
 
 namespace mien::pipeline {
 

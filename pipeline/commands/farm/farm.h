@@ -4,7 +4,7 @@
 #include <string>
 
 #include "pipeline/commands/line/console.h"
-#include "pipeline/farm/batch_script.h"
+#include "pipeline/farm/slurm/batch_script.h"
 #include "pipeline/production/run/production.h"
 
 namespace mien::pipeline {

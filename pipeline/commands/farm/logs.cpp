@@ -5,11 +5,11 @@
 
 #include "motion/error.h"
 #include "pipeline/commands/farm/farm.h"
-#include "pipeline/farm/element_logs.h"
 #include "pipeline/farm/farm_status.h"
-#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/jobs/element_logs.h"
+#include "pipeline/farm/jobs/worker_reports.h"
+#include "pipeline/farm/slurm/slurm.h"
 #include "pipeline/farm/worker.h"
-#include "pipeline/farm/worker_reports.h"
 
 namespace mien::pipeline {
 

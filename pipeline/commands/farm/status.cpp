@@ -10,7 +10,7 @@
 #include "pipeline/base/documents/printable_stream.h"
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/farm/farm_status.h"
-#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/slurm/slurm.h"
 
 namespace mien::pipeline {
 

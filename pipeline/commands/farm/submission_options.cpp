@@ -11,8 +11,8 @@
 #include "motion/text/as_number.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/job_room.h"
-#include "pipeline/farm/spent_submissions.h"
-#include "pipeline/farm/worker_reports.h"
+#include "pipeline/farm/jobs/spent_submissions.h"
+#include "pipeline/farm/jobs/worker_reports.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {

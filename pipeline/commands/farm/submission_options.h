@@ -7,7 +7,7 @@
 
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/farm/film_pieces.h"
-#include "pipeline/farm/job_fates.h"
+#include "pipeline/farm/jobs/job_fates.h"
 #include "pipeline/farm/submission.h"
 
 namespace mien::pipeline {

@@ -4,7 +4,7 @@
 
 #include "motion/error.h"
 #include "pipeline/commands/farm/submission_options.h"
-#include "pipeline/farm/job_fates.h"
+#include "pipeline/farm/jobs/job_fates.h"
 
 namespace mien::pipeline {
 

@@ -8,7 +8,7 @@
 #include "motion/text/nearest_word.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/manifest/example_source.h"
+#include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/synthesis/blend_warnings.h"
 #include "pipeline/production/synthesis/repertoire.h"

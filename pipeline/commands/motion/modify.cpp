@@ -10,7 +10,7 @@
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/motion.h"
-#include "pipeline/manifest/recipes.h"
+#include "pipeline/manifest/reading/recipes.h"
 #include "pipeline/production/synthesis/modified_motion.h"
 #include "pipeline/production/synthesis/synthesis.h"
 

@@ -17,7 +17,7 @@
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/manifest/checks/study_record.h"
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/manifest/example_source.h"
+#include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/study/analysis/analysis_report.h"
 #include "pipeline/study/analysis/analysis_tables.h"

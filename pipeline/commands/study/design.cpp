@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,6 +16,7 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/session_checks.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/questionnaire/balance.h"
@@ -39,32 +39,10 @@ struct FrozenArchive {
   std::size_t files = 0;
 };
 
-fs::path beside(const fs::path& file, const char* ending) { return file.string() + ending; }
-
-/// A folder beside a file, for as long as it is needed.
-class FolderBeside {
- public:
-  explicit FolderBeside(const fs::path& file) : path_(beside(file, ".part.d")) {
-    fs::remove_all(path_);
-    make_folder(path_);
-  }
-  ~FolderBeside() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  FolderBeside(const FolderBeside&) = delete;
-  FolderBeside& operator=(const FolderBeside&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 /// What mien study report would write of answers in which all stimuli are alike.
 void add_dummy_report(ZipFiles& files, const Manifest& manifest,
-                      const std::vector<SessionPlan>& plans, const fs::path& file) {
-  const FolderBeside folder(file);
+                      const std::vector<SessionPlan>& plans) {
+  const ScratchFolder folder;
   const std::vector<AnswerRow> rows = dummy_answers(manifest, plans);
   const Results results = results_of(gather(manifest, rows), rows, {});
   write_results(results, rows, {}, folder.path());
@@ -78,7 +56,7 @@ FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<Session
                              const fs::path& made, const fs::path& file) {
   ZipFiles files = frozen_design(manifest, plans, made);
   add_dummy_answers(files, manifest, plans);
-  add_dummy_report(files, manifest, plans, file);
+  add_dummy_report(files, manifest, plans);
   FrozenArchive archive{.file = file, .bytes = zip_of(files), .files = files.size()};
   if (fs::exists(fs::symlink_status(file)) && read_file(file) != archive.bytes)
     throw Error({file.string()}, "is there already, and holds something else",
@@ -88,7 +66,7 @@ FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<Session
 
 /// Writes it, whole or not at all.
 void write_archive(const FrozenArchive& archive) {
-  replace_file(archive.file, beside(archive.file, ".part"), archive.bytes);
+  replace_file(archive.file, archive.file.string() + ".part", archive.bytes);
 }
 
 struct DesignCommand {

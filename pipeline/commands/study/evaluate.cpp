@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -114,12 +115,26 @@ fs::path evaluation_folder(const EvaluateOptions& options) {
   return "out" / fs::path(motion::safe_component(fs::path(file).stem().string(), {file}));
 }
 
+/// Where no first guess tells interfaces apart, because all of them matched.
+void note_easy_targets(const MatchingEvaluation& evaluation, const MatchingResults& results,
+                       const Console& console) {
+  const auto all_matched = [](const MatchingShare& share) {
+    return share.guesses > 0 && share.near_guesses == share.guesses;
+  };
+  if (evaluation.shares.empty() || !std::ranges::all_of(evaluation.shares, all_matched)) return;
+  console.err << fmt::format(
+      "note: every first guess matched, so their shares do not tell the interfaces apart; targets "
+      "farther apart, or a threshold below {:g} m, would\n",
+      results.threshold_m);
+}
+
 int run_evaluation(const EvaluateOptions& options, const Console& console) {
   const std::vector<fs::path> files(options.results.begin(), options.results.end());
   const MatchingResults results = read_matching_results(files, options.terms);
   const MatchingEvaluation evaluation = evaluate(results);
   const fs::path folder = evaluation_folder(options);
   write_evaluation(evaluation, results, folder);
+  note_easy_targets(evaluation, results, console);
   if (options.json) {
     console.out << as_json(evaluation, results.simulated, folder).dump(2) << '\n';
     return exit_done;

@@ -9,7 +9,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
-#include "pipeline/manifest/example_source.h"
+#include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/study/analysis/feature_clusters.h"
 

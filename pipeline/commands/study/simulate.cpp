@@ -11,7 +11,7 @@
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/manifest/example_source.h"
+#include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/study/matching/experiment/simulated_matching.h"

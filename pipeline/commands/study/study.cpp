@@ -5,7 +5,7 @@
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/other_programs.h"
 #include "pipeline/commands/line/versions.h"
-#include "pipeline/manifest/example_source.h"
+#include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/archive/tar_archive.h"
 #include "pipeline/study/analysis/scales_yaml.h"
 #include "pipeline/study/server/database.h"

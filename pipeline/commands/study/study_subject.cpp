@@ -6,7 +6,7 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
-#include "pipeline/manifest/example_source.h"
+#include "pipeline/manifest/reading/example_source.h"
 
 namespace mien::pipeline {
 

@@ -8,7 +8,7 @@
 #include "pipeline/base/reading/yaml_tree.h"
 #include "pipeline/manifest/look/set_file.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
-#include "pipeline/manifest/recipes.h"
+#include "pipeline/manifest/reading/recipes.h"
 
 namespace mien::pipeline {
 

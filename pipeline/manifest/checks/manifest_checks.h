@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/fault.h"
-#include "pipeline/manifest/resolved_manifest.h"
+#include "pipeline/manifest/reading/resolved_manifest.h"
 
 namespace mien::pipeline {
 

@@ -8,8 +8,8 @@
 #include "pipeline/base/reading/yaml_json.h"
 #include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/manifest/checks/manifest_checks.h"
-#include "pipeline/manifest/manifest_builder.h"
-#include "pipeline/manifest/resolved_manifest.h"
+#include "pipeline/manifest/reading/manifest_builder.h"
+#include "pipeline/manifest/reading/resolved_manifest.h"
 
 namespace mien::pipeline {
 

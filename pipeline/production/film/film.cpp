@@ -13,8 +13,8 @@
 
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/frame_drawer.h"
-#include "pipeline/production/film/frame_taker.h"
-#include "pipeline/production/film/stored_frame.h"
+#include "pipeline/production/film/frame_reuse.h"
+#include "pipeline/production/film/frame_writer.h"
 #include "pipeline/tasks/progress_bar.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/image/contact_sheet.h"
@@ -44,13 +44,14 @@ bool set_moves(const scenes::Shot& shot) {
   return shot.cameras.cameras.size() > 1 || ground_moves;
 }
 
-/// Frames on their way through the threads of a drawer, from the store or drawn anew, to the taker.
+/// Frames on their way through the threads of a drawer, from the store or drawn anew, to the
+/// writer.
 class FramesInFlight {
  public:
-  FramesInFlight(FrameDrawer& drawer, FrameTaker& taker, const std::vector<int>& frames,
+  FramesInFlight(FrameDrawer& drawer, FrameWriter& writer, const std::vector<int>& frames,
                  const FilmSettings& settings, const std::stop_token& stop)
       : drawer_(drawer),
-        taker_(taker),
+        writer_(writer),
         frames_(frames),
         settings_(settings),
         stop_(stop),
@@ -118,13 +119,13 @@ class FramesInFlight {
     if (settings_.drew && !now.frame.is_stored) {
       settings_.drew(steady_seconds() - std::max(now.began, ended_));
     }
-    over_ = !taker_.push(std::move(now.frame));
-    if (settings_.drew) ended_ = steady_seconds();  // to wait for the taker is not to draw
+    over_ = !writer_.push(std::move(now.frame));
+    if (settings_.drew) ended_ = steady_seconds();  // to wait for the writer is not to draw
     return !over_;
   }
 
   FrameDrawer& drawer_;
-  FrameTaker& taker_;
+  FrameWriter& writer_;
   const std::vector<int>& frames_;
   const FilmSettings& settings_;
   const std::stop_token& stop_;
@@ -183,12 +184,12 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
   give_back_memory();
   const FrameFormat kept = store != nullptr ? settings.output.frames : FrameFormat::none;
   FrameDrawer drawer(shot, settings, kept, stop);
-  FrameTaker taker(settings, shot.tone, kept != FrameFormat::none ? store : nullptr, sink);
+  FrameWriter writer(settings, shot.tone, kept != FrameFormat::none ? store : nullptr, sink);
   const auto stored = [&](int frame) {
-    return stored_frame(store, frame, settings.output, shot.tone);
+    return reusable_frame(store, frame, settings.output, shot.tone);
   };
-  const bool all = FramesInFlight(drawer, taker, frames, settings, stop).run(stored, progress);
-  taker.finish();  // frames that were taken are kept, also of a film that is given up
+  const bool all = FramesInFlight(drawer, writer, frames, settings, stop).run(stored, progress);
+  writer.finish();  // frames that were taken are kept, also of a film that is given up
   if (stop.stop_requested() && !all) throw Interrupted{};
 }
 

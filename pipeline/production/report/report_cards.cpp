@@ -8,10 +8,10 @@
 #include "motion/measures/distance/distance.h"
 #include "pipeline/base/documents/html.h"
 #include "pipeline/production/film/film_presentation.h"
+#include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/report/lint_timeline.h"
 #include "pipeline/production/report/report_parts.h"
 #include "pipeline/production/report/report_tables.h"
-#include "pipeline/production/report/study_facts.h"
 #include "pipeline/production/sheets/sheet.h"
 #include "pipeline/production/synthesis/modified_motion.h"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/html.h"
-#include "pipeline/production/report/study_facts.h"
+#include "pipeline/production/methods/study_facts.h"
 
 namespace mien::pipeline {
 

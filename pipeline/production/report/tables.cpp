@@ -5,8 +5,8 @@
 
 #include "motion/measures/distance/distance.h"
 #include "pipeline/manifest/ratings/answers/impression_table.h"
+#include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/report/feature_changes.h"
-#include "pipeline/production/report/study_facts.h"
 #include "pipeline/production/report/table_forms.h"
 #include "pipeline/production/synthesis/parameter_label.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/production/report/study_facts.h"
+#include "pipeline/production/methods/study_facts.h"
 
 namespace mien::pipeline {
 

@@ -12,7 +12,7 @@
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"
-#include "pipeline/production/report/study_facts.h"
+#include "pipeline/production/methods/study_facts.h"
 #include "pipeline/tasks/receipt.h"
 
 namespace mien::pipeline {

@@ -4,7 +4,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/manifest/manifest_yaml.h"
+#include "pipeline/manifest/reading/manifest_yaml.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/manifest/manifest_yaml.h"
+#include "pipeline/manifest/reading/manifest_yaml.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/look/set_file.h"
-#include "pipeline/manifest/recipes.h"
+#include "pipeline/manifest/reading/recipes.h"
 
 namespace mien::pipeline {
 

@@ -119,7 +119,7 @@ TEST(WholeTakes, ThatWereFrozenBeforeAreNotFoundSoAgain) {
 }
 
 /// The body's own rest pose, arms stretched out, where the motion starts.
-Pose calibration_pose(const Clip& clip) {
+Pose arms_stretched_out(const Clip& clip) {
   Pose pose = clip.poses.front();
   for (Quat& rotation : pose.rotations) rotation = Quat::Identity();
   return pose;
@@ -134,15 +134,17 @@ TEST(WholeTakes, ThatBeginWithAPoseOfCalibrationAreJudgedWithoutIt) {
   for (const Clip& take : takes) {
     const auto plain = lint(take);
     EXPECT_FALSE(find(plain, "calibration-pose")) << take.name;
+    EXPECT_FALSE(calibration_pose(take)) << take.name;
     for (const int frames : {1, 2, frames_of(take, 1.0)}) {
       Clip with = take;
-      with.poses.insert(with.poses.begin(), frames, calibration_pose(take));
+      with.poses.insert(with.poses.begin(), frames, arms_stretched_out(take));
       auto findings = lint(with);
       const Finding* found = find(findings, "calibration-pose");
       ASSERT_TRUE(found) << take.name << " " << frames << "\n" << all_of(findings);
       EXPECT_EQ(found->first, 0);
       EXPECT_EQ(found->last, frames - 1);
       EXPECT_EQ(found->severity, Severity::error);
+      EXPECT_EQ(calibration_pose(with).value().last, frames - 1);
       std::erase_if(findings, [](const Finding& one) { return one.check == "calibration-pose"; });
       ASSERT_EQ(findings.size(), plain.size()) << take.name << "\n" << all_of(findings);
       for (size_t i = 0; i < plain.size(); ++i) {
@@ -167,7 +169,7 @@ TEST(WholeTakes, InWhichOneJointLeapsAtTheStartHaveNoPoseOfCalibration) {
 TEST(WholeTakes, ThatLeapLaterHaveNoPoseOfCalibration) {
   const Clip walk = three_cycles(builtin_walks()[0]);
   Clip torn = walk;
-  torn.poses.insert(torn.poses.begin() + 30, calibration_pose(walk));
+  torn.poses.insert(torn.poses.begin() + 30, arms_stretched_out(walk));
   const auto findings = lint(torn);
   EXPECT_FALSE(find(findings, "calibration-pose"));
   EXPECT_TRUE(find_error(findings, "jump", "", 29, 32)) << all_of(findings);

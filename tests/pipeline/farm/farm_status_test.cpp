@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/farm/element_logs.h"
+#include "pipeline/farm/jobs/element_logs.h"
 #include "pipeline/farm/submission.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/run/run.h"

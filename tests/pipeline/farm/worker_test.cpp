@@ -7,8 +7,8 @@
 
 #include "motion/error.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/farm/slurm/worker_codes.h"
 #include "pipeline/farm/work_item.h"
-#include "pipeline/farm/worker_codes.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/run/run.h"
 #include "pipeline/temporary_folder.h"

@@ -9,7 +9,7 @@
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/recipes.h"
+#include "pipeline/manifest/reading/recipes.h"
 #include "pipeline/manifest/schema_paths.h"
 
 namespace mien::pipeline {

@@ -5,7 +5,7 @@
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
-#include "pipeline/manifest/manifest_yaml.h"
+#include "pipeline/manifest/reading/manifest_yaml.h"
 
 namespace mien::pipeline {
 namespace {

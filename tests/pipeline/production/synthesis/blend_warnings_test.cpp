@@ -13,7 +13,7 @@
 #include "motion/gait/contact.h"
 #include "motion/lint/injected_faults.h"
 #include "motion/procedural/builtin_sets.h"
-#include "pipeline/manifest/example_source.h"
+#include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -13,7 +13,7 @@
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/modification.h"
 #include "motion/modify/real_takes.h"
-#include "pipeline/manifest/recipes.h"
+#include "pipeline/manifest/reading/recipes.h"
 #include "pipeline/production/synthesis/modified_motion.h"
 
 namespace mien::pipeline {

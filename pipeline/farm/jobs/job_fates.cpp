@@ -1,0 +1,104 @@
+#include "pipeline/farm/jobs/job_fates.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "pipeline/base/documents/files.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether any of the job has written a log: each does as soon as it begins, or finds room.
+bool has_begun(const JournalJob& job, const fs::path& folder) {
+  const fs::path logs = folder / "farm" / job.submission / "log";
+  const std::string stem = "-" + job.name + "-" + job.job;
+  return std::ranges::any_of(paths_in(logs), [&](const fs::path& log) {
+    const std::string name = log.filename().string();
+    return name.find(stem + "_") != std::string::npos || name.ends_with(stem + ".log");
+  });
+}
+
+JobFate fate_of(const JournalJob& job, std::vector<QueueRow> rows, const fs::path& folder) {
+  JobFate fate;
+  fate.journal = job;
+  fate.rows = std::move(rows);
+  if (job.job.empty() && !fate.rows.empty()) {
+    fate.is_adopted = true;
+    fate.journal.job = fate.rows.front().array;
+  }
+  if (std::any_of(fate.rows.begin(), fate.rows.end(), is_live)) {
+    fate.kind = JobFate::Kind::live;
+  } else if (!fate.rows.empty() || job.was_refused || job.was_cancelled) {
+    fate.kind = JobFate::Kind::ended;
+  } else if (job.job.empty()) {
+    fate.kind = JobFate::Kind::unanswered;
+  } else {
+    fate.kind = has_begun(job, folder) ? JobFate::Kind::ended : JobFate::Kind::lost;
+  }
+  return fate;
+}
+
+}  // namespace
+
+std::vector<QueueRow> JobFate::live() const {
+  std::vector<QueueRow> found;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(found), is_live);
+  return found;
+}
+
+std::vector<JobFate> job_fates(const JournalContent& journal, const std::vector<QueueRow>& queue,
+                               const fs::path& folder) {
+  std::map<std::string, std::vector<QueueRow>> by_comment;
+  for (const QueueRow& row : queue) by_comment[row.comment].push_back(row);
+  std::vector<JobFate> fates;
+  for (const JournalJob& job : journal.jobs) {
+    const auto rows = by_comment.find(job.comment);
+    fates.push_back(
+        fate_of(job, rows == by_comment.end() ? std::vector<QueueRow>() : rows->second, folder));
+  }
+  return fates;
+}
+
+std::string name_of(const QueueRow& row) {
+  return row.index ? row.array + "_" + std::to_string(*row.index) : row.job;
+}
+
+std::vector<std::string> live_jobs(const std::vector<JobFate>& fates) {
+  std::vector<std::string> jobs;
+  for (const JobFate& fate : fates) {
+    for (const QueueRow& row : fate.live()) jobs.push_back(name_of(row));
+  }
+  return jobs;
+}
+
+std::vector<std::string> live_jobs_called(const std::vector<QueueRow>& queue,
+                                          const std::string& graph_key) {
+  std::vector<std::string> jobs;
+  for (const QueueRow& row : queue) {
+    if (is_live(row) && row.comment.starts_with("mien:" + graph_key + ":"))
+      jobs.push_back(name_of(row));
+  }
+  return jobs;
+}
+
+std::vector<std::string> told_losses(const std::vector<JobFate>& fates) {
+  std::vector<std::string> told;
+  for (const JobFate& fate : fates) {
+    if (fate.journal.submission != fates.back().journal.submission) continue;
+    const std::string name = fate.journal.submission + "/" + fate.journal.name;
+    if (fate.kind == JobFate::Kind::lost) {
+      told.push_back("Slurm no longer has job " + fate.journal.job + " (" + name +
+                     "), which left no log: lost by its controller, cancelled by hand, or "
+                     "over before it could write one");
+    } else if (fate.kind == JobFate::Kind::unanswered) {
+      told.push_back(name + " was to be submitted, but there is no such job");
+    }
+  }
+  return told;
+}
+
+}  // namespace mien::pipeline

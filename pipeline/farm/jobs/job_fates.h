@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/farm/jobs/submission_journal.h"
+#include "pipeline/farm/slurm/slurm_answers.h"
+
+namespace mien::pipeline {
+
+/// What became of a job of the journal.
+struct JobFate {
+  enum class Kind {
+    live,       ///< some of it waits or runs
+    ended,      ///< all of it is over, well or not
+    lost,       ///< Slurm forgot it before any of it wrote a log, or gave its number to another
+    unanswered  ///< the client stopped between intent and answer, and Slurm does not have it
+  };
+  Kind kind = Kind::ended;
+  JournalJob journal;          ///< with the number that Slurm gave, even if the journal lacks it
+  bool is_adopted = false;     ///< the journal lacked it
+  std::vector<QueueRow> rows;  ///< of it, as squeue has them
+
+  /// Rows that wait or run; stuck ones too.
+  std::vector<QueueRow> live() const;
+};
+
+/// What squeue knows of the jobs of a study. A job counts as the study's by its comment, never by
+/// its number alone. `folder`: the study's, where logs tell that a job had begun.
+std::vector<JobFate> job_fates(const JournalContent& journal, const std::vector<QueueRow>& queue,
+                               const std::filesystem::path& folder);
+
+/// Of all of them: "17_3", as scancel takes it, or "17".
+std::vector<std::string> live_jobs(const std::vector<JobFate>& fates);
+
+/// Jobs that wait or run, whoever submitted them, of the study with this graph key (submission.h).
+std::vector<std::string> live_jobs_called(const std::vector<QueueRow>& queue,
+                                          const std::string& graph_key);
+
+/// The jobs of the newest submission that Slurm lost, and those it never answered for, in
+/// sentences; empty when all is well.
+std::vector<std::string> told_losses(const std::vector<JobFate>& fates);
+
+/// How a row is called in commands of Slurm: "17_3".
+std::string name_of(const QueueRow& row);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,156 @@
+#include "pipeline/farm/jobs/submission_journal.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <sstream>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "motion/text/result_file.h"
+#include "motion/text/safe_name.h"
+#include "pipeline/base/documents/files.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+JobRequest request_in(const ordered_json& told) {
+  return {.partition = told.value("partition", ""),
+          .time = told.value("time", ""),
+          .memory = told.value("mem", ""),
+          .account = told.value("account", ""),
+          .array_limit = told.value("array_limit", 0),
+          .processors = told.value("jobs", 1)};
+}
+
+/// The last job of that comment, which is unlike that of any other job of the study.
+JournalJob* job_called(JournalContent& content, const std::string& comment) {
+  const auto found = std::find_if(content.jobs.rbegin(), content.jobs.rend(),
+                                  [&](const JournalJob& job) { return job.comment == comment; });
+  return found == content.jobs.rend() ? nullptr : &*found;
+}
+
+/// Throws for one that is not the name of a folder or file of the farm.
+std::string own_name(const ordered_json& told, const char* member) {
+  return motion::safe_component(told.at(member).get<std::string>(), {});
+}
+
+std::string line_of(const JournalSubmission& submission) {
+  const JobRequest& request = submission.request;
+  return ordered_json{{"event", "submission"},
+                      {"submission", submission.number},
+                      {"when", submission.when},
+                      {"quality", submission.quality},
+                      {"chunk", submission.chunk_frames},
+                      {"partition", request.partition},
+                      {"time", request.time},
+                      {"mem", request.memory},
+                      {"account", request.account},
+                      {"array_limit", request.array_limit},
+                      {"jobs", request.processors}}
+      .dump();
+}
+
+std::string line_of(const JournalJob& intent) {
+  return ordered_json{{"event", "intent"},           {"submission", intent.submission},
+                      {"name", intent.name},         {"comment", intent.comment},
+                      {"elements", intent.elements}, {"mem", intent.memory},
+                      {"when", intent.when}}
+      .dump();
+}
+
+void take_line(const ordered_json& told, JournalContent& content) {
+  const std::string event = told.at("event");
+  if (event == "submission") {
+    content.submissions.push_back({own_name(told, "submission"), told.value("when", ""),
+                                   told.value("quality", ""), told.value("chunk", 0),
+                                   request_in(told)});
+    return;
+  }
+  const std::string comment = told.at("comment");
+  if (event == "intent") {
+    content.jobs.push_back({.submission = own_name(told, "submission"),
+                            .name = own_name(told, "name"),
+                            .comment = comment,
+                            .elements = told.at("elements"),
+                            .memory = told.value("mem", ""),
+                            .when = told.value("when", "")});
+  } else if (JournalJob* job = job_called(content, comment)) {
+    if (event == "submitted") job->job = told.at("job");
+    if (event == "refused") job->was_refused = true;
+    if (event == "cancelled") job->was_cancelled = true;
+  }
+}
+
+}  // namespace
+
+std::string utc_now() { return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))); }
+
+SubmissionJournal::SubmissionJournal(const fs::path& folder)
+    : file_(folder / "farm" / "journal.jsonl") {}
+
+JournalContent SubmissionJournal::read() const {
+  JournalContent content;
+  std::error_code error;
+  if (!fs::is_regular_file(file_, error)) return content;
+  std::istringstream lines(read_file(file_));
+  for (std::string line; std::getline(lines, line);) {
+    try {
+      take_line(ordered_json::parse(line), content);
+    } catch (const std::exception&) {  // of the JSON, or Error
+      continue;
+    }
+  }
+  return content;
+}
+
+void SubmissionJournal::note_submission(const JournalSubmission& submission,
+                                        const std::vector<JournalJob>& intents) const {
+  std::string lines = line_of(submission);
+  for (const JournalJob& intent : intents) lines += "\n" + line_of(intent);
+  append(lines);
+}
+
+void SubmissionJournal::note_job(const std::string& comment, const std::string& job) const {
+  append(ordered_json{{"event", "submitted"}, {"comment", comment}, {"job", job}}.dump());
+}
+
+void SubmissionJournal::note_refusal(const std::string& comment, const std::string& why) const {
+  append(ordered_json{{"event", "refused"}, {"comment", comment}, {"why", why}}.dump(
+      -1, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+void SubmissionJournal::note_cancel(const std::string& comment, const std::string& job) const {
+  append(ordered_json{{"event", "cancelled"}, {"comment", comment}, {"job", job}}.dump());
+}
+
+/// Begins with a line break where a crash cut the last line off. All in one write, so that lines of
+/// two processes do not mix.
+void SubmissionJournal::append(const std::string& lines) const {
+  make_folder(file_.parent_path());
+  const int file = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  const auto refuse = [&](int why) {
+    if (file >= 0) ::close(file);
+    throw cannot_be_written(file_, {why, std::generic_category()});
+  };
+  if (file < 0) refuse(errno);
+  char last = '\n';
+  const off_t size = ::lseek(file, 0, SEEK_END);
+  if (size > 0 && ::pread(file, &last, 1, size - 1) != 1) refuse(errno);
+  const std::string bytes = (last == '\n' ? "" : "\n") + lines + "\n";
+  const ssize_t count = ::write(file, bytes.data(), bytes.size());
+  if (count != static_cast<ssize_t>(bytes.size())) refuse(count < 0 ? errno : ENOSPC);
+  if (::fsync(file) != 0) refuse(errno);
+  ::close(file);
+  flush_to_disk(file_.parent_path());
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,134 @@
+#include "pipeline/farm/jobs/trouble_words.h"
+
+#include <csignal>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "pipeline/farm/slurm/worker_codes.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string resume(const std::string& study) { return "mien farm resume " + study; }
+
+std::string submit(const std::string& study) { return resume(study) + " submits what is missing"; }
+
+std::string look_first(const std::string& study) {
+  return "mien farm logs " + study + " tells what is wrong; mend it, then " + resume(study);
+}
+
+std::string look_and_submit(const std::string& study) {
+  return "mien farm logs " + study + " tells more; " + submit(study);
+}
+
+std::string mend_folder(const std::string& study) {
+  return "make room in it, or bring it back; then " + submit(study);
+}
+
+/// Of a job that notes how it ends, and has not.
+TroubleWords words_of_no_note(const std::string& what, const std::string& study) {
+  return {what + " without a note of why, as where the study's folder is full, read-only or away",
+          mend_folder(study)};
+}
+
+TroubleWords short_of_memory(const std::string& study) {
+  return {"too little memory",
+          resume(study) + " asks for twice the memory if --mem was given, or for what --mem says"};
+}
+
+/// A code as a worker gives it: `mien run` is a command for people, and has other ones.
+int worker_code(int code, bool is_rest) {
+  if (!is_rest) return code;
+  if (code == 130) return worker_transient;
+  return code == 2 ? worker_bad_input : code;
+}
+
+TroubleWords words_of_signal(const ElementEnd& end, const std::string& study) {
+  const int code = end.code;
+  if (end.lacked_memory) return short_of_memory(study);
+  if (code == worker_killed) {
+    return {fmt::format("killed from outside (exit code {}, SIGKILL)", code),
+            look_and_submit(study)};
+  }
+  return {fmt::format("crashed (exit code {}: {})", code, ::strsignal(code - 128)),
+          look_and_submit(study)};
+}
+
+}  // namespace
+
+TroubleWords words_of_end(const ElementEnd& end, bool is_rest, const std::string& study) {
+  switch (worker_code(end.code, is_rest)) {
+    case worker_bad_input:
+      return {fmt::format("bad input, which trying again would not help (exit code {})",
+                          worker_bad_input),
+              look_first(study)};
+    case worker_transient:
+      if (end.restarts < most_restarts) return {"stopped on the way", submit(study)};
+      return {fmt::format("{} times stopped, or failed by the machine's fault (exit code {})",
+                          end.restarts + 1, worker_gave_up),
+              look_and_submit(study)};
+    case worker_no_disk:
+      return {
+          fmt::format("waited in vain for the study's folder, which was full, read-only or away "
+                      "(exit code {})",
+                      worker_no_disk),
+          mend_folder(study)};
+    case worker_gave_up:
+      return {fmt::format("failed (exit code {})", worker_gave_up), look_and_submit(study)};
+    case worker_wrong_setup:
+      return {fmt::format("wrong set-up: no manifest or list there, or another mien or kind of "
+                          "processor than it was submitted with (exit code {})",
+                          worker_wrong_setup),
+              look_first(study)};
+    case 126:
+    case 127:
+      return {fmt::format("mien could not be started on the node (exit code {})", end.code),
+              look_first(study)};
+    default:
+      if (end.code > 128 && end.code < 128 + NSIG) return words_of_signal(end, study);
+      return {fmt::format("failed (exit code {})", end.code), look_and_submit(study)};
+  }
+}
+
+TroubleWords words_of_state(const QueueRow& row, const std::string& study) {
+  if (row.state == "OUT_OF_MEMORY") return short_of_memory(study);
+  if (row.state == "TIMEOUT" || row.state == "DEADLINE")
+    return {"time limit reached", submit(study) + ", with --time 4:00:00 for longer"};
+  if (row.state == "NODE_FAIL" || row.state == "BOOT_FAIL") return {"the node died", submit(study)};
+  if (row.state == "PREEMPTED") return {"preempted", submit(study)};
+  if (row.reason == "NonZeroExitCode") return words_of_no_note("ended by itself", study);
+  return {"killed, or not to be started, without a word (" + row.reason + ")",
+          look_and_submit(study)};
+}
+
+TroubleWords words_of_hold(const QueueRow& row, const std::string& study) {
+  const std::string& reason = row.reason;
+  if (asks_too_much(row)) {
+    return {"no node of the partition has what is asked for (" + reason + ")",
+            resume(study) +
+                " --jobs 1, or with another --mem, --time or --partition, submits anew; sinfo -N "
+                "-l tells what nodes have"};
+  }
+  if (reason == "DependencyNeverSatisfied")
+    return {"waiting for a job that did not end as is asked", submit(study)};
+  if (reason.starts_with("launch")) return {"could not be started on the node", submit(study)};
+  if (reason == "JobHeldAdmin")
+    return {"held by who runs the cluster", "ask them; only they can release it"};
+  if (row.state == "PENDING") {
+    return {"held by hand",
+            "scontrol release lets it go on; " + resume(study) + " submits it anew"};
+  }
+  if (row.state == "SPECIAL_EXIT") return words_of_no_note("held itself", study);
+  return {"ended badly", look_first(study)};
+}
+
+TroubleWords words_of_edit(const std::string& study) {
+  return {
+      "the manifest was edited after it was submitted, or mien, --quality or the kind of "
+      "processor is another",
+      resume(study) + " takes the jobs back and submits the study as it is now"};
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,74 @@
+#include "pipeline/farm/jobs/worker_reports.h"
+
+#include <algorithm>
+#include <chrono>
+#include <tuple>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/base/documents/files.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// A worker writes every few seconds; a shared file system may show it late.
+constexpr double silent_after_s = 90.0;
+
+double age_of(const fs::path& file) {
+  std::error_code gone;
+  const auto age = fs::file_time_type::clock::now() - fs::last_write_time(file, gone);
+  if (gone) return 0.0;
+  return std::max(0.0, std::chrono::duration<double>(age).count());
+}
+
+}  // namespace
+
+bool WorkerReport::is_alive() const { return !has_ended && silent_s < silent_after_s; }
+
+double WorkerReport::frames_per_second() const {
+  return frame_seconds > 0.0 ? static_cast<double>(frames) / frame_seconds : 0.0;
+}
+
+std::vector<WorkerReport> worker_reports(const fs::path& folder) {
+  std::vector<WorkerReport> reports;
+  for (const WorkerRecord& record : read_worker_records(folder)) {
+    const double silent_s = age_of(worker_record_path(folder, record.name));
+    reports.push_back({record, is_gone(record), silent_s});
+  }
+  std::ranges::sort(reports, {},
+                    [](const WorkerReport& report) { return std::tuple(report.host, report.pid); });
+  return reports;
+}
+
+double seconds_a_frame(const std::vector<WorkerReport>& reports) {
+  long long frames = 0;
+  double seconds = 0.0;
+  for (const WorkerReport& report : reports) {
+    frames += report.frames;
+    seconds += report.frame_seconds;
+  }
+  return frames > 0 ? seconds / static_cast<double>(frames) : 0.0;
+}
+
+std::vector<FailedItem> failed_items(const fs::path& folder) {
+  std::vector<FailedItem> failed;
+  for (const fs::path& file : paths_in(folder / "farm" / "failures")) {
+    if (file.extension() != ".json") continue;
+    try {
+      const json told = json::parse(read_file(file));
+      failed.push_back({told.at("item"), told.value("error", ""), told.value("code", 0),
+                        told.value("host", ""), told.value("when", ""), told.value("attempts", 0),
+                        told.value("command", "")});
+    } catch (const std::exception&) {
+      continue;  // half-written: it will be whole the next time
+    }
+  }
+  std::ranges::sort(failed, {}, &FailedItem::item);
+  return failed;
+}
+
+}  // namespace mien::pipeline

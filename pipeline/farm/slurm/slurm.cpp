@@ -1,0 +1,197 @@
+#include "pipeline/farm/slurm/slurm.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <regex>
+#include <sstream>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "motion/text/as_number.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::string_view configuration_remedy =
+    "Slurm's configuration cannot be read: unset SLURM_CONF, or let it name the cluster's "
+    "slurm.conf";
+
+constexpr std::string_view no_room_remedy =
+    "Slurm has as many jobs of everybody as it takes (scontrol show config | grep MaxJobCount): a "
+    "larger --chunk makes fewer, or try again when others have ended";
+
+struct Remedy {
+  std::string_view words;  ///< in what Slurm says
+  std::string_view remedy;
+};
+
+// Slurm's words and what mends it; the first that is found counts.
+constexpr std::array remedies = {
+    Remedy{"Unable to contact slurm controller",
+           "Slurm's controller does not answer: try again later, or ask who runs the cluster "
+           "(scontrol ping)"},
+    Remedy{"Connection refused", "Slurm's controller does not answer: scontrol ping"},
+    Remedy{"Socket timed out", "Slurm's controller is slow: try again, nothing is submitted twice"},
+    Remedy{"ould not establish a configuration source",
+           "this machine is no part of a cluster: log in to one that is, or set SLURM_CONF"},
+    Remedy{"unable to status file", configuration_remedy},
+    Remedy{"nable to process configuration file", configuration_remedy},
+    Remedy{"arse error in file", configuration_remedy},
+    Remedy{"nable to establish control machine address",
+           "this machine does not know the controller that slurm.conf names: is SLURM_CONF the "
+           "right one?"},
+    Remedy{"unable to determine hostname", "this machine is no part of a cluster"},
+    Remedy{"munge", "the authentication service munge does not run here: ask who runs the cluster"},
+    Remedy{"nable to accept job", no_room_remedy},
+    Remedy{"job queue full", no_room_remedy},
+    Remedy{"Job creation temporarily disabled",
+           "the cluster takes no jobs at the moment: try again later"},
+    Remedy{"Invalid job array specification",
+           "the site allows smaller arrays: scontrol show config | grep MaxArraySize"},
+    Remedy{"invalid partition", "there is no such partition: sinfo lists them"},
+    Remedy{"Invalid account",
+           "the account is not yours: sacctmgr show associations user=$USER lists yours"},
+    Remedy{"Invalid qos", "there is no such QOS: sacctmgr show qos lists them"},
+    Remedy{"emory specification can not be satisfied",
+           "no node has so much memory: a smaller --mem"},
+    Remedy{"equested node configuration is not available",
+           "no node has so many processors or so much memory: a smaller --jobs or --mem (sinfo -N "
+           "-l)"},
+    Remedy{"equested time limit is invalid",
+           "the partition allows less time: a shorter --time (sinfo lists the limits)"},
+    Remedy{"nvalid time limit", "--time takes minutes, HH:MM:SS or D-HH:MM:SS"},
+    Remedy{"QOSMaxSubmitJobPerUserLimit",
+           "the site allows you fewer jobs at a time: a larger --chunk makes fewer"},
+    Remedy{"ob violates accounting",
+           "the site's limits are reached: a larger --chunk makes fewer jobs"},
+    Remedy{"ccess denied", "the partition or account is not open to you: sinfo, sacctmgr"},
+};
+
+std::string without_end(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+/// Lines of Slurm's below one of ours.
+std::string quoted(const std::string& words) {
+  return "  " + std::regex_replace(words, std::regex("\n"), "\n  ");
+}
+
+/// A configuration that is not there is looked for during a minute.
+void refuse_missing_configuration() {
+  const char* file = std::getenv("SLURM_CONF");
+  std::error_code unknown;
+  if (file == nullptr || *file == '\0' || std::filesystem::exists(file, unknown)) return;
+  throw SlurmFault(std::string("SLURM_CONF names ") + file +
+                   ", which is not there: unset it, or let it name the cluster's slurm.conf");
+}
+
+/// Whether sbatch was told, until its time was up, that no job can be taken now: it repeats itself.
+bool is_full(const CommandEnd& end) {
+  return end.timed_out && end.errors.find("retrying") != std::string::npos;
+}
+
+/// Whether a submission may have been accepted although the command failed.
+bool is_silent(const CommandEnd& end) {
+  return end.timed_out || end.errors.find("Socket timed out") != std::string::npos ||
+         end.errors.find("Zero Bytes were transmitted") != std::string::npos;
+}
+
+/// Whether scancel has nothing to complain of but that jobs were over.
+bool had_ended(const CommandEnd& end) {
+  if (end.is_missing || end.timed_out) return false;
+  std::istringstream lines(end.errors);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("Invalid job id") == std::string::npos &&
+        line.find("already completing or completed") == std::string::npos) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string slurm_fault(const std::string& program, const CommandEnd& end) {
+  if (end.is_missing) {
+    return program +
+           " is not there: Slurm is not installed on this machine; log in to one of the "
+           "cluster's, or use mien run, which needs none";
+  }
+  const std::string words = without_end(end.errors.empty() ? end.output : end.errors);
+  for (const Remedy& one : remedies) {
+    if (end.errors.find(one.words) == std::string::npos) continue;
+    return program + " failed: " + std::string(one.remedy) + "\n" + quoted(words);
+  }
+  if (end.timed_out) {
+    return program + " did not answer in time; scontrol ping tells whether Slurm is up" +
+           (words.empty() ? "" : "\n" + quoted(words));
+  }
+  return program + " failed: " + words;
+}
+
+CommandEnd Slurm::run(const std::vector<std::string>& words) const {
+  refuse_missing_configuration();
+  CommandEnd end = run_command(words, limit_);
+  if (!end.is_done()) throw SlurmFault(slurm_fault(words.front(), end));
+  return end;
+}
+
+SlurmSite Slurm::site() const { return site_told(run({"scontrol", "show", "config"}).output); }
+
+std::vector<NodeShape> Slurm::nodes() const {
+  return node_shapes(run_command({"sinfo", "-h", "-N", "-o", node_format}, limit_).output);
+}
+
+NodeStates Slurm::node_states() const {
+  return pipeline::node_states(
+      run_command({"sinfo", "-h", "-N", "-o", node_state_format}, limit_).output);
+}
+
+std::vector<QueueRow> Slurm::queue() const {
+  return queue_rows(run({"squeue", "-h", "-r", "-a", "-t", "all", "-o", queue_format}).output);
+}
+
+std::optional<std::vector<QueueRow>> Slurm::queue_if_any(std::string& why) const {
+  try {
+    return queue();
+  } catch (const SlurmFault& fault) {
+    why = fault.what();
+    return std::nullopt;
+  }
+}
+
+std::string Slurm::submit(const std::filesystem::path& script,
+                          const std::vector<std::string>& after,
+                          const std::vector<std::string>& more) const {
+  std::vector<std::string> words = {"sbatch", "--parsable"};
+  if (!after.empty())
+    words.push_back(fmt::format("--dependency=afterany:{}", fmt::join(after, ":")));
+  words.insert(words.end(), more.begin(), more.end());
+  words.push_back(script.string());
+  const CommandEnd end = run_command(words, limit_);
+  if (is_full(end)) throw SlurmIsFull(slurm_fault("sbatch", end));
+  if (!end.is_done() && is_silent(end)) throw SlurmSilence(slurm_fault("sbatch", end));
+  if (!end.is_done()) throw SlurmFault(slurm_fault("sbatch", end));
+  // "17", or "17;cluster" where there are several.
+  const std::string job = end.output.substr(0, end.output.find_first_of(";\n"));
+  if (motion::as_number<unsigned>(job)) return job;
+  throw SlurmSilence("sbatch gave no job: " + without_end(end.output));
+}
+
+void Slurm::cancel(const std::vector<std::string>& jobs) const {
+  constexpr std::size_t at_once = 500;
+  for (std::size_t first = 0; first < jobs.size(); first += at_once) {
+    std::vector<std::string> words = {"scancel"};
+    const std::size_t last = std::min(jobs.size(), first + at_once);
+    words.insert(words.end(), jobs.begin() + static_cast<std::ptrdiff_t>(first),
+                 jobs.begin() + static_cast<std::ptrdiff_t>(last));
+    const CommandEnd end = run_command(words, limit_);
+    if (!end.is_done() && !had_ended(end)) throw SlurmFault(slurm_fault("scancel", end));
+  }
+}
+
+}  // namespace mien::pipeline

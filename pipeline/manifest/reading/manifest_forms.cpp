@@ -1,0 +1,151 @@
+#include <algorithm>
+
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/field_writer.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/reading/example_source.h"
+#include "pipeline/manifest/reading/recipes.h"
+#include "scenes/figures/figure.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view builtin_prefix = "builtin:";
+
+constexpr Words<Examples::Labels> label_words = {{"from-name", Examples::Labels::from_name},
+                                                 {"file-name", Examples::Labels::file_name}};
+
+}  // namespace
+
+ScalesSource scales_in(const std::filesystem::path& file) { return {file, read_scales(file)}; }
+
+ScaleSet scales_of(const ScalesSource& source) {
+  return source.file.empty() ? builtin_scales() : source.set;
+}
+
+void VideoKindsForm::read(const Given& given, std::vector<render::VideoKind>& video) {
+  if (!given.value.is_array()) return;
+  video.clear();
+  for (const render::VideoTraits& traits : render::video_kinds()) {
+    const bool is_in =
+        std::find(given.value.begin(), given.value.end(), traits.name) != given.value.end();
+    if (is_in) video.push_back(traits.kind);
+  }
+}
+
+OrderedJson VideoKindsForm::write(const std::vector<render::VideoKind>& video, const Writing&) {
+  OrderedJson names = OrderedJson::array();
+  for (const render::VideoKind kind : video) names.push_back(render::traits_of(kind).name);
+  return names;
+}
+
+void AlikeForm::read(const Given& given, std::optional<Among>& among) {
+  if (given.value.is_boolean()) among.reset();
+  if (given.value == false) return;
+  among = Among::study;
+  if (given.value.is_object()) assign(member(given.value, "by"), *among, among_words);
+}
+
+OrderedJson AlikeForm::write(const std::optional<Among>& among, const Writing&) {
+  if (among == Among::figure) return {{"by", "figure"}};
+  return among.has_value();
+}
+
+void EqualizeForm::read(const Given& given, Equalize& equalize) {
+  if (given.value.is_object()) return pipeline::read(given, equalize);
+  if (!given.value.is_array()) return;
+  const auto named = [&](const char* word) {
+    return std::find(given.value.begin(), given.value.end(), word) != given.value.end();
+  };
+  const auto among = [&](const char* word) {
+    return named(word) ? std::optional(Among::study) : std::nullopt;
+  };
+  equalize = {.luminance = among("luminance"),
+              .size = among("size"),
+              .place = among("place"),
+              .duration = named("duration")};
+}
+
+OrderedJson EqualizeForm::write(const Equalize& equalize, const Writing& how) {
+  const auto is_named = [](const std::optional<Among>& among) { return among != Among::figure; };
+  if (!is_named(equalize.luminance) || !is_named(equalize.size) || !is_named(equalize.place))
+    return written(equalize, how);
+  OrderedJson words = OrderedJson::array();
+  if (equalize.luminance) words.push_back("luminance");
+  if (equalize.size) words.push_back("size");
+  if (equalize.place) words.push_back("place");
+  if (equalize.duration) words.push_back("duration");
+  return words;
+}
+
+std::vector<std::vector<const Stimulus*>> alike(const std::vector<Stimulus>& stimuli, Among among) {
+  std::vector<std::string> names;
+  std::vector<std::vector<const Stimulus*>> groups;
+  for (const Stimulus& stimulus : stimuli) {
+    const std::string name(among == Among::figure ? scenes::name_of(stimulus.look.figure) : "");
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) groups.emplace_back();
+    const auto group = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end()) names.push_back(name);
+    groups[group].push_back(&stimulus);
+  }
+  return groups;
+}
+
+void LabelsForm::read(const Given& given, Examples& examples) {
+  assign(&given.value, examples.labels, label_words);
+  pipeline::read(given, examples.given_labels);
+}
+
+OrderedJson LabelsForm::write(const Examples& examples, const Writing& how) {
+  if (!examples.given_labels.empty()) return written(examples.given_labels, how);
+  return examples.labels == Examples::Labels::from_name ? "from-name" : "file-name";
+}
+
+void ExampleSetForm::read(const Given& given, Examples& examples) {
+  if (!given.value.is_string()) return pipeline::read(given, examples);
+  const auto& name = given.value.get_ref<const std::string&>();
+  if (name.starts_with(builtin_prefix)) examples.builtin = name.substr(builtin_prefix.size());
+  examples.blendable = examples.builtin != unblendable_set;
+}
+
+OrderedJson ExampleSetForm::write(const Examples& examples, const Writing& how) {
+  if (!examples.builtin.empty()) return std::string(builtin_prefix) + examples.builtin;
+  return examples.folder.empty() ? OrderedJson() : written(examples, how);
+}
+
+void RatingsForm::read(const Given& given, Ratings& ratings) {
+  if (!given.value.is_string()) return;
+  ratings.source = Ratings::Source::file;
+  assign(&given.value, ratings.source, ratings_words);
+  if (ratings.source == Ratings::Source::file) pipeline::read(given, ratings.file);
+}
+
+OrderedJson RatingsForm::write(const Ratings& ratings, const Writing& how) {
+  for (const auto& [word, source] : ratings_words) {
+    if (source == ratings.source) return word;
+  }
+  return written(ratings.file, how);
+}
+
+void ScalesForm::read(const Given& given, ScalesSource& scales) {
+  if (given.value != "builtin") pipeline::read(given, scales.file);
+}
+
+OrderedJson ScalesForm::write(const ScalesSource& scales, const Writing& how) {
+  return scales.file.empty() ? OrderedJson("builtin") : written(scales.file, how);
+}
+
+void RecipesForm::read(const Given& given, RecipesSource& recipes) {
+  assign(&given.value, recipes.name);
+  if (builtin_recipes_text(recipes.name).empty()) pipeline::read(given, recipes.file);
+}
+
+OrderedJson RecipesForm::write(const RecipesSource& recipes, const Writing& how) {
+  return recipes.file.empty() ? OrderedJson(recipes.name) : written(recipes.file, how);
+}
+
+}  // namespace mien::pipeline

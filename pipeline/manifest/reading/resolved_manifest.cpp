@@ -1,0 +1,109 @@
+#include "pipeline/manifest/reading/resolved_manifest.h"
+
+#include <string>
+#include <utility>
+
+#include "motion/text/file_contents.h"
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/base/documents/utf8.h"
+#include "pipeline/manifest/foil.h"
+#include "pipeline/manifest/hold.h"
+#include "pipeline/manifest/look/look_checks.h"
+#include "pipeline/manifest/reading/recipes.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// A look that says nothing of its own has the manifest's.
+std::vector<Fault> resolve_sets(Manifest& manifest) {
+  ReadSets sets;
+  std::vector<Fault> faults = resolve_set(manifest.look, "look", manifest.places, sets);
+  const auto resolve_film = [&](Stimulus& film) {
+    const std::string path = member_path(film.path, "look");
+    if (manifest.places.values.contains(path)) {
+      append(faults, resolve_set(film.look, path, manifest.places, sets));
+    } else {
+      film.look.set = manifest.look.set;
+    }
+  };
+  for (Stimulus& stimulus : manifest.stimuli) resolve_film(stimulus);
+  for (Overlay& overlay : manifest.overlays) resolve_film(overlay.film);
+  return faults;
+}
+
+std::vector<Fault> resolve_scales(ScalesSource& scales) {
+  if (!motion::hindrance_of(scales.file, motion::most_of_document).empty()) return {};
+  try {
+    scales = scales_in(scales.file);
+  } catch (const Faults& wrong) {
+    return wrong.list();
+  } catch (const Error& wrong) {
+    return {{{}, "examples.scales", wrong.what(), ""}};
+  }
+  return {};
+}
+
+/// Reads a text for participants, where it is in a file.
+void resolve_text(const std::string& path, TextSource& source, FaultList& list) {
+  if (source.file.empty()) return;
+  const std::string at = member_path(path, "file");
+  const motion::FileReading read = motion::bytes_of_file(source.file, motion::most_of_document);
+  if (!read.bytes) {
+    list.check_file(at, source.file, "a text file", motion::most_of_document);
+  } else if (first_invalid_utf8(*read.bytes)) {
+    list.add(at, source.file.string() + " is not UTF-8", "save it as UTF-8");
+  } else {
+    source.text = *read.bytes;
+  }
+}
+
+/// Of a questionnaire or a matching experiment.
+void resolve_texts(const std::string& path, auto& asked, FaultList& list) {
+  resolve_text(member_path(path, "consent"), asked.consent, list);
+  resolve_text(member_path(path, "instructions"), asked.instructions, list);
+  resolve_text(member_path(path, "ending"), asked.ending, list);
+}
+
+std::vector<Fault> resolve_own_scales(ScaleChoice& scales, const Places& places) {
+  if (scales.file.empty()) return {};
+  FaultList list(places);
+  list.check_file("questionnaire.scales.file", scales.file, "a scales file (YAML)",
+                  motion::most_of_document);
+  std::vector<Fault> faults = list.take();
+  if (!faults.empty()) return faults;
+  try {
+    scales.own = read_scales(scales.file);
+  } catch (const Faults& wrong) {
+    return wrong.list();
+  }
+  return {};
+}
+
+std::vector<Fault> resolve_asked(Manifest& manifest) {
+  FaultList list(manifest.places);
+  if (manifest.matching) resolve_texts("matching", *manifest.matching, list);
+  if (!manifest.questionnaire) return list.take();
+  Questionnaire& asked = *manifest.questionnaire;
+  resolve_texts("questionnaire", asked, list);
+  resolve_text("questionnaire.analysis.plan", asked.analysis.plan, list);
+  std::vector<Fault> faults = list.take();
+  append(faults, resolve_own_scales(asked.scales, manifest.places));
+  return faults;
+}
+
+}  // namespace
+
+ResolvedManifest resolve(Manifest manifest) {
+  std::vector<Fault> faults = resolve_modifications(manifest);
+  append(faults, resolve_foils(manifest));
+  resolve_holds(manifest);
+  append(faults, resolve_sets(manifest));
+  std::vector<Fault> in_asked = resolve_scales(manifest.scales);
+  append(in_asked, resolve_asked(manifest));
+  const bool knows_what_is_asked = in_asked.empty();
+  append(faults, std::move(in_asked));
+  return {std::move(manifest), std::move(faults), knows_what_is_asked};
+}
+
+}  // namespace mien::pipeline

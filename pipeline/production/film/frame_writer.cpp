@@ -1,0 +1,60 @@
+#include "pipeline/production/film/frame_writer.h"
+
+#include <utility>
+#include <variant>
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::size_t waiting_frames = 1;
+
+}  // namespace
+
+FrameWriter::FrameWriter(const FilmSettings& settings, const render::Tone& tone, FrameStore* store,
+                         const FrameSink& sink)
+    : settings_(settings), tone_(tone), store_(store), sink_(sink), queue_(waiting_frames) {
+  thread_ = std::thread([this] { write_all(); });
+}
+
+FrameWriter::~FrameWriter() {
+  queue_.close();
+  if (thread_.joinable()) thread_.join();
+}
+
+void FrameWriter::finish() {
+  queue_.close();
+  thread_.join();
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void FrameWriter::write_all() {
+  try {
+    KeptFrame frame;
+    while (queue_.pop(frame)) {
+      const render::Image8 shown = kept(frame);
+      sink_(frame.number, shown);
+    }
+  } catch (...) {
+    failure_ = std::current_exception();
+    queue_.close();
+  }
+}
+
+// As the file has it, where it is kept in one; its picture is used up.
+render::Image8 FrameWriter::kept(KeptFrame& frame) {
+  if (frame.is_stored || store_ == nullptr)
+    return std::move(std::get<render::Image8>(frame.picture));
+  const FrameFormat format = settings_.output.frames;
+  render::Image8 read_back;
+  store_->put(
+      frame_name(format, frame.number),
+      [&](const std::filesystem::path& file) { write_frame(file, frame.picture); },
+      [&](const std::filesystem::path& file) {
+        frame.picture = {};  // as large as what is read
+        read_back = read_frame(file, format, settings_.output.shown_size(), tone_);
+      });
+  return read_back;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "pipeline/production/methods/method_sources.h"
+#include "pipeline/production/methods/methods_parts.h"
+#include "pipeline/production/methods/prose.h"
+#include "pipeline/production/methods/study_facts.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string mean_of(motion::RotationBlend blend, MethodsText& out) {
+  switch (blend) {
+    case motion::RotationBlend::direction_vectors:
+      return "sums of direction vectors";
+    case motion::RotationBlend::markley_mean:
+      return "Markley means" + out.cite({"markley2007"});
+    case motion::RotationBlend::karcher_mean:
+      break;
+  }
+  return "Karcher means";
+}
+
+std::string warp_of(motion::WarpShape shape, MethodsText& out) {
+  return shape == motion::WarpShape::linear ? "piecewise linear"
+                                            : "monotone cubic" + out.cite({"fritsch1980"});
+}
+
+std::string method_words(motion::InterpolationMethod method, MethodsText& out) {
+  const MethodWords found = words_of(method);
+  return found.words + out.cite(found.sources);
+}
+
+void tell_interpolation(MethodsText& out) {
+  for (const char* source : {"adjectives", "features"}) {
+    const auto stimuli = stimuli_from(out.manifest, source);
+    if (stimuli.empty()) continue;
+    Names methods;
+    for (const Stimulus* stimulus : stimuli)
+      add_once(methods, method_words(stimulus->interpolation.weights.method, out));
+    out.say(fmt::format(
+        "{} asked for by {}: the shares of the examples were found by {}",
+        count_of(stimuli.size(), "stimulus was", "stimuli were"),
+        source == std::string("features") ? "measured features of motion" : "adjectives",
+        listed(methods)));
+  }
+}
+
+void tell_reached(MethodsText& out) {
+  Range missed;
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (!stimulus.modify.empty()) continue;  // known of the blend before alone
+    const Synthesis& made = out.motions.of(stimulus.id);
+    const std::size_t count = std::min(made.asked.size(), made.reached.size());
+    for (std::size_t i = 0; i < count; ++i)
+      missed.add(std::abs(made.reached[i].second - made.asked[i].second));
+  }
+  if (missed.count == 0) return;
+  out.say(
+      fmt::format("Of {} asked for, from 0 to 1, the motions miss {:.3f} on average and {:.3f} "
+                  "at most",
+                  count_of(static_cast<std::size_t>(missed.count), "value", "values"),
+                  missed.mean(), missed.most));
+}
+
+std::string held_where(MethodsText& out) {
+  Names places;
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    const Hold& hold = stimulus.hold;
+    if (!hold.values.empty()) add_once(places, "the manifest");
+    if (!hold.others && hold.names.empty()) continue;
+    add_once(places, hold.reference.empty() ? "the mean of the examples"
+                                            : "the stimulus " + hold.reference[0].id);
+  }
+  return listed(places);
+}
+
+void tell_held(MethodsText& out) {
+  const auto holds = [](const Stimulus& stimulus) { return stimulus.hold.anything(); };
+  const auto held = std::ranges::count_if(out.manifest.stimuli, holds);
+  if (held == 0) return;
+  out.say(fmt::format(
+      "In {} parameters that were not asked for were held where they are in {}, as "
+      "near as the examples allow",
+      count_of(static_cast<std::size_t>(held), "stimulus", "stimuli"), held_where(out)));
+  Range missed;
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (!holds(stimulus)) continue;
+    const Synthesis& made = out.motions.of(stimulus.id);
+    for (std::size_t i = 0; i < made.held.size(); ++i)
+      missed.add(std::abs(made.held_reached[i].second - made.held[i].second));
+  }
+  if (missed.count == 0) return;
+  out.say(fmt::format("Of {} held, the blends miss {:.3f} on average and {:.3f} at most",
+                      count_of(static_cast<std::size_t>(missed.count), "value", "values"),
+                      missed.mean(), missed.most));
+}
+
+}  // namespace
+
+void describe_blends(MethodsText& out) {
+  if (!blends_examples(out.manifest)) return;
+  if (!stimuli_from(out.manifest, "adjectives").empty() ||
+      !stimuli_from(out.manifest, "features").empty()) {
+    tell_interpolation(out);
+    tell_reached(out);
+    tell_held(out);
+  }
+  if (const auto weighted = stimuli_from(out.manifest, "weights"); !weighted.empty()) {
+    out.say(count_of(weighted.size(), "stimulus was blended", "stimuli were blended") +
+            " from examples in given shares");
+  }
+  if (!out.manifest.examples.blendable) return;
+  Names rotations, warps;
+  bool locks = false;
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (!is_blend(stimulus)) continue;
+    add_once(rotations, mean_of(stimulus.interpolation.rotations, out));
+    add_once(warps, warp_of(stimulus.interpolation.time_warp, out));
+    locks = locks || stimulus.interpolation.foot_lock;
+  }
+  out.say("Corresponding moments of the examples were brought together by " + listed(warps) +
+          " time warps, and rotations blended as " + listed(rotations));
+  if (locks) {
+    out.say("Planted feet were held where they stand by inverse kinematics" +
+            out.cite({"kovar2002"}));
+  }
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+#include "pipeline/production/methods/methods_parts.h"
+#include "pipeline/production/methods/prose.h"
+#include "pipeline/production/methods/study_facts.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+void tell_repertoire(MethodsText& out) {
+  const Repertoire& repertoire = out.motions.repertoire();
+  const std::size_t count = repertoire.names.size();
+  if (repertoire.origins.empty()) {
+    out.say(fmt::format("The examples were {} synthetic motions (mien's built-in set {})", count,
+                        out.manifest.examples.builtin));
+  } else {
+    out.say(fmt::format("The examples were {}",
+                        count_of(count, "recorded motion", "recorded motions")));
+  }
+  Range seconds;
+  int loops = 0;
+  for (const motion::Example& example : repertoire.examples.examples) {
+    seconds.add(example.clip.duration_seconds());
+    loops += example.clip.loops ? 1 : 0;
+  }
+  if (loops == seconds.count && !repertoire.origins.empty()) {
+    out.say("Of each the steadiest straight gait cycle was cut, by heel strikes and toe offs" +
+            out.cite({"zeni2008"}) + ", and closed to a loop");
+  }
+  const auto mirrored = std::ranges::count_if(
+      repertoire.origins, [](const motion::ExampleOrigin& origin) { return origin.is_mirrored; });
+  if (mirrored > 0) {
+    out.say(fmt::format(
+        "{} too short for one: a step and its mirror image stand for the cycle",
+        count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
+  }
+  out.say("They last " + with_mean(seconds, 2, " s"));
+  describe_example_settings(out);
+}
+
+/// Where the ratings come from, if a file has them.
+std::string ratings_source(MethodsText& out) {
+  if (out.manifest.ratings.source != Ratings::Source::file) return "";
+  return " (" + motion::printable(out.manifest.ratings.file.filename().string()) + ")";
+}
+
+/// Whoever has answered; nobody where there are only means.
+std::size_t raters_of(const Answers& answers) {
+  std::set<std::string> raters;
+  for (const Answer& answer : answers.answers) {
+    if (!answer.participant.empty()) raters.insert(answer.participant);
+  }
+  return raters.size();
+}
+
+void tell_ratings(MethodsText& out) {
+  const Repertoire& repertoire = out.motions.repertoire();
+  if (!repertoire.impressions || stimuli_from(out.manifest, "adjectives").empty()) return;
+  const Impressions& impressions = *repertoire.impressions;
+  const std::string scales = count_of(impressions.scales.size(), "scale", "scales") +
+                             (out.manifest.scales.file.empty()
+                                  ? " (the pairs of adjectives of" + out.cite({"adjectives"}) + ")"
+                                  : "");
+  const std::size_t raters = raters_of(repertoire.answers);
+  Range answers;
+  answers.add(impressions.count.minCoeff());
+  answers.add(impressions.count.maxCoeff());
+  const std::string each = told(answers, 0, " answers") + " a scale and example";
+  if (raters == 0) {  // a table of means
+    out.say(fmt::format("{}, as means{}",
+                        impressions.simulated ? "No person rated them: they are "
+                                                "simulated on " +
+                                                    scales
+                                              : "People rated them on " + scales,
+                        ratings_source(out)));
+  } else if (impressions.simulated) {
+    out.say(fmt::format("No person rated them: {} answered on {}, {}{}",
+                        count_of(raters, "simulated rater", "simulated raters"), scales, each,
+                        ratings_source(out)));
+  } else {
+    out.say(fmt::format("{} rated them on {}, {}{}", count_of(raters, "person", "people"), scales,
+                        each, ratings_source(out)));
+  }
+  if (out.manifest.ratings.source == Ratings::Source::file && out.manifest.ratings.ignore_unknown)
+    out.say("Answers about other motions and on other scales were left out");
+  out.say(std::string("An example's place on a scale is its mean answer, from 0 (the low end) to 1 "
+                      "(the high end)") +
+          (scales_of(out.manifest.scales).groups.empty()
+               ? ""
+               : "; that on a group of scales is the mean of these"));
+  std::size_t held = 0, certain = 0;
+  const auto checks = expectation_checks(out.manifest, repertoire);
+  for (const ExpectationCheck& check : checks) {
+    held += check.holds() ? 1 : 0;
+    certain += check.holds() && check.is_certain() ? 1 : 0;
+  }
+  if (!checks.empty())
+    out.say(
+        fmt::format("Of {} expected of the ratings, {} came out as expected, {} of them by more "
+                    "than the noise of the answers",
+                    count_of(checks.size(), "order", "orders"), held, certain));
+}
+
+}  // namespace
+
+void describe_examples(MethodsText& out) {
+  tell_repertoire(out);
+  tell_ratings(out);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,54 @@
+#include <regex>
+#include <string>
+
+#include "pipeline/base/documents/html.h"
+#include "pipeline/production/methods/methods.h"
+#include "pipeline/production/methods/references.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// "Rose, Cohen and Bodenheimer 1998; …" for "@rose1998; …". Empty for the program itself, which is
+/// named where it is cited.
+std::string labels_of(const std::string& keys) {
+  static const std::regex key("@(\\w+)");
+  std::string labels;
+  for (std::sregex_iterator at(keys.begin(), keys.end(), key), end; at != end; ++at) {
+    const Reference* reference = find_reference((*at)[1].str());
+    if (reference == nullptr) continue;
+    labels += (labels.empty() ? "" : "; ") + std::string(reference->label);
+  }
+  return labels;
+}
+
+/// "[@rose1998]" becomes "(Rose, Cohen and Bodenheimer 1998)".
+std::string with_labels(const std::string& text) {
+  static const std::regex citation(R"( \[(@[\w; @]+)\])");
+  std::string result;
+  auto rest = text.cbegin();
+  for (std::sregex_iterator at(text.begin(), text.end(), citation), end; at != end; ++at) {
+    result.append(rest, (*at)[0].first);
+    const std::string labels = labels_of((*at)[1]);
+    if (!labels.empty()) result += " (" + labels + ")";
+    rest = (*at)[0].second;
+  }
+  result.append(rest, text.cend());
+  return result;
+}
+
+}  // namespace
+
+std::string methods_html(const std::string& markdown) {
+  std::string html;
+  std::size_t start = markdown.find("\n\n");  // behind the heading
+  while (start != std::string::npos && start + 2 < markdown.size()) {
+    start += 2;
+    const std::size_t end = markdown.find("\n\n", start);
+    html += "<p>" + html_escaped(with_labels(markdown.substr(start, end - start))) + "</p>\n";
+    start = end;
+  }
+  return html;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/reading/field_writer.h"
+#include "pipeline/production/methods/method_sources.h"
+#include "pipeline/production/methods/methods_parts.h"
+#include "pipeline/production/methods/prose.h"
+#include "pipeline/production/methods/stated_settings.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+const Writing recipe_writing{.for_key = true};  // files by their names
+
+/// What the steps with an emotion do at a strength of 1: its recipe, with what was set by hand.
+void tell_recipes(const Names& emotions, MethodsText& out) {
+  static const std::vector<FieldEntry> usual = entries_of(motion::Modification{}, recipe_writing);
+  Names recipes;
+  for (const std::string& emotion : emotions) {
+    StatedSettings what;
+    for (const Stimulus& stimulus : out.manifest.stimuli) {
+      for (const ModificationStep& step : stimulus.modify) {
+        if (step.emotion != emotion) continue;
+        for (const FieldEntry& entry :
+             differences(entries_of(step.modification, recipe_writing), usual)) {
+          if (entry.path != "seed") what.add("modify." + entry.path, entry.value, emotion);
+        }
+        if (step.pose) what.add("modify.pose", written(*step.pose, recipe_writing), emotion);
+      }
+    }
+    recipes.push_back(emotion + ": " + (what.empty() ? "no change" : what.text({emotion})));
+  }
+  if (!recipes.empty())
+    out.say(fmt::format("At a strength of 1 they are {}", fmt::join(recipes, "; ")));
+}
+
+std::string modification_sources(MethodsText& out) {
+  return out.cite({"emotionthesis2010", "bruderlin1995"});
+}
+
+std::string recipe_book(MethodsText& out) {
+  if (!out.manifest.recipes.file.empty()) return out.manifest.recipes.file.filename().string();
+  return out.manifest.recipes.name == "fig29" ? "figure 29 of the thesis, with mien's numbers"
+                                              : "mien's own, after the thesis";
+}
+
+void tell_steps(MethodsText& out) {
+  std::size_t modified = 0, reduced = 0;
+  double least_share = 1.0;
+  Names emotions, styles, changed;
+  StatedSettings by_hand;
+  Range strengths;
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (stimulus.modify.empty()) continue;
+    ++modified;
+    changed.push_back(stimulus.id);
+    const double share = out.motions.of(stimulus.id).modified_share;
+    reduced += share < 1.0 ? 1 : 0;
+    least_share = std::min(least_share, share);
+    for (const ModificationStep& step : stimulus.modify) {
+      if (!step.emotion.empty()) {
+        add_once(emotions, step.emotion);
+        strengths.add(step.strength);
+      }
+      if (step.style) add_once(styles, source_of(step.style->method));
+      by_hand.add("modify", EditForm::write(step.edit, recipe_writing), stimulus.id);
+      if (step.style)
+        by_hand.add("style", StyleForm::write(step.style, recipe_writing), stimulus.id);
+    }
+  }
+  if (modified == 0) return;
+  out.say(count_of(modified, "stimulus was", "stimuli were") + " modified afterwards" +
+          modification_sources(out));
+  if (!emotions.empty()) {
+    out.say(fmt::format("The {} ({}) {} {}, at a strength of {}",
+                        emotions.size() == 1 ? "recipe used" : "recipes used", recipe_book(out),
+                        emotions.size() == 1 ? "was" : "were", listed(emotions),
+                        told(strengths, 2, "")));
+  }
+  tell_recipes(emotions, out);
+  if (!by_hand.empty()) out.say("Set by hand: " + by_hand.text(changed));
+  if (!styles.empty()) {
+    out.say("Differences of style were taken over from pairs of examples by published methods" +
+            out.cite(styles));
+  }
+  if (reduced > 0) {
+    out.say(
+        fmt::format("In {} the modification was reduced as far as the motion needed to stay free "
+                    "of faults, to {:.0f} % at the least",
+                    reduced, 100.0 * least_share));
+  }
+}
+
+void tell_foils(MethodsText& out) {
+  std::size_t foils = 0;
+  Names aspects;
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (!stimulus.foil) continue;
+    ++foils;
+    add_once(aspects, std::string(name_of(stimulus.foil->differ)));
+  }
+  if (foils == 0) return;
+  out.say(count_of(foils, "stimulus is a foil", "stimuli are foils") +
+          ": modified as another stimulus is, but for its change of " + listed(aspects) +
+          "; what else differs was measured of both (metrics/foils.csv)");
+}
+
+}  // namespace
+
+void describe_modifications(MethodsText& out) {
+  tell_steps(out);
+  tell_foils(out);
+}
+
+}  // namespace mien::pipeline

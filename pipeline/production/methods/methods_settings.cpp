@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/reading/field_writer.h"
+#include "pipeline/manifest/look/look_fields.h"
+#include "pipeline/manifest/look/point_form.h"
+#include "pipeline/manifest/look/set_fields.h"
+#include "pipeline/production/film/film_dots.h"
+#include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/methods/methods_parts.h"
+#include "pipeline/production/methods/prose.h"
+#include "pipeline/production/methods/stated_settings.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+const Writing by_names{.for_key = true};  // files by their names
+
+/// What other sentences say of all films.
+bool is_told_of_all(const FieldEntry& entry) {
+  constexpr std::array<std::string_view, 9> paths = {"look.scene",
+                                                     "look.figure",
+                                                     "look.camera",
+                                                     "output.size",
+                                                     "output.fps",
+                                                     "output.video",
+                                                     "interpolation.method",
+                                                     "interpolation.rotations",
+                                                     "interpolation.time_warp"};
+  return !entry.value.is_object() && std::ranges::count(paths, std::string_view(entry.path)) > 0;
+}
+
+/// The same within a map: which set it is, from where it is seen, and a figure without options.
+OrderedJson without_told(OrderedJson value) {
+  if (!value.is_object()) return value;
+  OrderedJson rest = OrderedJson::object();
+  for (const auto& [key, one] : value.items()) {
+    const bool is_bare = one.is_null() || (one.is_object() && one.empty());
+    if (key != "set" && key != "view" && !is_bare) rest[key] = one;
+  }
+  return rest;
+}
+
+template <class Value>
+void add_differences(const std::string& prefix, const Value& value, const std::string& of,
+                     StatedSettings& settings) {
+  static const std::vector<FieldEntry> usual = entries_of(Value{}, by_names);
+  for (FieldEntry entry : differences(entries_of(value, by_names), usual)) {
+    entry.path = prefix + entry.path;
+    if (!is_told_of_all(entry)) settings.add(entry.path, without_told(entry.value), of);
+  }
+}
+
+void add_set(const Stimulus& stimulus, StatedSettings& settings) {
+  static const std::vector<FieldEntry> usual = entries_of(scenes::SetPlan{}, by_names);
+  if (stimulus.look.scene_file.empty()) return;
+  for (const FieldEntry& entry : differences(entries_of(stimulus.look.set, by_names), usual)) {
+    if (entry.concerns != concerns::nothing)
+      settings.add("look.set." + entry.path, entry.value, stimulus.id);
+  }
+}
+
+/// "13 dots of 8 pixels": those of noise and masks are told by themselves.
+std::string dots_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed) {
+  const auto& options = std::get<scenes::PointLightOptions>(stimulus.look.figure);
+  const std::size_t all = shot_of(stimulus, motions, seed).actors.front().dots.size();
+  const std::size_t others =
+      static_cast<std::size_t>(options.noise) + static_cast<std::size_t>(options.mask);
+  const std::size_t own = all > others ? all - others : all;
+  return fmt::format("{} of {}", count_of(own, "dot", "dots"),
+                     options.size_m ? fmt::format("{:g} m", *options.size_m)
+                                    : fmt::format("{:g} pixels", options.size_px));
+}
+
+void tell_dots(MethodsText& out) {
+  Names dots;
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (has_dots(stimulus)) add_once(dots, dots_of(stimulus, out.motions, out.manifest.seed));
+  }
+  if (!dots.empty())
+    out.say("A point-light figure has " + fmt::format("{}", fmt::join(dots, " or ")));
+}
+
+}  // namespace
+
+void describe_settings(MethodsText& out) {
+  tell_dots(out);
+  StatedSettings settings;
+  Names everybody;
+  const auto add_settings_of = [&](const Stimulus& film) {
+    everybody.push_back(film.id);
+    add_differences("look.", film.look, film.id, settings);
+    add_set(film, settings);
+    add_differences("output.", film.output, film.id, settings);
+  };
+  for (const Stimulus& stimulus : out.manifest.stimuli) add_settings_of(stimulus);
+  for (const Overlay& overlay : out.manifest.overlays) {
+    Stimulus film = overlay.film;
+    film.look.colours = Colours::neutral;  // which it does not go by
+    add_settings_of(film);
+  }
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (is_blend(stimulus))
+      add_differences("interpolation.", stimulus.interpolation, stimulus.id, settings);
+  }
+  if (!settings.empty())
+    out.say("Settings other than mien's own were: " + settings.text(everybody));
+}
+
+void describe_example_settings(MethodsText& out) {
+  if (!out.manifest.examples.builtin.empty()) return;
+  StatedSettings settings;
+  add_differences("examples.", out.manifest.examples, "", settings);
+  if (!settings.empty()) out.say("They were taken by these settings: " + settings.text({""}));
+}
+
+void describe_matching_settings(MethodsText& out) {
+  if (!out.manifest.matching) return;
+  const Matching& matching = *out.manifest.matching;
+  if (matching.order == MatchingOrder::guesses_first)
+    out.say(
+        "In the matching experiment participants made a guess with every interface at a target "
+        "before they saw what came of any of them, and then matched it with every interface, "
+        "going on from the guess");
+  if (matching.shows_examples)
+    out.say("The examples played beside the matching task, one after the other with their names");
+}
+
+}  // namespace mien::pipeline

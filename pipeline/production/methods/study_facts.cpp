@@ -1,0 +1,62 @@
+#include "pipeline/production/methods/study_facts.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "motion/interpolation/interpolation_options.h"
+#include "pipeline/base/reading/field_values.h"
+#include "pipeline/manifest/look/look_fields.h"
+
+namespace mien::pipeline {
+
+std::string_view name_of(Role role) { return word_of(role_words, role); }
+
+std::string ratings_of(const Stimulus* stimulus, Motions& motions) {
+  if (stimulus == nullptr || stimulus->adjectives.empty()) return "none";
+  return motions.repertoire().simulated_ratings ? "simulated" : "given";
+}
+
+std::string_view source_of(const Stimulus& stimulus) {
+  if (stimulus.clip) return "clip";
+  if (stimulus.walk) return "path";
+  if (!stimulus.features.empty()) return "features";
+  return stimulus.adjectives.empty() ? "weights" : "adjectives";
+}
+
+std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_view source) {
+  std::vector<const Stimulus*> found;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (source_of(stimulus) == source) found.push_back(&stimulus);
+  }
+  return found;
+}
+
+std::string method_of(const Stimulus& stimulus) {
+  if (!is_blend(stimulus)) return "";
+  return std::string(motion::name_of(stimulus.weights.empty()
+                                         ? stimulus.interpolation.weights.method
+                                         : motion::InterpolationMethod::direct));
+}
+
+std::string figure_name(const Look& look) {
+  const OrderedJson figure = FigureForm::write(look.figure, Writing{.for_key = true});
+  return figure.is_string() ? figure.get<std::string>() : figure.items().begin().key();
+}
+
+std::string scene_name(const Look& look) {
+  return look.scene_file.empty() ? scene_of(look) : look.scene_file.filename().string();
+}
+
+bool uses_examples(const Manifest& manifest) {
+  return blends_examples(manifest) || std::ranges::any_of(manifest.stimuli, names_examples);
+}
+
+std::vector<ExpectationCheck> expectation_checks(const Manifest& manifest,
+                                                 const Repertoire& repertoire) {
+  if (!repertoire.impressions) return {};
+  return check_expectations(manifest.ratings.expected, {repertoire.parameters, repertoire.names,
+                                                        repertoire.answers, repertoire.scales});
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,184 @@
+#include "pipeline/farm/jobs/job_troubles.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two submissions: 0001 of seven elements, and 0002, which has the first of them again.
+class Troubles : public testing::Test {
+ protected:
+  Troubles() {
+    std::string list;
+    for (const char* film : {"a", "b", "c", "d", "e", "f", "g"})
+      list += std::string("film:") + film + "[1/2]\n";
+    write("farm/0001/2-frames.tasks", list);
+    write("farm/0002/2-frames.tasks", "film:a[1/9] film:a[2/9]\n");
+    add("0001", "2-frames", "17", 7);
+    add("0001", "6-rest", "18", 0);
+    add("0002", "2-frames", "27", 1);
+    state.folder = temporary.path();
+    state.graph_key = "now";
+    state.words = "my.yaml";
+  }
+
+  void add(const std::string& submission, const std::string& name, const std::string& number,
+           int elements) {
+    JournalJob job;
+    job.submission = submission;
+    job.name = name;
+    job.comment = "mien:now:" + submission + ":" + name;
+    job.job = number;
+    job.elements = elements;
+    journal.jobs.push_back(job);
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    fs::create_directories((temporary.path() / name).parent_path());
+    std::ofstream(temporary.path() / name) << text;
+  }
+
+  void end(int element, const std::string& told) const {
+    write("farm/0001/ends/2-frames." + std::to_string(element), told);
+  }
+
+  /// Of elements of the first submission: "3 PENDING JobHeldUser".
+  static std::string row(int index, const std::string& state, const std::string& reason) {
+    const std::string number = std::to_string(index);
+    return number + "|17|" + number + "|" + state + "|" + reason +
+           "||0:00|mien:now:0001:2-frames\n";
+  }
+
+  std::vector<JobTrouble> troubles(const std::string& queue) const {
+    return job_troubles(job_fates(journal, queue_rows(queue), temporary.path()), state);
+  }
+
+  std::string text(const std::string& queue) const { return troubles_text(troubles(queue)); }
+
+  test::TemporaryFolder temporary;
+  JournalContent journal;
+  StudyState state;
+};
+
+TEST_F(Troubles, ThatHaveOneCauseAreToldTogetherWithTheCommandThatGoesOn) {
+  std::string queue;
+  for (int i = 1; i <= 6; ++i) {
+    end(i, "78 0 n1\n");
+    queue += row(i, "SPECIAL_EXIT", "JobHeldUser");
+  }
+  queue += row(7, "PENDING", "JobHeldUser");
+  EXPECT_EQ(text(queue),
+            "held by Slurm: 1 job (17_7)\n"
+            "  held by hand\n"
+            "  scontrol release lets it go on; mien farm resume my.yaml submits it anew\n"
+            "held by Slurm: 6 jobs (17_1, 17_2, 17_3, 17_4 and 2 more)\n"
+            "  wrong set-up: no manifest or list there, or another mien or kind of processor than "
+            "it was submitted with (exit code 78)\n"
+            "  mien farm logs my.yaml tells what is wrong; mend it, then mien farm resume "
+            "my.yaml\n");
+}
+
+TEST_F(Troubles, OfAStudyThatWasEditedAreOfTheEdit) {
+  end(1, "78 0 n1\n");
+  end(4, "65 0 n1\n");
+  state.graph_key = "another";
+  const auto found = troubles(row(1, "SPECIAL_EXIT", "JobHeldUser") + row(2, "RUNNING", "None") +
+                              row(3, "PENDING", "Priority") +
+                              "8|18|N/A|PENDING|Dependency||0:00|mien:now:0001:6-rest\n");
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].kind, JobTrouble::Kind::held);
+  EXPECT_EQ(found[1].kind, JobTrouble::Kind::outdated);
+  EXPECT_EQ(found[2].job, "17_3");
+  for (const JobTrouble& one : found) {
+    EXPECT_TRUE(one.cause.starts_with("the manifest was edited after it was submitted"))
+        << one.cause;
+  }
+}
+
+TEST_F(Troubles, TellHowWhatEndedDid) {
+  end(2, "137 0 n1\n");
+  end(3, "139 0 n1\n");
+  end(4, "75 3 n2\n");
+  end(5, "70 0 n2\n");
+  std::string causes;
+  for (const JobTrouble& one :
+       troubles(row(6, "FAILED", "RaisedSignal:9(Killed)") + row(7, "TIMEOUT", "TimeLimit"))) {
+    EXPECT_EQ(one.kind, JobTrouble::Kind::ended);
+    causes += one.element + " " + one.cause + "\n";
+  }
+  EXPECT_EQ(causes,
+            "2-frames.2 killed from outside (exit code 137, SIGKILL)\n"
+            "2-frames.3 crashed (exit code 139: Segmentation fault)\n"
+            "2-frames.4 4 times stopped, or failed by the machine's fault (exit code 70)\n"
+            "2-frames.5 failed (exit code 70)\n"
+            "2-frames.6 killed, or not to be started, without a word (RaisedSignal:9(Killed))\n"
+            "2-frames.7 time limit reached\n");
+}
+
+TEST_F(Troubles, AreOfMemoryOnlyWhereSlurmOrTheControlGroupCountsThat) {
+  end(1, "137 0 n1\n");
+  end(2, "137 0 n1 \n");
+  end(3, "137 0 n1 memory\n");
+  end(4, "137 0 n1\n");
+  state.done = {"film:a"};
+  std::string causes;
+  for (const JobTrouble& one : troubles(row(2, "FAILED", "RaisedSignal:9(Killed)") +
+                                        row(4, "OUT_OF_MEMORY", "OutOfMemory"))) {
+    const bool is_of_memory = one.cause == "too little memory";
+    EXPECT_EQ((one.cause + one.remedy).find("memory") != std::string::npos, is_of_memory)
+        << one.cause << ": " << one.remedy;
+    causes += one.element + (is_of_memory ? " memory\n" : " killed\n");
+  }
+  EXPECT_EQ(causes, "2-frames.2 killed\n2-frames.3 memory\n2-frames.4 memory\n");
+}
+
+TEST_F(Troubles, OfAFolderThatWasNotWellSaySo) {
+  end(1, "74 3 n1 \n");
+  end(2, "");  // the disk was full
+  const auto found =
+      troubles(row(1, "SPECIAL_EXIT", "JobHeldUser") + row(2, "SPECIAL_EXIT", "JobHeldUser") +
+               row(3, "FAILED", "NonZeroExitCode"));
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_TRUE(found[0].cause.starts_with("waited in vain for the study's folder"))
+      << found[0].cause;
+  EXPECT_TRUE(found[1].cause.starts_with("held itself without a note of why")) << found[1].cause;
+  EXPECT_TRUE(found[2].cause.starts_with("ended by itself without a note")) << found[2].cause;
+  for (const JobTrouble& one : found) {
+    EXPECT_NE(one.cause.find("full, read-only or away"), std::string::npos) << one.cause;
+    EXPECT_TRUE(one.remedy.starts_with("make room in it, or bring it back; then mien farm resume"));
+  }
+}
+
+TEST_F(Troubles, AreNoneOnceItIsMadeOrSubmittedAgainOrTriedAgain) {
+  end(1, "1 0 n1\n");  // the second submission has it, cut otherwise
+  end(2, "1 0 n1\n");
+  end(3, "75 1 n1\n");
+  state.done = {"film:b"};
+  EXPECT_EQ(text(row(3, "PENDING", "BeginTime")), "");
+}
+
+TEST_F(Troubles, KnowWhatWasCancelled) {
+  end(2, "75 0 n1\n");
+  end(3, "1 0 n1\n");
+  journal.jobs[0].was_cancelled = true;
+  const auto found = troubles(row(4, "CANCELLED", "None"));
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].kind, JobTrouble::Kind::cancelled);
+  EXPECT_EQ(found[1].kind, JobTrouble::Kind::ended);
+  EXPECT_EQ(found[2].kind, JobTrouble::Kind::cancelled);
+}
+
+TEST_F(Troubles, OfWhatNoNodeHasSayWhatToAskForInstead) {
+  const std::string told = text(row(2, "PENDING", "PartitionConfig"));
+  EXPECT_NE(told.find("no node of the partition has what is asked for"), std::string::npos) << told;
+  EXPECT_NE(told.find("mien farm resume my.yaml --jobs 1"), std::string::npos) << told;
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,181 @@
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/schema_paths.h"
+#include "pipeline/production/methods/methods.h"
+#include "pipeline/production/methods/methods_parts.h"
+#include "pipeline/production/methods/stated_settings.h"
+#include "pipeline/production/run/option_variants.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class MethodsSettings : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { test::write_variant_files(folder()); }
+
+  static const fs::path& folder() {
+    static const test::TemporaryFolder files;
+    return files.path();
+  }
+
+  /// The methods section of a manifest, which must be without faults.
+  static std::string methods_for(const std::string& text) {
+    const fs::path file = folder() / "m.yaml";
+    std::ofstream(file) << text;
+    const ManifestReading reading =
+        check_manifest(file, [](const std::string&) { return std::nullopt; });
+    if (!reading.faults.empty()) ADD_FAILURE() << Faults(reading.faults).what();
+    Motions motions(reading.manifest);
+    return methods_of(reading.manifest, motions).markdown;
+  }
+};
+
+/// Of a film: what it looks like, how it is written, what its motion is blended of and by.
+bool is_of_films(const std::string& path) {
+  // Orders are told of by what came of them; ratings that come with a set are simulated ones, and
+  // nothing is unknown of them.
+  if (path.starts_with("examples.expect")) return false;
+  if (path == "examples.ratings" || path == "examples.unknown") return false;
+  for (const char* start :
+       {"look", "output", "interpolation", "examples", "stimuli[].look", "stimuli[].output",
+        "stimuli[].interpolation", "overlays[].look", "overlays[].output"}) {
+    if (path == start || path.starts_with(std::string(start) + ".")) return true;
+  }
+  return false;
+}
+
+/// Of ratings, which are told of where a stimulus rests on them: with one that does.
+json with_rated_stimulus(const std::string& path, json document) {
+  if (path != "examples" && (!path.starts_with("examples.") || path.starts_with("examples.set")))
+    return document;
+  const bool has_own_scales = document["examples"].value("scales", "builtin") != "builtin";
+  const char* wanted = has_own_scales ? "slow-quick" : "quickness";
+  document["stimuli"][0] = {{"id", "a"}, {"adjectives", {{wanted, 0.5}}}};
+  return document;
+}
+
+// An option that is new in the schema is tried as soon as it is there.
+TEST_F(MethodsSettings, TellEveryOptionOfFilmsThatTheSchemaKnows) {
+  std::map<std::string, std::string> known;
+  const auto told = [&](const json& document) -> const std::string& {
+    const std::string text = document.dump();
+    const auto [entry, is_new] = known.try_emplace(text);
+    if (is_new) entry->second = methods_for(text);
+    return entry->second;
+  };
+  int options = 0;
+  for (const auto& [path, node] : test::properties_of(manifest_schema())) {
+    if (!is_of_films(path) || test::has_one_value(path)) continue;
+    if (path == "overlays[].look.colours") continue;  // they go by roles, whatever it says
+    SCOPED_TRACE(path);
+    const test::OptionVariants variants = test::variants_of(path, node);
+    EXPECT_NE(told(with_rated_stimulus(path, variants.first)),
+              told(with_rated_stimulus(path, variants.second)));
+    ++options;
+  }
+  EXPECT_GT(options, 100);
+}
+
+constexpr char shown[] = R"(mien: 1
+study: s
+seed: 7
+examples: {set: builtin:walks-10}
+output: {size: [96, 54], fps: 8, cycles: 1, in_place: true,
+         presentation: {fixation: 0.5, blank_before: 0.2, blank_after: 0.4, fade_in: 0.3}}
+stimuli:
+  - {id: a, weights: {sad: 1}, look: {figure: {point-light: {size: 5, noise: 20, colour: "#ff0000"}}}}
+  - {id: b, weights: {sad: 1}, look: {figure: {point-light: {size: 5, scrambled: true}}}}
+  - {id: c, weights: {sad: 1}, modify: [{emotion: tired}, {tempo: 0.8, posture: {head-flexion: 15}}]}
+)";
+
+TEST_F(MethodsSettings, AreInPlainWordsWithThoseWhoHaveThem) {
+  const std::string text = methods_for(shown);
+  for (const char* words :
+       {"walking on the spot", "a fixation cross for 0.5 s", "a blank of 0.2 s before the film",
+        "a blank of 0.4 s after the film", "a fade-in of 0.3 s", "13 dots of 5 pixels",
+        "20 noise dots", "dots of the colour #ff0000", "dots scrambled in space (b)", "(a and b)",
+        "Set by hand: head-flexion 15° and tempo × 0.8.", "At a strength of 1 they are tired: "})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
+TEST_F(MethodsSettings, AreNotToldWhereNothingIsSaid) {
+  const std::string text = methods_for(
+      "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10}, stimuli: [{id: a, weights: "
+      "{sad: 1}}]}");
+  EXPECT_EQ(text.find("Settings other than"), std::string::npos) << text;
+  EXPECT_EQ(text.find("dots"), std::string::npos) << text;
+}
+
+// What participants saw when must be known of a paper that reports it.
+TEST_F(MethodsSettings, TellTheOrderOfGuessesAndWhatPlayedBeside) {
+  const auto told = [](const std::string& more) {
+    return methods_for(
+        "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10}, stimuli: [{id: a, role: "
+        "target, weights: {sad: 1}}], matching: {participants: 2, interfaces: [weights]" +
+        more + "}}");
+  };
+  const std::string usual = told("");
+  EXPECT_EQ(usual.find("matching"), std::string::npos) << usual;
+  EXPECT_EQ(told(", order: trial-by-trial, show_examples: false"), usual);
+  EXPECT_NE(told(", order: guesses-first").find("before they saw what came of any of them"),
+            std::string::npos);
+  EXPECT_NE(told(", show_examples: true").find("The examples played beside the matching task"),
+            std::string::npos);
+}
+
+TEST(StatedSettings, LeaveOutNoOptionThatHasNoWords) {
+  StatedSettings settings;
+  settings.add("look.camera", {{"lens", {{"new_one", 3}}}}, "a");
+  settings.add("output.fade_in", true, "b");
+  EXPECT_EQ(settings.text({"a", "b"}), "camera lens new one: 3 (a); fade in: yes (b)");
+  EXPECT_EQ(settings.text({"a"}), "camera lens new one: 3; fade in: yes");
+}
+
+TEST(StatedSettings, ShowForeignTextOnOneLine) {
+  EXPECT_EQ(words_of_option("output.presentation.card.text", "one\n\ntwo\x1b"),
+            "a card with the text one\\n\\ntwo\\x1b");
+}
+
+/// The raters are those of the answers, and not those that a manifest would simulate.
+TEST_F(MethodsSettings, CountTheRatersOfTheAnswers) {
+  const auto told = [&](const std::string& columns, const std::string& fields, int raters,
+                        const std::string& more = "", const std::string& others = "") {
+    std::string csv = "participant,stimulus,scale,value" + columns + "\n" + others;
+    for (int rater = 0; rater < raters; ++rater) {
+      for (const char* example : {"normal", "brisk", "slow", "happy", "sad", "angry", "proud",
+                                  "afraid", "tired", "relaxed"})
+        csv += "p" + std::to_string(rater) + "," + example + ",slow-quick,1" + fields + "\n";
+    }
+    write_file(folder() / "answers.csv", csv);
+    return methods_for(
+        "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10, scales: my.scales.yaml, "
+        "ratings: answers.csv" +
+        more + "}, stimuli: [{id: a, adjectives: {slow-quick: 0.5}}]}");
+  };
+  const std::string simulated = told(",simulated", ",1", 40);
+  EXPECT_NE(simulated.find("No person rated them: 40 simulated raters answered"), std::string::npos)
+      << simulated;
+  EXPECT_NE(simulated.find("(answers.csv)"), std::string::npos);
+  const std::string all_known = told("", "", 9);
+  EXPECT_NE(all_known.find("9 people rated them"), std::string::npos);
+  EXPECT_EQ(all_known.find("left out"), std::string::npos) << all_known;
+  const std::string some_unknown = told("", "", 9, ", unknown: ignore", "p1,nobody,slow-quick,1\n");
+  EXPECT_NE(some_unknown.find("Answers about other motions and on other scales were left out"),
+            std::string::npos)
+      << some_unknown;
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,138 @@
+#include "pipeline/production/methods/methods.h"
+
+#include <regex>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/production/methods/method_sources.h"
+#include "pipeline/production/methods/references.h"
+
+namespace mien::pipeline {
+namespace {
+
+Methods methods_for(const std::string& rest) {
+  const ManifestReading reading =
+      parse_manifest("mien: 1\nstudy: s\nseed: 7\nexamples: {set: builtin:walks-10}\n" + rest,
+                     "/nowhere/m.yaml", [](const std::string&) { return std::nullopt; });
+  EXPECT_TRUE(reading.faults.empty()) << Faults(reading.faults).what();
+  Motions motions(reading.manifest);
+  return methods_of(reading.manifest, motions);
+}
+
+std::set<std::string> found(const std::string& text, const char* pattern) {
+  const std::regex expression(pattern);
+  std::set<std::string> all;
+  for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at)
+    all.insert((*at)[1]);
+  return all;
+}
+
+void expect_in(const Methods& methods, const std::string& sentence) {
+  EXPECT_NE(methods.markdown.find(sentence), std::string::npos) << sentence << "\n"
+                                                                << methods.markdown;
+}
+
+constexpr char rated[] =
+    "output: {fps: 25, quality: final, video: [mp4, webm]}\n"
+    "stimuli:\n"
+    "  - {id: a, adjectives: {quickness: 0.6}, factors: {speed: fast}}\n"
+    "  - {id: b, weights: {sad: 1}, modify: {emotion: tired, strength: 0.5}, factors: {speed: "
+    "slow}}\n"
+    "sheets: [{compare: {target: a, created: b}}]\n";
+
+TEST(Methods, TellTheNumbersOfTheStudy) {
+  const Methods methods = methods_for(rated);
+  expect_in(methods, "The 2 stimuli were made with mien ");
+  expect_in(methods, "(random seed 7)");
+  expect_in(methods, "speed (fast, slow), emotion (tired), strength (0.5) and example (sad)");
+  expect_in(methods, "The examples were 10 synthetic motions (mien's built-in set walks-10)");
+  expect_in(methods, "No person rated them: 14 simulated raters answered on 41 scales");
+  expect_in(methods,
+            "The recipe used (mien's own, after the thesis) was tired, at a strength of 0.50.");
+  expect_in(methods, "of 960 × 540 pixels with 128 samples a pixel, 25 a second");
+  expect_in(methods, "written as mp4 and webm");
+  expect_in(methods, "Of 1 pair compared, D is 0.");
+}
+
+TEST(Methods, TellHoldsFoilsAndAmongWhichFilmsAreAlike) {
+  const Methods methods = methods_for(
+      "equalize: {luminance: {by: figure}, place: true}\n"
+      "output: {video: []}\n"
+      "stimuli:\n"
+      "  - {id: a, adjectives: {quickness: 0.6}, hold: others}\n"
+      "  - {id: r, role: reference, weights: {normal: 1}, modify: {tempo: 0.9, paths: 1.2}}\n"
+      "  - {id: f, foil: {of: r, differ: speed}}\n"
+      "sheets: [{gallery: [a, r]}]\n");
+  expect_in(methods, "geometric mean of them, by the exposure (among those with the same kind of");
+  expect_in(methods,
+            "In 1 stimulus parameters that were not asked for were held where they are in "
+            "the stimulus r");
+  expect_in(methods,
+            "1 stimulus is a foil: modified as another stimulus is, but for its change of "
+            "speed");
+  expect_in(methods, "Set by hand: ");
+  EXPECT_EQ(methods.markdown.find("matching task ends"), std::string::npos);
+}
+
+TEST(Methods, NameSeveralRecipesAsSeveral) {
+  expect_in(methods_for("stimuli:\n"
+                        "  - {id: a, weights: {sad: 1}, modify: {emotion: tired}}\n"
+                        "  - {id: b, weights: {sad: 1}, modify: {emotion: happy}}\n"),
+            "The recipes used (mien's own, after the thesis) were tired and happy,");
+}
+
+TEST(Methods, LeaveOutWhatTheStudyDoesNotDo) {
+  const Methods methods = methods_for("stimuli: [{id: a, features: {step-length: 0.4}}]\n");
+  for (const char* word : {"rated", "modified", "recipe", "distance D", "shows recorded"})
+    EXPECT_EQ(methods.markdown.find(word), std::string::npos) << word;
+  EXPECT_EQ(methods.bibtex.find("emotionthesis2010"), std::string::npos);
+}
+
+TEST(Methods, CiteNothingThatIsNotInTheReferencesAndTheOtherWayRound) {
+  for (const char* method : {"cardinal", "knn", "inverse-distance", "kriging", "pca", "grid"}) {
+    const Methods methods =
+        methods_for("interpolation: {method: " + std::string(method) + "}\n" + rated);
+    const std::set<std::string> cited = found(methods.markdown, "@(\\w+)");
+    const std::set<std::string> listed = found(methods.bibtex, "@\\w+\\{(\\w+),");
+    EXPECT_GE(cited.size(), 6u);
+    EXPECT_EQ(cited, listed) << method;
+  }
+}
+
+TEST(Methods, HaveSourcesThatAreKnown) {
+  for (const auto& [word, method] : method_words) {
+    for (const std::string& key : words_of(method).sources)
+      EXPECT_NE(find_reference(key), nullptr) << key;
+  }
+  for (const auto& [word, method] : style_methods)
+    EXPECT_NE(find_reference(source_of(method)), nullptr) << word;
+}
+
+TEST(References, NameAuthorTitleAndYearOrSayWhatIsMissing) {
+  for (const Reference& reference : all_references()) {
+    const std::string fields(reference.bibtex);
+    const bool is_whole = fields.find("to be completed") == std::string::npos;
+    EXPECT_NE(fields.find("author = {"), std::string::npos) << reference.key;
+    EXPECT_NE(fields.find("title = {"), std::string::npos) << reference.key;
+    EXPECT_TRUE(!is_whole || fields.find("year = {") != std::string::npos) << reference.key;
+    EXPECT_TRUE(is_whole || fields.find("note = {") != std::string::npos) << reference.key;
+    EXPECT_EQ(std::count(fields.begin(), fields.end(), '{'),
+              std::count(fields.begin(), fields.end(), '}'))
+        << reference.key;
+  }
+}
+
+TEST(Methods, StandInTheReportWithAuthorsAndYears) {
+  const Methods methods = methods_for(rated);
+  const std::string html = methods_html(methods.markdown);
+  EXPECT_TRUE(html.starts_with("<p>The 2 stimuli")) << html;
+  EXPECT_NE(html.find("(Rose, Cohen and Bodenheimer 1998; Sloan, Rose and Cohen 2001; Huang"),
+            std::string::npos)
+      << html;
+  EXPECT_EQ(html.find('@'), std::string::npos) << html;
+}
+
+}  // namespace
+}  // namespace mien::pipeline
