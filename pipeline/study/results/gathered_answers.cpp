@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault.h"
@@ -16,11 +15,6 @@
 namespace mien::pipeline {
 
 namespace {
-
-std::optional<double> number_from(const std::string& text) {
-  const auto value = motion::as_number<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
 
 /// Factors that say what was done to a stimulus, and not of whom or of what it is.
 bool is_of_making(const std::string& factor) {

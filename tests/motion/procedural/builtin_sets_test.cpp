@@ -86,10 +86,12 @@ TEST(BuiltinSets, ActorsActExcitedStrongAndWeakWalksApartFromAllOthers) {
     const std::string walk = actor + "-walk-";
     EXPECT_GT(speed(of(walk + "excited")), 1.1 * speed(of(walk + "neutral")));
     EXPECT_LT(speed(of(walk + "weak")), 0.6 * speed(of(walk + "neutral")));
-    for (const char* own : {"excited", "strong", "weak"})
-      for (const Example& other : set.examples)
-        if (other.name.starts_with(walk) && other.name != walk + own)
-          EXPECT_GT(distance(of(walk + own), other).mean, 0.02) << own << " " << other.name;
+    for (const char* own : {"excited", "strong", "weak"}) {
+      for (const Example& other : set.examples) {
+        if (!other.name.starts_with(walk) || other.name == walk + own) continue;
+        EXPECT_GT(distance(of(walk + own), other).mean, 0.02) << own << " " << other.name;
+      }
+    }
   }
 }
 
