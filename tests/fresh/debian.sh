@@ -57,6 +57,7 @@ in_root() {
     root=$1 data=$2 command=$3
     mount --rbind "$root" "$root"  # a mount point is its /, as on a machine: tests mount disks of their own
     mount -t proc proc "$root/proc"
+    mount --rbind /sys "$root/sys"  # Slurm reads there what processors there are
     mount --rbind /dev "$root/dev"
     mount -t tmpfs tmpfs "$root/dev/shm"
     given=

@@ -174,7 +174,8 @@ TEST(CodeIdentity, OfAnArtifactIsOfAllCodeThatMakesIt) {
   expect_in("motion", "pipeline/production/synthesis/motions");
   expect_in("film", "pipeline/production/film/film");
   expect_in("sheet", "pipeline/production/sheets/");
-  expect_in("study", "pipeline/production/report/");
+  for (const char* room : {"methods", "report"})
+    expect_in("study", std::string("pipeline/production/") + room + "/");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 #include "motion/error.h"
 #include "motion/text/shell_word.h"
 #include "pipeline/farm/fake_programs.h"
+#include "pipeline/farm/slurm/job_attempts.h"
 #include "pipeline/tasks/command_run.h"
 #include "pipeline/temporary_folder.h"
 
@@ -37,7 +39,9 @@ class BatchScript : public testing::Test {
 
   fs::path write_script(const SlurmSite& site = {}) const {
     fs::path file = folder / "2-frames.sbatch";
-    std::ofstream(file) << batch_script(job, folder, call, request, site);
+    const std::string script = batch_script(job, folder, call, request, site);
+    std::ofstream(file) << std::regex_replace(script, std::regex("patience=\\d+"),
+                                              "patience=" + std::to_string(patience_seconds));
     return file;
   }
 
@@ -66,6 +70,7 @@ class BatchScript : public testing::Test {
   StudyCall call;
   BatchJob job;
   JobRequest request;
+  int patience_seconds = folder_patience_seconds;  ///< as an operator may write it
 };
 
 TEST_F(BatchScript, IsSoundBashWhateverPathsAreCalled) {
@@ -156,15 +161,22 @@ TEST_F(BatchScript, CountsNoFailureOfAWorkerWhoseFolderWasNotWell) {
 
 TEST_F(BatchScript, WaitsForAFolderAsLongAsItHasPatienceAndIsHeldInTheEnd) {
   const FakePrograms programs;
-  programs.add("sleep", "exit 0");
+  const std::string slept = motion::in_single_quotes((programs.folder() / "slept").string());
+  programs.add("sleep", "echo \"$1\" >>" + slept);
   const SlurmSite requeues{1001, true, true};
+  patience_seconds = 120;
   write_worker("exit 74");
   EXPECT_EQ(run_element(3, 2, requeues).code, 75);
+  EXPECT_EQ(programs.text_of("slept"), "60\n60\n");
   EXPECT_EQ(run_element(3, 3, requeues).code, 78);
   EXPECT_EQ(end_note(), "74 3 n1 \n");
   fs::remove(root / "words");
   fs::remove_all(folder / "ends");
+  fs::remove(programs.folder() / "slept");
   EXPECT_EQ(run_element(3, 0, requeues).code, 75);
+  std::string tens;
+  for (int i = 0; i < 12; ++i) tens += "10\n";
+  EXPECT_EQ(programs.text_of("slept"), tens);
   EXPECT_EQ(run_element(3, 3, requeues).code, 78);
   EXPECT_FALSE(fs::exists(root / "words")) << "the worker would make the folder anew";
 }
