@@ -14,6 +14,9 @@ namespace mien::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr char no_core[] =
+    "no motion core for browsers here: ./mien test makes it where em++ is installed";
 using nlohmann::json;
 
 constexpr char walks_text[] = R"(mien: 1
@@ -153,7 +156,7 @@ class MatchingPage : public testing::Test {
 };
 
 TEST_F(MatchingPage, IsMatchedWithEveryInterfaceWithoutAServer) {
-  if (!is_exported()) GTEST_SKIP() << "no motion core for browsers here: ./mien test brings it";
+  if (!is_exported()) GTEST_SKIP() << no_core;
   const json told = played("whole", folder().string());
   EXPECT_EQ(told.at("requests"), 0);
   expect_matches(json::parse(told.at("records").get<std::string>()).at("records"));
@@ -165,7 +168,7 @@ TEST_F(MatchingPage, IsMatchedWithEveryInterfaceWithoutAServer) {
 }
 
 TEST_F(MatchingPage, GoesOnAfterAReloadAndTellsIt) {
-  if (!is_exported()) GTEST_SKIP() << "no motion core for browsers here: ./mien test brings it";
+  if (!is_exported()) GTEST_SKIP() << no_core;
   const json told = played("reload", folder().string());
   EXPECT_EQ(told.at("reloads"), 1);
   const json records = json::parse(told.at("records").get<std::string>()).at("records");
@@ -174,7 +177,7 @@ TEST_F(MatchingPage, GoesOnAfterAReloadAndTellsIt) {
 }
 
 TEST_F(MatchingPage, IsWorkedByKeyboardAlone) {
-  if (!is_exported()) GTEST_SKIP() << "no motion core for browsers here: ./mien test brings it";
+  if (!is_exported()) GTEST_SKIP() << no_core;
   const json told = played("keys", folder().string());
   const json records = json::parse(told.at("records").get<std::string>()).at("records");
   for (const char* trial : {"trial-1", "trial-2", "trial-3"})
@@ -182,7 +185,7 @@ TEST_F(MatchingPage, IsWorkedByKeyboardAlone) {
 }
 
 TEST_F(MatchingPage, HasNoFaultOfAccessibilityAndTellsPhones) {
-  if (!is_exported()) GTEST_SKIP() << "no motion core for browsers here: ./mien test brings it";
+  if (!is_exported()) GTEST_SKIP() << no_core;
   const json checked = played("accessibility", folder().string());
   EXPECT_GT(checked.at("checked").get<int>(), 20);
   EXPECT_EQ(checked.at("faults"), json::array());

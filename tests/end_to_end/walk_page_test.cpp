@@ -24,7 +24,8 @@ class WalkPage : public testing::Test {
     if (!fs::exists(built_pages() / "live_core/live_core.wasm") ||
         !fs::exists(built_pages() / "walk/walk.js") ||
         !fs::exists(built_pages() / "work/node_modules/playwright-core"))
-      return "no build/release/pages/live_core, or no pages: ./mien test makes them";
+      return "no build/release/pages/live_core, or no pages: ./mien test makes them where em++ is "
+             "installed";
     return "";
   }
 

@@ -49,7 +49,8 @@ class LiveModule : public testing::Test {
     if (std::system("node --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no Node.js here";
     if (!fs::exists(pages() / "live_core/live_core.wasm") ||
         !fs::exists(pages() / "live/live.js")) {
-      GTEST_SKIP() << "no build/release/pages/live_core: ./mien test makes it where em++ is";
+      GTEST_SKIP()
+          << "no build/release/pages/live_core: ./mien test makes it where em++ is installed";
     }
   }
 
