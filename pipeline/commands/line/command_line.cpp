@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -10,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "motion/error.h"
+#include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/failure_text.h"
@@ -49,10 +52,27 @@ struct AddedOption {
   }
 };
 
+/// Whether a value is a number within an option's limits, and a whole one where it has to be.
+bool is_allowed(const std::string& given, const CommandOption& option) {
+  const std::optional<double> number = motion::as_written_number(given);
+  if (!number || (option.value != "FLOAT" && *number != std::trunc(*number))) return false;
+  return std::isinf(option.largest) ? *number > option.least
+                                    : *number >= option.least && *number <= option.largest;
+}
+
+/// The limits of an option, refused in our own words: those of CLI11 change with its version.
 CLI::Validator limits_of(const CommandOption& option) {
-  if (std::isinf(option.largest)) return CLI::PositiveNumber;
-  if (option.value == "FLOAT") return CLI::Range(option.least, option.largest);
-  return CLI::Range(static_cast<int>(option.least), static_cast<int>(option.largest));
+  const bool is_bounded = !std::isinf(option.largest);
+  const std::string allowed = fmt::format(
+      "{} {}", option.value == "FLOAT" ? "a number" : "a whole number",
+      is_bounded ? "from " + option.limits : fmt::format("above {:.10g}", option.least));
+  const std::string in_help = is_bounded ? fmt::format("{} in [{:.10g} - {:.10g}]", option.value,
+                                                       option.least, option.largest)
+                                         : "POSITIVE";
+  return {[option, allowed](const std::string& given) {
+            return is_allowed(given, option) ? "" : motion::excerpt(given) + " is not " + allowed;
+          },
+          in_help};
 }
 
 /// A value that is empty, as a shell's unset variable is: never meant as leaving the option out.
