@@ -35,7 +35,7 @@ struct Viewing {
 PixelMap perceptual_error(const Image8& a, const Image8& b, const Viewing& viewing = {},
                           int threads = 0);
 
-/// What is told of a map of errors between 0 and 1.
+/// Statistics of a map of errors between 0 and 1.
 struct ErrorSummary {
   double mean = 0.0;
   double least = 0.0;

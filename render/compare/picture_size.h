@@ -6,7 +6,7 @@
 
 namespace mien::render {
 
-/// Throws Error, with both sizes, when two pictures cannot be held against each other.
+/// Throws Error, with both sizes, when two pictures cannot be compared pixel by pixel.
 template <class Picture>
 void expect_one_size(const Picture& a, const Picture& b) {
   const auto told = [](const Picture& picture) {

@@ -39,8 +39,8 @@ std::uint32_t layer_id(const std::string& name) {
 
 Layers cut_out(Layers layers, const Window& window) {
   const int width = layers.albedo.width;
-  for (Film* film : {&layers.albedo, &layers.normal, &layers.position})
-    *film = cut_out(*film, window);
+  for (Framebuffer* framebuffer : {&layers.albedo, &layers.normal, &layers.position})
+    *framebuffer = cut_out(*framebuffer, window);
   for (std::vector<float>* values : {&layers.depth, &layers.samples, &layers.variance})
     *values = cut_out(*values, width, window);
   layers.motion = cut_out(layers.motion, width, window, 2);

@@ -4,7 +4,7 @@
 
 namespace mien::render {
 
-std::string picture_hindrance(std::int64_t width, std::int64_t height, std::size_t channels) {
+std::string picture_read_error(std::int64_t width, std::int64_t height, std::size_t channels) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width < 1 || height < 1 || channels < 1) return "has " + size + ", and so shows nothing";
   const auto columns = static_cast<std::uint64_t>(width);
@@ -18,8 +18,8 @@ std::string picture_hindrance(std::int64_t width, std::int64_t height, std::size
 
 void require_readable_size(const std::string& name, std::int64_t width, std::int64_t height,
                            std::size_t channels) {
-  const std::string hindrance = picture_hindrance(width, height, channels);
-  if (!hindrance.empty()) throw Error(name + ": " + hindrance);
+  const std::string error = picture_read_error(width, height, channels);
+  if (!error.empty()) throw Error(name + ": " + error);
 }
 
 }  // namespace mien::render

@@ -140,8 +140,8 @@ int FloorSky::rays_from(const Corner& corner) const {
   return static_cast<int>(std::bit_ceil(rays));
 }
 
-void FloorSky::look(std::size_t number, const EmbreeScene& figure,
-                    const std::vector<float>& opacities) {
+void FloorSky::sample_corner(std::size_t number, const EmbreeScene& figure,
+                             const std::vector<float>& opacities) {
   Corner& corner = corners_[number];
   const Vec3 point{corner.x, 0.0f, corner.z};
   const PixelSampler sampler(quality_.seed, static_cast<int>(corner.x / unit),
@@ -199,7 +199,7 @@ const FloorSky::Cell& FloorSky::cell_at(float x, float z) const {
   return cells_[static_cast<std::size_t>(branch->cell)];
 }
 
-void FloorSky::settle(const Sky& sky) {
+void FloorSky::finish(const Sky& sky) {
   for (Cell& cell : cells_) {
     if (!cell.known || cell.inverse_side == 0.0f) continue;
     const auto light = [&](int k) -> Color {

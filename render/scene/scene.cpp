@@ -29,7 +29,8 @@ bool is_radius(float radius) { return std::isfinite(radius) && radius >= 0.0f; }
 
 void validate(const Material& material, const std::string& where) {
   require(is_reflectance(material.albedo), where + ".albedo", "not within 0 … 1");
-  require(material.sheen >= 0.0f && material.sheen <= 0.1f, where + ".sheen", "not within 0 … 0.1");
+  require(material.specular_f0 >= 0.0f && material.specular_f0 <= 0.1f, where + ".specular_f0",
+          "not within 0 … 0.1");
   require(material.roughness >= 0.2f && material.roughness <= 1.0f, where + ".roughness",
           "not within 0.2 … 1");
 }
@@ -109,9 +110,9 @@ void validate(const Solids& solids, const Counts& counts, const std::string& pre
     require_index(sphere.material, counts.materials, where + ".material");
     require_index(sphere.part, counts.parts, where + ".part");
   }
-  for (std::size_t i = 0; i < solids.capsules.size(); ++i) {
-    const Capsule& capsule = solids.capsules[i];
-    const std::string where = prefix + indexed("capsules", i);
+  for (std::size_t i = 0; i < solids.round_cones.size(); ++i) {
+    const RoundCone& capsule = solids.round_cones[i];
+    const std::string where = prefix + indexed("round_cones", i);
     require(capsule.start.allFinite() && capsule.end.allFinite(), where, "an end is not finite");
     require(is_radius(capsule.start_radius) && is_radius(capsule.end_radius), where,
             "a radius is negative or not finite");
@@ -200,7 +201,7 @@ void validate(const Scene& scene) {
             "not finite");
   }
   validate(scene.solids, counts, "");
-  validate(scene.standing, counts, "standing.");
+  validate(scene.static_solids, counts, "static_solids.");
   require(scene.lights.size() <= 32, "lights", "more than 32");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     validate(scene.lights[i], indexed("lights", i));

@@ -10,8 +10,8 @@ namespace mien::render {
 /// Containers and codecs that a film can be written as.
 enum class VideoKind { mp4, mp4_lossless, webm, webm_av1, mkv, webp, gif, apng };
 
-/// What is known of a kind. Measures of likeness are against the frames written, for the worst
-/// decoded frame.
+/// Properties of a kind. Similarity is that of the worst decoded frame to the frame that was
+/// written.
 struct VideoTraits {
   VideoKind kind;
   std::string_view name;         ///< in manifests: "mp4-lossless"
@@ -37,7 +37,7 @@ const VideoTraits& traits_of(VideoKind kind);
 /// mp4_lossless, "x.mp4" is mp4; "x.png" is none.
 std::optional<VideoKind> video_kind_of(const std::filesystem::path& file);
 
-/// A stem with the ending of a kind.
+/// A path with the extension of a kind.
 std::filesystem::path with_ending(std::filesystem::path stem, VideoKind kind);
 
 }  // namespace mien::render

@@ -187,7 +187,7 @@ FrameSketch FrameSketcher::sketch_from(const std::uint8_t* rows_begin,
   return result;
 }
 
-Likeness FrameSketcher::likeness(const FrameSketch& a, const FrameSketch& b) const {
+FrameSimilarity FrameSketcher::similarity(const FrameSketch& a, const FrameSketch& b) const {
   if (a.hash == b.hash) return {true, std::numeric_limits<double>::infinity(), 1.0, 0.0, 0.0};
   double worst_part = 0.0;
   double parts_square = 0.0;

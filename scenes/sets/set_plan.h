@@ -77,7 +77,7 @@ struct Place {
 };
 
 /// What stands still: ground, sky, lights, boxes.
-render::Scene standing_set(const SetPlan& plan, const Place& place);
+render::Scene static_scene(const SetPlan& plan, const Place& place);
 
 /// Adds the walls that a camera at `eye` sees from their front.
 void add_walls(render::Scene& scene, const SetPlan& plan, const Place& place,

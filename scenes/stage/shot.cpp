@@ -217,7 +217,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   shot.action.forward = shot.place.forward;
   shot.place.centre = shot.action.centre;
   if (shot.set.belt) include(*shot.set.belt, shot.place, shot.action);
-  shot.standing = standing_set(shot.set, shot.place);
+  shot.static_scene = static_scene(shot.set, shot.place);
   shot.cameras = make_camera_rig(look.camera, shot.action, look.size);
   for (Actor& actor : shot.actors) {
     if (actor.trail) actor.traces = traces_of(actor.clip, *actor.trail);
@@ -236,7 +236,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
 render::Scene scene_at(const Shot& shot, int frame) { return scene_at(shot, frame, frame); }
 
 render::Scene scene_at(const Shot& shot, int frame, int made_at) {
-  render::Scene scene = shot.standing;
+  render::Scene scene = shot.static_scene;
   const render::Camera& camera = shot.cameras.at(frame);
   add_walls(scene, shot.set, shot.place, camera.position.cast<double>());
   if (shot.set.in_place) {

@@ -54,7 +54,7 @@ struct Shot {
   std::vector<Actor> actors;  ///< at least one
   SetPlan set;
   Place place;                               ///< where the set stands
-  render::Scene standing;                    ///< what stands still of it
+  render::Scene static_scene;                ///< what stands still of it
   motion::Vec3 step = motion::Vec3::Zero();  ///< that a figure in place would go a frame, metres
   CameraRig cameras;
   Action action;                      ///< what the cameras have in the picture

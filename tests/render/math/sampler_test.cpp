@@ -37,7 +37,7 @@ TEST(PixelSampler, IsUniformOverPixels) {
   std::vector<int> counts(256, 0);
   for (int y = 0; y < 256; ++y) {
     for (int x = 0; x < 256; ++x) {
-      const Point2 p = PixelSampler(7, x, y).point(Dimension::FilmPosition, 0);
+      const Point2 p = PixelSampler(7, x, y).point(Dimension::PixelPosition, 0);
       ++counts[16 * cell_of(p.u, 16) + cell_of(p.v, 16)];
     }
   }

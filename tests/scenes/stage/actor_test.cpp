@@ -79,7 +79,7 @@ TEST(AnActor, ThatIsAStickFigureHasAPartForEachJoint) {
     EXPECT_EQ(part(sphere.part), "LeftKnee");
     ++found;
   }
-  for (const render::Capsule& capsule : scene.solids.capsules) {
+  for (const render::RoundCone& capsule : scene.solids.round_cones) {
     if ((capsule.start - knee).norm() > 1e-5f || (capsule.end - ankle).norm() > 1e-5f) continue;
     EXPECT_EQ(part(capsule.part), "LeftKnee");
     ++found;

@@ -1,4 +1,4 @@
-#include "render/geometry/reach.h"
+#include "render/geometry/bounding_volumes.h"
 
 #include <cmath>
 #include <random>
@@ -22,28 +22,30 @@ TEST(MayMeet, HoldsForEveryRayTowardsAPointInTheSphere) {
     if (within.norm() > 1.0f) within.normalize();  // often at the very rim
     const Vec3 origin = point(reach);
     const Vec3 target = sphere.centre + sphere.radius * within;
-    EXPECT_TRUE(may_meet(sphere, origin, (target - origin).normalized()));
-    missed += may_meet(sphere, origin, point(1.0f).normalized()) ? 0 : 1;
+    EXPECT_TRUE(may_intersect(sphere, origin, (target - origin).normalized()));
+    missed += may_intersect(sphere, origin, point(1.0f).normalized()) ? 0 : 1;
   }
   EXPECT_GT(missed, 20'000);  // it does rule rays out
 }
 
-TEST(FilmMask, KnowsOfStretchesOfARowWhatItKnowsOfTheirPixels) {
+TEST(PixelMask, KnowsOfStretchesOfARowWhatItKnowsOfTheirPixels) {
   Solids solids;
   solids.spheres = {{{-0.5f, 1.0f, 0.0f}, 0.1f}, {{0.6f, 1.1f, 0.0f}, 0.15f}};
   Shapes shapes;
-  shapes.cones = round_cones(solids);
+  shapes.cones = prepared_cones(solids);
   const Camera camera{.width = 64, .height = 48};
-  const FilmMask mask(camera, shapes, 1.0f);
+  const PixelMask mask(camera, shapes, 1.0f);
   int met = 0, between = 0;
   for (int y = 0; y < camera.height; ++y) {
     for (int begin = 0; begin < camera.width; ++begin) {
       bool any = false;
       for (int end = begin + 1; end <= camera.width; ++end) {
-        any |= mask.may_meet(end - 1, y);
-        EXPECT_EQ(mask.may_meet_row(begin, end, y), any) << begin << " … " << end << ", " << y;
+        any |= mask.may_intersect(end - 1, y);
+        EXPECT_EQ(mask.may_intersect_row(begin, end, y), any) << begin << " … " << end << ", " << y;
         met += any ? 1 : 0;
-        between += !any && mask.may_meet_row(0, begin, y) && mask.may_meet_row(end, 64, y) ? 1 : 0;
+        between += !any && mask.may_intersect_row(0, begin, y) && mask.may_intersect_row(end, 64, y)
+                       ? 1
+                       : 0;
       }
     }
   }
@@ -52,7 +54,7 @@ TEST(FilmMask, KnowsOfStretchesOfARowWhatItKnowsOfTheirPixels) {
 }
 
 TEST(MayMeet, IsFalseWithoutAFigure) {
-  EXPECT_FALSE(may_meet({}, {0.0f, 1.0f, 2.0f}, {0.0f, 0.0f, -1.0f}));
+  EXPECT_FALSE(may_intersect({}, {0.0f, 1.0f, 2.0f}, {0.0f, 0.0f, -1.0f}));
 }
 
 }  // namespace

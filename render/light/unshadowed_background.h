@@ -9,16 +9,15 @@
 
 namespace mien::render {
 
-/// A colour a lane.
+/// Eight colours, one a lane.
 struct LaneColors {
   LaneFloats red;
   LaneFloats green;
   LaneFloats blue;
 };
 
-/// What set_pixel (floor.h) tells of one ray, up to rounding and what is interpolated (OpenRow), of
-/// eight.
-struct LaneSetPixels {
+/// `background_pixel` (floor.h) for eight rays, up to rounding and interpolation (UnshadowedRow).
+struct LaneBackgroundPixels {
   LaneColors radiance;
   LaneColors visible_albedo;
   LaneVectors point;   ///< of the floor
@@ -26,36 +25,36 @@ struct LaneSetPixels {
   bool plain = false;  ///< all show floor without lines, of which nothing has faded
 };
 
-/// The set through one camera where no solid is near: backdrop or unshadowed floor, in closed form.
-/// The scene outlives it.
-class OpenSet {
+/// The background of a scene through one camera, without solids and their shadows: backdrop and
+/// floor, in closed form. The scene outlives it.
+class UnshadowedBackground {
  public:
-  OpenSet(const Scene& scene, const CameraFrame& camera);
+  UnshadowedBackground(const Scene& scene, const CameraFrame& camera);
 
  private:
-  friend class OpenRow;
+  friend class UnshadowedRow;
   const Scene& scene_;
   CameraFrame camera_;
   std::vector<FloorLight> lights_;
   std::vector<float> heights_;  // of the lights' lowest points above the floor, metres
 };
 
-/// A row of it, eight pixels at a time. Along a row lights change smoothly: before a perspective
-/// camera that stands upright, in rows of which nothing has faded, and where eight pixels are
-/// less than a twentieth of a light's height apart on the floor, its light is interpolated between
-/// every eighth by polynomials of third degree, which errs by less than 0.00002 of it (as the
-/// fourth derivative of what a point of light there gives tells; lights of some size less).
-class OpenRow {
+/// A row of an UnshadowedBackground, eight pixels at a time. A light's irradiance is interpolated
+/// between every eighth pixel by cubic polynomials where that is exact to 0.00002 of it (by the
+/// fourth derivative of a point light's irradiance; larger lights vary less): before an upright
+/// perspective camera, in rows without fading, where eight pixels are less than a twentieth of the
+/// light's height apart on the floor.
+class UnshadowedRow {
  public:
-  OpenRow(const OpenSet& set, int y, int width);
+  UnshadowedRow(const UnshadowedBackground& set, int y, int width);
 
   /// Through the middles of the pixels x … x + 7 of the row; x is a multiple of eight.
-  LaneSetPixels pixels(int x) const;
+  LaneBackgroundPixels pixels(int x) const;
 
  private:
   LaneFloats light_at(std::size_t light, int x, const LaneVectors& points) const;
 
-  const OpenSet& set_;
+  const UnshadowedBackground& set_;
   FloorRow row_;
   float down_;                             // from the optical axis, pixels
   bool is_unfaded_;                        // all pixels show floor of which nothing has faded

@@ -1,4 +1,4 @@
-#include "render/geometry/round_cone.h"
+#include "render/geometry/prepared_cone.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace mien::render {
 
-RoundCone round_cone(const Sphere& sphere) {
-  RoundCone cone;
+PreparedCone prepared_cone(const Sphere& sphere) {
+  PreparedCone cone;
   cone.a = sphere.centre;
   cone.radius_a = cone.radius_b = sphere.radius;
   cone.material = sphere.material;
@@ -17,18 +17,18 @@ RoundCone round_cone(const Sphere& sphere) {
   return cone;
 }
 
-RoundCone round_cone(const Capsule& capsule) {
+PreparedCone prepared_cone(const RoundCone& capsule) {
   const Vec3 axis = capsule.end - capsule.start;
   const float slope = capsule.start_radius - capsule.end_radius;
   const float side_squared = axis.squaredNorm() - slope * slope;
   // Only a side that is long against the rounding of the axis is a side at all.
   if (side_squared <= 1e-6f * axis.squaredNorm()) {
-    return slope >= 0.0f ? round_cone(Sphere{capsule.start, capsule.start_radius, capsule.material,
-                                             capsule.part})
-                         : round_cone(Sphere{capsule.end, capsule.end_radius, capsule.material,
-                                             capsule.part});
+    return slope >= 0.0f ? prepared_cone(Sphere{capsule.start, capsule.start_radius,
+                                                capsule.material, capsule.part})
+                         : prepared_cone(Sphere{capsule.end, capsule.end_radius, capsule.material,
+                                                capsule.part});
   }
-  RoundCone cone;
+  PreparedCone cone;
   cone.a = capsule.start;
   cone.axis = axis;
   cone.radius_a = capsule.start_radius;
@@ -41,15 +41,15 @@ RoundCone round_cone(const Capsule& capsule) {
   return cone;
 }
 
-std::vector<RoundCone> round_cones(const Solids& solids) {
-  std::vector<RoundCone> cones;
-  cones.reserve(solids.spheres.size() + solids.capsules.size());
-  for (const Sphere& sphere : solids.spheres) cones.push_back(round_cone(sphere));
-  for (const Capsule& capsule : solids.capsules) cones.push_back(round_cone(capsule));
+std::vector<PreparedCone> prepared_cones(const Solids& solids) {
+  std::vector<PreparedCone> cones;
+  cones.reserve(solids.spheres.size() + solids.round_cones.size());
+  for (const Sphere& sphere : solids.spheres) cones.push_back(prepared_cone(sphere));
+  for (const RoundCone& capsule : solids.round_cones) cones.push_back(prepared_cone(capsule));
   return cones;
 }
 
-Vec3 normal_at(const RoundCone& cone, const Vec3& point) {
+Vec3 normal_at(const PreparedCone& cone, const Vec3& point) {
   const Vec3 from_a = point - cone.a;
   if (cone.side_squared == 0.0f) return from_a.normalized();
   // 0 on the cap of a, side_squared on the cap of b, in between on the side.
@@ -61,8 +61,8 @@ Vec3 normal_at(const RoundCone& cone, const Vec3& point) {
 namespace {
 
 // What intersect_lines works out for both balls and the side, for one ball alone.
-MIEN_FOR_AVX2_TOO void intersect_ball(const RoundCone& cone, const RayLanes& rays, unsigned count,
-                                      float* enter, float* leave) {
+MIEN_FOR_AVX2_TOO void intersect_ball(const PreparedCone& cone, const RayLanes& rays,
+                                      unsigned count, float* enter, float* leave) {
   const float x = cone.a.x(), y = cone.a.y(), z = cone.a.z();
   const float squared = cone.radius_a * cone.radius_a;
 #pragma omp simd
@@ -82,8 +82,8 @@ MIEN_FOR_AVX2_TOO void intersect_ball(const RoundCone& cone, const RayLanes& ray
 
 }  // namespace
 
-MIEN_FOR_AVX2_TOO void intersect_lines(const RoundCone& cone, const RayLanes& rays, unsigned count,
-                                       float* enter, float* leave) {
+MIEN_FOR_AVX2_TOO void intersect_lines(const PreparedCone& cone, const RayLanes& rays,
+                                       unsigned count, float* enter, float* leave) {
   if (cone.side_squared == 0.0f) return intersect_ball(cone, rays, count, enter, leave);
   const float ax = cone.axis.x(), ay = cone.axis.y(), az = cone.axis.z();
   const float hx = 0.5f * ax, hy = 0.5f * ay, hz = 0.5f * az;

@@ -9,10 +9,10 @@
 
 namespace mien::render {
 
-// What a figure can touch, so that rays that cannot meet it need not be traced. All of these err on
-// the side of touching.
+// Conservative bounds of a figure, by which rays are culled: they may report an intersection where
+// there is none, never the reverse.
 
-/// A sphere around all shapes; radius −1 around none.
+/// A sphere that contains all shapes; radius −1 if there are none.
 struct BoundingSphere {
   Vec3 centre = Vec3::Zero();
   float radius = -1.0f;
@@ -20,21 +20,21 @@ struct BoundingSphere {
 BoundingSphere bounding_sphere(const Shapes& shapes);
 
 /// Whether a ray of unit direction may meet what is in the sphere.
-bool may_meet(const BoundingSphere& sphere, const Vec3& origin, const Vec3& direction);
+bool may_intersect(const BoundingSphere& sphere, const Vec3& origin, const Vec3& direction);
 
-/// Spheres that together hold all shapes, about as many as tell where they are.
+/// Spheres that together contain all shapes, few but tight.
 std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes);
 
 /// The pixels whose primary rays, anywhere under a filter of that half width, may meet a
 /// shape.
-class FilmMask {
+class PixelMask {
  public:
-  FilmMask(const Camera& camera, const Shapes& shapes, float filter_half_width);
+  PixelMask(const Camera& camera, const Shapes& shapes, float filter_half_width);
 
-  bool may_meet(int x, int y) const { return ((word(x / bits, y) >> (x % bits)) & 1u) != 0; }
+  bool may_intersect(int x, int y) const { return ((word(x / bits, y) >> (x % bits)) & 1u) != 0; }
 
-  /// Any of the pixels [x_begin, x_end) of a row.
-  bool may_meet_row(int x_begin, int x_end, int y) const;
+  /// Whether any of the pixels [x_begin, x_end) of a row may.
+  bool may_intersect_row(int x_begin, int x_end, int y) const;
 
  private:
   static constexpr int bits = 64;  // of a word

@@ -1,4 +1,4 @@
-#include "render/tracer/line_queries.h"
+#include "render/tracer/line_shadow_queue.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "render/light/floor.h"
-#include "render/tracer/eye_samples.h"
+#include "render/tracer/primary_rays.h"
 
 namespace mien::render {
 namespace {
@@ -16,31 +16,31 @@ namespace {
 constexpr float soft_pixels = 4.0f;
 
 /// Of pictures of one sample, whose edges are far noisier than that: so many pixels share a line.
-int pixels_of_one_sample(float half_shadow) {
-  if (half_shadow < 0.25f * soft_pixels) return 2;
-  if (half_shadow < soft_pixels) return 4;
-  return half_shadow < 4.0f * soft_pixels ? 8 : 16;
+int pixels_of_one_sample(float penumbra) {
+  if (penumbra < 0.25f * soft_pixels) return 2;
+  if (penumbra < soft_pixels) return 4;
+  return penumbra < 4.0f * soft_pixels ? 8 : 16;
 }
 
 /// The pixel that is so many on from the first of those that share a line; on the film.
-std::pair<int, int> neighbour(const Picture& picture, int x, int y, const PixelBlock& block,
+std::pair<int, int> neighbour(const PreparedScene& prepared, int x, int y, const PixelBlock& block,
                               int on) {
-  return {
-      std::min(x / block.width * block.width + on % block.width, picture.set.radiance.width - 1),
-      std::min(y / block.height * block.height + on / block.width,
-               picture.set.radiance.height - 1)};
+  return {std::min(x / block.width * block.width + on % block.width,
+                   prepared.background.radiance.width - 1),
+          std::min(y / block.height * block.height + on / block.width,
+                   prepared.background.radiance.height - 1)};
 }
 
 }  // namespace
 
-SharedLine shared_line(const TileLines& tile, int samples_per_pixel) {
+SharedLine shared_line(const TileLineShadows& tile, int samples_per_pixel) {
   if (samples_per_pixel == 1) {
-    const int pixels = pixels_of_one_sample(tile.half_shadow);
+    const int pixels = pixels_of_one_sample(tile.penumbra);
     return {pixels, pixels};
   }
-  if (tile.half_shadow < soft_pixels) return {1, 1};
-  if (samples_per_pixel > 2 || tile.half_shadow < 2.0f * soft_pixels) return {4, 1};
-  const int samples = tile.half_shadow < 4.0f * soft_pixels ? 4 : 8;
+  if (tile.penumbra < soft_pixels) return {1, 1};
+  if (samples_per_pixel > 2 || tile.penumbra < 2.0f * soft_pixels) return {4, 1};
+  const int samples = tile.penumbra < 4.0f * soft_pixels ? 4 : 8;
   return {samples, samples / samples_per_pixel};
 }
 
@@ -56,8 +56,8 @@ void FloorBlocks::clear(const PixelBlock& size) {
   std::fill_n(blocks_.begin(), count_, Block{0, Color::Zero()});
 }
 
-void LineQueries::ask(FloorPixel& pixel, int sample, int samples) {
-  const SharedLine shared = shared_line(tile_, picture_.quality.samples_per_pixel);
+void LineShadowQueue::enqueue(FloorPixel& pixel, int sample, int samples) {
+  const SharedLine shared = shared_line(tile_, prepared_.quality.samples_per_pixel);
   if (shared.pixels > 1) {
     pixel.block_samples += samples;
     return;
@@ -66,38 +66,38 @@ void LineQueries::ask(FloorPixel& pixel, int sample, int samples) {
        &pixel, nullptr});
 }
 
-void LineQueries::ask_all(FloorPixel& pixel) {
-  const int all = picture_.quality.samples_per_pixel;
+void LineShadowQueue::enqueue_all(FloorPixel& pixel) {
+  const int all = prepared_.quality.samples_per_pixel;
   const int shared = shared_line(tile_, all).samples;
   for (int first = 0; first < all; first += shared)
-    ask(pixel, first, std::min(shared, all - first));
+    enqueue(pixel, first, std::min(shared, all - first));
 }
 
-void LineQueries::ask_all(const Tile& tile, FloorBlocks& blocks) {
+void LineShadowQueue::enqueue_all(const Tile& tile, FloorBlocks& blocks) {
   const PixelBlock& size = blocks.size();
   for (int i = 0; i < blocks.count_; ++i) {
-    auto& [lights, taken] = blocks.blocks_[static_cast<std::size_t>(i)];
+    auto& [lights, occluded] = blocks.blocks_[static_cast<std::size_t>(i)];
     if ((lights & tile_.lights) == 0) continue;
     add({tile.x_begin + i % blocks.across_ * size.width,
          tile.y_begin + i / blocks.across_ * size.height, lights & tile_.lights, 0, 1, nullptr,
-         &taken});
+         &occluded});
   }
 }
 
-void LineQueries::add(const Query& query) {
+void LineShadowQueue::add(const Query& query) {
   queries_[static_cast<std::size_t>(count_)] = query;
-  if (++count_ == static_cast<int>(lanes)) answer();
+  if (++count_ == static_cast<int>(lanes)) resolve();
 }
 
 // The line is that of one of the samples that share it, wherever it lies: whether that shows the
 // floor or something before it is no matter.
-void LineQueries::aim(const SharedLine& shared) {
-  const int all = picture_.quality.samples_per_pixel;
+void LineShadowQueue::choose_lines(const SharedLine& shared) {
+  const int all = prepared_.quality.samples_per_pixel;
   const PixelBlock block = block_of(shared);
   LaneWords seed;
   for (int i = 0; i < count_; ++i) {
     const Query& query = queries_[static_cast<std::size_t>(i)];
-    const PixelSampler sampler = picture_.sampler.of_neighbour(query.x, query.y);
+    const PixelSampler sampler = prepared_.sampler.of_neighbour(query.x, query.y);
     index_[i] = shared.pixels > 1 ? sampler.index_of_neighbours(shared.pixels)
                                   : sampler.index_of_group(query.group, shared.samples);
     seed[i] = sampler.seed(Dimension::LightLine);
@@ -111,22 +111,22 @@ void LineQueries::aim(const SharedLine& shared) {
     const int first = query.group * shared.samples;
     const int sharing = shared.pixels > 1 ? shared.samples : std::min(shared.samples, all - first);
     const int chosen = first + static_cast<int>(choice.u[i] * static_cast<float>(sharing));
-    const auto [column, row] = neighbour(picture_, query.x, query.y, block, chosen / all);
-    const PixelSampler sampler = picture_.sampler.of_neighbour(column, row);
+    const auto [column, row] = neighbour(prepared_, query.x, query.y, block, chosen / all);
+    const PixelSampler sampler = prepared_.sampler.of_neighbour(column, row);
     place[i] = sampler.index(chosen % all);
-    seed[i] = sampler.seed(Dimension::FilmPosition);
+    seed[i] = sampler.seed(Dimension::PixelPosition);
     x[i] = static_cast<float>(column) + 0.5f;
     y[i] = static_cast<float>(row) + 0.5f;
   }
   const LanePoints within = sample_points(place, seed);
   for (int i = 0; i < count_; ++i) {
-    x[i] += picture_.filter.offset(within.u[i]);
-    y[i] += picture_.filter.offset(within.v[i]);
+    x[i] += prepared_.filter.offset(within.u[i]);
+    y[i] += prepared_.filter.offset(within.v[i]);
   }
   LaneVectors origins, directions;
-  eye_rays(picture_.camera, x, y, origins, directions);
+  camera_rays(prepared_.camera, x, y, origins, directions);
   for (int i = 0; i < count_; ++i) {
-    const EyeRay ray{origins.at(i), directions.at(i)};
+    const CameraRay ray{origins.at(i), directions.at(i)};
     const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
     meets_floor_[static_cast<std::size_t>(i)] = distance.has_value();
     points_.set(i, distance ? floor_point(ray, *distance) : Vec3::Zero());
@@ -135,39 +135,39 @@ void LineQueries::aim(const SharedLine& shared) {
 
 // Each query adds once to its pixel, in the order of asking, whatever waited beside it: so a
 // pixel's light is always added up in the same order.
-void LineQueries::answer() {
+void LineShadowQueue::resolve() {
   if (count_ == 0) return;
-  aim(shared_line(tile_, picture_.quality.samples_per_pixel));
-  taken_.fill(Color::Zero());
+  choose_lines(shared_line(tile_, prepared_.quality.samples_per_pixel));
+  occluded_.fill(Color::Zero());
   std::uint32_t shaded = 0;
   for (int i = 0; i < count_; ++i) shaded |= queries_[static_cast<std::size_t>(i)].lights;
-  for (; shaded != 0; shaded &= shaded - 1) take_hidden(std::countr_zero(shaded));
+  for (; shaded != 0; shaded &= shaded - 1) add_hidden(std::countr_zero(shaded));
   for (int i = 0; i < count_; ++i) {
     const auto lane = static_cast<std::size_t>(i);
     const Query& query = queries_[lane];
     if (!meets_floor_[lane]) continue;
     if (query.pixel != nullptr)
-      take_light(*query.pixel, query.samples, taken_[lane]);
+      subtract_light(*query.pixel, query.samples, occluded_[lane]);
     else
-      *query.block = taken_[lane];
+      *query.block = occluded_[lane];
   }
   count_ = 0;
 }
 
-void LineQueries::take_hidden(int light) {
+void LineShadowQueue::add_hidden(int light) {
   const auto k = static_cast<std::size_t>(light);
   // Where on the first light the line lies was chosen together with the sample that has it.
   LaneFloats across = across_;
   if (light > 0) {
     LaneWords seed;
-    std::fill_n(seed.lane, count_, picture_.sampler.seed(Dimension::FirstLight, light));
+    std::fill_n(seed.lane, count_, prepared_.sampler.seed(Dimension::FirstLight, light));
     across = sample_points(index_, seed).u;
   }
-  const LightLines lines = lines_across(picture_.scene.lights[k], points_, across);
-  for (std::vector<LinePart>& hidden : hidden_) hidden.clear();
+  const LightLines lines = lines_across(prepared_.scene.lights[k], points_, across);
+  for (std::vector<LineInterval>& hidden : hidden_) hidden.clear();
   for (const int caster : tile_.casters[k]) {
-    const RoundCone& cone = picture_.figure.shapes().cones[static_cast<std::size_t>(caster)];
-    const auto parts = hidden_by(cone, points_, lines);
+    const PreparedCone& cone = prepared_.figure.shapes().cones[static_cast<std::size_t>(caster)];
+    const auto parts = hidden_part(cone, points_, lines);
     if (!parts) continue;
     for (int i = 0; i < count_; ++i)
       if (parts->first[i] < parts->last[i])
@@ -176,7 +176,8 @@ void LineQueries::take_hidden(int light) {
   for (int i = 0; i < count_; ++i) {
     const auto lane = static_cast<std::size_t>(i);
     if (((queries_[lane].lights >> light) & 1u) != 0)
-      taken_[lane] += light_of_all(lines, i, hidden_[lane]) * picture_.scene.lights[k].radiance;
+      occluded_[lane] +=
+          irradiance_of_union(lines, i, hidden_[lane]) * prepared_.scene.lights[k].radiance;
   }
 }
 

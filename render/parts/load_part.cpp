@@ -1,4 +1,4 @@
-#include "render/parts/loaded_part.h"
+#include "render/parts/load_part.h"
 
 #include <algorithm>
 #include <string_view>
@@ -31,7 +31,7 @@ std::string file_of(const std::string& name) {
 
 }  // namespace
 
-const void* loaded_part(const std::string& name, const std::string& purpose, int edition) {
+const void* load_part(const std::string& name, const std::string& purpose, int edition) {
   const auto fail = [&](const std::string& why) {
     return Error(name + ": the part of mien that " + purpose + " cannot be loaded (" + why +
                  "); install or build mien again");

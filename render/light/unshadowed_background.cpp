@@ -1,4 +1,4 @@
-#include "render/light/open_set.h"
+#include "render/light/unshadowed_background.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,21 +24,21 @@ struct LaneCovers {
   LaneFloats major;
 };
 
-/// Film points as seen from the optical axis, pixels.
-struct LaneFilm {
+/// Points of the image plane as seen from the optical axis, pixels.
+struct LaneImagePoints {
   LaneFloats right;
   float down;
 };
 
 /// Where the floor is seen that all pixels show, and of which nothing has faded.
-MIEN_FOR_AVX2_TOO void find_near_floor(const FloorRow& row, const LaneFilm& film,
-                                       LaneSetPixels& pixels) {
+MIEN_FOR_AVX2_TOO void find_near_floor(const FloorRow& row, const LaneImagePoints& image,
+                                       LaneBackgroundPixels& pixels) {
   const float row_x = row.x, row_z = row.z, from_x = row.from_x, from_z = row.from_z;
   const float step_x = row.step_x, step_z = row.step_z, drop = row.drop, height = row.height;
   const float drop_step = row.drop_step;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float u = film.right.lane[i];
+    const float u = image.right.lane[i];
     const float s = height / (drop + u * drop_step);  // as FloorRow::at
     pixels.point.x.lane[i] = row_x + s * (from_x + u * step_x);
     pixels.point.y.lane[i] = 0.0f;
@@ -49,11 +49,11 @@ MIEN_FOR_AVX2_TOO void find_near_floor(const FloorRow& row, const LaneFilm& film
 
 /// Where the floor is seen, and how little of it has faded.
 MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const CameraFrame& camera,
-                                  const FloorRow& row, const LaneFilm& film,
-                                  LaneSetPixels& pixels) {
+                                  const FloorRow& row, const LaneImagePoints& image,
+                                  LaneBackgroundPixels& pixels) {
   // A step on the film is one at distance 1, or anywhere.
   const float all = camera.parallel ? 0.0f : 1.0f, some = camera.parallel ? 1.0f : 0.0f;
-  const float right = camera.step_right.y(), down = film.down * camera.step_down.y();
+  const float right = camera.step_right.y(), down = image.down * camera.step_down.y();
   const float forward = camera.forward.y(), eye = camera.position.y();
   const float px = camera.position.x(), pz = camera.position.z();
   const float lowest = has_ground ? 0.0f : -infinity;  // of what goes up, or misses the floor
@@ -63,7 +63,7 @@ MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const C
   const float drop_step = row.drop_step;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float u = film.right.lane[i];
+    const float u = image.right.lane[i];
     const float aside = u * right + down;
     const bool meets = (eye + some * aside > 0.0f) & (forward + all * aside < lowest);
     const float s = height / (drop + u * drop_step);  // as FloorRow::at
@@ -82,16 +82,17 @@ MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const C
 }
 
 /// A step on the film moves the point along the floor, by the step less what leaves the floor.
-MIEN_FOR_AVX2_TOO LaneFootprints footprints(const CameraFrame& camera, const LaneFilm& film) {
+MIEN_FOR_AVX2_TOO LaneFootprints footprints(const CameraFrame& camera,
+                                            const LaneImagePoints& image) {
   const float all = camera.parallel ? 0.0f : 1.0f, some = camera.parallel ? 1.0f : 0.0f;
   const float fx = camera.forward.x(), fy = camera.forward.y(), fz = camera.forward.z();
   const float rx = camera.step_right.x(), ry = camera.step_right.y(), rz = camera.step_right.z();
   const float dx = camera.step_down.x(), dy = camera.step_down.y(), dz = camera.step_down.z();
-  const float v = film.down, eye = camera.position.y();
+  const float v = image.down, eye = camera.position.y();
   LaneFootprints prints;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float u = film.right.lane[i];
+    const float u = image.right.lane[i];
     const float tx = fx + all * (u * rx + v * dx), ty = fy + all * (u * ry + v * dy);
     const float tz = fz + all * (u * rz + v * dz);
     const float down = ty < 0.0f ? ty : -1.0f;
@@ -104,16 +105,16 @@ MIEN_FOR_AVX2_TOO LaneFootprints footprints(const CameraFrame& camera, const Lan
 }
 
 /// Sines of the rays' elevations.
-MIEN_FOR_AVX2_TOO LaneFloats elevations(const CameraFrame& camera, const LaneFilm& film) {
+MIEN_FOR_AVX2_TOO LaneFloats elevations(const CameraFrame& camera, const LaneImagePoints& image) {
   const float all = camera.parallel ? 0.0f : 1.0f;
   const float fx = camera.forward.x(), fy = camera.forward.y(), fz = camera.forward.z();
   const float rx = camera.step_right.x(), ry = camera.step_right.y(), rz = camera.step_right.z();
   const float dx = camera.step_down.x(), dy = camera.step_down.y(), dz = camera.step_down.z();
-  const float v = film.down;
+  const float v = image.down;
   LaneFloats up;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float u = film.right.lane[i];
+    const float u = image.right.lane[i];
     const float tx = fx + all * (u * rx + v * dx), ty = fy + all * (u * ry + v * dy);
     const float tz = fz + all * (u * rz + v * dz);
     up.lane[i] = ty / std::sqrt(tx * tx + ty * ty + tz * tz);
@@ -252,7 +253,8 @@ float lowest_height(const FloorLight& light) {
 
 }  // namespace
 
-OpenSet::OpenSet(const Scene& scene, const CameraFrame& camera) : scene_(scene), camera_(camera) {
+UnshadowedBackground::UnshadowedBackground(const Scene& scene, const CameraFrame& camera)
+    : scene_(scene), camera_(camera) {
   for (const AreaLight& light : scene.lights) {
     lights_.emplace_back(light);
     heights_.push_back(lowest_height(lights_.back()));
@@ -260,7 +262,7 @@ OpenSet::OpenSet(const Scene& scene, const CameraFrame& camera) : scene_(scene),
 }
 
 // Distances along a straight line are greatest at its ends.
-OpenRow::OpenRow(const OpenSet& set, int y, int width)
+UnshadowedRow::UnshadowedRow(const UnshadowedBackground& set, int y, int width)
     : set_(set),
       row_(set.camera_, y),
       down_(static_cast<float>(y) + 0.5f - set.camera_.centre_y),
@@ -282,7 +284,7 @@ OpenRow::OpenRow(const OpenSet& set, int y, int width)
 }
 
 // Where a light ends to shine it does not end smoothly.
-LaneFloats OpenRow::light_at(std::size_t light, int x, const LaneVectors& points) const {
+LaneFloats UnshadowedRow::light_at(std::size_t light, int x, const LaneVectors& points) const {
   if (!nodes_[light].empty()) {
     const float* nodes = &nodes_[light][static_cast<std::size_t>(x / node_distance)];
     if (nodes[0] > 0.0f && nodes[1] > 0.0f && nodes[2] > 0.0f && nodes[3] > 0.0f)
@@ -291,26 +293,26 @@ LaneFloats OpenRow::light_at(std::size_t light, int x, const LaneVectors& points
   return light_on_floor(set_.lights_[light], points);
 }
 
-LaneSetPixels OpenRow::pixels(int x) const {
+LaneBackgroundPixels UnshadowedRow::pixels(int x) const {
   const Scene& scene = set_.scene_;
-  LaneFilm film{{}, down_};
+  LaneImagePoints image{{}, down_};
   for (int i = 0; i < static_cast<int>(lanes); ++i)
-    film.right[i] = static_cast<float>(x + i) + 0.5f - row_.centre;
-  LaneSetPixels pixels;
+    image.right[i] = static_cast<float>(x + i) + 0.5f - row_.centre;
+  LaneBackgroundPixels pixels;
   bool any = is_unfaded_;
   LaneFloats up;
   if (is_unfaded_) {
-    find_near_floor(row_, film, pixels);
+    find_near_floor(row_, image, pixels);
   } else {
-    find_floor(scene.ground, scene.has_ground, set_.camera_, row_, film, pixels);
-    up = elevations(set_.camera_, film);
+    find_floor(scene.ground, scene.has_ground, set_.camera_, row_, image, pixels);
+    up = elevations(set_.camera_, image);
     for (const float share : pixels.share.lane) any |= share > 0.0f;
   }
   const bool lined = scene.ground.line_spacing > 0.0f;
   pixels.plain = is_unfaded_ && !lined;
   LaneCovers covers;
   LaneColors light;
-  if (any && lined) covers = covers_of(scene.ground, pixels.point, footprints(set_.camera_, film));
+  if (any && lined) covers = covers_of(scene.ground, pixels.point, footprints(set_.camera_, image));
   for (std::size_t k = 0; any && k < nodes_.size(); ++k)
     add_light(light_at(k, x, pixels.point), scene.lights[k].radiance, light);
   LaneColors &shown = pixels.radiance, &albedo = pixels.visible_albedo;

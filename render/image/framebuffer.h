@@ -5,12 +5,12 @@
 
 namespace mien::render {
 
-/// What the tracer exposes: linear radiance, Rec.709 primaries, scene-referred (0.18 is mid grey,
-/// values above 1 are allowed).
-using Film = Image<float>;
+/// Rendered pixels: linear radiance, Rec.709 primaries, scene-referred (0.18 is mid grey, values
+/// above 1 are allowed).
+using Framebuffer = Image<float>;
 
-/// The pixels of a window, of a list with `stride` values a pixel, of a picture `width` pixels
-/// wide.
+/// The pixels of a window, cut out of a list with `stride` values a pixel of a picture that is
+/// `width` pixels wide.
 template <class Value>
 std::vector<Value> cut_out(const std::vector<Value>& values, int width, const Window& window,
                            std::size_t stride = 1) {
@@ -27,18 +27,18 @@ std::vector<Value> cut_out(const std::vector<Value>& values, int width, const Wi
   return cut;
 }
 
-/// Likewise of a film.
-inline Film cut_out(const Film& film, const Window& window) {
-  Film cut;
+/// The pixels of a window, cut out of a framebuffer.
+inline Framebuffer cut_out(const Framebuffer& framebuffer, const Window& window) {
+  Framebuffer cut;
   cut.width = window.width;
   cut.height = window.height;
-  cut.channels = cut_out(film.channels, film.width, window, 3);
+  cut.channels = cut_out(framebuffer.channels, framebuffer.width, window, 3);
   return cut;
 }
 
-/// A film, and how much of each pixel is covered where the background does not show.
-struct Exposure {
-  Film film;                 ///< multiplied by alpha (associated)
+/// A framebuffer with an alpha channel.
+struct RenderTarget {
+  Framebuffer color;         ///< multiplied by alpha (associated)
   std::vector<float> alpha;  ///< 0 … 1, one a pixel; empty where the background shows
 };
 

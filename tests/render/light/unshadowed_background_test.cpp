@@ -1,4 +1,4 @@
-#include "render/light/open_set.h"
+#include "render/light/unshadowed_background.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,17 +35,17 @@ Scene lined_floor(bool with_major_lines) {
   return scene;
 }
 
-/// Compares all pixels with what set_pixel shows of their middles; how many show the floor.
+/// Compares all pixels with what background_pixel shows of their middles; how many show the floor.
 int compared(const Scene& scene, const Camera& camera) {
   const CameraFrame frame = frame_of(camera);
-  const OpenSet open(scene, frame);
+  const UnshadowedBackground open(scene, frame);
   int floor = 0;
   for (int y = 0; y < camera.height; ++y) {
-    const OpenRow row(open, y, camera.width);
+    const UnshadowedRow row(open, y, camera.width);
     for (int x = 0; x < camera.width; ++x) {
-      const LaneSetPixels found = row.pixels(x / 8 * 8);
+      const LaneBackgroundPixels found = row.pixels(x / 8 * 8);
       const int i = x % 8;
-      const SetPixel expected = set_pixel(
+      const BackgroundPixel expected = background_pixel(
           scene, frame, frame.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
       const Color radiance{found.radiance.red[i], found.radiance.green[i], found.radiance.blue[i]};
       const Color albedo{found.visible_albedo.red[i], found.visible_albedo.green[i],
@@ -62,7 +62,7 @@ int compared(const Scene& scene, const Camera& camera) {
   return floor;
 }
 
-TEST(OpenSet, ShowsEightPixelsAsOneByOne) {
+TEST(UnshadowedBackground, ShowsEightPixelsAsOneByOne) {
   std::mt19937 random(4);
   std::uniform_real_distribution<float> share(-1.0f, 1.0f);
   int floor = 0;
@@ -84,7 +84,7 @@ TEST(OpenSet, ShowsEightPixelsAsOneByOne) {
   EXPECT_LT(floor, trials * width * height);
 }
 
-TEST(OpenSet, ShowsTheBackdropAloneWithoutGroundAndFromBelow) {
+TEST(UnshadowedBackground, ShowsTheBackdropAloneWithoutGroundAndFromBelow) {
   Scene scene = lined_floor(false);
   const Camera below{
       .position = {0.0f, -0.5f, 2.0f}, .target = Vec3::Zero(), .width = 24, .height = 16};
@@ -97,7 +97,7 @@ TEST(OpenSet, ShowsTheBackdropAloneWithoutGroundAndFromBelow) {
 
 // Near a camera that stands upright, where lights are interpolated: also of a light that shines
 // aside and ends on this floor, and of one too low for that.
-TEST(OpenSet, InterpolatesLightsAlongRows) {
+TEST(UnshadowedBackground, InterpolatesLightsAlongRows) {
   Scene scene = lined_floor(false);
   scene.ground.line_spacing = 0.0f;
   scene.sky.horizon = scene.sky.zenith = Color::Zero();
@@ -110,12 +110,12 @@ TEST(OpenSet, InterpolatesLightsAlongRows) {
   const CameraFrame frame = frame_of(camera);
   for (const AreaLight& light : lights) {
     scene.lights = {light};
-    const OpenSet open(scene, frame);
+    const UnshadowedBackground open(scene, frame);
     float largest = 0.0f, brightest = 0.0f;
     for (int y = 0; y < camera.height; ++y) {
-      const OpenRow row(open, y, camera.width);
+      const UnshadowedRow row(open, y, camera.width);
       for (int x = 0; x < camera.width; x += 8) {
-        const LaneSetPixels found = row.pixels(x);
+        const LaneBackgroundPixels found = row.pixels(x);
         for (int i = 0; i < 8 && x + i < camera.width; ++i) {
           if (!found.plain) continue;
           const float expected = unshadowed_floor(scene, found.point.at(i)).x();

@@ -1,4 +1,4 @@
-#include "render/tracer/eye_samples.h"
+#include "render/tracer/primary_rays.h"
 
 #include "render/math/directions.h"
 
@@ -16,25 +16,25 @@ CameraFrame between(const CameraFrame& from, const CameraFrame& to, float time) 
 
 }  // namespace
 
-CameraFrame camera_of(const Picture& picture, const Sample& sample) {
-  return picture.closing_camera ? between(picture.camera, *picture.closing_camera, sample.time)
-                                : picture.camera;
+CameraFrame camera_of(const PreparedScene& prepared, const Sample& sample) {
+  return prepared.closing_camera ? between(prepared.camera, *prepared.closing_camera, sample.time)
+                                 : prepared.camera;
 }
 
-void aim(const Picture& picture, const Samples& samples, LaneVectors& origins,
-         LaneVectors& directions) {
-  const LanePoints u = points_for(samples, Dimension::FilmPosition);
+void primary_rays(const PreparedScene& prepared, const Samples& samples, LaneVectors& origins,
+                  LaneVectors& directions) {
+  const LanePoints u = points_for(samples, Dimension::PixelPosition);
   LaneFloats x, y;
   for (int i = 0; i < samples.count; ++i) {
     const Pixel& pixel = *samples[i].pixel;
-    x[i] = static_cast<float>(pixel.x) + 0.5f + picture.filter.offset(u.u[i]);
-    y[i] = static_cast<float>(pixel.y) + 0.5f + picture.filter.offset(u.v[i]);
+    x[i] = static_cast<float>(pixel.x) + 0.5f + prepared.filter.offset(u.u[i]);
+    y[i] = static_cast<float>(pixel.y) + 0.5f + prepared.filter.offset(u.v[i]);
   }
-  if (!picture.piecemeal()) return eye_rays(picture.camera, x, y, origins, directions);
+  if (!prepared.is_per_sample()) return camera_rays(prepared.camera, x, y, origins, directions);
   for (int i = 0; i < samples.count; ++i) {
     const DiscPoint lens =
         disc_point(samples[i].pixel->sampler.point(Dimension::Lens, samples[i].index));
-    const EyeRay ray = camera_of(picture, samples[i]).ray(x[i], y[i], lens.x, lens.y);
+    const CameraRay ray = camera_of(prepared, samples[i]).ray(x[i], y[i], lens.x, lens.y);
     origins.set(i, ray.origin);
     directions.set(i, ray.direction);
   }

@@ -1,11 +1,11 @@
 #include "render/image_files/image_files.h"
-#include "render/parts/loaded_part.h"
+#include "render/parts/load_part.h"
 
 namespace mien::render {
 
 const ImageFiles& image_files() {
   static const auto* const files = static_cast<const ImageFiles*>(
-      loaded_part("mien-image-files.so", "reads and writes pictures", image_files_edition));
+      load_part("mien-image-files.so", "reads and writes pictures", image_files_edition));
   return *files;
 }
 

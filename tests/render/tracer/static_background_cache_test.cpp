@@ -1,4 +1,4 @@
-#include "render/tracer/standing_sets.h"
+#include "render/tracer/static_background_cache.h"
 
 #include <atomic>
 #include <stdexcept>
@@ -13,10 +13,10 @@
 namespace mien::render {
 namespace {
 
-StandingSet dark_set() { return room_for(4, 2, frame_of({.width = 4, .height = 2})); }
+StaticBackground dark_set() { return blank_background(4, 2, frame_of({.width = 4, .height = 2})); }
 
-TEST(StandingSets, MakeASetOnceForAllThatDrawWithItAtATime) {
-  StandingSets sets;
+TEST(StaticBackgroundCache, MakeASetOnceForAllThatDrawWithItAtATime) {
+  StaticBackgroundCache sets;
   std::atomic<int> made = 0;
   std::atomic<int> asked = 0;
   constexpr int threads = 4;
@@ -25,29 +25,29 @@ TEST(StandingSets, MakeASetOnceForAllThatDrawWithItAtATime) {
     while (asked < threads) std::this_thread::yield();  // all others ask meanwhile
     return dark_set();
   };
-  std::vector<StandingSets::Lent> lent(threads);
+  std::vector<StaticBackgroundCache::Handle> lent(threads);
   std::vector<std::thread> asking;
-  for (StandingSets::Lent& one : lent) {
+  for (StaticBackgroundCache::Handle& one : lent) {
     asking.emplace_back([&] {
       ++asked;
-      one = sets.lend("a", make);
+      one = sets.get_or_make("a", make);
     });
   }
   for (std::thread& thread : asking) thread.join();
   EXPECT_EQ(made, 1);
-  for (const StandingSets::Lent& one : lent) EXPECT_EQ(one, lent[0]);
-  EXPECT_NE(sets.lend("b", dark_set), lent[0]);
+  for (const StaticBackgroundCache::Handle& one : lent) EXPECT_EQ(one, lent[0]);
+  EXPECT_NE(sets.get_or_make("b", dark_set), lent[0]);
 
   lent.clear();
-  sets.lend("a", make);
+  sets.get_or_make("a", make);
   EXPECT_EQ(made, 2) << "one that nobody draws with any more takes no memory";
 }
 
-TEST(StandingSets, AreMadeByTheNextWhereMakingOneFailed) {
-  StandingSets sets;
-  const auto fail = []() -> StandingSet { throw std::runtime_error("stopped"); };
-  EXPECT_THROW(sets.lend("a", fail), std::runtime_error);
-  EXPECT_NE(sets.lend("a", dark_set), nullptr);
+TEST(StaticBackgroundCache, AreMadeByTheNextWhereMakingOneFailed) {
+  StaticBackgroundCache sets;
+  const auto fail = []() -> StaticBackground { throw std::runtime_error("stopped"); };
+  EXPECT_THROW(sets.get_or_make("a", fail), std::runtime_error);
+  EXPECT_NE(sets.get_or_make("a", dark_set), nullptr);
 }
 
 /// A ball on the floor before a wall that stands.
@@ -60,7 +60,7 @@ Scene walled() {
       {-2.0f, 0.0f, -1.0f}, {2.0f, 0.0f, -1.0f}, {2.0f, 1.5f, -1.0f}, {-2.0f, 1.5f, -1.0f}};
   wall.normals.assign(4, Vec3::UnitZ());
   wall.triangles = {{0, 1, 2}, {0, 2, 3}};
-  scene.standing.meshes = {wall};
+  scene.static_solids.meshes = {wall};
   scene.lights = {
       softbox({1.5f, 3.0f, 3.0f}, {0.0f, 0.8f, 0.0f}, 0.8f, 0.8f, Color::Constant(9.0f))};
   return scene;
@@ -68,13 +68,13 @@ Scene walled() {
 
 const Camera viewer{
     .position = {0.8f, 1.5f, 4.0f}, .target = {0.0f, 0.7f, 0.0f}, .width = 48, .height = 32};
-const Quality coarse{.samples_per_pixel = 4, .standing_samples = 8, .seed = 5};
+const Quality coarse{.samples_per_pixel = 4, .static_samples = 8, .seed = 5};
 
-TEST(StandingSets, ChangeNoPicture) {
+TEST(StaticBackgroundCache, ChangeNoPicture) {
   const Scene scene = walled();
-  const Film alone = Tracer({.threads = 1}).trace(scene, viewer, coarse);
-  StandingSets sets;
-  Tracer first({.threads = 1, .sets = &sets}), second({.threads = 2, .sets = &sets});
+  const Framebuffer alone = Tracer({.threads = 1}).trace(scene, viewer, coarse);
+  StaticBackgroundCache sets;
+  Tracer first({.threads = 1, .backgrounds = &sets}), second({.threads = 2, .backgrounds = &sets});
   EXPECT_EQ(first.trace(scene, viewer, coarse), alone);
   EXPECT_EQ(second.trace(scene, viewer, coarse), alone);
 
@@ -88,18 +88,18 @@ TEST(StandingSets, ChangeNoPicture) {
   EXPECT_EQ(second.trace(scene, wide, coarse), Tracer().trace(scene, wide, coarse));
 }
 
-TEST(StandingSets, HaveLightThatIsKeptUnderTheNameOfAllThatDecidesIt) {
+TEST(StaticBackgroundCache, HaveLightThatIsKeptUnderTheNameOfAllThatDecidesIt) {
   std::vector<std::string> names;
-  Film kept;
-  const KeepLight keep = [&](const std::string& name, const std::function<Film()>& draw) {
+  Framebuffer kept;
+  const LightCache keep = [&](const std::string& name, const std::function<Framebuffer()>& draw) {
     names.push_back(name);
     return kept.channels.empty() ? kept = draw() : kept;
   };
   const Scene scene = walled();
   const auto traced = [&](const Scene& of, const Camera& by, const Quality& how) {
-    return Tracer({.keep_light = keep}).trace(of, by, how);
+    return Tracer({.light_cache = keep}).trace(of, by, how);
   };
-  const Film drawn = traced(scene, viewer, coarse);
+  const Framebuffer drawn = traced(scene, viewer, coarse);
   EXPECT_EQ(drawn, Tracer().trace(scene, viewer, coarse));
   EXPECT_EQ(traced(scene, viewer, coarse), drawn);
   ASSERT_EQ(names.size(), 2u);
@@ -107,31 +107,31 @@ TEST(StandingSets, HaveLightThatIsKeptUnderTheNameOfAllThatDecidesIt) {
   EXPECT_EQ(names[0].size(), 32u);
 
   const auto name_of = [&](const Scene& of, const Camera& by, const Quality& how) {
-    return standing_name(standing_key(of, by, how));
+    return static_background_name(static_background_key(of, by, how));
   };
   Scene figure_moved = scene;
   figure_moved.solids.spheres[0].centre.x() += 0.2f;
   EXPECT_EQ(name_of(figure_moved, viewer, coarse), names[0]);
   Scene figure_painted = scene;
   figure_painted.materials = {{.albedo = {0.1f, 0.9f, 0.1f}}, scene.materials[0]};
-  figure_painted.standing.meshes[0].material = 1;
+  figure_painted.static_solids.meshes[0].material = 1;
   EXPECT_EQ(name_of(figure_painted, viewer, coarse), names[0]);
   Scene wall_painted = scene;
   wall_painted.materials[0].albedo[0] += 0.1f;
   EXPECT_NE(name_of(wall_painted, viewer, coarse), names[0]);
   Scene wall_moved = scene;
-  wall_moved.standing.meshes[0].positions[0].x() += 0.2f;
+  wall_moved.static_solids.meshes[0].positions[0].x() += 0.2f;
   EXPECT_NE(name_of(wall_moved, viewer, coarse), names[0]);
   Camera moved = viewer;
   moved.position.x() += 1e-3f;
   EXPECT_NE(name_of(scene, moved, coarse), names[0]);
   Quality thorough = coarse;
-  thorough.standing_samples = 9;
+  thorough.static_samples = 9;
   EXPECT_NE(name_of(scene, viewer, thorough), names[0]);
 
   // Without standing solids nothing is worth keeping.
   Scene open = scene;
-  open.standing = {};
+  open.static_solids = {};
   traced(open, viewer, coarse);
   EXPECT_EQ(names.size(), 2u);
 }

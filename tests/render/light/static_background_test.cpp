@@ -1,6 +1,6 @@
 // What is kept of the set from picture to picture, against drawing everything each time.
 
-#include "render/light/standing_set.h"
+#include "render/light/static_background.h"
 
 #include <cmath>
 #include <numeric>
@@ -29,9 +29,9 @@ Scene walled_scene() {
   Scene scene;
   scene.materials = {{.albedo = {0.7f, 0.4f, 0.2f}}, {.albedo = {0.5f, 0.5f, 0.6f}}};
   scene.solids.spheres = {{.centre = {0.0f, 0.9f, 0.0f}, .radius = 0.3f}};
-  scene.solids.capsules = {{.start = {0.0f, 0.1f, 0.0f}, .end = {0.0f, 0.8f, 0.0f}}};
-  scene.standing.meshes = {wall({-2.0f, 0.0f, -0.8f}, {2.0f, 0.0f, -0.8f}, 1.6f, 1),
-                           wall({-0.9f, 0.0f, 1.5f}, {-0.9f, 0.0f, -0.8f}, 0.7f, 1)};
+  scene.solids.round_cones = {{.start = {0.0f, 0.1f, 0.0f}, .end = {0.0f, 0.8f, 0.0f}}};
+  scene.static_solids.meshes = {wall({-2.0f, 0.0f, -0.8f}, {2.0f, 0.0f, -0.8f}, 1.6f, 1),
+                                wall({-0.9f, 0.0f, 1.5f}, {-0.9f, 0.0f, -0.8f}, 0.7f, 1)};
   scene.lights = {
       softbox({1.5f, 3.0f, 3.0f}, {0.0f, 0.8f, 0.0f}, 0.8f, 0.8f, Color::Constant(9.0f))};
   return scene;
@@ -54,11 +54,11 @@ Pictures pictures_of(const Scene& scene, Quality quality, int seeds) {
   std::vector<double> sum, squares;
   for (int seed = 0; seed < seeds; ++seed) {
     quality.seed = static_cast<std::uint64_t>(seed) + 1;
-    const Film film = tracer.trace(scene, camera, quality);
-    sum.resize(film.channels.size());
-    squares.resize(film.channels.size());
-    for (std::size_t i = 0; i < film.channels.size(); ++i) {
-      const auto value = static_cast<double>(film.channels[i]);
+    const Framebuffer framebuffer = tracer.trace(scene, camera, quality);
+    sum.resize(framebuffer.channels.size());
+    squares.resize(framebuffer.channels.size());
+    for (std::size_t i = 0; i < framebuffer.channels.size(); ++i) {
+      const auto value = static_cast<double>(framebuffer.channels[i]);
       sum[i] += value;
       squares[i] += value * value;
     }
@@ -89,12 +89,12 @@ double largest_deviation(const Pictures& a, const Pictures& b) {
 // than once in ten thousand runs.
 constexpr double beyond_chance = 6.0;
 
-TEST(StandingSet, GivesTheMeanThatTracingAllOfItEachTimeGives) {
+TEST(StaticBackground, GivesTheMeanThatTracingAllOfItEachTimeGives) {
   const Scene reused = walled_scene();
   Scene whole = reused;
-  for (const Mesh& mesh : reused.standing.meshes) whole.solids.meshes.push_back(mesh);
-  whole.standing = {};
-  Quality quality{.samples_per_pixel = 16, .standing_samples = 64};
+  for (const Mesh& mesh : reused.static_solids.meshes) whole.solids.meshes.push_back(mesh);
+  whole.static_solids = {};
+  Quality quality{.samples_per_pixel = 16, .static_samples = 64};
   const Pictures quick = pictures_of(reused, quality, 48);
   quality.floor_sky_tolerance = 0.0f;
   const Pictures brute = pictures_of(whole, quality, 48);
@@ -105,18 +105,18 @@ TEST(StandingSet, GivesTheMeanThatTracingAllOfItEachTimeGives) {
   dim.lights[0].radiance *= 0.95f;
   EXPECT_GT(largest_deviation(pictures_of(dim, quality, 16), brute), beyond_chance);
   Scene shadowless = reused;
-  shadowless.solids.capsules.clear();
+  shadowless.solids.round_cones.clear();
   EXPECT_GT(largest_deviation(pictures_of(shadowless, quality, 16), brute), beyond_chance);
 }
 
-TEST(StandingSet, IsTheSameWhetherItIsKeptOrMadeAnew) {
+TEST(StaticBackground, IsTheSameWhetherItIsKeptOrMadeAnew) {
   const Scene scene = walled_scene();
   Scene other = scene;
-  other.standing.meshes[0].positions[2].y() += 0.3f;
+  other.static_solids.meshes[0].positions[2].y() += 0.3f;
   Tracer kept, fresh;
-  const Quality quality{.samples_per_pixel = 4, .standing_samples = 8};
-  const Film first = kept.trace(scene, camera, quality);
-  const Film changed = kept.trace(other, camera, quality);
+  const Quality quality{.samples_per_pixel = 4, .static_samples = 8};
+  const Framebuffer first = kept.trace(scene, camera, quality);
+  const Framebuffer changed = kept.trace(other, camera, quality);
   EXPECT_NE(changed, first);
   EXPECT_EQ(changed, fresh.trace(other, camera, quality));
   EXPECT_EQ(kept.trace(scene, camera, quality), first);
@@ -130,21 +130,22 @@ TEST(StandingSet, IsTheSameWhetherItIsKeptOrMadeAnew) {
   Texture texture{1, 1, {Color::Constant(0.9f)}};
   painted.textures = {&texture};
   painted.materials[1].texture = 0;
-  for (Mesh& mesh : painted.standing.meshes) mesh.uv.assign(mesh.positions.size(), {0.5f, 0.5f});
-  const Film light = kept.trace(painted, camera, quality);
+  for (Mesh& mesh : painted.static_solids.meshes)
+    mesh.uv.assign(mesh.positions.size(), {0.5f, 0.5f});
+  const Framebuffer light = kept.trace(painted, camera, quality);
   texture.texels = {Color::Constant(0.1f)};
-  const Film dark = kept.trace(painted, camera, quality);
+  const Framebuffer dark = kept.trace(painted, camera, quality);
   EXPECT_NE(dark, light);
   EXPECT_EQ(dark, Tracer().trace(painted, camera, quality));
 }
 
-TEST(StandingSet, ServesAPairOfCamerasByTurns) {
+TEST(StaticBackground, ServesAPairOfCamerasByTurns) {
   const Scene scene = walled_scene();
   Camera right = camera;
   right.position.x() += 0.06f;
-  const Quality quality{.samples_per_pixel = 4, .standing_samples = 8};
-  const Film left_alone = Tracer().trace(scene, camera, quality);
-  const Film right_alone = Tracer().trace(scene, right, quality);
+  const Quality quality{.samples_per_pixel = 4, .static_samples = 8};
+  const Framebuffer left_alone = Tracer().trace(scene, camera, quality);
+  const Framebuffer right_alone = Tracer().trace(scene, right, quality);
   Tracer both;
   for (int turn = 0; turn < 3; ++turn) {
     EXPECT_EQ(both.trace(scene, camera, quality), left_alone);
@@ -153,11 +154,11 @@ TEST(StandingSet, ServesAPairOfCamerasByTurns) {
 }
 
 // What one set was made of serves the next.
-TEST(StandingSet, ShowsNothingOfTheSetsBeforeIt) {
-  const Quality quality{.samples_per_pixel = 2, .standing_samples = 4};
+TEST(StaticBackground, ShowsNothingOfTheSetsBeforeIt) {
+  const Quality quality{.samples_per_pixel = 2, .static_samples = 4};
   const Scene walled = walled_scene();
   Scene open = walled;
-  open.standing = {};
+  open.static_solids = {};
   Camera narrow = camera;
   narrow.width = 40;
   Tracer one;
@@ -169,17 +170,17 @@ TEST(StandingSet, ShowsNothingOfTheSetsBeforeIt) {
   }
 }
 
-TEST(StandingSet, StaysWholeWhenTheFigureIsSeenThrough) {
+TEST(StaticBackground, StaysWholeWhenTheFigureIsSeenThrough) {
   Scene scene = walled_scene();
-  const Quality quality{.samples_per_pixel = 4, .standing_samples = 8};
-  const Film solid = Tracer().trace(scene, camera, quality);
+  const Quality quality{.samples_per_pixel = 4, .static_samples = 8};
+  const Framebuffer solid = Tracer().trace(scene, camera, quality);
   scene.figures[0].opacity = 0.0f;
-  const Film vanished = Tracer().trace(scene, camera, quality);
+  const Framebuffer vanished = Tracer().trace(scene, camera, quality);
   scene.figures[0].opacity = 1.0f;
   scene.solids = {};
   // Where the figure would be, the walls are drawn with fewer samples.
-  const auto light = [](const Film& film) {
-    return std::accumulate(film.channels.begin(), film.channels.end(), 0.0);
+  const auto light = [](const Framebuffer& framebuffer) {
+    return std::accumulate(framebuffer.channels.begin(), framebuffer.channels.end(), 0.0);
   };
   const double alone = light(Tracer().trace(scene, camera, quality));
   EXPECT_NEAR(light(vanished), alone, 0.002 * alone);

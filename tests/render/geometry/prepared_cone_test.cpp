@@ -1,4 +1,4 @@
-#include "render/geometry/round_cone.h"
+#include "render/geometry/prepared_cone.h"
 
 #include <algorithm>
 #include <random>
@@ -12,7 +12,7 @@ using Point = Eigen::Vector3d;
 
 /// Distance from the hull of two balls: the least over balls in between, by golden-section search
 /// (it is convex in the ball's place).
-double distance_from(const Capsule& capsule, const Point& point) {
+double distance_from(const RoundCone& capsule, const Point& point) {
   const Point a = capsule.start.cast<double>(), b = capsule.end.cast<double>();
   const auto ra = static_cast<double>(capsule.start_radius);
   const auto rb = static_cast<double>(capsule.end_radius);
@@ -34,7 +34,7 @@ struct Crossing {
 };
 
 /// Sphere tracing from outside (Hart 1996).
-Crossing marched(const Capsule& capsule, const Point& origin, const Point& direction) {
+Crossing marched(const RoundCone& capsule, const Point& origin, const Point& direction) {
   double along = 0.0, nearest = 1e9;
   for (int step = 0; step < 2000 && along < 30.0; ++step) {
     const double distance = distance_from(capsule, origin + along * direction);
@@ -49,7 +49,7 @@ struct Line {
   float enter, leave;
 };
 
-Line line_through(const RoundCone& cone, const Vec3& origin, const Vec3& direction) {
+Line unnormalised_ray(const PreparedCone& cone, const Vec3& origin, const Vec3& direction) {
   Line line;
   const RayLanes ray{&origin.x(),    &origin.y(),    &origin.z(),
                      &direction.x(), &direction.y(), &direction.z()};
@@ -67,7 +67,7 @@ class RandomCone {
     std::normal_distribution<float> normal;
     return Vec3{normal(random_), normal(random_), normal(random_)}.normalized();
   }
-  Capsule capsule() {
+  RoundCone capsule() {
     return {.start = 0.5f * direction(),
             .end = 0.5f * direction(),
             .start_radius = uniform(0.02f, 0.4f),
@@ -78,16 +78,16 @@ class RandomCone {
   std::mt19937 random_;
 };
 
-TEST(RoundCone, IsMetWhereSphereTracingMeetsIt) {
+TEST(PreparedCone, IsMetWhereSphereTracingMeetsIt) {
   RandomCone random(11);
   int hits = 0, misses = 0;
   for (int trial = 0; trial < 2000; ++trial) {
-    const Capsule capsule = random.capsule();
+    const RoundCone capsule = random.capsule();
     const Vec3 origin = 4.0f * random.direction();
     const Vec3 direction = (0.7f * random.direction() - origin).normalized();
     const Crossing expected =
         marched(capsule, origin.cast<double>(), direction.cast<double>().normalized());
-    const Line line = line_through(round_cone(capsule), origin, direction);
+    const Line line = unnormalised_ray(prepared_cone(capsule), origin, direction);
     if (expected.hits) {
       ++hits;
       // Where the ray grazes, a little across is much along.
@@ -104,31 +104,31 @@ TEST(RoundCone, IsMetWhereSphereTracingMeetsIt) {
   EXPECT_GT(misses, 300);
 }
 
-TEST(RoundCone, IsMissedByNoRayThroughItsInside) {
+TEST(PreparedCone, IsMissedByNoRayThroughItsInside) {
   RandomCone random(12);
   for (int trial = 0; trial < 2000; ++trial) {
-    const Capsule capsule = random.capsule();
+    const RoundCone capsule = random.capsule();
     const float t = random.uniform(0.0f, 1.0f);
     const float radius = capsule.start_radius + t * (capsule.end_radius - capsule.start_radius);
     const Vec3 inside = capsule.start + t * (capsule.end - capsule.start) +
                         random.uniform(0.0f, 0.99f) * radius * random.direction();
     const Vec3 origin = 4.0f * random.direction();
     const Vec3 direction = (inside - origin).normalized();
-    const Line line = line_through(round_cone(capsule), origin, direction);
+    const Line line = unnormalised_ray(prepared_cone(capsule), origin, direction);
     EXPECT_LE(line.enter, (inside - origin).norm() + 1e-4f) << "trial " << trial;
     EXPECT_GE(line.leave, (inside - origin).norm() - 1e-4f) << "trial " << trial;
   }
 }
 
-TEST(RoundCone, HasTheGradientOfItsDistanceAsNormal) {
+TEST(PreparedCone, HasTheGradientOfItsDistanceAsNormal) {
   RandomCone random(13);
   int hits = 0;
   for (int trial = 0; trial < 500; ++trial) {
-    const Capsule capsule = random.capsule();
-    const RoundCone cone = round_cone(capsule);
+    const RoundCone capsule = random.capsule();
+    const PreparedCone cone = prepared_cone(capsule);
     const Vec3 origin = 4.0f * random.direction();
     const Vec3 direction = (0.3f * random.direction() - origin).normalized();
-    const Line line = line_through(cone, origin, direction);
+    const Line line = unnormalised_ray(cone, origin, direction);
     if (line.enter > line.leave) continue;
     ++hits;
     const Vec3 at = origin + line.enter * direction;
@@ -143,9 +143,9 @@ TEST(RoundCone, HasTheGradientOfItsDistanceAsNormal) {
   EXPECT_GT(hits, 100);
 }
 
-TEST(RoundCone, IsTheGreaterSphereWhenItHoldsTheOther) {
-  const Capsule capsule{.start = Vec3::Zero(), .end = {0.1f, 0.0f, 0.0f}, .start_radius = 0.5f};
-  const Line line = line_through(round_cone(capsule), {-2.0f, 0.0f, 0.0f}, Vec3::UnitX());
+TEST(PreparedCone, IsTheGreaterSphereWhenItHoldsTheOther) {
+  const RoundCone capsule{.start = Vec3::Zero(), .end = {0.1f, 0.0f, 0.0f}, .start_radius = 0.5f};
+  const Line line = unnormalised_ray(prepared_cone(capsule), {-2.0f, 0.0f, 0.0f}, Vec3::UnitX());
   EXPECT_NEAR(line.enter, 1.5f, 1e-6f);
   EXPECT_NEAR(line.leave, 2.5f, 1e-6f);
 }

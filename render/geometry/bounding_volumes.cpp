@@ -1,4 +1,4 @@
-#include "render/geometry/reach.h"
+#include "render/geometry/bounding_volumes.h"
 
 #include <algorithm>
 #include <array>
@@ -87,7 +87,7 @@ BoundingSphere bounding_sphere(const Shapes& shapes) {
   return sphere;
 }
 
-bool may_meet(const BoundingSphere& sphere, const Vec3& origin, const Vec3& direction) {
+bool may_intersect(const BoundingSphere& sphere, const Vec3& origin, const Vec3& direction) {
   const Vec3 towards = sphere.centre - origin;
   const float along = towards.dot(direction);
   const float squared = towards.squaredNorm();
@@ -124,7 +124,7 @@ std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes) {
   return spheres;
 }
 
-FilmMask::FilmMask(const Camera& camera, const Shapes& shapes, float filter_half_width)
+PixelMask::PixelMask(const Camera& camera, const Shapes& shapes, float filter_half_width)
     : words_across_((camera.width + bits - 1) / bits),
       words_(static_cast<std::size_t>(words_across_) * static_cast<std::size_t>(camera.height)) {
   if (camera.aperture_radius > 0.0f && !shapes.empty()) {
@@ -164,13 +164,13 @@ std::uint64_t bits_between(int x_begin, int x_end, int first) {
 
 }  // namespace
 
-void FilmMask::touch(int x_begin, int x_end, int y) {
+void PixelMask::touch(int x_begin, int x_end, int y) {
   const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(words_across_);
   for (int k = x_begin / bits; k * bits < x_end; ++k)
     words_[row + static_cast<std::size_t>(k)] |= bits_between(x_begin, x_end, k * bits);
 }
 
-bool FilmMask::may_meet_row(int x_begin, int x_end, int y) const {
+bool PixelMask::may_intersect_row(int x_begin, int x_end, int y) const {
   for (int k = x_begin / bits; k * bits < x_end; ++k)
     if ((word(k, y) & bits_between(x_begin, x_end, k * bits)) != 0) return true;
   return false;

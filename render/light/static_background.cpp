@@ -1,4 +1,4 @@
-#include "render/light/standing_set.h"
+#include "render/light/static_background.h"
 
 #include <algorithm>
 #include <string_view>
@@ -66,11 +66,11 @@ class UsedMaterials {
 };
 
 void add_solids(Key& key, const Solids& solids, UsedMaterials& used) {
-  key.add(static_cast<int>(solids.spheres.size()), static_cast<int>(solids.capsules.size()),
+  key.add(static_cast<int>(solids.spheres.size()), static_cast<int>(solids.round_cones.size()),
           static_cast<int>(solids.meshes.size()));
   for (const Sphere& sphere : solids.spheres)
     key.add(sphere.centre, sphere.radius, used.number(sphere.material));
-  for (const Capsule& capsule : solids.capsules)
+  for (const RoundCone& capsule : solids.round_cones)
     key.add(capsule.start, capsule.end, capsule.start_radius, capsule.end_radius,
             used.number(capsule.material));
   for (const Mesh& mesh : solids.meshes) {
@@ -93,27 +93,28 @@ void add_texture(Key& key, const Scene& scene, int index) {
 
 }  // namespace
 
-std::vector<float> standing_key(const Scene& scene, const Camera& camera, const Quality& quality) {
+std::vector<float> static_background_key(const Scene& scene, const Camera& camera,
+                                         const Quality& quality) {
   Key key;
   add_camera(key, camera);
   add_open_set(key, scene);
-  if (scene.standing.empty()) return key.take();
+  if (scene.static_solids.empty()) return key.take();
   UsedMaterials used;
-  add_solids(key, scene.standing, used);
+  add_solids(key, scene.static_solids, used);
   for (const int number : used.all()) {
     const Material& material = scene.materials[static_cast<std::size_t>(number)];
-    key.add(material.albedo, material.sheen, material.roughness, material.emission,
+    key.add(material.albedo, material.specular_f0, material.roughness, material.emission,
             material.normal_scale);
     add_texture(key, scene, material.texture);
     add_texture(key, scene, material.normal_map);
   }
-  key.add(quality.standing_samples, quality.sky_rays, quality.floor_sky_noise,
+  key.add(quality.static_samples, quality.sky_rays, quality.floor_sky_noise,
           quality.floor_sky_tolerance, quality.floor_sky_cell, quality.filter_width,
           static_cast<int>(quality.seed), static_cast<int>(quality.seed >> 32));
   return key.take();
 }
 
-std::string standing_name(const std::vector<float>& key) {
+std::string static_background_name(const std::vector<float>& key) {
   const XXH128_hash_t hash = XXH3_128bits(key.data(), key.size() * sizeof(float));
   constexpr std::string_view digits = "0123456789abcdef";
   std::string name;
@@ -122,15 +123,16 @@ std::string standing_name(const std::vector<float>& key) {
   return name;
 }
 
-StandingSet room_for(int width, int height, const CameraFrame& camera, StandingSet used) {
-  StandingSet set = std::move(used);
-  set.camera = camera;
-  set.solid.clear();
-  if (set.radiance.width == width && set.radiance.height == height) return set;
-  set.radiance = set.albedo = Film(width, height);
-  set.floor.assign(set.radiance.channels.size() / 3, 0);
-  set.even_albedo.assign(static_cast<std::size_t>(height), std::nullopt);
-  return set;
+StaticBackground blank_background(int width, int height, const CameraFrame& camera,
+                                  StaticBackground used) {
+  StaticBackground background = std::move(used);
+  background.camera = camera;
+  background.solid.clear();
+  if (background.radiance.width == width && background.radiance.height == height) return background;
+  background.radiance = background.albedo = Framebuffer(width, height);
+  background.floor.assign(background.radiance.channels.size() / 3, 0);
+  background.uniform_albedo.assign(static_cast<std::size_t>(height), std::nullopt);
+  return background;
 }
 
 namespace {
@@ -148,7 +150,7 @@ struct EvenAlbedo {
   bool holds = true;
   std::optional<Color> colour = std::nullopt;  // of the first that shows
 
-  void add(const LaneSetPixels& pixels, int count) {
+  void add(const LaneBackgroundPixels& pixels, int count) {
     if (pixels.plain) count = 1;  // as all are
     for (int i = 0; i < count; ++i) {
       if (!(pixels.share[i] > 0.0f)) continue;
@@ -162,26 +164,27 @@ struct EvenAlbedo {
 
 }  // namespace
 
-void expose_open_row(const OpenSet& open, int y, StandingSet& set) {
-  const int width = set.radiance.width;
-  const OpenRow row(open, y, width);
+void render_unshadowed_row(const UnshadowedBackground& open, int y, StaticBackground& background) {
+  const int width = background.radiance.width;
+  const UnshadowedRow row(open, y, width);
   EvenAlbedo even;
   for (int first = 0; first < width; first += static_cast<int>(lanes)) {
     const int count = std::min(static_cast<int>(lanes), width - first);
-    const LaneSetPixels pixels = row.pixels(first);
-    put(pixels.radiance, count, set.radiance.at(first, y));
-    const std::size_t place = set.place_of(first, y);
+    const LaneBackgroundPixels pixels = row.pixels(first);
+    put(pixels.radiance, count, background.radiance.at(first, y));
+    const std::size_t place = background.place_of(first, y);
     for (int i = 0; i < count; ++i)
-      set.floor[place + static_cast<std::size_t>(i)] = pixels.share[i] > 0.0f ? 1 : 0;
+      background.floor[place + static_cast<std::size_t>(i)] = pixels.share[i] > 0.0f ? 1 : 0;
     if (even.holds) {
       even.add(pixels, count);
       if (even.holds) continue;
       // Until here it was.
-      for (int x = 0; x < first; ++x) std::copy_n(even.colour->data(), 3, set.albedo.at(x, y));
+      for (int x = 0; x < first; ++x)
+        std::copy_n(even.colour->data(), 3, background.albedo.at(x, y));
     }
-    put(pixels.visible_albedo, count, set.albedo.at(first, y));
+    put(pixels.visible_albedo, count, background.albedo.at(first, y));
   }
-  set.even_albedo[static_cast<std::size_t>(y)] = even.holds ? even.colour : std::nullopt;
+  background.uniform_albedo[static_cast<std::size_t>(y)] = even.holds ? even.colour : std::nullopt;
 }
 
 }  // namespace mien::render

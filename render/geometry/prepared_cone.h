@@ -7,8 +7,8 @@
 
 namespace mien::render {
 
-/// A sphere or capsule made ready for intersection: the convex hull of two spheres, a and b.
-struct RoundCone {
+/// A sphere or round cone prepared for intersection tests: the convex hull of two spheres, a and b.
+struct PreparedCone {
   Vec3 a = Vec3::Zero();
   Vec3 axis = Vec3::Zero();  ///< from a to b; zero for a sphere
   float radius_a = 0.0f;
@@ -22,14 +22,14 @@ struct RoundCone {
   Vec3 b() const { return a + axis; }
 };
 
-RoundCone round_cone(const Sphere& sphere);
-RoundCone round_cone(const Capsule& capsule);
+PreparedCone prepared_cone(const Sphere& sphere);
+PreparedCone prepared_cone(const RoundCone& capsule);
 
-/// All spheres, then all capsules.
-std::vector<RoundCone> round_cones(const Solids& solids);
+/// All spheres, then all round cones.
+std::vector<PreparedCone> prepared_cones(const Solids& solids);
 
 /// Unit outward normal at a point of the surface.
-Vec3 normal_at(const RoundCone& cone, const Vec3& point);
+Vec3 normal_at(const PreparedCone& cone, const Vec3& point);
 
 /// Rays as arrays, one value a lane; directions have unit length.
 struct RayLanes {
@@ -51,7 +51,7 @@ inline constexpr unsigned max_lanes = 16;
 /// test of where they lie. Roots are found from the point of the line nearest to the solid's
 /// middle, which keeps them exact however far the ray comes from. Quadratic of the round cone after
 /// Quilez (2018).
-void intersect_lines(const RoundCone& cone, const RayLanes& rays, unsigned count, float* enter,
+void intersect_lines(const PreparedCone& cone, const RayLanes& rays, unsigned count, float* enter,
                      float* leave);
 
 /// The first of either that lies beyond `from`, of each line; infinity when there is none.
