@@ -20,7 +20,7 @@ std::optional<std::array<double, 2>> figure_place(const CameraRig& rig) {
   return std::array<double, 2>{place->x(), place->y()};
 }
 
-Eigen::AlignedBox2d taken_part(const CameraRig& rig, const Action& action) {
+Eigen::AlignedBox2d action_bounds(const CameraRig& rig, const Action& action) {
   Eigen::AlignedBox2d part;
   for (std::size_t f = 0; f < action.points.size(); ++f) {
     for (const motion::Vec3& point : action.points[f]) {
@@ -31,7 +31,7 @@ Eigen::AlignedBox2d taken_part(const CameraRig& rig, const Action& action) {
   return {part.min().array() - margin_px, part.max().array() + margin_px};
 }
 
-void stand_at(CameraRig& rig, std::array<double, 2> place) {
+void place_figure_at(CameraRig& rig, std::array<double, 2> place) {
   const auto [right, below] = figure_place(rig).value();
   for (render::Camera& camera : rig.cameras) {
     camera.shift_x += static_cast<float>(place[0] - right);

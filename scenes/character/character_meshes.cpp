@@ -133,7 +133,7 @@ Vec3 turned(const Mat3& linear, const Vec3& normal) {
 }
 
 /// From mesh space into the bind pose, by the same blend as skinning; then joints are the rig's.
-void place(const BoundRig& rig, const std::vector<int>& skin_joints,
+void place(const BindPoseRig& rig, const std::vector<int>& skin_joints,
            const std::vector<Eigen::Affine3d>& to_world, SkinnedMesh& mesh) {
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     Eigen::Matrix<double, 3, 4> blend = Eigen::Matrix<double, 3, 4>::Zero();
@@ -182,7 +182,7 @@ struct Oddities {
   }
 };
 
-SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const BoundRig& rig,
+SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const BindPoseRig& rig,
                     int mode, Oddities& oddities) {
   const int accessor = primitive.accessor("POSITION");
   if (accessor < 0) primitive.refuse("it has no positions");
@@ -212,7 +212,7 @@ SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const 
 
 }  // namespace
 
-std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BoundRig& rig,
+std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BindPoseRig& rig,
                                           std::vector<std::string>& warnings) {
   std::vector<SkinnedMesh> meshes;
   std::size_t vertices = 0;

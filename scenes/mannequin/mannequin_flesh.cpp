@@ -21,7 +21,7 @@ constexpr double limb_blend = 0.05;
 
 double mixed(double low, double high, double t) { return low + (high - low) * t; }
 
-/// Puts lumps on one body.
+/// Adds primitives to the parts of one body.
 struct Sculptor {
   const motion::Skeleton& body;
   const motion::JointTransforms& pose;
@@ -31,7 +31,7 @@ struct Sculptor {
   double girth;  ///< of limbs
   double belly;  ///< depth of the belly
   double male;   ///< 0 … 1
-  std::vector<Lump>* part = nullptr;
+  std::vector<SdfPrimitive>* part = nullptr;
 
   Vec3 offset(BodyJoint joint) const { return body.joints[joint].offset; }
 
@@ -42,21 +42,21 @@ struct Sculptor {
 
   void ellipsoid(BodyJoint joint, const Vec3& centre, const Vec3& radii, double blend,
                  const Quat& turn = Quat::Identity()) const {
-    Lump lump;
-    lump.start = at(joint, centre);
-    lump.axes = (pose.rotations[joint] * turn).toRotationMatrix();
-    lump.radii = scale * radii;
-    lump.blend = scale * blend;
-    part->push_back(lump);
+    SdfPrimitive primitive;
+    primitive.start = at(joint, centre);
+    primitive.axes = (pose.rotations[joint] * turn).toRotationMatrix();
+    primitive.radii = scale * radii;
+    primitive.blend = scale * blend;
+    part->push_back(primitive);
   }
 
   /// At (left, level, forward); its height stretches with the trunk.
   void trunk_ellipsoid(const Vec3& place, const Vec3& radii, double blend) const {
-    Lump lump;
-    lump.start = trunk.at(place);
-    lump.radii = scale * Vec3(radii.x(), radii.y() * trunk.stretch(), radii.z());
-    lump.blend = scale * blend;
-    part->push_back(lump);
+    SdfPrimitive primitive;
+    primitive.start = trunk.at(place);
+    primitive.radii = scale * Vec3(radii.x(), radii.y() * trunk.stretch(), radii.z());
+    primitive.blend = scale * blend;
+    part->push_back(primitive);
   }
 
   /// World position of a point of the standard head, in the frame of its joint.
@@ -66,14 +66,14 @@ struct Sculptor {
 
   void cone(const Vec3& start, const Vec3& end, double start_radius, double end_radius,
             double blend) const {
-    Lump lump;
-    lump.shape = Lump::Shape::round_cone;
-    lump.start = start;
-    lump.end = end;
-    lump.start_radius = scale * start_radius;
-    lump.end_radius = scale * end_radius;
-    lump.blend = scale * blend;
-    part->push_back(lump);
+    SdfPrimitive primitive;
+    primitive.shape = SdfPrimitive::Shape::round_cone;
+    primitive.start = start;
+    primitive.end = end;
+    primitive.start_radius = scale * start_radius;
+    primitive.end_radius = scale * end_radius;
+    primitive.blend = scale * blend;
+    part->push_back(primitive);
   }
 };
 
@@ -129,16 +129,16 @@ void model_neck(const Sculptor& s) {
 /// A skull, a face before it, and what tells where it looks: brow, nose and chin.
 void model_head(const Sculptor& s) {
   const double size = s.head.size;
-  const auto lump = [&](const Vec3& centre, const Vec3& radii, double blend) {
+  const auto primitive = [&](const Vec3& centre, const Vec3& radii, double blend) {
     s.ellipsoid(motion::Head, s.head.raise / s.scale + centre * size, radii * size, blend);
   };
   const double jaw = mixed(0.92, 1.0, s.male);
-  lump({0, 0.082, -0.008}, {0.074, 0.088, 0.090}, 0.030);
-  lump({0, 0.024, 0.026}, {0.060 * jaw, 0.084, 0.062}, 0.050);
-  lump({0, 0.072, 0.060}, {0.046, 0.022, 0.026}, 0.040);
+  primitive({0, 0.082, -0.008}, {0.074, 0.088, 0.090}, 0.030);
+  primitive({0, 0.024, 0.026}, {0.060 * jaw, 0.084, 0.062}, 0.050);
+  primitive({0, 0.072, 0.060}, {0.046, 0.022, 0.026}, 0.040);
   s.cone(s.in_head({0, 0.062, 0.082}), s.in_head({0, 0.026, 0.098}), 0.008 * size, 0.012 * size,
          0.022);
-  lump({0, -0.040, 0.064}, {0.026 * jaw, 0.018, 0.020}, 0.040);
+  primitive({0, -0.040, 0.064}, {0.026 * jaw, 0.018, 0.020}, 0.040);
 }
 
 void model_hand(const Sculptor& s, BodyJoint wrist, double side) {

@@ -123,7 +123,7 @@ DotPath begun_at_random(const DotPath& path, const Vec3& step, std::uint64_t see
                         const std::string& name, std::size_t index) {
   const auto count = static_cast<double>(path.size());
   const int later = static_cast<int>(uniform(seed, name, index) * count);
-  return with_travel(begun_later(closed(without_travel(path, step)), later), step);
+  return with_travel(delayed(closed(without_travel(path, step)), later), step);
 }
 
 void change_timing(std::vector<Dot>& dots, const PointLightOptions& options, const DotStage& stage,
@@ -218,7 +218,7 @@ double mean_speed(const std::vector<Dot>& dots, const Vec3& step, const Vec3& de
 
 }  // namespace
 
-DotPath changed_way(DotPath way, const PointLightOptions& options, const DotStage& stage) {
+DotPath changed_path(DotPath way, const PointLightOptions& options, const DotStage& stage) {
   if (options.reversed) way = reversed(way);
   if (options.rotated_degrees != 0.0) way = rotated(way, stage.centre, options.rotated_degrees);
   if (options.mirrored) way = mirrored(way, stage.centre, stage.across);
@@ -226,7 +226,7 @@ DotPath changed_way(DotPath way, const PointLightOptions& options, const DotStag
 }
 
 Vec3 changed_step(const PointLightOptions& options, const DotStage& stage) {
-  const DotPath way = changed_way({Vec3::Zero(), stage.step}, options, stage);
+  const DotPath way = changed_path({Vec3::Zero(), stage.step}, options, stage);
   return way[1] - way[0];
 }
 

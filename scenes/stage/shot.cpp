@@ -141,7 +141,7 @@ Action dotted_action(const Shot& shot, const PointLightOptions& options, Action 
   for (const Actor& actor : shot.actors) {
     DotPath way;
     for (const motion::Pose& pose : actor.clip.poses) way.push_back(pose.root_position);
-    way = changed_way(way, options, dot_stage(shot, actor.clip, seed));
+    way = changed_path(way, options, dot_stage(shot, actor.clip, seed));
     for (std::size_t f = 0; f < action.points.size(); ++f) {
       const std::size_t shown = std::min(f, way.size() - 1);
       action.points[f].push_back(way[shown]);
@@ -201,7 +201,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   shot.set = look.set;
   shot.size = look.size;
   for (const Performance& one : near_origin(laid_out(performances, look.layout))) {
-    shot.actors.push_back(cast(one.clip, look.figure, one.role));
+    shot.actors.push_back(make_actor(one.clip, look.figure, one.role));
     shot.actors.back().name = one.name;
     shot.actors.back().opacity = one.opacity;
   }
@@ -228,7 +228,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
     shot.action = dotted_action(shot, *dots, std::move(shot.action), look.seed);
     shot.cameras = make_camera_rig(look.camera, shot.action, look.size);
   }
-  if (look.figure_place) stand_at(shot.cameras, *look.figure_place);
+  if (look.figure_place) place_figure_at(shot.cameras, *look.figure_place);
   for (render::Camera& camera : shot.cameras.cameras) camera.window = look.window;
   return shot;
 }

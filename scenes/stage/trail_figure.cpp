@@ -88,7 +88,7 @@ std::vector<Ghost> ghosts_at(const TrailOptions& options, int frame, int frame_c
   return ghosts;
 }
 
-int most_ghosts(const TrailOptions& options) {
+int max_ghosts(const TrailOptions& options) {
   return options.poses + options.before + options.after;
 }
 

@@ -30,7 +30,7 @@ void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
 void check_trail(const scenes::TrailOptions& trail, const std::string& path,
                  const std::vector<std::string>& joints, FaultList& list) {
   constexpr int most_poses = 29;  // figures of a picture, less the present pose and the traces
-  if (scenes::most_ghosts(trail) > most_poses) {
+  if (scenes::max_ghosts(trail) > most_poses) {
     list.add(path, "too many poses for one picture", "show at most 29 besides the present one");
   }
   std::vector<std::string> known = joints;

@@ -53,7 +53,7 @@ render::Texture picture(const CharacterFile& file, int image, render::TextureUse
 /// Reads each picture once for each use.
 struct Painter {
   const CharacterFile& file;
-  CharacterPaint paint;
+  CharacterMaterials paint;
   std::map<std::pair<int, render::TextureUse>, int> texture_of_image;
   bool has_unread = false;  ///< a texture of an extension's kind
 
@@ -115,7 +115,8 @@ bool is_see_through(const json& given) {
 
 }  // namespace
 
-CharacterPaint character_paint(const CharacterFile& file, std::vector<std::string>& warnings) {
+CharacterMaterials character_materials(const CharacterFile& file,
+                                       std::vector<std::string>& warnings) {
   Painter painter{file, {}, {}, false};
   painter.paint.materials.push_back({render::Color(0.6f, 0.6f, 0.6f), 0.03f, 0.5f});
   bool has_see_through = false;

@@ -1,4 +1,4 @@
-#include "scenes/mannequin/largest_piece.h"
+#include "scenes/mannequin/largest_component.h"
 
 #include <algorithm>
 #include <numeric>
@@ -25,7 +25,7 @@ struct Pieces {
 
 }  // namespace
 
-Surface largest_piece(Surface surface) {
+Surface largest_component(Surface surface) {
   const size_t count = surface.positions.size();
   Pieces pieces(count);
   for (const auto& [a, b, c] : surface.triangles) {
