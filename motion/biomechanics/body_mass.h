@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// Whose masses and centres of mass a body's segments have.
+/// The source of the masses and centres of mass of a body's segments.
 enum class MassModel {
   de_leva_male,    ///< de Leva 1996, adjusted Zatsiorsky–Seluyanov, men; default
   de_leva_female,  ///< the same, women

@@ -15,7 +15,7 @@ double snapped_frame_rate(double frames_per_second);
 /// it.
 double frame_rate_of_period(double seconds, std::string_view written);
 
-/// The same of one that is written with so many decimals; with none it tells no digits.
+/// As above for a period written with that many decimals; 0: its digits are unknown.
 double frame_rate_of_period(double seconds, int decimals);
 
 }  // namespace mien::motion

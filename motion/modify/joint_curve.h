@@ -18,7 +18,7 @@ Quat to_rotation(const Directions& directions, const Quat& previous);
 /// The direction vectors of one joint, frame by frame.
 std::vector<Directions> direction_curve(const Clip& clip, int joint);
 
-/// Puts a curve of direction vectors back as the rotations of one joint. The curve has as many
+/// Sets the rotations of one joint from a curve of direction vectors. The curve has as many
 /// entries as the clip has frames.
 void set_rotations(Clip& clip, int joint, const std::vector<Directions>& curve);
 

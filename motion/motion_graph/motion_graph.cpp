@@ -169,9 +169,9 @@ MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& 
   minima_options.threads = options.threads;
   find_plants(graph);
   std::vector<DistanceMinimum> minima = distance_minima(clouds, minima_options);
-  const FootStands stands = foot_stands(graph);
+  const FootContacts contacts = foot_contacts(graph);
   std::erase_if(minima, [&](const DistanceMinimum& m) {
-    return contact_change(stands, m, graph.window) > options.most_contact_change;
+    return contact_change(contacts, m, graph.window) > options.most_contact_change;
   });
   if (connect(graph, minima, options.threshold_m) == 0) refuse_unconnected(graph, minima);
   find_turns(graph);
@@ -179,12 +179,12 @@ MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& 
 }
 
 MotionGraph with_motions(MotionGraph graph, std::span<const Clip> clips) {
-  std::vector<MotionInStep> motions;
+  std::vector<SynchronisedMotion> motions;
   for (const Clip& clip : clips) motions.push_back({clip, {}});
   return with_motions(std::move(graph), motions);
 }
 
-MotionGraph with_motions(MotionGraph graph, std::span<const MotionInStep> motions) {
+MotionGraph with_motions(MotionGraph graph, std::span<const SynchronisedMotion> motions) {
   if (motions.size() != graph.clips.size()) {
     throw Error("a motion graph of " + std::to_string(graph.clips.size()) + " motions is given " +
                     std::to_string(motions.size()),

@@ -45,7 +45,7 @@ Clip repeated(const Clip& loop, int cycles);
 /// World positions of all joints, frame by frame.
 std::vector<std::vector<Vec3>> joint_paths(const Clip& clip);
 
-/// As a recording that the writers take: metres, joint names of the body.
+/// The clip as a recording for the file writers: metres, joint names of the body.
 Recording to_recording(const Clip& clip);
 
 }  // namespace mien::motion

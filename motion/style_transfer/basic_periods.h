@@ -34,7 +34,7 @@ struct PeriodMeasure {
   std::array<double, amplitude_classes> amplitudes = {};
 };
 
-/// Of every period of the clip.
+/// Measures every period of the clip.
 std::vector<PeriodMeasure> measured_periods(const Clip& clip, BodyJoint effector);
 
 PeriodMeasure mean_of(const std::vector<PeriodMeasure>& periods);

@@ -28,7 +28,7 @@ std::string printable(std::string_view text, LineEnds line_ends = LineEnds::esca
 std::string excerpt(std::string_view text, std::size_t most = most_quoted,
                     LineEnds line_ends = LineEnds::escaped);
 
-/// The same in double quotes.
+/// The excerpt in double quotes.
 std::string in_quotes(std::string_view text);
 
 /// The first of many names, and how many more there are: "a, b, c and 9 more".

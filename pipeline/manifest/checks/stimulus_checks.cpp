@@ -156,7 +156,7 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
   const ClipSource& clip = *stimulus.clip;
   if (!clip.file.empty()) {
     list.check_file(file, clip.file, "a motion file (.bvh, .amc, .gltf, .glb)",
-                    motion::most_of_recording);
+                    motion::max_recording_bytes);
     if (!motion::is_motion_file(clip.file)) {
       list.add(file,
                motion::in_quotes(clip.file.extension().string()) + " is no kind of motion file",

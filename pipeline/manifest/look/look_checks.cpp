@@ -44,8 +44,8 @@ void check_character(const scenes::CharacterOptions& character, const std::strin
                      FaultList& list, SeenFiles& characters) {
   if (characters.contains(character.file)) return;
   list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)",
-                  motion::most_of_recording);
-  if (!motion::hindrance_of(character.file, motion::most_of_recording).empty()) return;
+                  motion::max_recording_bytes);
+  if (!motion::read_error(character.file, motion::max_recording_bytes).empty()) return;
   try {
     scenes::read_character(character.file);
     characters.insert(character.file);

@@ -1,4 +1,4 @@
-#include "motion/biomechanics/body_capsules.h"
+#include "motion/biomechanics/collision_shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ Vec3 end_of(const Skeleton& body, const JointTransforms& world, BodyJoint joint,
 }
 
 void add_side(const Skeleton& body, const JointTransforms& world, bool left, double scale,
-              std::vector<Capsule>& parts) {
+              std::vector<RoundCone>& parts) {
   const auto on_side = [left](BodyJoint joint) { return left ? joint : mirrored(joint); };
   const auto bone = [&](BodyJoint from, BodyJoint to, Thickness thick) {
     parts.push_back({world.positions[on_side(from)], world.positions[on_side(to)],
@@ -40,14 +40,14 @@ void add_side(const Skeleton& body, const JointTransforms& world, bool left, dou
 }
 
 /// A slice of the trunk: wider than deep, so it lies across it.
-Capsule across(const Vec3& centre, const Quat& turn, double half_width, double half_depth) {
+RoundCone across(const Vec3& centre, const Quat& turn, double half_width, double half_depth) {
   const Vec3 side = turn * Vec3(std::max(half_width - half_depth, 0.0), 0, 0);
   return {centre - side, centre + side, half_depth, half_depth};
 }
 
 /// Chest, abdomen and pelvis, as wide as the performer's shoulders and hips tell.
 void add_trunk(const Skeleton& body, const JointTransforms& world, double scale,
-               std::vector<Capsule>& parts) {
+               std::vector<RoundCone>& parts) {
   const auto& at = world.positions;
   const auto breadth = [&](BodyJoint joint) { return std::abs(body.joints[joint].offset.x()); };
   const double shoulders = breadth(LeftClavicle) + breadth(LeftShoulder);
@@ -86,8 +86,8 @@ int joints_between(BodyJoint a, BodyJoint b) {
 
 }  // namespace
 
-const std::vector<BodyPart>& body_parts() {
-  static const std::vector<BodyPart> parts = {
+const std::vector<CollisionPart>& collision_parts() {
+  static const std::vector<CollisionPart> parts = {
       {"head", Head},
       {"neck", Neck},
       {"chest", Chest},
@@ -109,10 +109,10 @@ const std::vector<BodyPart>& body_parts() {
   return parts;
 }
 
-std::vector<Capsule> body_capsules(const Skeleton& body, const JointTransforms& world) {
+std::vector<RoundCone> collision_shapes(const Skeleton& body, const JointTransforms& world) {
   const double scale = relative_stature(body);
   const auto& at = world.positions;
-  std::vector<Capsule> parts;
+  std::vector<RoundCone> parts;
   parts.push_back({end_of(body, world, Head, 0.25), end_of(body, world, Head, 0.5), 0.09 * scale,
                    0.09 * scale});
   parts.push_back({at[Neck], at[Head], 0.06 * scale, 0.055 * scale});
@@ -122,7 +122,7 @@ std::vector<Capsule> body_capsules(const Skeleton& body, const JointTransforms& 
   return parts;
 }
 
-double depth(const Capsule& a, const Capsule& b) {
+double penetration_depth(const RoundCone& a, const RoundCone& b) {
   // Closest points of two segments (Ericson 2005, Real-Time Collision Detection, 5.1.9).
   const Vec3 u = a.to - a.from;
   const Vec3 v = b.to - b.from;
@@ -144,16 +144,16 @@ double depth(const Capsule& a, const Capsule& b) {
          t * (b.to_radius - b.from_radius) - distance;
 }
 
-std::vector<PartPair> separate_parts(const Skeleton& body) {
-  const std::vector<BodyPart>& parts = body_parts();
-  const std::vector<Capsule> easy = body_capsules(body, world_transforms(body, at_ease()));
-  std::vector<PartPair> pairs;
+std::vector<CollisionPair> collision_pairs(const Skeleton& body) {
+  const std::vector<CollisionPart>& parts = collision_parts();
+  const std::vector<RoundCone> easy = collision_shapes(body, world_transforms(body, at_ease()));
+  std::vector<CollisionPair> pairs;
   for (int a = 0; a < static_cast<int>(parts.size()); ++a) {
     for (int b = a + 1; b < static_cast<int>(parts.size()); ++b) {
       const bool in_trunk = b < trunk_parts;
       const bool joined = joints_between(parts[a].joint, parts[b].joint) <= 1;
       if (in_trunk || joined) continue;
-      pairs.push_back({a, b, std::max(0.0, depth(easy[a], easy[b]))});
+      pairs.push_back({a, b, std::max(0.0, penetration_depth(easy[a], easy[b]))});
     }
   }
   return pairs;

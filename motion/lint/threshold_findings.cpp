@@ -1,4 +1,4 @@
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 
 #include <algorithm>
 #include <cctype>
@@ -36,8 +36,8 @@ double worst_of(std::span<const double> values, int first, int last) {
 
 }  // namespace
 
-Finding graded(std::string_view check, double measured, const std::string& unit,
-               const Levels& levels) {
+Finding graded_finding(std::string_view check, double measured, const std::string& unit,
+                       const Levels& levels) {
   const bool is_error = measured > levels.error;
   Finding finding;
   finding.check = check;
@@ -66,8 +66,8 @@ void add_finding(std::vector<Finding>& findings, const LintSubject& subject, Fin
   findings.push_back(std::move(finding));
 }
 
-void add_stretches(std::vector<Finding>& findings, const LintSubject& subject,
-                   const MeasuredFault& fault, std::span<const double> values) {
+void add_threshold_findings(std::vector<Finding>& findings, const LintSubject& subject,
+                            const MeasuredFault& fault, std::span<const double> values) {
   const int count = static_cast<int>(values.size());
   const int bridged = static_cast<int>(std::lround(bridged_seconds * subject.rate()));
   const int shortest =
@@ -97,7 +97,7 @@ void add_stretches(std::vector<Finding>& findings, const LintSubject& subject,
   }
 }
 
-Levels raised(const Levels& levels, std::span<const double> of_original) {
+Levels raised_levels(const Levels& levels, std::span<const double> of_original) {
   double most = levels.warning;
   for (const double value : of_original) {
     if (value > most) most = value;
@@ -111,7 +111,7 @@ std::string rounded(double value, int decimals) {
   return text.str();
 }
 
-std::string spoken(std::string_view joint_name) {
+std::string display_name(std::string_view joint_name) {
   bool is_of_body = false;
   for (int j = 0; j < body_joint_count; ++j) is_of_body |= name_of(BodyJoint(j)) == joint_name;
   if (!is_of_body) return std::string(joint_name);

@@ -1,4 +1,4 @@
-#include "motion/rig/named_gaps.h"
+#include "motion/rig/joints_by_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +34,7 @@ struct GappedLimb {
     return from < 0 || to < 0 ? 0 : path_down(rig(), from, to).size();
   }
 
-  /// Of the joints strictly between two slots: the one that parts the way best.
+  /// The joint strictly between two slots that divides the chain best.
   int between(size_t upper, size_t slot, size_t lower) const {
     std::vector<int> way = path_down(rig(), at(upper), at(lower));
     if (way.size() < 2) return -1;
@@ -56,7 +56,7 @@ struct GappedLimb {
     return best;
   }
 
-  /// So many joints above a known slot, on this limb alone.
+  /// The joint above a known slot by as many joints as on the other side, on this limb alone.
   int above(size_t slot, size_t lower) const {
     size_t steps = steps_on_other_side(slot, lower);
     if (steps == 0) steps = lower - slot;
@@ -96,7 +96,7 @@ struct GappedLimb {
     return joint;
   }
 
-  int told_by_shape(size_t slot) const {
+  int found_by_shape(size_t slot) const {
     size_t lower = slot + 1;
     while (lower < slots.size() && at(lower) < 0) ++lower;
     const bool ends_here = lower == slots.size();
@@ -108,7 +108,7 @@ struct GappedLimb {
   void fill(std::vector<int>& by_shape) {
     for (size_t slot = 0; slot < slots.size(); ++slot) {
       if (at(slot) >= 0) continue;
-      const int joint = told_by_shape(slot);
+      const int joint = found_by_shape(slot);
       if (joint < 0) continue;
       limbs.*slots[slot] = joint;
       by_shape.push_back(joint);
@@ -125,14 +125,14 @@ int way_up(const BoneTree& tree, const KeyJoints& keys) {
   int best = -1;
   for (const int child : tree.children[keys.chest]) {
     const JointWord word = joint_word(tree.rig.joints[child].name);
-    const BodyPart part = body_part_of(word);
+    const BodyRegion part = body_region_of(word);
     const bool is_limb = is_at_or_above(tree.rig, child, keys.left.upper_arm) ||
                          is_at_or_above(tree.rig, child, keys.right.upper_arm) ||
                          is_at_or_above(tree.rig, child, keys.left.thigh) ||
                          is_at_or_above(tree.rig, child, keys.right.thigh) ||
-                         part == BodyPart::arm || part == BodyPart::leg;
+                         part == BodyRegion::arm || part == BodyRegion::leg;
     if (is_limb || word.side != JointWord::Side::middle) continue;
-    if (part == BodyPart::head) return child;
+    if (part == BodyRegion::head) return child;
     if (best < 0 || tree.length_through(child) > tree.length_through(best)) best = child;
   }
   return best;

@@ -6,7 +6,7 @@
 
 #include "motion/biomechanics/subject.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 #include "motion/math/filter.h"
 #include "motion/math/percentile.h"
 
@@ -97,18 +97,19 @@ std::optional<double> correlation(const std::vector<Vec3>& way, const std::vecto
 }
 
 /// The shift in frames, later being positive, at which the limb is most like its model.
-struct Likeness {
+struct ShiftedCorrelation {
   int shift = 0;
   double correlation = 0.0;
 };
 
 /// Empty where the limb or its model hardly moves.
-std::optional<Likeness> likeness(const std::vector<Vec3>& way, const std::vector<Vec3>& model,
-                                 const Window& window, double rate) {
+std::optional<ShiftedCorrelation> best_correlation(const std::vector<Vec3>& way,
+                                                   const std::vector<Vec3>& model,
+                                                   const Window& window, double rate) {
   const auto unshifted = correlation(way, model, window, 0);
   if (!unshifted) return std::nullopt;
   const int farthest = static_cast<int>(std::lround(farthest_seconds * rate));
-  Likeness best = {0, *unshifted};
+  ShiftedCorrelation best = {0, *unshifted};
   // Outward from no shift at all, so that the nearest of equal shifts of a periodic motion wins.
   for (int distance = 1; distance <= farthest; ++distance) {
     for (const int shift : {distance, -distance}) {
@@ -121,7 +122,7 @@ std::optional<Likeness> likeness(const std::vector<Vec3>& way, const std::vector
 }
 
 /// What most limbs share is no fault of one: the whole motion may be timed anew.
-double common_shift(const std::vector<std::optional<Likeness>>& limbs) {
+double common_shift(const std::vector<std::optional<ShiftedCorrelation>>& limbs) {
   std::vector<double> shifts;
   for (const auto& limb : limbs) {
     if (limb && limb->correlation > least_correlation) shifts.push_back(limb->shift);
@@ -131,8 +132,8 @@ double common_shift(const std::vector<std::optional<Likeness>>& limbs) {
 
 /// Values a frame of one limb: 0 where nothing is wrong.
 struct LimbFaults {
-  std::vector<double> shift;       ///< seconds
-  std::vector<double> unlikeness;  ///< 1 − correlation
+  std::vector<double> shift;          ///< seconds
+  std::vector<double> dissimilarity;  ///< 1 − correlation
 };
 
 void take_greater(std::vector<double>& values, const Window& window, double value) {
@@ -150,14 +151,14 @@ std::vector<LimbFaults> limb_faults(const LintSubject& subject, const LintSubjec
   const std::vector<double> none(subject.world.size(), 0.0);
   std::vector<LimbFaults> faults(limb_ends.size(), {none, none});
   for (const Window& window : windows(subject)) {
-    std::vector<std::optional<Likeness>> limbs;
+    std::vector<std::optional<ShiftedCorrelation>> limbs;
     for (size_t i = 0; i < limb_ends.size(); ++i) {
-      limbs.push_back(likeness(ways[i], models[i], window, subject.rate()));
+      limbs.push_back(best_correlation(ways[i], models[i], window, subject.rate()));
     }
     const double common = common_shift(limbs);
     for (size_t i = 0; i < limb_ends.size(); ++i) {
       if (!limbs[i]) continue;
-      take_greater(faults[i].unlikeness, window, 1.0 - limbs[i]->correlation);
+      take_greater(faults[i].dissimilarity, window, 1.0 - limbs[i]->correlation);
       if (limbs[i]->correlation < least_correlation) continue;
       const double shift = std::abs(limbs[i]->shift - common) * seconds;
       take_greater(faults[i].shift, window, shift);
@@ -196,18 +197,19 @@ Findings find_shifted_limbs(const LintSubject& subject, const LintOptions& optio
   for (size_t i = 0; i < limb_ends.size(); ++i) {
     const std::string name(name_of(BodyJoint(limb_ends[i])));
     const auto shifted = [&](double worst) {
-      return "The " + spoken(name) + " moves " + rounded(worst, 2) +
+      return "The " + display_name(name) + " moves " + rounded(worst, 2) +
              " s earlier or later than in the original, against the other limbs.";
     };
     const auto unlike = [&](double worst) {
-      return "The " + spoken(name) + " no longer moves as in the original: correlation " +
+      return "The " + display_name(name) + " no longer moves as in the original: correlation " +
              rounded(1.0 - worst, 2) + " at best.";
     };
-    add_stretches(findings, subject,
-                  {"limb-phase", name, "s", options.phase_shift_seconds, 0, 1, shifted},
-                  faults[i].shift);
-    add_stretches(findings, subject, {"limb-phase", name, "", options.unlikeness, 0, 1, unlike},
-                  faults[i].unlikeness);
+    add_threshold_findings(findings, subject,
+                           {"limb-phase", name, "s", options.phase_shift_seconds, 0, 1, shifted},
+                           faults[i].shift);
+    add_threshold_findings(findings, subject,
+                           {"limb-phase", name, "", options.dissimilarity, 0, 1, unlike},
+                           faults[i].dissimilarity);
   }
   return findings;
 }
@@ -221,11 +223,11 @@ Findings find_jerks(const LintSubject& subject, const LintOptions& options,
     for (double& value : ratios) value /= usual;
     const std::string name(name_of(BodyJoint(joint)));
     const auto sentence = [&](double worst) {
-      return "The " + spoken(name) + " moves " + rounded(worst, 1) +
+      return "The " + display_name(name) + " moves " + rounded(worst, 1) +
              " times as jerkily as in the original.";
     };
-    add_stretches(findings, subject, {"jerk", name, "", options.jerk_ratio, 0, 2, sentence},
-                  ratios);
+    add_threshold_findings(findings, subject,
+                           {"jerk", name, "", options.jerk_ratio, 0, 2, sentence}, ratios);
   }
   return findings;
 }

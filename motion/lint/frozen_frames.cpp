@@ -2,7 +2,7 @@
 #include <array>
 
 #include "motion/lint/checks.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 #include "motion/math/rotation.h"
 
 namespace mien::motion {
@@ -64,12 +64,12 @@ Findings find_frozen(const LintSubject& subject, const LintSubject* original) {
   Levels levels = take_limits.frozen_seconds;
   if (original) {
     const double by_original = longest_frozen(*original) / pace(*original, subject);
-    levels = raised(levels, std::array{by_original});
+    levels = raised_levels(levels, std::array{by_original});
   }
   for (const FrozenFrames& frames : frozen_frames(subject)) {
     const double seconds = seconds_of(frames, subject);
     if (!(seconds > levels.warning)) continue;
-    Finding finding = graded("frozen", seconds, "s", levels);
+    Finding finding = graded_finding("frozen", seconds, "s", levels);
     finding.first = frames.first;
     finding.last = frames.last;
     finding.sentence = "Nothing moves for " + rounded(seconds, 2) + " s: the recording is frozen.";

@@ -5,11 +5,11 @@
 
 namespace mien::motion {
 
-/// Fills in those joints of both arms and legs that no name told (−1), from the shape of the rig
-/// round those that names did: as many joints on as on the other side where that is known, else the
-/// joint between two known ones that parts them best, the joint above, or the longest way on. An
-/// end (wrist, ankle, toe) has to lie where a human's would; a twist joint is none. Adds what it
-/// finds to `by_shape`. What the shape does not tell stays −1.
+/// Finds those joints of both arms and legs that names did not identify (−1), from the shape of the
+/// rig around the identified ones: as many joints on as on the other side where that is known, else
+/// the joint between two known ones that parts them best, the joint above, or the longest way on.
+/// An end (wrist, ankle, toe) has to lie where a human's would; a twist joint is none. Adds what it
+/// finds to `by_shape`. Joints that cannot be found stay −1.
 void fill_limbs_by_shape(const BoneTree& tree, KeyJoints& keys);
 
 /// Finds the head by shape: the end of the longest way up from the chest between the arms, before

@@ -1,4 +1,4 @@
-#include "motion/biomechanics/body_capsules.h"
+#include "motion/biomechanics/collision_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 using namespace mien::test;
 
-double sampled_distance(const Capsule& a, const Capsule& b) {
+double sampled_distance(const RoundCone& a, const RoundCone& b) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= 200; ++i) {
     for (int k = 0; k <= 200; ++k) {
@@ -21,37 +21,39 @@ double sampled_distance(const Capsule& a, const Capsule& b) {
   return least;
 }
 
-TEST(Capsules, DepthIsWhatRadiiOverlap) {
+TEST(CollisionShapes, DepthIsWhatRadiiOverlap) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> place(-1.0, 1.0);
   const auto point = [&] { return Vec3(place(random), place(random), place(random)); };
   for (int i = 0; i < 40; ++i) {
-    const Capsule a = {point(), point(), 0.1, 0.1};
-    const Capsule b = {point(), point(), 0.2, 0.2};
-    EXPECT_NEAR(depth(a, b), 0.3 - sampled_distance(a, b), 2e-2 * (a.to - a.from).norm());
-    EXPECT_NEAR(depth(a, b), depth(b, a), 1e-9);
+    const RoundCone a = {point(), point(), 0.1, 0.1};
+    const RoundCone b = {point(), point(), 0.2, 0.2};
+    EXPECT_NEAR(penetration_depth(a, b), 0.3 - sampled_distance(a, b),
+                2e-2 * (a.to - a.from).norm());
+    EXPECT_NEAR(penetration_depth(a, b), penetration_depth(b, a), 1e-9);
   }
 }
 
-TEST(Capsules, DepthOfPointsAndParallelsIsKnown) {
-  const Capsule point = {Vec3(0, 0, 0), Vec3(0, 0, 0), 0.5, 0.5};
-  const Capsule bar = {Vec3(-1, 0.7, 0), Vec3(1, 0.7, 0), 0.4, 0.4};
-  EXPECT_NEAR(depth(point, bar), 0.2, 1e-12);
-  EXPECT_NEAR(depth(bar, point), 0.2, 1e-12);
-  const Capsule beside = {Vec3(-1, 0.0, 0), Vec3(1, 0.0, 0), 0.1, 0.1};
-  EXPECT_NEAR(depth(bar, beside), -0.2, 1e-12);
+TEST(CollisionShapes, DepthOfPointsAndParallelsIsKnown) {
+  const RoundCone point = {Vec3(0, 0, 0), Vec3(0, 0, 0), 0.5, 0.5};
+  const RoundCone bar = {Vec3(-1, 0.7, 0), Vec3(1, 0.7, 0), 0.4, 0.4};
+  EXPECT_NEAR(penetration_depth(point, bar), 0.2, 1e-12);
+  EXPECT_NEAR(penetration_depth(bar, point), 0.2, 1e-12);
+  const RoundCone beside = {Vec3(-1, 0.0, 0), Vec3(1, 0.0, 0), 0.1, 0.1};
+  EXPECT_NEAR(penetration_depth(bar, beside), -0.2, 1e-12);
   // A cone is thicker where its thick end is.
-  const Capsule cone = {Vec3(0, 1, 0), Vec3(0, 3, 0), 0.3, 0.1};
-  EXPECT_NEAR(depth(cone, point), -0.2, 1e-12);
+  const RoundCone cone = {Vec3(0, 1, 0), Vec3(0, 3, 0), 0.3, 0.1};
+  EXPECT_NEAR(penetration_depth(cone, point), -0.2, 1e-12);
 }
 
-TEST(Capsules, OfJoinedPartsAreNotCompared) {
-  for (const PartPair& pair : separate_parts(standard_body())) {
-    const BodyJoint a = body_parts()[pair.a].joint;
-    const BodyJoint b = body_parts()[pair.b].joint;
+TEST(CollisionShapes, OfJoinedPartsAreNotCompared) {
+  for (const CollisionPair& pair : collision_pairs(standard_body())) {
+    const BodyJoint a = collision_parts()[pair.a].joint;
+    const BodyJoint b = collision_parts()[pair.b].joint;
     EXPECT_NE(body_parents[a], b);
     EXPECT_NE(body_parents[b], a);
-    EXPECT_LT(pair.allowed, 0.06) << body_parts()[pair.a].name << " " << body_parts()[pair.b].name;
+    EXPECT_LT(pair.allowed, 0.06) << collision_parts()[pair.a].name << " "
+                                  << collision_parts()[pair.b].name;
   }
 }
 

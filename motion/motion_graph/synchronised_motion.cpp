@@ -19,8 +19,8 @@ void check_keytimes(std::span<const double> keytimes, const Clip& clip) {
 
 }  // namespace
 
-MotionInStep in_step(const Clip& version, std::span<const double> version_keytimes,
-                     const Clip& reference, std::span<const double> reference_keytimes) {
+SynchronisedMotion synchronised(const Clip& version, std::span<const double> version_keytimes,
+                                const Clip& reference, std::span<const double> reference_keytimes) {
   check_keytimes(version_keytimes, version);
   check_keytimes(reference_keytimes, reference);
   if (version_keytimes.size() != reference_keytimes.size()) {
@@ -30,7 +30,7 @@ MotionInStep in_step(const Clip& version, std::span<const double> version_keytim
   }
   const TimeWarp warp =
       make_time_warp(reference_keytimes, version_keytimes, WarpShape::monotone, false);
-  MotionInStep motion;
+  SynchronisedMotion motion;
   motion.clip = version;
   motion.clip.frames_per_second = reference.frames_per_second;
   motion.clip.loops = false;

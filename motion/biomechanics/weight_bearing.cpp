@@ -1,4 +1,4 @@
-#include "motion/biomechanics/bearing.h"
+#include "motion/biomechanics/weight_bearing.h"
 
 #include <algorithm>
 #include <array>
@@ -69,13 +69,13 @@ std::vector<double> floor_speeds(const LintSubject& subject, bool left) {
         derivative(low_pass(path, cutoff, subject.rate()), subject.rate());
     for (size_t t = 0; t < path.size(); ++t) {
       if (heights[t] - rest > near_metres * subject.scale) continue;
-      stillest[t] = std::min(stillest[t], level(velocity[t]).norm());
+      stillest[t] = std::min(stillest[t], horizontal(velocity[t]).norm());
     }
   }
   return stillest;
 }
 
-void add_planted(const LintSubject& subject, Bearing& bearing) {
+void add_planted(const LintSubject& subject, WeightBearing& bearing) {
   for (const FootPlant& plant : foot_plants(subject.clip)) {
     std::vector<bool>& foot = plant.left ? bearing.left : bearing.right;
     const int last = std::min(plant.last, subject.frame_count() - 1);
@@ -84,12 +84,12 @@ void add_planted(const LintSubject& subject, Bearing& bearing) {
 }
 
 /// Where neither foot is planted, the stiller one bears, or both.
-void add_sliding(const LintSubject& subject, Bearing& bearing) {
+void add_sliding(const LintSubject& subject, WeightBearing& bearing) {
   const std::vector<double> left = floor_speeds(subject, true);
   const std::vector<double> right = floor_speeds(subject, false);
   for (int t = 0; t < subject.frame_count(); ++t) {
     const double still = std::min(left[t], right[t]);
-    if (!bearing.hangs(t) || still == none) continue;
+    if (!bearing.is_unsupported(t) || still == none) continue;
     bearing.left[t] = left[t] <= still + alike_speed;
     bearing.right[t] = right[t] <= still + alike_speed;
   }
@@ -109,7 +109,7 @@ void add_stretches(const std::vector<bool>& bears, bool left, double rate,
 
 }  // namespace
 
-std::vector<BodyJoint> other_rests(const LintSubject& subject, int frame) {
+std::vector<BodyJoint> other_contacts(const LintSubject& subject, int frame) {
   std::vector<BodyJoint> found;
   for (const Rest& rest : rests) {
     const double height = subject.world[frame].positions[rest.joint].y();
@@ -118,14 +118,14 @@ std::vector<BodyJoint> other_rests(const LintSubject& subject, int frame) {
   return found;
 }
 
-Bearing bearing_of(const LintSubject& subject) {
+WeightBearing weight_bearing_of(const LintSubject& subject) {
   const auto count = subject.world.size();
-  Bearing bearing;
+  WeightBearing bearing;
   bearing.left.assign(count, false);
   bearing.right.assign(count, false);
   bearing.planted.assign(count, false);
   for (int t = 0; t < subject.frame_count(); ++t) {
-    bearing.elsewhere.push_back(!other_rests(subject, t).empty());
+    bearing.elsewhere.push_back(!other_contacts(subject, t).empty());
   }
   bearing.falls = falling(subject);
   add_planted(subject, bearing);
@@ -133,7 +133,7 @@ Bearing bearing_of(const LintSubject& subject) {
   return bearing;
 }
 
-std::vector<FootPlant> bearing_feet(const Bearing& bearing, double frames_per_second) {
+std::vector<FootPlant> weight_bearing_feet(const WeightBearing& bearing, double frames_per_second) {
   std::vector<FootPlant> stretches;
   add_stretches(bearing.left, true, frames_per_second, stretches);
   add_stretches(bearing.right, false, frames_per_second, stretches);

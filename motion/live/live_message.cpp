@@ -1,4 +1,4 @@
-#include "motion/live/live_answer.h"
+#include "motion/live/live_message.h"
 
 #include "motion/live/bytes.h"
 
@@ -41,7 +41,7 @@ void add_head(ByteWriter& bytes, const LiveMotion& live) {
 
 }  // namespace
 
-std::string to_answer(const LiveMotion& live) {
+std::string to_message(const LiveMotion& live) {
   const Clip& clip = live.motion.clip;
   ByteWriter bytes;
   add_head(bytes, live);
@@ -56,7 +56,7 @@ std::string to_answer(const LiveMotion& live) {
   return bytes.bytes() + standing_feet(live);
 }
 
-std::string to_answer(const Distance& distance) {
+std::string to_message(const Distance& distance) {
   ByteWriter bytes;
   add_label(bytes, "DIST");
   bytes.whole(0);

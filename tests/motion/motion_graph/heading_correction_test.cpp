@@ -1,4 +1,4 @@
-#include "motion/motion_graph/spread_heading.h"
+#include "motion/motion_graph/heading_correction.h"
 
 #include <array>
 
@@ -19,10 +19,10 @@ WalkHeadings facing_on(double radians) {
   return headings;
 }
 
-TEST(SpreadHeading, AddsWhatIsMissingSmoothlyAndKeepsIt) {
-  const std::array<HeadingWish, 2> wishes = {HeadingWish{4.0, 10.0 * degree, 0.5, 0},
-                                             HeadingWish{8.0, 10.0 * degree, 0.5, 1}};
-  const SpreadHeading spread = spread_heading(facing_on(0.0), wishes);
+TEST(HeadingCorrection, AddsWhatIsMissingSmoothlyAndKeepsIt) {
+  const std::array<HeadingGoal, 2> goals = {HeadingGoal{4.0, 10.0 * degree, 0.5, 0},
+                                            HeadingGoal{8.0, 10.0 * degree, 0.5, 1}};
+  const HeadingCorrection spread = correct_headings(facing_on(0.0), goals);
   EXPECT_NEAR(spread.added.front(), 0.0, 1e-12);
   EXPECT_NEAR(spread.added[115], 10.0 * degree, 1e-9);
   EXPECT_NEAR(spread.added.back(), 10.0 * degree, 1e-9);
@@ -32,22 +32,22 @@ TEST(SpreadHeading, AddsWhatIsMissingSmoothlyAndKeepsIt) {
   EXPECT_NEAR(spread.missing[1], 0.0, 1e-12);
 }
 
-TEST(SpreadHeading, TellsWhatIsTooMuch) {
-  const std::array<HeadingWish, 1> wish = {HeadingWish{9.0, 90.0 * degree, 0.5, 0}};
-  const SpreadHeading spread = spread_heading(facing_on(0.0), wish);
+TEST(HeadingCorrection, TellsWhatIsTooMuch) {
+  const std::array<HeadingGoal, 1> goal = {HeadingGoal{9.0, 90.0 * degree, 0.5, 0}};
+  const HeadingCorrection spread = correct_headings(facing_on(0.0), goal);
   EXPECT_NEAR(spread.added.back(), 25.0 * degree, 1e-9);
   EXPECT_NEAR(spread.missing[0], 65.0 * degree, 1e-9);
 }
 
-TEST(SpreadHeading, TurnsNoFasterThanFeetFollow) {
-  const std::array<HeadingWish, 1> wish = {HeadingWish{1.0, -20.0 * degree, 0.2, 0}};
-  const SpreadHeading spread = spread_heading(facing_on(0.0), wish);
+TEST(HeadingCorrection, TurnsNoFasterThanFeetFollow) {
+  const std::array<HeadingGoal, 1> goal = {HeadingGoal{1.0, -20.0 * degree, 0.2, 0}};
+  const HeadingCorrection spread = correct_headings(facing_on(0.0), goal);
   EXPECT_NEAR(spread.added.back(), -12.0 * 0.8 * degree, 1e-9);
 }
 
-TEST(SpreadHeading, GoesTheShorterWay) {
-  const std::array<HeadingWish, 1> wish = {HeadingWish{8.0, 175.0 * degree, 0.5, 0}};
-  const SpreadHeading spread = spread_heading(facing_on(-175.0 * degree), wish);
+TEST(HeadingCorrection, GoesTheShorterWay) {
+  const std::array<HeadingGoal, 1> goal = {HeadingGoal{8.0, 175.0 * degree, 0.5, 0}};
+  const HeadingCorrection spread = correct_headings(facing_on(-175.0 * degree), goal);
   EXPECT_NEAR(spread.added.back(), -10.0 * degree, 1e-9);
 }
 

@@ -1,4 +1,4 @@
-#include "motion/lint/slip.h"
+#include "motion/lint/planted_slip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@ constexpr double flat_metres = 0.01;
 Vec3 slide(const SolePoints& from, const SolePoints& to) {
   const double heel = 0.5 * (from.heel.y() + to.heel.y());
   const double ball = 0.5 * (from.ball.y() + to.ball.y());
-  const Vec3 of_heel = level(to.heel - from.heel);
-  const Vec3 of_ball = level(to.ball - from.ball);
+  const Vec3 of_heel = horizontal(to.heel - from.heel);
+  const Vec3 of_ball = horizontal(to.ball - from.ball);
   if (heel < ball - flat_metres) return of_heel;
   if (ball < heel - flat_metres) return of_ball;
   return of_heel.norm() < of_ball.norm() ? of_heel : of_ball;
