@@ -48,7 +48,7 @@ struct Measure {
   std::array<float, 256> linear{};
 };
 
-/// What a viewer makes of a tile of one picture.
+/// Perceptual features of a tile of one picture.
 struct Percept {
   Plane l, a, b, edge, point;
 
@@ -123,7 +123,7 @@ class TilePercepts {
 
   int width() const { return width_; }
 
-  /// Of the picture's pixels from (x, y) on.
+  /// Computes the features of the tile of the picture that begins at (x, y).
   void look(const Image8& picture, int x, int y, Percept& percept) {
     load(picture, x, y);
     filter_rows();

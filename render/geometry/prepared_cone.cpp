@@ -17,27 +17,27 @@ PreparedCone prepared_cone(const Sphere& sphere) {
   return cone;
 }
 
-PreparedCone prepared_cone(const RoundCone& capsule) {
-  const Vec3 axis = capsule.end - capsule.start;
-  const float slope = capsule.start_radius - capsule.end_radius;
+PreparedCone prepared_cone(const RoundCone& round_cone) {
+  const Vec3 axis = round_cone.end - round_cone.start;
+  const float slope = round_cone.start_radius - round_cone.end_radius;
   const float side_squared = axis.squaredNorm() - slope * slope;
   // Only a side that is long against the rounding of the axis is a side at all.
   if (side_squared <= 1e-6f * axis.squaredNorm()) {
-    return slope >= 0.0f ? prepared_cone(Sphere{capsule.start, capsule.start_radius,
-                                                capsule.material, capsule.part})
-                         : prepared_cone(Sphere{capsule.end, capsule.end_radius, capsule.material,
-                                                capsule.part});
+    return slope >= 0.0f ? prepared_cone(Sphere{round_cone.start, round_cone.start_radius,
+                                                round_cone.material, round_cone.part})
+                         : prepared_cone(Sphere{round_cone.end, round_cone.end_radius,
+                                                round_cone.material, round_cone.part});
   }
   PreparedCone cone;
-  cone.a = capsule.start;
+  cone.a = round_cone.start;
   cone.axis = axis;
-  cone.radius_a = capsule.start_radius;
-  cone.radius_b = capsule.end_radius;
+  cone.radius_a = round_cone.start_radius;
+  cone.radius_b = round_cone.end_radius;
   cone.axis_squared = axis.squaredNorm();
   cone.slope = slope;
   cone.side_squared = side_squared;
-  cone.material = capsule.material;
-  cone.part = capsule.part;
+  cone.material = round_cone.material;
+  cone.part = round_cone.part;
   return cone;
 }
 
@@ -45,7 +45,7 @@ std::vector<PreparedCone> prepared_cones(const Solids& solids) {
   std::vector<PreparedCone> cones;
   cones.reserve(solids.spheres.size() + solids.round_cones.size());
   for (const Sphere& sphere : solids.spheres) cones.push_back(prepared_cone(sphere));
-  for (const RoundCone& capsule : solids.round_cones) cones.push_back(prepared_cone(capsule));
+  for (const RoundCone& round_cone : solids.round_cones) cones.push_back(prepared_cone(round_cone));
   return cones;
 }
 

@@ -23,7 +23,7 @@ struct PreparedCone {
 };
 
 PreparedCone prepared_cone(const Sphere& sphere);
-PreparedCone prepared_cone(const RoundCone& capsule);
+PreparedCone prepared_cone(const RoundCone& round_cone);
 
 /// All spheres, then all round cones.
 std::vector<PreparedCone> prepared_cones(const Solids& solids);

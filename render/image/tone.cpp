@@ -149,7 +149,7 @@ void NearestTable::codes(const float* light, int count, std::uint8_t* codes) con
   look_up(words_.data(), lowest_, light, count, codes);
 }
 
-/// Of a picture's pixel.
+/// Position of a pixel.
 struct Place {
   int x;
   int y;

@@ -24,7 +24,7 @@ struct FloorRow {
   float height = 1.0f;
   float drop = 1.0f;
   float drop_step = 0.0f;
-  float centre = 0.0f;  ///< film x of the optical axis
+  float centre = 0.0f;  ///< image x of the optical axis
 
   FloorRow() = default;
   FloorRow(const CameraFrame& camera, int y) : centre(camera.centre_x) {

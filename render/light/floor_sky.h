@@ -84,7 +84,7 @@ class FloorSky {
 
   void divide(std::size_t branch, const Square& square);
   float interpolation_error(const Square& square) const;
-  bool is_hopeless(const Square& square) const;
+  bool is_within_sphere(const Square& square) const;
   bool is_in_view(const Square& square) const;
   int corner_of(int x, int z);
   int rays_from(const Corner& corner) const;

@@ -28,7 +28,7 @@ MIEN_LANES Choice all(bool chosen) { return Choice{} - (chosen ? 1 : 0); }
 MIEN_LANES Eight greater(Eight a, Eight b) { return a > b ? a : b; }
 MIEN_LANES Eight less(Eight a, Eight b) { return a < b ? a : b; }
 
-/// Of what is not below zero, zero elsewhere.
+/// Square root of eight numbers; zero for negative ones.
 MIEN_LANES Eight root(Eight square) {
   LaneFloats roots;
   square = greater(square, Eight{});

@@ -36,7 +36,7 @@ void add_camera(Key& key, const Camera& camera) {
           camera.parallel_height, camera.shift_x, camera.shift_y, camera.width, camera.height);
 }
 
-void add_open_set(Key& key, const Scene& scene) {
+void add_set(Key& key, const Scene& scene) {
   for (const AreaLight& light : scene.lights)
     key.add(light.centre, light.half_u, light.half_v, light.radiance);
   const Sky& sky = scene.sky;
@@ -70,9 +70,9 @@ void add_solids(Key& key, const Solids& solids, UsedMaterials& used) {
           static_cast<int>(solids.meshes.size()));
   for (const Sphere& sphere : solids.spheres)
     key.add(sphere.centre, sphere.radius, used.number(sphere.material));
-  for (const RoundCone& capsule : solids.round_cones)
-    key.add(capsule.start, capsule.end, capsule.start_radius, capsule.end_radius,
-            used.number(capsule.material));
+  for (const RoundCone& round_cone : solids.round_cones)
+    key.add(round_cone.start, round_cone.end, round_cone.start_radius, round_cone.end_radius,
+            used.number(round_cone.material));
   for (const Mesh& mesh : solids.meshes) {
     key.add(used.number(mesh.material), static_cast<int>(mesh.positions.size()),
             static_cast<int>(mesh.triangles.size()), static_cast<int>(mesh.uv.size()));
@@ -97,7 +97,7 @@ std::vector<float> static_background_key(const Scene& scene, const Camera& camer
                                          const Quality& quality) {
   Key key;
   add_camera(key, camera);
-  add_open_set(key, scene);
+  add_set(key, scene);
   if (scene.static_solids.empty()) return key.take();
   UsedMaterials used;
   add_solids(key, scene.static_solids, used);

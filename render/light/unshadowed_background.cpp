@@ -228,7 +228,7 @@ MIEN_FOR_AVX2_TOO LaneFloats interpolated(const float* nodes) {
   return light;
 }
 
-/// What a light gives every eighth pixel of a row, from pixel −8 to some beyond its end.
+/// Irradiance of a light at every eighth pixel of a row, from pixel −8 to some beyond its end.
 std::vector<float> nodes_of(const FloorLight& light, const FloorRow& row, int width) {
   std::vector<float> nodes;
   while (static_cast<int>(nodes.size()) < width / node_distance + 4) {
@@ -244,7 +244,7 @@ std::vector<float> nodes_of(const FloorLight& light, const FloorRow& row, int wi
   return nodes;
 }
 
-/// Of what of a light is above the floor.
+/// Height of the lowest point of a light above the floor.
 float lowest_height(const FloorLight& light) {
   float lowest = infinity;
   for (int i = 0; i < light.count(); ++i) lowest = std::min(lowest, light.corner(i).y());

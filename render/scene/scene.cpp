@@ -111,13 +111,14 @@ void validate(const Solids& solids, const Counts& counts, const std::string& pre
     require_index(sphere.part, counts.parts, where + ".part");
   }
   for (std::size_t i = 0; i < solids.round_cones.size(); ++i) {
-    const RoundCone& capsule = solids.round_cones[i];
+    const RoundCone& round_cone = solids.round_cones[i];
     const std::string where = prefix + indexed("round_cones", i);
-    require(capsule.start.allFinite() && capsule.end.allFinite(), where, "an end is not finite");
-    require(is_radius(capsule.start_radius) && is_radius(capsule.end_radius), where,
+    require(round_cone.start.allFinite() && round_cone.end.allFinite(), where,
+            "an end is not finite");
+    require(is_radius(round_cone.start_radius) && is_radius(round_cone.end_radius), where,
             "a radius is negative or not finite");
-    require_index(capsule.material, counts.materials, where + ".material");
-    require_index(capsule.part, counts.parts, where + ".part");
+    require_index(round_cone.material, counts.materials, where + ".material");
+    require_index(round_cone.part, counts.parts, where + ".part");
   }
   for (std::size_t i = 0; i < solids.meshes.size(); ++i)
     validate(solids.meshes[i], counts, prefix + indexed("meshes", i));

@@ -12,7 +12,8 @@ namespace mien::render {
 
 namespace {
 
-/// Of what is worked out once, metres: closer points than of pictures (floor_sky_cell).
+/// floor_sky_cell of static backgrounds, metres: smaller than that of pictures, because they are
+/// rendered once.
 constexpr float closest_points = 0.015f;
 
 std::vector<float> opacities_of(const Scene& scene) {
@@ -138,7 +139,7 @@ StaticBackground Engine::make_background(const Scene& scene, const Camera& camer
   return background;
 }
 
-// What stands is drawn like a figure in the open set, once.
+// Static solids are rendered like a figure on the unshadowed background, once.
 Framebuffer Engine::render_static_solids(const Scene& scene, const Camera& camera,
                                          const Quality& quality, const StaticBackground& open) {
   Quality thorough = quality;
@@ -170,7 +171,7 @@ PreparedScene Engine::prepare(const Scene& scene, const Camera& camera, const Qu
   std::vector<std::vector<int>> casters = casters_of(scene.lights, shapes.cones);
   const BoundingSphere bounds = bounding_sphere(shapes);
   PixelMask pixel_mask(camera, shapes, 0.5f * quality.filter_width);
-  // Behind standing solids the sky changes too fast for interpolation.
+  // Behind static solids the sky changes too fast for interpolation.
   Quality floor_quality = quality;
   if (static_solids != nullptr) floor_quality.floor_sky_tolerance = 0.0f;
   FloorSky floor_sky(above_floor, bounds, floor_quality,

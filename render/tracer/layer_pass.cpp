@@ -13,7 +13,7 @@
 namespace mien::render {
 namespace {
 
-/// What a ray from the eye meets.
+/// The hit of a primary ray.
 struct Seen {
   Color albedo = Color::Zero();
   Vec3 normal = Vec3::Zero();

@@ -42,7 +42,7 @@ void add_area_lights(const PreparedScene& prepared, const SurfaceSamples& batch,
   }
 }
 
-// The sky's light is known where nothing is in the way; rays tell what is hidden of it.
+// The unoccluded sky's light is known in closed form; rays subtract what is occluded.
 void add_sky(const PreparedScene& prepared, const SurfaceSamples& batch, const LaneVectors& normals,
              bool of_figure, ShadowRayQueue& shadow_rays) {
   const Sky& sky = prepared.scene.sky;
@@ -68,8 +68,8 @@ void add_sky(const PreparedScene& prepared, const SurfaceSamples& batch, const L
   }
 }
 
-/// A ray that looks from a surface for a figure before the sky, and the share of an even sky's
-/// light that it stands for.
+/// A ray that tests the figure's occlusion of the sky from a surface, and the share of a uniform
+/// sky's light that it represents.
 struct SkyRay {
   Vec3 towards;
   float share;
@@ -119,7 +119,7 @@ void enqueue_floor_sky(const PreparedScene& prepared, const FloorSamples& batch,
   }
 }
 
-/// All samples of a pixel stand together.
+/// The samples of a pixel are adjacent.
 void enqueue_lines(const PreparedScene& prepared, const FloorSamples& batch,
                    LineShadowQueue& line_shadows) {
   const Samples& samples = batch.samples;

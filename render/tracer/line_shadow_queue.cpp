@@ -11,18 +11,19 @@
 namespace mien::render {
 namespace {
 
-/// Half a shadow's width, in pixels, from which on the samples of a pixel share a line; neighbours
-/// do from twice that, and more of them from four times.
+/// Least width of a penumbra, pixels, at which the samples of a pixel share a line; neighbours do
+/// from twice that, and more of them from four times.
 constexpr float soft_pixels = 4.0f;
 
-/// Of pictures of one sample, whose edges are far noisier than that: so many pixels share a line.
+/// Number of pixels that share a line in pictures of one sample, whose edges are much noisier
+/// anyway.
 int pixels_of_one_sample(float penumbra) {
   if (penumbra < 0.25f * soft_pixels) return 2;
   if (penumbra < soft_pixels) return 4;
   return penumbra < 4.0f * soft_pixels ? 8 : 16;
 }
 
-/// The pixel that is so many on from the first of those that share a line; on the film.
+/// The pixel with index `on` in its block, clamped to the picture.
 std::pair<int, int> neighbour(const PreparedScene& prepared, int x, int y, const PixelBlock& block,
                               int on) {
   return {std::min(x / block.width * block.width + on % block.width,
@@ -133,8 +134,8 @@ void LineShadowQueue::choose_lines(const SharedLine& shared) {
   }
 }
 
-// Each query adds once to its pixel, in the order of asking, whatever waited beside it: so a
-// pixel's light is always added up in the same order.
+// Each query adds once to its pixel, in the order of the queue, whatever was queued beside it: so a
+// pixel's light is always summed in the same order.
 void LineShadowQueue::resolve() {
   if (count_ == 0) return;
   choose_lines(shared_line(tile_, prepared_.quality.samples_per_pixel));

@@ -20,8 +20,8 @@ struct ImageArea {
   float y_max;
 };
 
-/// Whether a part of the film shows no floor: how steep rays fall is linear on it, so the corners
-/// tell.
+/// Whether a part of the image shows no floor: the slope of rays is linear on it, so the corners
+/// suffice.
 bool is_above_horizon(const CameraFrame& camera, const ImageArea& image) {
   for (const float x : {image.x_min, image.x_max}) {
     for (const float y : {image.y_min, image.y_max}) {
@@ -32,7 +32,7 @@ bool is_above_horizon(const CameraFrame& camera, const ImageArea& image) {
   return true;
 }
 
-// Box around the floor that a part of the film shows; nothing when that goes on to the horizon.
+// Bounding box of the floor that a part of the image shows; nothing when it extends to the horizon.
 std::optional<FloorArea> floor_under(const CameraFrame& camera, const ImageArea& image) {
   FloorArea area{infinity, -infinity, infinity, -infinity};
   for (const float x : {image.x_min, image.x_max}) {
@@ -50,10 +50,10 @@ std::optional<FloorArea> floor_under(const CameraFrame& camera, const ImageArea&
   return area;
 }
 
-/// How far the floor that samples of a pixel show can be from what its middle shows, for all pixels
-/// of a part of the film; `reach` pixels is how far samples go. Nothing where that goes on to the
-/// horizon. Floor is seen at o + t·d with t = −o.y / d.y, and o and d are linear on the film, so
-/// the derivatives of that are bounded by what the corners show.
+/// Largest distance of the floor shown by a pixel's samples, which lie within `reach` pixels, from
+/// that at its centre, for all pixels of a part of the image. Nothing when it extends to the
+/// horizon. The floor is at o + t·d with t = −o.y / d.y, and o and d are linear on the image, so
+/// the derivatives are bounded by those at the corners.
 std::optional<FloorReach> floor_reach(const CameraFrame& camera, const ImageArea& image,
                                       float reach) {
   float steepest = -infinity;
@@ -77,7 +77,7 @@ std::optional<FloorReach> floor_reach(const CameraFrame& camera, const ImageArea
   return floor;
 }
 
-/// Eight numbers of the compiler's, with which it needs no gathering.
+/// Eight floats as a vector of the compiler's, loaded without gathering.
 using Octet = float __attribute__((vector_size(32), aligned(4)));
 using Places = int __attribute__((vector_size(32)));
 
@@ -94,7 +94,7 @@ struct CellLight {
   Octet along_both[3];
 };
 
-/// Some pixels of a row of the set whose floor lies in one cell.
+/// Consecutive pixels of a row whose floor lies in one cell.
 struct CellPixels {
   const FloorRow& row;
   int column;  // of the first
@@ -104,7 +104,7 @@ struct CellPixels {
   Color uniform_albedo;
 };
 
-/// Shows them less the sky that is hidden there.
+/// Writes their radiance less the occluded sky light.
 template <bool even>
 [[gnu::always_inline]] inline void show_lit(const CellPixels& pixels, const FloorSky::Cell& cell,
                                             float* out) {
@@ -189,13 +189,13 @@ int end_of_cell(const StaticBackground& background, const FloorRow& row, const F
 
 constexpr int run_pixels = 8;  // planned at once
 
-/// Metres of floor that a pixel of a tile shows, at most.
+/// Largest extent of the floor that a pixel of a tile shows, metres.
 float pixel_step(const FloorArea& area, const Tile& tile) {
   const int side = std::max(std::min(tile.x_end - tile.x_begin, tile.y_end - tile.y_begin), 1);
   return std::max(area.x_max - area.x_min, area.z_max - area.z_min) / static_cast<float>(side);
 }
 
-/// How wide the half shadow is, metres, that an edge at a height casts on the floor, at least.
+/// Least width of the penumbra, metres, that an edge at a height casts on the floor.
 float penumbra(const AreaLight& light, float height) {
   if (height >= light.centre.y()) return infinity;
   const float width = 2.0f * std::min(light.half_u.norm(), light.half_v.norm());
@@ -221,7 +221,7 @@ void PixelPlanner::begin_tile(const Tile& tile) {
     shaded_everywhere_ &= area && mask.may_shade_all(*area);
   }
   find_casters(tile, area);
-  // What a pixel's neighbour shows may stand for what it shows itself.
+  // Pixels that share lines may use a neighbour's.
   span_ = {};
   const PixelBlock block = block_of(shared_line(lines_, prepared_.quality.samples_per_pixel));
   if (tile_lights_ != 0)
@@ -339,8 +339,8 @@ std::optional<PixelPlanner::UniformRun> PixelPlanner::uniform_run_from(int x, in
   return UniformRun{end, prepared_.bounds.radius >= 0.0f ? shadow_lights(x, y) : 0};
 }
 
-// Looked up for eight pixels at once where both ends show the floor: a row shows a straight line of
-// it.
+// Looked up for eight pixels at once if both ends show the floor, because a row shows a straight
+// line of it.
 std::uint32_t PixelPlanner::shadow_lights(int x, int y) {
   if (shaded_everywhere_ || prepared_.quality.exhaustive || !floor_reach_) return tile_lights_;
   const StaticBackground& background = prepared_.background;

@@ -60,17 +60,17 @@ class TilePainter {
                    const Color& occluded, float covered, const Canvas& canvas) const;
 
   const PreparedScene& prepared_;
-  const bool in_pairs_;  // neighbours are lit as one
+  const bool in_pairs_;  // neighbours are shaded together
   PixelPlanner planner_;
   std::vector<std::uint8_t> open_;  // one a tile of the band
-  std::vector<Pixel> pixels_;       // those that are traced; they stay where they are
-  std::vector<FloorPixel> floors_;  // those of which lines tell all; likewise
+  std::vector<Pixel> pixels_;       // those that are traced; must not move
+  std::vector<FloorPixel> floors_;  // those that need line shadows only; must not move
   bool in_blocks_ = false;          // pixels of the tile share lines
-  FloorBlocks blocks_;              // then: what these find
+  FloorBlocks blocks_;              // if in_blocks_: their results
   std::array<std::uint32_t, tile_size> shaded_rows_;  // and bit i: pixel i of a row is floor that
                                                       // is shown, and lacks no more than that
-  Samples floor_;                                     // samples that show no solid, not yet aimed
-  Samples traced_;                                    // samples that may, not yet aimed
+  Samples floor_;                                     // samples that show no solid, not yet traced
+  Samples traced_;                                    // samples that may show one, not yet traced
   RayPacket primaries_;
   SurfaceSamples figure_surfaces_;
   int last_shape_ = -1;  // of them
@@ -85,10 +85,10 @@ void TilePainter::draw(const Tile& part, const Canvas& canvas) {
     draw_band({part.x_begin, part.x_end, y, std::min(y + tile_size, part.y_end)}, canvas);
 }
 
-// The set is shown first, row by row, which memory likes. Tiles stay open where that left pixels
-// out.
+// The background is written first, row by row, for cache locality. Tiles stay open if that left
+// pixels out.
 void TilePainter::draw_band(const Tile& band, const Canvas& canvas) {
-  // Where every sample is drawn by itself, so is the set.
+  // If every sample is rendered by itself, so is the background.
   const bool shown = prepared_.quality.background == Background::shown &&
                      !prepared_.is_per_sample() && !prepared_.quality.exhaustive;
   const int tiles = (band.x_end - band.x_begin + tile_size - 1) / tile_size;
@@ -157,7 +157,7 @@ void TilePainter::draw_tile(const Tile& tile, bool open, const Canvas& canvas) {
   if (in_blocks_) shade_rows(tile, canvas);
 }
 
-// Over pixels of which is soon told what they show; where the next one begins.
+// Skips runs of pixels that need no samples of their own; returns the next pixel that does.
 int TilePainter::skip_uniform(const Tile& tile, int x, int y) {
   while (x < tile.x_end) {
     const auto run = planner_.uniform_run_from(x, y);
@@ -171,7 +171,7 @@ int TilePainter::skip_uniform(const Tile& tile, int x, int y) {
   return x;
 }
 
-// Floor that is shown already, and lacks what the lines of its blocks find.
+// Requests block lines for floor pixels that are already written.
 void TilePainter::shade(const Tile& tile, int first, int end, int y, std::uint32_t lights) {
   shaded_rows_[static_cast<std::size_t>(y - tile.y_begin)] |= ((1u << (end - first)) - 1u)
                                                               << (first - tile.x_begin);
@@ -179,7 +179,7 @@ void TilePainter::shade(const Tile& tile, int first, int end, int y, std::uint32
   for (int x = first; x < end; x = x / width * width + width) blocks_.add(x, y, lights);
 }
 
-// The same bits as `develop` gives.
+// Adds the blocks' shadows to pixels that were already written; gives the same bits as `resolve`.
 void TilePainter::shade_rows(const Tile& tile, const Canvas& canvas) {
   const auto samples = static_cast<float>(prepared_.quality.samples_per_pixel);
   const float share = 1.0f / samples, all = share * samples;
@@ -224,12 +224,12 @@ void TilePainter::shade_floor(Samples& samples) {
   shadow_floor_points();
 }
 
-// Samples of a pixel that are aimed and lit together stay together, whatever else is drawn: so its
-// light is always added up in the same order.
+// Samples of a pixel that are traced and shaded together stay together, whatever else is rendered:
+// so its light is always summed in the same order.
 void TilePainter::add_samples(Pixel& pixel, int first, int last) {
   const bool open = pixel.kind == PixelKind::background || pixel.kind == PixelKind::shadowed_floor;
   Samples& waiting = open ? floor_ : traced_;
-  // So do those of a pair.
+  // Samples of a pair stay together too.
   const int needed = in_pairs_ && !open && pixel.x % 2 == 0 ? 2 * (last - first) : last - first;
   if (waiting.count + needed > static_cast<int>(lanes)) open ? shade_floor(floor_) : trace(traced_);
   for (int i = first; i < last; ++i) init(waiting.next(), pixel, i);
@@ -278,7 +278,7 @@ void TilePainter::shade_figure() {
   figure_surfaces_.samples.count = 0;
 }
 
-// Of one pixel, or of a pair.
+// Whether two samples are of one pixel, or of a pair.
 bool TilePainter::stay_together(const Sample& a, const Sample& b) const {
   const int x = in_pairs_ ? a.pixel->x ^ 1 : a.pixel->x;
   return a.pixel->y == b.pixel->y && (a.pixel->x == b.pixel->x || x == b.pixel->x);
@@ -308,8 +308,8 @@ void TilePainter::add_hit(const Sample& sample, int lane, const Hits& figure,
   push_floor(sample, ray);
 }
 
-// Then the last one's light counts for this sample too. Of a pair any sample may be the one that is
-// lit, all by the same chance: else light would move to the left.
+// Whether this sample shares the shading of the last one. Of a pair any sample may be the shaded
+// one, with equal probability: otherwise light would shift to the left.
 bool TilePainter::is_lit_with_last(const Sample& sample, int shape, int lane, const Hits& figure) {
   const int together = prepared_.quality.samples_shaded_together;
   if (together == 1 || figure_surfaces_.samples.count == 0 || shape != last_shape_ ||
@@ -342,8 +342,8 @@ Surface TilePainter::surface(int lane, const Hits& hits, bool of_figure, float t
                     prepared_.static_solids->shapes(), hits.shape[lane], point, direction, time);
 }
 
-// All that waits for a full packet. Which pixels lack what a line finds that neighbours share is
-// known when all is traced.
+// Processes everything that is still queued. Which blocks need a line is known only after all
+// tracing.
 void TilePainter::finish(const Tile& tile) {
   shade_floor(floor_);
   trace(traced_);
@@ -366,7 +366,7 @@ void TilePainter::subtract_block(FloorPixel& pixel) const {
   subtract_light(pixel, pixel.block_samples, blocks_.occluded(pixel.x, pixel.y));
 }
 
-// A pixel without figure or shadow.
+// Writes a pixel without figure or shadow.
 void TilePainter::write_background(const Color& background, int x, int y,
                                    const Canvas& canvas) const {
   if (prepared_.quality.background == Background::shown)
@@ -375,7 +375,7 @@ void TilePainter::write_background(const Color& background, int x, int y,
     canvas.alpha(x, y) = shadow_alpha(background, x, y);
 }
 
-// How much of the set's light a pixel lacks.
+// Alpha of a shadow: the share of the background's luminance that is missing.
 float TilePainter::shadow_alpha(const Color& left, int x, int y) const {
   const float whole =
       relative_luminance(Eigen::Map<const Color>(prepared_.background.radiance.at(x, y)));
@@ -391,7 +391,7 @@ void TilePainter::resolve(const Pixel& pixel, const Canvas& canvas) const {
               share * static_cast<float>(pixel.covered), canvas);
 }
 
-// The same bits as if it were a pixel whose samples all show the set.
+// Gives the same bits as for a pixel whose samples all show the background.
 void TilePainter::resolve(const FloorPixel& pixel, const Canvas& canvas) const {
   const auto samples = static_cast<float>(prepared_.quality.samples_per_pixel);
   const float share = 1.0f / samples;

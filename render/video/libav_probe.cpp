@@ -295,7 +295,7 @@ class StretchReader {
     return stretch;
   }
 
-  /// By several threads at a time.
+  /// Called by several threads concurrently.
   void decode(Stretch& stretch) {
     try {
       CodecContext codec = take_decoder();

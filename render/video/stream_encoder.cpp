@@ -229,7 +229,7 @@ void StreamEncoder::send() {
   drain();
 }
 
-void StreamEncoder::end_on_time() {
+void StreamEncoder::set_last_duration() {
   const std::int64_t last = av_rescale_q(frames_ - 1, codec_->time_base, stream_->time_base);
   const std::int64_t end = av_rescale_q(frames_, codec_->time_base, stream_->time_base);
   checked(av_opt_set_int(file_->priv_data, "final_delay", end - last, 0),
@@ -245,7 +245,7 @@ void StreamEncoder::finish() {
     throw Error(path_ + ": the encoder gave " + std::to_string(packet_hashes_.size()) + " of " +
                 std::to_string(frames_) + " frames");
   }
-  if (format_.kind == VideoKind::gif) end_on_time();
+  if (format_.kind == VideoKind::gif) set_last_duration();
   checked(av_write_trailer(file_.get()), path_ + ": writing the index");
   checked(avio_closep(&file_->pb), path_ + ": closing");
 }

@@ -43,7 +43,7 @@ class StreamEncoder {
 
   /// Sets the duration of a GIF's last frame, which would otherwise be the rounded one of the frame
   /// before.
-  void end_on_time();
+  void set_last_duration();
 
   std::string path_;
   VideoFormat format_;

@@ -21,8 +21,8 @@ constexpr double neighbour_margin = 4.0;         ///< of squared errors
 constexpr int rows_of_a_block = 4;               ///< of what codecs code as one, at the least
 constexpr std::int64_t small_picture = 100'000;  ///< pixels
 
-/// By how much a mean square that is estimated from so few tiles may be too large; one estimate in
-/// a million is more so. (Chi-square with a degree of freedom a tile: Wilson and Hilferty 1931.)
+/// Upper bound of the relative error of a mean square estimated from few tiles, exceeded once in a
+/// million. (Chi-square with a degree of freedom a tile: Wilson and Hilferty 1931.)
 double largest_excess(int tiles) {
   constexpr double deviations = 4.75;
   const double part = 2.0 / (9.0 * tiles);

@@ -25,7 +25,7 @@ struct VideoTraits {
   /// that should last 10 ms or less for 100.
   double most_fps = 240.0;
   double least_psnr_db = 0.0;  ///< of the worst frame that passes the check; lossy kinds
-  double least_ssim = 0.0;     ///< likewise
+  double least_ssim = 0.0;     ///< of the worst frame that passes the check; lossy kinds
 };
 
 /// All kinds, in the order of the enumeration.

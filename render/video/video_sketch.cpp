@@ -76,7 +76,7 @@ struct Sums {
   }
 };
 
-/// Of a tile's pixels in one row; three colours and signs a pixel.
+/// Sums over a tile's pixels in one row; three colours and signs a pixel.
 MIEN_FOR_AVX2_TOO Sums sums_of(const std::uint8_t* luma, const std::int8_t* luma_signs,
                                const std::uint8_t* colors, const std::int8_t* color_signs,
                                int pixels) {

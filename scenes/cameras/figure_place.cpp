@@ -4,12 +4,13 @@ namespace mien::scenes {
 
 namespace {
 
-/// Of a point, from the picture's middle; nothing where it is not before the camera.
+/// Image position of a point relative to the picture's centre; nothing when it is not in front of
+/// the camera.
 std::optional<Eigen::Vector2d> from_middle(const render::Camera& camera,
                                            const motion::Vec3& point) {
-  const auto film = render::project(camera, point.cast<float>());
-  if (!film) return std::nullopt;
-  return film->cast<double>() - 0.5 * Eigen::Vector2d(camera.width, camera.height);
+  const auto image_point = render::project(camera, point.cast<float>());
+  if (!image_point) return std::nullopt;
+  return image_point->cast<double>() - 0.5 * Eigen::Vector2d(camera.width, camera.height);
 }
 
 }  // namespace

@@ -151,8 +151,9 @@ void change_places(std::vector<Dot>& dots, const PointLightOptions& options,
 
 /// The dots with limited lifetimes. The display has as many dots as before; each life is spent at a
 /// random place of a random limb, and the lives of the dots begin one after the other.
-std::vector<Dot> mortal(const std::vector<Dot>& dots, const std::vector<DotJoint>& joints,
-                        int lifetime, std::uint64_t seed) {
+std::vector<Dot> with_limited_lifetime(const std::vector<Dot>& dots,
+                                       const std::vector<DotJoint>& joints, int lifetime,
+                                       std::uint64_t seed) {
   std::vector<std::size_t> limbs;
   for (std::size_t d = 0; d < joints.size(); ++d) {
     if (joints[d].limb >= 0) limbs.push_back(d);
@@ -246,7 +247,7 @@ std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& 
   const Extent extent = extent_of(dots, changed);
   const std::vector<Dot> figure = dots;
   if (options.scrambled) scatter(dots, extent, changed.step, seed);
-  if (options.lifetime > 0) dots = mortal(dots, joints, options.lifetime, seed);
+  if (options.lifetime > 0) dots = with_limited_lifetime(dots, joints, options.lifetime, seed);
   const double speed = mean_speed(figure, changed.step, extent.axes.col(2));
   for (std::size_t n = 0; n < static_cast<std::size_t>(options.noise); ++n) {
     dots.push_back(noise_dot(extent, changed.step, speed, clip.poses.size(), seed, n));

@@ -27,8 +27,8 @@ void require_body(const motion::Clip& clip, const std::string& figure) {
               "draw it as a stick figure");
 }
 
-/// A mannequin that is made when it is first drawn: a shot of which only lengths and places are
-/// asked needs none. May be used from several threads.
+/// A mannequin that is made on first use, because a shot whose frames are not rendered needs none.
+/// Thread-safe.
 class LazyMannequin {
  public:
   LazyMannequin(motion::Skeleton body, const MannequinOptions& options,
@@ -48,7 +48,7 @@ class LazyMannequin {
   mutable std::optional<Mannequin> made_;
 };
 
-/// Gives an actor the way in which its kind of figure is drawn.
+/// Sets an actor's draw function for its kind of figure.
 struct ActorBuilder {
   Actor& actor;
 

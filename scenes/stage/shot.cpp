@@ -81,7 +81,7 @@ Vec3 centre_of(const std::vector<std::vector<Vec3>>& points) {
   return on_floor(0.5 * (least + most));
 }
 
-/// What has to be in the picture of all actors together.
+/// The common action of all actors.
 Action shared_action(const std::vector<Actor>& actors) {
   Action action = action_of(actors.front().clip);
   for (std::size_t i = 1; i < actors.size(); ++i) {
@@ -132,7 +132,7 @@ void place_dots(Shot& shot, const PointLightOptions& options, std::uint64_t seed
   }
 }
 
-/// What has to be in the picture when the figures' dots are where their options put them. Of dots
+/// The action when the figures' dots are where their options put them. Of dots
 /// that keep their places it is the given action.
 Action dotted_action(const Shot& shot, const PointLightOptions& options, Action action,
                      std::uint64_t seed) {

@@ -104,7 +104,7 @@ TEST(Srgb8, HasTheCodesOfItsThresholdsOnBothSidesOfEach) {
   }
 }
 
-TEST(RenderTarget, DoublesTheLightWithEachStop) {
+TEST(Exposure, DoublesTheLightWithEachStop) {
   EXPECT_EQ(to_srgb16(film_of(0.1f), {.exposure_stops = 2.0f}), to_srgb16(film_of(0.4f)));
 }
 

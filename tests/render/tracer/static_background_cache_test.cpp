@@ -15,7 +15,7 @@ namespace {
 
 StaticBackground dark_set() { return blank_background(4, 2, frame_of({.width = 4, .height = 2})); }
 
-TEST(StaticBackgroundCache, MakeASetOnceForAllThatDrawWithItAtATime) {
+TEST(StaticBackgroundCache, MakesABackgroundOnceForAllThatUseItAtATime) {
   StaticBackgroundCache sets;
   std::atomic<int> made = 0;
   std::atomic<int> asked = 0;
@@ -43,7 +43,7 @@ TEST(StaticBackgroundCache, MakeASetOnceForAllThatDrawWithItAtATime) {
   EXPECT_EQ(made, 2) << "one that nobody draws with any more takes no memory";
 }
 
-TEST(StaticBackgroundCache, AreMadeByTheNextWhereMakingOneFailed) {
+TEST(StaticBackgroundCache, IsFilledByTheNextWhereMakingOneFailed) {
   StaticBackgroundCache sets;
   const auto fail = []() -> StaticBackground { throw std::runtime_error("stopped"); };
   EXPECT_THROW(sets.get_or_make("a", fail), std::runtime_error);
@@ -70,7 +70,7 @@ const Camera viewer{
     .position = {0.8f, 1.5f, 4.0f}, .target = {0.0f, 0.7f, 0.0f}, .width = 48, .height = 32};
 const Quality coarse{.samples_per_pixel = 4, .static_samples = 8, .seed = 5};
 
-TEST(StaticBackgroundCache, ChangeNoPicture) {
+TEST(StaticBackgroundCache, ChangesNoPicture) {
   const Scene scene = walled();
   const Framebuffer alone = Tracer({.threads = 1}).trace(scene, viewer, coarse);
   StaticBackgroundCache sets;
@@ -88,7 +88,7 @@ TEST(StaticBackgroundCache, ChangeNoPicture) {
   EXPECT_EQ(second.trace(scene, wide, coarse), Tracer().trace(scene, wide, coarse));
 }
 
-TEST(StaticBackgroundCache, HaveLightThatIsKeptUnderTheNameOfAllThatDecidesIt) {
+TEST(StaticBackgroundCache, NamesLightByAllThatDecidesIt) {
   std::vector<std::string> names;
   Framebuffer kept;
   const LightCache keep = [&](const std::string& name, const std::function<Framebuffer()>& draw) {

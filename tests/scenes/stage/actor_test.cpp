@@ -79,9 +79,10 @@ TEST(AnActor, ThatIsAStickFigureHasAPartForEachJoint) {
     EXPECT_EQ(part(sphere.part), "LeftKnee");
     ++found;
   }
-  for (const render::RoundCone& capsule : scene.solids.round_cones) {
-    if ((capsule.start - knee).norm() > 1e-5f || (capsule.end - ankle).norm() > 1e-5f) continue;
-    EXPECT_EQ(part(capsule.part), "LeftKnee");
+  for (const render::RoundCone& round_cone : scene.solids.round_cones) {
+    if ((round_cone.start - knee).norm() > 1e-5f || (round_cone.end - ankle).norm() > 1e-5f)
+      continue;
+    EXPECT_EQ(part(round_cone.part), "LeftKnee");
     ++found;
   }
   EXPECT_EQ(found, 2);
