@@ -15,8 +15,8 @@ namespace mien::motion {
 /// - A joint's rotation is the product of its rotation channels in CHANNELS order.
 /// - Position channels replace OFFSET, each the one coordinate it names. The root's give
 ///   `root_position`; when another joint has any, every pose gets `offsets`.
-/// - A frame stands on one line or on several. Comments (# and //) are let pass.
-/// - A frame time is taken for the frame rate that it was rounded from (frame_rate.h).
+/// - A frame stands on one line or on several. Comments (# and //) are ignored.
+/// - A frame time is converted to the frame rate that it was rounded from (frame_rate.h).
 ///
 /// Throws mien::Error with file, line and column for everything that is not a BVH motion of at
 /// least one frame: among others a second ROOT, numbers that are not finite, a frame with more or

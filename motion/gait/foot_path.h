@@ -47,7 +47,7 @@ struct Stance {
 /// The plant's stance. Its ends lie within the plant: heel and ball count as on the floor while
 /// they are less than `lifted_metres` above their height under the flat sole, the sole as flat
 /// while both are less than `flat_metres` above their lowest. A foot that never comes down flat
-/// (running on the toes, or tilting all the while in a noisy capture) is taken as flat where the
+/// (running on the toes, or never level in a noisy capture) counts as flat where the
 /// higher of both is least.
 Stance stance_of(const FootPath& path, const FootPlant& plant, double flat_metres,
                  double lifted_metres);

@@ -55,7 +55,7 @@ struct InterpolatedWeights {
 /// Fits a method. `parameters`: one row for each example of the set (N × M; N × N and ignored for
 /// `direct`). `names`: of the parameters, for remarks; numbers if empty. The last `held` parameters
 /// are not requested but held as nearly as possible: for `reach` they have lower priority, the
-/// other methods treat them like the rest. Throws Error when the method cannot take so many
+/// other methods treat them like the rest. Throws Error when the method does not support that many
 /// parameters.
 Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& parameters,
                               const InterpolationOptions& options,

@@ -9,7 +9,7 @@
 
 namespace mien::motion {
 
-// The checks of the lint, a file each. All take a motion made ready by `lint_subject`; those of
+// The checks of the lint, a file each. All take a motion prepared by `lint_subject`; those of
 // whole bodies need the canonical one. `original` may be null where it is a pointer.
 
 using Findings = std::vector<Finding>;

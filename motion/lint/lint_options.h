@@ -24,7 +24,7 @@ struct LintOptions {
   // The body.
   Levels beyond_limit_degrees = {5.0, 15.0};  ///< beyond a joint's range (joint_angles.h)
   Levels intersection_metres = {0.02, 0.06};  ///< depth of two parts of the body in each other
-  double intersection_seconds = 0.1;          ///< shorter touches are let pass
+  double intersection_seconds = 0.1;          ///< shorter contacts are ignored
   Levels leg_speed = {15.0, 25.0};            ///< rad/s
   Levels arm_speed = {25.0, 40.0};            ///< rad/s; trunk and head too
   Levels jerk_ratio = {5.0, 20.0};            ///< of hands, feet and head, by the original's

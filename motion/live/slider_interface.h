@@ -39,8 +39,8 @@ struct FittedInterface {
 
 /// Fits an interface to the examples that will be blended. `table`: their values of the interface's
 /// parameters; ignored for weights. The last `held` sliders are held, not requested
-/// (interpolation.h). Throws Error when the examples lack a slider's parameter, or the method
-/// cannot take so many.
+/// (interpolation.h). Throws Error when the examples lack a slider's parameter, or the method does
+/// not support that many.
 FittedInterface fit_interface(const SliderInterface& interface, const SynthesisOptions& how,
                               const ExampleSet& examples, const ParameterTable& table,
                               Eigen::Index held = 0);

@@ -61,8 +61,8 @@ std::vector<Value> smoothed_once(const std::vector<Value>& signal, int level, Si
   return smooth;
 }
 
-/// The signal with so many samples more at either end that repeating its end values for ever would
-/// give the same `levels` bands within the signal.
+/// The signal, padded with its end values at both ends as far as `levels` bands within the signal
+/// depend on them.
 template <typename Value>
 std::vector<Value> with_repeated_ends(std::span<const Value> signal, int levels) {
   const auto pad = static_cast<std::size_t>(2 * ((1L << levels) - 1));
@@ -75,7 +75,7 @@ std::vector<Value> with_repeated_ends(std::span<const Value> signal, int levels)
 }
 
 /// The first `levels` bands of a signal. Beyond the ends of an open signal its end values are
-/// repeated; a periodic one goes on. Value is a number or a vector of numbers.
+/// repeated; a periodic one is continued. Value is a number or a vector of numbers.
 template <typename Value>
 Pyramid<Value> pyramid(std::span<const Value> signal, int levels, SignalEnds ends) {
   Pyramid<Value> result;

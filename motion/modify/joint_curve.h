@@ -23,7 +23,7 @@ std::vector<Directions> direction_curve(const Clip& clip, int joint);
 void set_rotations(Clip& clip, int joint, const std::vector<Directions>& curve);
 
 /// A curve between its samples, by Catmull–Rom splines: exact at the samples, no jump of speed.
-/// A periodic curve goes on for ever; another stays at its ends.
+/// A periodic curve is continued; another is clamped to its ends.
 Directions value_at(const std::vector<Directions>& curve, double frame, bool periodic);
 
 }  // namespace mien::motion

@@ -199,7 +199,7 @@ MotionGraph with_motions(MotionGraph graph, std::span<const SynchronisedMotion> 
         clip.frames_per_second != graph.clips[c].frames_per_second) {
       throw Error("the motion " + quoted(clip) + " has not the frames of " +
                       quoted(graph.clips[c]) + ", in whose place it is to stand",
-                  "put it in step first (in_step), and unroll loops");
+                  "synchronise it first (synchronised), and unroll loops");
     }
     graph.frame_seconds.push_back(motions[c].frame_seconds);
     in_tempo = in_tempo || !motions[c].frame_seconds.empty();

@@ -21,14 +21,14 @@ struct MotionGraphOptions {
   /// blend of a foot that stands with one that swings slides, which locking it cannot mend.
   double most_contact_change = 0.25;
   /// Degrees by which the pelvis may face elsewhere in one motion than in the other, on the average
-  /// over the window: what is more is taken off the alignment. The blend turns the pelvis by that
+  /// over the window: any excess is removed from the alignment. The blend turns the pelvis by that
   /// much beside what the motions do: 5° over a third of a second by about 1° a frame; where it
   /// would be more, less is allowed.
   double most_facing_change_deg = 5.0;
   /// Threads for the comparison; 0: one a processor. The graph does not depend on it.
   int threads = 0;
-  /// Looping clips are unrolled to at least so many seconds, and always by one window more than
-  /// their cycles, so that their end meets their start.
+  /// Looping clips are unrolled to at least this duration, seconds, and always by one window more
+  /// than their cycles, so that their end meets their start.
   double unrolled_seconds = 2.0;
 };
 
@@ -82,7 +82,7 @@ struct MotionGraph {
 ///
 /// Throws mien::Error without clips, for clips that are shorter than two windows, differ in bones
 /// (by more than a millimetre) or frame rate, for options out of range, and when no component with
-/// a cycle is left: it then tells the threshold from which one is.
+/// a cycle is left: the message then states the smallest sufficient threshold.
 MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& options = {});
 
 /// The graph with its clips replaced by other motions of the same frames, on the same or another

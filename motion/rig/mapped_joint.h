@@ -52,7 +52,7 @@ struct KeyJoints {
 MappedJoints groups_of(const Skeleton& rig, const KeyJoints& keys, double confidence,
                        const std::string& found_by);
 
-/// Whether no joint of the rig stands for two joints of the body.
+/// Whether no joint of the rig is mapped to two joints of the body.
 bool are_disjoint(const MappedJoints& joints);
 
 /// Joints from `ancestor` (left out) down to `descendant` (included). Empty when it is no ancestor.

@@ -30,8 +30,8 @@ struct Clip {
   }
 };
 
-/// The pose at a time, interpolated between frames. A looping clip goes on for ever in both
-/// directions, each cycle displaced; another is clamped at its ends.
+/// The pose at a time, interpolated between frames. A looping clip repeats in both directions, each
+/// cycle displaced; another is clamped at its ends.
 Pose pose_at(const Clip& clip, double seconds);
 
 /// The clip at another frame rate: slerp for rotations, cubic (Catmull–Rom) for the root. A looping

@@ -15,9 +15,9 @@ struct FloorPath {
   double length() const { return step_m * static_cast<double>(points.size() - 1); }
 };
 
-/// The polyline through points (x, z in metres; y is not looked at) as a path whose corners are
-/// rounded over some 0.3 m. The ends stay. Throws mien::Error for numbers that are none and for
-/// less than 0.1 m of way.
+/// The polyline through points (x, z in metres; y is ignored) as a path whose corners are
+/// rounded over some 0.3 m. The ends stay. Throws mien::Error for non-finite numbers and for a path
+/// shorter than 0.1 m.
 FloorPath floor_path(std::span<const Vec3> polyline);
 
 /// The point at an arc length, metres; straight on beyond the end.

@@ -50,11 +50,11 @@ struct ScriptedWalkOptions {
 WalkedClip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script,
                          const ScriptedWalkOptions& options = {});
 
-/// A walker that starts on the first point of a path over the floor (x, z in metres; y is not
-/// looked at), walks along it at a pace, and stops at its end. It looks ahead along the path, so it
-/// rounds corners by some centimetres, slower the sharper they are, and leaves a path whose curves
-/// are wider than half a metre by less than 0.2 m. `options.place` and `heading` are not looked
-/// at. Throws as above, and for a path shorter than 0.1 m.
+/// A walker that starts on the first point of a path over the floor (x, z in metres; y is ignored),
+/// walks along it at a pace, and stops at its end. It looks ahead along the path, so it rounds
+/// corners by some centimetres, slower the sharper they are, and leaves a path whose curves are
+/// wider than half a metre by less than 0.2 m. `options.place` and `heading` are ignored. Throws as
+/// above, and for a path shorter than 0.1 m.
 WalkedClip walk_along(const WalkerGaits& gaits, std::span<const Vec3> path, double pace = 1.0,
                       const ScriptedWalkOptions& options = {});
 

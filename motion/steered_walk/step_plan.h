@@ -19,8 +19,7 @@ struct RootGoal {
 double remaining_turn(const RootMotion& root, const Steering& steering);
 
 /// The present goals of the root motion. `own` is the moods' speed at pace 1, m/s. Turning is
-/// limited by the sideways acceleration that people take in curves, and sharp turns are walked
-/// slowly.
+/// limited by the lateral acceleration of people in curves, and sharp turns are walked slowly.
 RootGoal goal_of(const RootMotion& root, const Steering& steering, double own);
 
 /// The predicted root motion under constant steering.

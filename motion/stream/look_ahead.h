@@ -28,8 +28,8 @@ Modification without_repair(Modification modification);
 /// stay. Found by trying on the built-in motions ("actors" and "walks-10", loops walked four times)
 /// with some margin, for captures err more. Takes about a second, and depends on nothing else.
 ///
-/// Soft joint limits are left out: no look-ahead tells how far the joints of a motion will go, so
-/// that they are off until the motion has shown it.
+/// Soft joint limits are excluded: no look-ahead predicts the range of a motion's joints, so they
+/// deviate until the motion has covered it.
 int shortest_look_ahead(const Modification& modification, double frames_per_second,
                         double largest_error = largest_stream_error);
 

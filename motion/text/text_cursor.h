@@ -35,7 +35,7 @@ void skip_blanks(TextCursor& cursor);  ///< within the line
 void skip_space(TextCursor& cursor);   ///< over line ends too
 void skip_line(TextCursor& cursor);    ///< to the next line's start
 
-/// The next word, wherever it is; a brace is a word of its own. Empty at the end.
+/// The next word, on any line; a brace is a separate word. Empty at the end.
 std::string_view next_word(TextCursor& cursor);
 
 /// The next word of this line, without regard to braces; empty when there is none.

@@ -28,7 +28,7 @@ class ShadowMask {
   /// Whether any point of the area may lie in umbra or penumbra.
   bool may_shade(const FloorArea& area) const;
 
-  /// Whether every point of the area may, as far as the grid tells.
+  /// Whether every point of the area may, by the resolution of the grid.
   bool may_shade_all(const FloorArea& area) const;
 
   /// Adds the indices of the round cones that may hide a part of the light somewhere in the area,

@@ -31,7 +31,7 @@ struct ImageLayout {
   ChannelKind stored = ChannelKind::other;
   int bits = 0;             ///< a channel, as stored
   std::string format;       ///< "png", "openexr", …
-  std::string color_space;  ///< "sRGB", "Linear"; empty when it is not told
+  std::string color_space;  ///< "sRGB", "Linear"; empty if not stated
 };
 
 /// A file that is open for reading, at one of its pictures: at first, the first.
@@ -88,8 +88,8 @@ class ImageFiles {
   /// Opens a picture file; null, with the reason in `error`, when that fails.
   virtual std::unique_ptr<ImageFile> open(const std::string& path, std::string& error) const = 0;
 
-  /// Opens a picture file in memory, whose bytes outlive the result; the extension of `name` tells
-  /// the format.
+  /// Opens a picture file in memory, whose bytes outlive the result; the extension of `name`
+  /// selects the format.
   virtual std::unique_ptr<ImageFile> open(std::span<const unsigned char> bytes,
                                           const std::string& name, std::string& error) const = 0;
 
@@ -97,7 +97,7 @@ class ImageFiles {
   virtual bool write(const std::string& path, const std::vector<ImagePart>& parts,
                      std::string& error) const = 0;
 
-  /// The file of one picture, in memory; the ending of `name` tells the format.
+  /// Encodes a picture file in memory; the extension of `name` selects the format.
   virtual bool encode(const std::string& name, const ImagePart& part, std::string& bytes,
                       std::string& error) const = 0;
 

@@ -19,9 +19,9 @@ struct Camera {
   float vertical_field_of_view = 0.524f;  ///< radians, 0 … π, from the top to the bottom edge
   float parallel_height = 0.0f;  ///< metres from the top to the bottom edge of an orthographic
                                  ///< camera, which has no field of view; 0: perspective
-  float shift_x = 0.0f;  ///< the optical axis meets the image plane so many pixels right of the
+  float shift_x = 0.0f;  ///< pixels; where the optical axis meets the image plane, right of the
                          ///< picture's centre
-  float shift_y = 0.0f;  ///< and so many below it
+  float shift_y = 0.0f;  ///< and below it
   float aperture_radius = 0.0f;  ///< metres; 0: a pinhole, everything is sharp
   float focus_distance = 5.0f;   ///< along the axis, metres; of a camera with an aperture
   int width = 960;               ///< pixels

@@ -94,7 +94,7 @@ struct Ground {
   Color line_albedo{0.4f, 0.4f, 0.4f};
   float line_spacing = 1.0f;  ///< metres; 0 draws no grid
   float line_width = 0.012f;  ///< metres
-  int major_every = 0;        ///< every so many lines one is `major_albedo`, twice as wide; 0: none
+  int major_every = 0;        ///< every n-th line has `major_albedo` and twice the width; 0: none
   Color major_albedo{0.3f, 0.3f, 0.3f};
   float offset_x = 0.0f;  ///< shift of the lines, metres: a moving ground
   float offset_z = 0.0f;

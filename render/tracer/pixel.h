@@ -30,8 +30,8 @@ struct FloorPixel {
   int block_samples = 0;                 ///< that wait for the line of their block
 };
 
-/// Subtracts the light that is hidden from so many samples of a pixel, `hidden` (irradiance over π)
-/// from each.
+/// Subtracts the light that is hidden from a number of samples of a pixel, `hidden` (irradiance
+/// over π) from each.
 inline void subtract_light(FloorPixel& pixel, int samples, const Color& hidden) {
   pixel.known_occluded -= (static_cast<float>(samples) * hidden) * pixel.floor_albedo;
 }

@@ -33,7 +33,7 @@ struct VideoCheck {
 /// - no frame's parts are twice as near to those of the one before or after it as to its own,
 ///   unless all are within 1 of 255;
 /// - with a receipt: the frames that the encoder was given are those of the film, every one once
-///   and in its place, and the file holds of each the very bytes that the encoder made of it.
+///   and in its place, and the file contains exactly the bytes that the encoder made of each.
 ///
 /// The receipt finds every frame that is lost, doubled, swapped or damaged, however little they
 /// differ; similarity only has to tell whether the encoder worked, for which a sketch of some rows

@@ -19,7 +19,7 @@ struct VideoTraits {
   std::string_view description;  ///< "H.264, lossless RGB"
   std::string_view codec;        ///< as FFmpeg names it: "h264"
   bool even_size = false;        ///< width and height must be even
-  bool lossless = false;         ///< decodes to the very frames
+  bool lossless = false;         ///< decodes to exactly the frames written
   bool picture = false;          ///< an animated picture: it has a number of repetitions
   /// Frames a second that players show at their true speed: browsers show pictures of animations
   /// that should last 10 ms or less for 100.

@@ -47,7 +47,7 @@ struct FrameSimilarity {
 /// What is wrong in one part alone shows in `worst_part`.
 class FrameSketcher {
  public:
-  /// With a step, only the rows 0, step, 2 · step … are looked at.
+  /// With a step, only the rows 0, step, 2 · step … are sampled.
   FrameSketcher(int width, int height, int row_step = 1);
 
   /// Throws std::invalid_argument for a frame of another size.
@@ -60,7 +60,9 @@ class FrameSketcher {
 
   FrameSimilarity similarity(const FrameSketch& a, const FrameSketch& b) const;
 
-  int tile_edge() const { return edge_; }  ///< pixels, and rows that are looked at; SSIM's windows
+  int tile_edge() const {
+    return edge_;
+  }  ///< pixels, and sampled rows; also the size of SSIM's windows
   int tile_count() const { return across_ * down_; }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace mien::scenes {
 
-/// The character as a GLB file (skinned_glb.h); `rig_pose` tells where its joints are. Throws
+/// The character as a GLB file (skinned_glb.h); `rig_pose` has the transforms of its joints. Throws
 /// Error.
 std::string to_glb(const Character& character);
 

@@ -67,8 +67,8 @@ render::Mesh dual_quaternion_skinned(const SkinnedMesh& mesh, const JointMotions
 /// below a thousandth of the largest are removed. There must be a positive one.
 void normalize(std::vector<Influence>& influences);
 
-/// Throws std::invalid_argument, naming the member, when lists do not match, an index is out of
-/// range for so many joints, weights do not sum to 1 or a number is not finite.
+/// Throws std::invalid_argument, naming the member, when lists do not match, an index is not below
+/// `joint_count`, weights do not sum to 1 or a number is not finite.
 void validate(const SkinnedMesh& mesh, int joint_count);
 
 }  // namespace mien::scenes
