@@ -198,7 +198,8 @@ GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
     fault = error.what();
   }
   if (!understood) {
-    refuse(file, "is faulty: " + excerpt(fault.substr(0, fault.find('\n')), 2 * most_quoted),
+    refuse(file,
+           "is faulty: " + excerpt(fault.substr(0, fault.find('\n')), 2 * max_quoted_characters),
            get_it_again);
   }
   file.model.buffers = std::move(buffers);

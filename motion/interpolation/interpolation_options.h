@@ -58,7 +58,7 @@ struct StatisticalModelOptions {
 enum class GridSource { cardinal, nearest };
 
 /// Largest number of parameters of a grid: a cell has 2^M corners.
-inline constexpr int most_grid_dimensions = 8;
+inline constexpr int max_grid_dimensions = 8;
 
 /// Options of all methods; only those of the chosen method apply.
 struct InterpolationOptions {

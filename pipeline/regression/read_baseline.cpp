@@ -50,7 +50,7 @@ auto from_document(const fs::path& file, const Make& make) {
   if (!problem.empty()) throw Error({file.string()}, problem, keep_remedy);
   const std::string text = read_file(file);
   refuse_text(file, text);
-  if (motion::is_nested_deeper(text, motion::deepest_document))
+  if (motion::is_nested_deeper(text, motion::max_json_depth))
     throw Error({file.string()}, "holds something else than a baseline does", keep_remedy);
   try {
     return make(Json::parse(text), text);

@@ -253,7 +253,7 @@ double Viewing::pixels_per_degree() const {
 }
 
 PixelMap perceptual_error(const Image8& a, const Image8& b, const Viewing& viewing, int threads) {
-  expect_one_size(a, b);
+  require_same_size(a, b);
   const double pixels_per_degree = viewing.pixels_per_degree();
   if (!(pixels_per_degree >= 1.0 && pixels_per_degree <= 1000.0))
     throw std::invalid_argument("perceptual_error: there are not 1 to 1,000 pixels a degree");

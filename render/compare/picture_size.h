@@ -8,7 +8,7 @@ namespace mien::render {
 
 /// Throws Error, with both sizes, when two pictures cannot be compared pixel by pixel.
 template <class Picture>
-void expect_one_size(const Picture& a, const Picture& b) {
+void require_same_size(const Picture& a, const Picture& b) {
   const auto size_text = [](const Picture& picture) {
     return std::to_string(picture.width) + " x " + std::to_string(picture.height);
   };

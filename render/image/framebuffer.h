@@ -9,11 +9,10 @@ namespace mien::render {
 /// above 1 are allowed).
 using Framebuffer = Image<float>;
 
-/// The pixels of a window, cut out of a list with `stride` values a pixel of a picture that is
-/// `width` pixels wide.
+/// Crops a list with `stride` values a pixel, of a picture `width` pixels wide, to a window.
 template <class Value>
-std::vector<Value> cut_out(const std::vector<Value>& values, int width, const Window& window,
-                           std::size_t stride = 1) {
+std::vector<Value> crop(const std::vector<Value>& values, int width, const Window& window,
+                        std::size_t stride = 1) {
   std::vector<Value> cut;
   cut.reserve(stride * static_cast<std::size_t>(window.width) *
               static_cast<std::size_t>(window.height));
@@ -27,12 +26,12 @@ std::vector<Value> cut_out(const std::vector<Value>& values, int width, const Wi
   return cut;
 }
 
-/// The pixels of a window, cut out of a framebuffer.
-inline Framebuffer cut_out(const Framebuffer& framebuffer, const Window& window) {
+/// Crops a framebuffer to a window.
+inline Framebuffer crop(const Framebuffer& framebuffer, const Window& window) {
   Framebuffer cut;
   cut.width = window.width;
   cut.height = window.height;
-  cut.channels = cut_out(framebuffer.channels, framebuffer.width, window, 3);
+  cut.channels = crop(framebuffer.channels, framebuffer.width, window, 3);
   return cut;
 }
 

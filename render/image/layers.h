@@ -39,8 +39,8 @@ struct Layers {
   CoverageLayer parts;  ///< "figure/part"
 };
 
-/// The pixels of a window, cut out of all layers of the size of `layers.albedo`.
-Layers cut_out(Layers layers, const Window& window);
+/// Crops all layers of the size of `layers.albedo` to a window.
+Layers crop(Layers layers, const Window& window);
 
 /// The id that Cryptomatte gives a name: MurmurHash3 (32 bits, seed 0), with the exponent kept off
 /// the values that are no finite number (Friedman & Jones 2015).

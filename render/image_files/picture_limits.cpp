@@ -9,9 +9,9 @@ std::string picture_read_error(std::int64_t width, std::int64_t height, std::siz
   if (width < 1 || height < 1 || channels < 1) return "has " + size + ", and so shows nothing";
   const auto columns = static_cast<std::uint64_t>(width);
   const auto rows = static_cast<std::uint64_t>(height);
-  const bool is_readable = channels <= most_picture_values &&
-                           columns <= most_picture_values / channels &&
-                           rows <= most_picture_values / channels / columns;
+  const bool is_readable = channels <= max_picture_values &&
+                           columns <= max_picture_values / channels &&
+                           rows <= max_picture_values / channels / columns;
   if (is_readable) return "";
   return "has " + size + ", more than are read: 8192 x 8192, or as many otherwise";
 }

@@ -102,14 +102,14 @@ class PixelSampler {
   /// Sampler of a pixel with that many samples. All pixels share one sequence, block by block along
   /// the Morton curve, so that the errors of neighbours cancel (Ahmed & Wonka 2020): a pixel is as
   /// noisy as alone, areas are less noisy.
-  static PixelSampler among_neighbours(std::uint64_t seed, int x, int y, int samples) {
+  static PixelSampler for_picture(std::uint64_t seed, int x, int y, int samples) {
     PixelSampler sampler(seed, 0, 0);
     sampler.samples_ = static_cast<std::uint32_t>(samples);
-    return sampler.of_neighbour(x, y);
+    return sampler.for_pixel(x, y);
   }
 
   /// Sampler of another pixel of the same picture.
-  PixelSampler of_neighbour(int x, int y) const {
+  PixelSampler for_pixel(int x, int y) const {
     PixelSampler sampler = *this;
     sampler.place_ = spread_bits(static_cast<std::uint32_t>(x)) |
                      (spread_bits(static_cast<std::uint32_t>(y)) << 1);
@@ -141,7 +141,7 @@ class PixelSampler {
   }
 
   /// Index of a point shared by `pixels` neighbours on the Morton curve, a power of two.
-  std::uint32_t index_of_neighbours(int pixels) const {
+  std::uint32_t index_of_block(int pixels) const {
     return place_ / static_cast<std::uint32_t>(pixels);
   }
 
@@ -151,7 +151,7 @@ class PixelSampler {
   }
 
   /// A fast, unstratified random number for one of the pixel's points.
-  float dice(int point) const {
+  float fast_random(int point) const {
     return unit_float(mixed(seed_ ^ place_, index(point) + (1u << 31)));
   }
 

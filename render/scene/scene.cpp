@@ -163,7 +163,7 @@ Color sky_radiance(const Sky& sky, const Vec3& towards) {
   return sky.horizon + elevation_sine(towards) * (sky.zenith - sky.horizon);
 }
 
-Color open_sky_light(const Sky& sky, const Vec3& normal) {
+Color unoccluded_sky_light(const Sky& sky, const Vec3& normal) {
   // With the angle β between the normal and the zenith,
   // ∫ max(ω·up, 0) max(ω·n, 0) dω = ⅔ (sin β + (π − β) cos β), over the sphere.
   const float cosine = std::clamp(normal.y(), -1.0f, 1.0f);

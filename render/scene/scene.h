@@ -150,7 +150,7 @@ struct Scene {
 Color sky_radiance(const Sky& sky, const Vec3& towards);
 
 /// Irradiance over π on a surface of that unit normal under the whole, unoccluded sky.
-Color open_sky_light(const Sky& sky, const Vec3& normal);
+Color unoccluded_sky_light(const Sky& sky, const Vec3& normal);
 
 /// What the camera sees in the unit direction `towards` where there is nothing.
 Color backdrop_radiance(const Sky& sky, const Vec3& towards);

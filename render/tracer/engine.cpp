@@ -180,7 +180,7 @@ PreparedScene Engine::prepare(const Scene& scene, const Camera& camera, const Qu
           .solids = solids,
           .closing_solids = nullptr,
           .quality = quality,
-          .sampler = PixelSampler::among_neighbours(quality.seed, 0, 0, quality.samples_per_pixel),
+          .sampler = PixelSampler::for_picture(quality.seed, 0, 0, quality.samples_per_pixel),
           .camera = frame_of(camera),
           .closing_camera = std::nullopt,
           .filter = filters_.try_emplace(quality.filter_width, quality.filter_width).first->second,

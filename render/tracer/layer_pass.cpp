@@ -95,7 +95,7 @@ void put_ranks(const std::map<int, float>& shares, const std::vector<std::string
 void LayerPainter::take_samples(int x, int y) {
   const int spp = prepared_.quality.samples_per_pixel;
   const float share = 1.0f / static_cast<float>(spp);
-  const PixelSampler sampler = prepared_.sampler.of_neighbour(x, y);
+  const PixelSampler sampler = prepared_.sampler.for_pixel(x, y);
   Color albedo = Color::Zero();
   Vec3 normal = Vec3::Zero();
   std::map<int, float> parts, figures;

@@ -49,7 +49,7 @@ void add_sky(const PreparedScene& prepared, const SurfaceSamples& batch, const L
   for (int i = 0; i < batch.samples.count; ++i) {
     const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
     add_light(batch.samples[i], of_figure ? &Pixel::known_figure : &Pixel::known_background,
-              surface.albedo * open_sky_light(sky, surface.normal));
+              surface.albedo * unoccluded_sky_light(sky, surface.normal));
   }
   const Contribution occluded = of_figure ? Contribution::minus_figure_if_occluded
                                           : Contribution::minus_background_if_occluded;

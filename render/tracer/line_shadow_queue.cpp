@@ -98,8 +98,8 @@ void LineShadowQueue::choose_lines(const SharedLine& shared) {
   LaneWords seed;
   for (int i = 0; i < count_; ++i) {
     const Query& query = queries_[static_cast<std::size_t>(i)];
-    const PixelSampler sampler = prepared_.sampler.of_neighbour(query.x, query.y);
-    index_[i] = shared.pixels > 1 ? sampler.index_of_neighbours(shared.pixels)
+    const PixelSampler sampler = prepared_.sampler.for_pixel(query.x, query.y);
+    index_[i] = shared.pixels > 1 ? sampler.index_of_block(shared.pixels)
                                   : sampler.index_of_group(query.group, shared.samples);
     seed[i] = sampler.seed(Dimension::LightLine);
   }
@@ -113,7 +113,7 @@ void LineShadowQueue::choose_lines(const SharedLine& shared) {
     const int sharing = shared.pixels > 1 ? shared.samples : std::min(shared.samples, all - first);
     const int chosen = first + static_cast<int>(choice.u[i] * static_cast<float>(sharing));
     const auto [column, row] = neighbour(prepared_, query.x, query.y, block, chosen / all);
-    const PixelSampler sampler = prepared_.sampler.of_neighbour(column, row);
+    const PixelSampler sampler = prepared_.sampler.for_pixel(column, row);
     place[i] = sampler.index(chosen % all);
     seed[i] = sampler.seed(Dimension::PixelPosition);
     x[i] = static_cast<float>(column) + 0.5f;

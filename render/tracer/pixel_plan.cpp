@@ -381,7 +381,7 @@ void PixelPlanner::init(Pixel& pixel, int x, int y, const PixelPlan& plan,
   const StaticBackground& background = prepared_.background;
   init(static_cast<FloorPixel&>(pixel), x, y, plan, background_light.radiance);
   pixel.kind = plan.kind;
-  pixel.sampler = prepared_.sampler.of_neighbour(x, y);
+  pixel.sampler = prepared_.sampler.for_pixel(x, y);
   pixel.shows_floor = background.shows_floor(x, y);
   const bool open = plan.kind == PixelKind::background || plan.kind == PixelKind::shadowed_floor;
   if (open) pixel.background_samples = prepared_.quality.samples_per_pixel;

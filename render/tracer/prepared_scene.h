@@ -23,7 +23,7 @@ struct PreparedScene {
   const Solids& solids;          ///< the figure's, in `scene`
   const Solids* closing_solids;  ///< when the shutter closes; null: nothing moves
   Quality quality;
-  PixelSampler sampler;  ///< of one pixel; others are of_neighbour
+  PixelSampler sampler;  ///< of one pixel; others are for_pixel
   CameraFrame camera;
   std::optional<CameraFrame> closing_camera;  ///< none: the camera does not move
   const Filter& filter;

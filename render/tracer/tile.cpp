@@ -327,7 +327,7 @@ bool TilePainter::is_lit_with_last(const Sample& sample, int shape, int lane, co
     return false;
   last.partner = sample.pixel;
   last.partner_weight += 1.0f;
-  if (pixel.sampler.dice(sample.index) * (last.weight + last.partner_weight) < 1.0f)
+  if (pixel.sampler.fast_random(sample.index) * (last.weight + last.partner_weight) < 1.0f)
     figure_surfaces_.surfaces[number] = surface(lane, figure, true, sample.time);
   return true;
 }

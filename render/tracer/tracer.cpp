@@ -83,8 +83,8 @@ RenderTarget Tracer::draw(PreparedView ready) {
   engine_->for_all_parts(camera.width, camera.height, window_of(camera),
                          [&](const Tile& part) { render::draw(prepared, part, {target}); });
   if (!camera.window) return target;
-  target.color = cut_out(target.color, *camera.window);
-  if (!target.alpha.empty()) target.alpha = cut_out(target.alpha, camera.width, *camera.window);
+  target.color = crop(target.color, *camera.window);
+  if (!target.alpha.empty()) target.alpha = crop(target.alpha, camera.width, *camera.window);
   return target;
 }
 
@@ -138,7 +138,7 @@ Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& q
   engine_->for_all_parts(sharp.width, sharp.height, window_of(sharp), [&](const Tile& part) {
     draw_layers(prepared, moves ? &following : nullptr, part, layers);
   });
-  if (sharp.window) layers = cut_out(std::move(layers), *sharp.window);
+  if (sharp.window) layers = crop(std::move(layers), *sharp.window);
   layers.beauty = trace(scene, sharp, quality);
   add_variance(scene, sharp, quality, layers);
   return layers;

@@ -29,7 +29,7 @@ constexpr int decoder_threads = 2;  // no influence on the pictures
 
 /// Decoders look at the beginning, and take memory for pictures of the size that the file names.
 void find_streams(AVFormatContext& input, const std::string& path) {
-  const std::string most = std::to_string(most_picture_values);
+  const std::string most = std::to_string(max_picture_values);
   std::vector<AVDictionary*> options(input.nb_streams, nullptr);
   for (AVDictionary*& one : options) av_dict_set(&one, "max_pixels", most.c_str(), 0);
   const int code = avformat_find_stream_info(&input, options.data());
@@ -55,7 +55,7 @@ CodecContext open_decoder(const AVStream* stream, const std::string& path, int t
   checked(avcodec_parameters_to_context(codec.get(), stream->codecpar), path);
   codec->err_recognition = AV_EF_EXPLODE;
   codec->thread_count = threads;
-  codec->max_pixels = static_cast<std::int64_t>(most_picture_values);
+  codec->max_pixels = static_cast<std::int64_t>(max_picture_values);
   checked(avcodec_open2(codec.get(), decoder, nullptr), path + ": opening the decoder");
   return codec;
 }

@@ -125,8 +125,8 @@ Noise noise_of(const std::vector<Framebuffer>& frames, const std::vector<Framebu
 render::Image8 enlarged(const Framebuffer& left, const Framebuffer& right,
                         const render::Window& shown) {
   constexpr int times = 4, gap = 8;
-  const render::Image8 pictures[] = {render::to_srgb8(cut_out(left, shown)),
-                                     render::to_srgb8(cut_out(right, shown))};
+  const render::Image8 pictures[] = {render::to_srgb8(crop(left, shown)),
+                                     render::to_srgb8(crop(right, shown))};
   const int width = times * shown.width, height = times * shown.height;
   render::Image8 out(2 * width + gap, height);
   for (int k = 0; k < 2; ++k)

@@ -74,7 +74,7 @@ void check_wish(const std::string& path, const std::string& what, const NamedVal
     list.add(path, "direct interpolation takes weights, not " + what,
              "give weights:, or another method");
   }
-  const auto most = static_cast<std::size_t>(motion::most_grid_dimensions);
+  const auto most = static_cast<std::size_t>(motion::max_grid_dimensions);
   if (method != Method::grid || wish.size() <= most) return;
   list.add(path, "a grid over " + std::to_string(wish.size()) + " parameters has too many corners",
            "name at most " + std::to_string(most) + ", or use another method");

@@ -87,7 +87,7 @@ StudyContents contents_of(const fs::path& study) {
     throw Error({file.string()}, "this is no provenance of a study",
                 "mien run writes it when everything of the study is made");
   };
-  if (motion::is_nested_deeper(*text.bytes, motion::deepest_document)) refuse();
+  if (motion::is_nested_deeper(*text.bytes, motion::max_json_depth)) refuse();
   try {
     take(json::parse(*text.bytes), contents);
   } catch (const json::exception&) {

@@ -55,8 +55,8 @@ double variance_of_squares(int side, int samples) {
       const int pixel = k / samples;
       const int x = side * (square % count) + pixel % side;
       const int y = side * (square / count) + pixel / side;
-      const Point2 p = PixelSampler::among_neighbours(3, x, y, samples)
-                           .point(Dimension::FirstLight, k % samples);
+      const Point2 p =
+          PixelSampler::for_picture(3, x, y, samples).point(Dimension::FirstLight, k % samples);
       below += p.u + 0.7f * p.v < 0.8f ? 1 : 0;
     }
     const double share = below / static_cast<double>(side * side * samples);

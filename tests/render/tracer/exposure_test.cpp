@@ -243,7 +243,7 @@ TEST(Exposing, KnowsTheOpenSkyOnEveryNormal) {
       sum += sky_radiance(sky,
                           cosine_direction(normal, sample_point(static_cast<std::uint32_t>(i), 9)))
                  .cast<double>();
-    const Color known = open_sky_light(sky, normal);
+    const Color known = unoccluded_sky_light(sky, normal);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(known[c], sum[c] / rays, 5e-4) << y;
   }
 }
@@ -264,18 +264,18 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
     const Quality quality{.samples_per_pixel = 4, .background = background};
     const RenderTarget whole = Tracer().render_view({scene, camera, quality});
     const RenderTarget part = Tracer().render_view({scene, cropped, quality});
-    EXPECT_EQ(part.color, cut_out(whole.color, *cropped.window));
+    EXPECT_EQ(part.color, crop(whole.color, *cropped.window));
     if (background != Background::shown) {
-      EXPECT_EQ(part.alpha, cut_out(whole.alpha, camera.width, *cropped.window));
+      EXPECT_EQ(part.alpha, crop(whole.alpha, camera.width, *cropped.window));
     }
   }
   for (const int samples : {1, 2}) {
     const Quality few{.samples_per_pixel = samples};
     EXPECT_EQ(Tracer().trace(scene, cropped, few),
-              cut_out(Tracer().trace(scene, camera, few), *cropped.window));
+              crop(Tracer().trace(scene, camera, few), *cropped.window));
   }
   const Quality quality{.samples_per_pixel = 4};
-  const Layers whole = cut_out(Tracer().layers(scene, camera, quality), *cropped.window);
+  const Layers whole = crop(Tracer().layers(scene, camera, quality), *cropped.window);
   const Layers part = Tracer().layers(scene, cropped, quality);
   EXPECT_EQ(part.beauty.width, 30);
   EXPECT_EQ(part.normal, whole.normal);

@@ -191,7 +191,7 @@ TEST_F(Film, ShowsAPartOfThePictureAlone) {
         render::Tracer tracer;
         const render::Framebuffer film = tracer.trace(
             scene_at(whole, frame), camera_at(whole, frame), quality_of(settings(), whole));
-        EXPECT_EQ(found.at(frame), render::to_srgb8(cut_out(film, part), whole.tone))
+        EXPECT_EQ(found.at(frame), render::to_srgb8(crop(film, part), whole.tone))
             << "frame " << frame << ", " << view << ", dither " << dither;
       }
     }
