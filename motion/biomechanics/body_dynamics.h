@@ -22,7 +22,7 @@ struct BodyDynamics {
   std::array<Vec3, segment_count> centre;        ///< m
   std::array<Vec3, segment_count> acceleration;  ///< m/s²
   std::array<Vec3, segment_count>
-      momentum_rate;  ///< of angular momentum about the centre, m²/s² per kg of body mass
+      momentum_rate;  ///< of rotation about the centre, m²/s² per kg of body
 
   Vec3 centre_of_mass = Vec3::Zero();  ///< m
   Vec3 velocity = Vec3::Zero();        ///< of the centre of mass, m/s

@@ -17,9 +17,8 @@ struct LintSubject {
   int start = 0;   ///< frame of `clip` at which that motion begins: its middle lap
   bool was_loop = false;
   std::vector<JointTransforms> world;  ///< of every frame of `clip`
-  double scale = 1.0;  ///< stature divided by 1.75 m; 1 when it is not the canonical body
-  Vec3 floor =
-      Vec3::Zero();  ///< m/s; velocity of the floor under the motion as given, if it walks in place
+  double scale = 1.0;         ///< stature divided by 1.75 m; 1 when it is not the canonical body
+  Vec3 floor = Vec3::Zero();  ///< m/s; of the floor under a motion given in place
 
   int frame_count() const { return clip.frame_count(); }
   double rate() const { return clip.frames_per_second; }

@@ -22,8 +22,7 @@ struct FrameRange {
 struct ExampleOptions {
   CycleChoice cycle = CycleChoice::automatic;
   std::optional<FrameRange> frames;  ///< a manually chosen cycle: `last` is `first` one cycle later
-  std::vector<double>
-      keytimes;  ///< manual keytimes, seconds of the clip, ascending; empty: detected
+  std::vector<double> keytimes;      ///< manual, seconds, ascending; empty: detected
 };
 
 /// A motion prepared for blending, with what was cut from it.

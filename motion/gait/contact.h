@@ -8,13 +8,12 @@
 namespace mien::motion {
 
 struct ContactOptions {
-  double height_metres = 0.04;  ///< above the point's own stance level
-  double on_speed = 0.15;       ///< m/s below which contact begins
-  double off_speed = 0.3;       ///< m/s above which it ends
-  double shortest_gap = 0.07;   ///< seconds; shorter gaps are closed
-  double shortest_plant = 0.1;  ///< seconds; shorter contacts are dropped
-  Vec3 floor_velocity =
-      Vec3::Zero();  ///< m/s; velocity of the floor under a clip that walks in place
+  double height_metres = 0.04;         ///< above the point's own stance level
+  double on_speed = 0.15;              ///< m/s below which contact begins
+  double off_speed = 0.3;              ///< m/s above which it ends
+  double shortest_gap = 0.07;          ///< seconds; shorter gaps are closed
+  double shortest_plant = 0.1;         ///< seconds; shorter contacts are dropped
+  Vec3 floor_velocity = Vec3::Zero();  ///< m/s; of the floor under a clip in place
 };
 
 /// Contact of the parts of one foot with the floor, frame by frame (points of sole.h).

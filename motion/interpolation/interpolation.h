@@ -46,8 +46,7 @@ struct Interpolator {
 
 /// The blend weights of the examples at given parameters.
 struct InterpolatedWeights {
-  Eigen::VectorXd
-      weights;  ///< one an example, ≥ 0, sum 1; for `pca` equivalent weights of any sign
+  Eigen::VectorXd weights;                 ///< one an example, ≥ 0, sum 1; for `pca` of any sign
   std::optional<double> expected_error_m;  ///< kriging: expected RMS distance of joints, metres
   std::vector<std::string> remarks;        ///< sentences about this query
 };

@@ -22,9 +22,8 @@ struct MeasuredFault {
   std::string joint;
   std::string unit;
   Levels levels;
-  double shortest_seconds =
-      0.0;                  ///< shorter intervals are ignored; a single frame is always enough…
-  int shortest_frames = 1;  ///< …but for this
+  double shortest_seconds = 0.0;  ///< shorter intervals are ignored; a frame is enough…
+  int shortest_frames = 1;        ///< …but for this
   std::function<std::string(double worst)> sentence;
 };
 

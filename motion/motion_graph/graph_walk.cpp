@@ -33,7 +33,7 @@ Mix mixed(std::span<const MotionGraph> versions, const GraphWalk& walk,
           std::span<const MoodChange> moods) {
   constexpr double mood_stiffness = 12.0;  // 1/s
   Mix mix{versions, frames_of(versions.front(), walk), {}, {}};
-  std::vector<CriticallyDampedSpring> followers;
+  std::vector<DampedSpring> followers;
   for (const double share : requested_shares(moods, 0.0, versions.size())) {
     followers.push_back({share, 0.0});
   }

@@ -11,8 +11,7 @@ namespace mien::motion {
 struct HeadingGoal {
   double seconds = 0.0;
   double radians = 0.0;
-  double over_seconds =
-      0.5;  ///< interval before that time over which the walk's heading is averaged
+  double over_seconds = 0.5;  ///< before it, over which the walk's heading is averaged
   std::size_t segment = 0;
 };
 

@@ -13,9 +13,8 @@ namespace mien::motion {
 /// User input for a walker.
 struct WalkRequest {
   double pace = 0.0;  ///< share of the mood's own speed: 0 stops, 1 walks, up to 1.2; else clamped
-  std::optional<double>
-      heading_deg;            ///< requested heading, about +Y from +Z; turns the shorter way
-  double turn_deg_s = 0.0;    ///< °/s to the left, if no heading is requested
+  std::optional<double> heading_deg;  ///< to face, about +Y from +Z; turns the shorter way
+  double turn_deg_s = 0.0;            ///< °/s to the left, if no heading is requested
   std::vector<double> moods;  ///< weights ≥ 0, one for each mood, normalised; empty: the first mood
 };
 

@@ -15,14 +15,14 @@ constexpr double turning_stiffness = 7.0;
 Quat facing(const RootMotion& root) { return Quat(Eigen::AngleAxisd(root.heading, Vec3::UnitY())); }
 
 /// Area under a spring that is pulled to 0 from here.
-double rest_of(const CriticallyDampedSpring& number, double stiffness) {
+double rest_of(const DampedSpring& number, double stiffness) {
   return 2.0 * number.value / stiffness + number.rate / (stiffness * stiffness);
 }
 
 }  // namespace
 
-CriticallyDampedSpring spring_step(const CriticallyDampedSpring& number, double goal,
-                                   double stiffness, double seconds) {
+DampedSpring spring_step(const DampedSpring& number, double goal, double stiffness,
+                         double seconds) {
   const double away = number.value - goal;
   const double slope = number.rate + stiffness * away;
   const double left = std::exp(-stiffness * seconds);

@@ -5,26 +5,25 @@
 namespace mien::motion {
 
 /// The state of a critically damped spring: a value that follows a goal with a continuous rate.
-struct CriticallyDampedSpring {
+struct DampedSpring {
   double value = 0.0;
   double rate = 0.0;  ///< 1/s
 };
 
 /// The spring `seconds` later, with angular frequency `stiffness` (1/s) and a constant goal: the
 /// exact solution for any step.
-CriticallyDampedSpring spring_step(const CriticallyDampedSpring& number, double goal,
-                                   double stiffness, double seconds);
+DampedSpring spring_step(const DampedSpring& number, double goal, double stiffness, double seconds);
 
 /// Root motion of a walker: position and heading on the floor and their velocities, the frame of
 /// its steps. Speed and turning follow their goals with a lag of a third of a second and continuous
 /// acceleration.
 struct RootMotion {
-  Vec3 place = Vec3::Zero();            ///< on the floor, metres
-  double heading = 0.0;                 ///< about +Y from +Z, radians
-  CriticallyDampedSpring speed;         ///< along the heading, m/s
-  CriticallyDampedSpring turning;       ///< radians/s
-  CriticallyDampedSpring wanted_speed;  ///< goal of the speed, smoothed
-  CriticallyDampedSpring wanted_turning;
+  Vec3 place = Vec3::Zero();  ///< on the floor, metres
+  double heading = 0.0;       ///< about +Y from +Z, radians
+  DampedSpring speed;         ///< along the heading, m/s
+  DampedSpring turning;       ///< radians/s
+  DampedSpring wanted_speed;  ///< goal of the speed, smoothed
+  DampedSpring wanted_turning;
 };
 
 /// The root `seconds` (a small step) later, with these goals of speed (m/s) and turning

@@ -38,10 +38,9 @@ struct WalkedClip {
 
 struct ScriptedWalkOptions {
   double frames_per_second = 30.0;
-  std::vector<MoodChange>
-      moods;  ///< by time, until a segment has its own; the first also applies before its time
-  Vec3 place = Vec3::Zero();  ///< start position on the floor
-  double heading = 0.0;       ///< start heading, radians about +Y from +Z
+  std::vector<MoodChange> moods;  ///< by time; the first also before it; segments override
+  Vec3 place = Vec3::Zero();      ///< start position on the floor
+  double heading = 0.0;           ///< start heading, radians about +Y from +Z
 };
 
 /// Runs a walker through a script, segment by segment, from standing, and records it as a clip that

@@ -35,9 +35,9 @@ std::vector<double> mood_goals(const std::vector<double>& asked, std::size_t moo
   return goals;
 }
 
-std::vector<double> shares_of(const std::vector<CriticallyDampedSpring>& moods) {
+std::vector<double> shares_of(const std::vector<DampedSpring>& moods) {
   std::vector<double> shares;
-  for (const CriticallyDampedSpring& mood : moods) shares.push_back(mood.value);
+  for (const DampedSpring& mood : moods) shares.push_back(mood.value);
   return shares;
 }
 

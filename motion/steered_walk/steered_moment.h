@@ -18,7 +18,7 @@ SteeredMoment moment_at(const WalkerGaits& gaits, const SteeredWalk& walker);
 
 /// Shares of the moods, sum 1: the requested ones, and the present ones.
 std::vector<double> mood_goals(const std::vector<double>& asked, std::size_t moods);
-std::vector<double> shares_of(const std::vector<CriticallyDampedSpring>& moods);
+std::vector<double> shares_of(const std::vector<DampedSpring>& moods);
 
 /// Lifts the heels of standing feet as far as the legs need to reach them, and lowers the pelvis
 /// smoothly by the remaining distance.

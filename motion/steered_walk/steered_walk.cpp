@@ -148,7 +148,7 @@ void centre(SteeredWalk& walker, const SteeredMoment& moment, double seconds) {
   const std::array<double, 3> goals = {middle.x(), middle.z(), heading};
   std::array<double*, 3> values = {&root.place.x(), &root.place.z(), &root.heading};
   for (std::size_t i = 0; i < goals.size(); ++i) {
-    CriticallyDampedSpring& follower = walker.centring[i];
+    DampedSpring& follower = walker.centring[i];
     follower.value = *values[i];
     if (walker.stepping) {
       const double left = std::exp(-8.0 * seconds);
@@ -180,8 +180,8 @@ void follow_phase(const SteeredMoment& moment, double seconds, SteeredWalk& walk
     walker.phase += 0.5 * (before + walker.phase_rate) * seconds;
     return;
   }
-  const CriticallyDampedSpring next = spring_step(
-      {walker.phase, walker.phase_rate}, walker.rest_phase, walker.rest_stiffness, seconds);
+  const DampedSpring next = spring_step({walker.phase, walker.phase_rate}, walker.rest_phase,
+                                        walker.rest_stiffness, seconds);
   walker.phase = next.value;
   walker.phase_rate = next.rate;
 }

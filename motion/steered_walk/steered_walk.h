@@ -12,11 +12,10 @@ namespace mien::motion {
 
 /// Control input of a walker from now on.
 struct Steering {
-  double pace = 0.0;  ///< share of the mood's own speed; 0 stops; at most 1.2
-  std::optional<double>
-      heading;           ///< requested heading, radians about +Y from +Z; turns the shorter way
-  double turning = 0.0;  ///< radians/s to the left, if no heading is requested
-  std::vector<double> moods;  ///< one for each mood, ≥ 0; normalised; empty: the first mood
+  double pace = 0.0;              ///< share of the mood's own speed; 0 stops; at most 1.2
+  std::optional<double> heading;  ///< to face, radians about +Y; turns the shorter way
+  double turning = 0.0;           ///< radians/s to the left, if no heading is requested
+  std::vector<double> moods;      ///< one for each mood, ≥ 0; normalised; empty: the first mood
 };
 
 /// State of a walker. It plans no more than the next step: each foot placement is computed from the
@@ -24,21 +23,20 @@ struct Steering {
 /// once. A plain value; copies are independent.
 struct SteeredWalk {
   RootMotion root;
-  std::array<SteppingLeg, 2> legs;            ///< left, right
-  std::vector<CriticallyDampedSpring> moods;  ///< shares, smoothed: of posture and arms
-  std::vector<CriticallyDampedSpring> gaits;  ///< the same, slower: of legs and tempo
-  bool stepping = false;                      ///< false: it stands, or is coming to rest
-  bool started = false;                       ///< a foot has left the floor since it began to step
-  double phase = 0.0;                         ///< of the gait cycle, unwrapped; 0: left heel strike
-  double phase_rate = 0.0;                    ///< 1/s
-  double rest_phase = 0.0;                    ///< at which the phase comes to rest in standing
-  double rest_stiffness = 3.0;                ///< 1/s
-  CriticallyDampedSpring activity;            ///< 0 stands … 1 walks
-  CriticallyDampedSpring crouch;  ///< of the pelvis, for legs that would not reach, metres
-  CriticallyDampedSpring gaze;    ///< of head and chest into the turn, radians
-  std::array<CriticallyDampedSpring, 3>
-      centring;          ///< x, z and heading as it comes to stand over its feet
-  double seconds = 0.0;  ///< since it began: breath and sway
+  std::array<SteppingLeg, 2> legs;       ///< left, right
+  std::vector<DampedSpring> moods;       ///< shares, smoothed: of posture and arms
+  std::vector<DampedSpring> gaits;       ///< the same, slower: of legs and tempo
+  bool stepping = false;                 ///< false: it stands, or is coming to rest
+  bool started = false;                  ///< a foot has left the floor since it began to step
+  double phase = 0.0;                    ///< of the gait cycle, unwrapped; 0: left heel strike
+  double phase_rate = 0.0;               ///< 1/s
+  double rest_phase = 0.0;               ///< at which the phase comes to rest in standing
+  double rest_stiffness = 3.0;           ///< 1/s
+  DampedSpring activity;                 ///< 0 stands … 1 walks
+  DampedSpring crouch;                   ///< of the pelvis, for legs that would not reach, metres
+  DampedSpring gaze;                     ///< of head and chest into the turn, radians
+  std::array<DampedSpring, 3> centring;  ///< x, z and heading as it comes to stand over its feet
+  double seconds = 0.0;                  ///< since it began: breath and sway
 };
 
 /// A walker that stands at a place on the floor (y = 0), facing a heading. Mood weights as in

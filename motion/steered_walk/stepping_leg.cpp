@@ -63,7 +63,7 @@ double rolling_pitch(const SteppingLeg& leg, const LegMoment& moment) {
 }
 
 /// Value and rate of the pitch that the stance gives.
-CriticallyDampedSpring stance_roll(const LegMoment& moment) {
+DampedSpring stance_roll(const LegMoment& moment) {
   const double own = stance_phase(moment);
   const double later = moment_seconds * moment.phase_rate;
   const WalkStyle& style = moment.steady.pelvis.style;
@@ -156,14 +156,14 @@ FootPose landing_foot(const SteppingLeg& leg, const LegMoment& moment) {
 }
 
 void hold(SteppingLeg& leg, const LegMoment& moment) {
-  const CriticallyDampedSpring roll = stance_roll(moment);
+  const DampedSpring roll = stance_roll(moment);
   leg.held = true;
   leg.more_pitch.value += roll.value;
   leg.more_pitch.rate += roll.rate;
 }
 
 void release(SteppingLeg& leg, const LegMoment& moment) {
-  const CriticallyDampedSpring roll = stance_roll(moment);
+  const DampedSpring roll = stance_roll(moment);
   leg.held = false;
   leg.more_pitch.value -= roll.value;
   leg.more_pitch.rate -= roll.rate;
@@ -179,8 +179,8 @@ void lift_off(SteppingLeg& leg, const LegMoment& moment) {
             steady_stance(steady, at))
         .eval();
   };
-  const CriticallyDampedSpring more = {leg.more_pitch.value - leg.heel_rise.value,
-                                       leg.more_pitch.rate - leg.heel_rise.rate};
+  const DampedSpring more = {leg.more_pitch.value - leg.heel_rise.value,
+                             leg.more_pitch.rate - leg.heel_rise.rate};
   leg.start = difference(0.0, own, more.value);
   leg.start_rate = (leg.start - difference(-moment_seconds, own - step,
                                            more.value - more.rate * moment_seconds)) /
@@ -201,7 +201,7 @@ void plan_swing(SteppingLeg& leg, const LegMoment& moment, const Landing& landin
   const double free = std::clamp((0.92 - swing_share(leg, moment)) / 0.45, 0.0, 1.0);
   for (std::size_t i = 0; i < goals.size(); ++i) {
     leg.landing[i] = std::isinf(seconds)
-                         ? CriticallyDampedSpring{goals[i], 0.0}
+                         ? DampedSpring{goals[i], 0.0}
                          : spring_step(leg.landing[i], goals[i], free * landing_stiffness, seconds);
   }
   leg.landing_rate = landing_rate(moment, landing);

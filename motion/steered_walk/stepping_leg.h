@@ -24,8 +24,8 @@ struct SteppingLeg {
   // While it stands. World space.
   Vec3 print = Vec3::Zero();  ///< as `rolled_foot` (foot_roll.h) means it
   double yaw = 0.0;
-  CriticallyDampedSpring more_pitch;  ///< over that of the stance, radians; fades
-  CriticallyDampedSpring heel_rise;   ///< needed for the leg to reach, radians
+  DampedSpring more_pitch;  ///< over that of the stance, radians; fades
+  DampedSpring heel_rise;   ///< needed for the leg to reach, radians
 
   // While it swings.
   double toe_off = 0.0;                          ///< own phase at which it left the floor
@@ -33,8 +33,7 @@ struct SteppingLeg {
   FootNumbers start = FootNumbers::Zero();       ///< difference from the steady walk at toe off …
   FootNumbers start_rate = FootNumbers::Zero();  ///< … and its rate, 1/s
   FootNumbers landing_rate = FootNumbers::Zero();  ///< of the difference as it lands, 1/s
-  std::array<CriticallyDampedSpring, 3>
-      landing;  ///< x, z and yaw of the foot as it lands, as planned now
+  std::array<DampedSpring, 3> landing;  ///< x, z and yaw of the foot as it lands, as planned now
 };
 
 /// The input of a leg at one time.

@@ -54,8 +54,7 @@ class PathStream {
   double share_;
   bool legs_;
   int look_ahead_;
-  std::vector<double>
-      response_;  ///< of the weighted bands to a single sample, centre in the middle
+  std::vector<double> response_;  ///< impulse response of the bands, centred
   std::array<Signal, body_joint_count> signals_;
   std::deque<Pose> waiting_;  ///< from the frame that is given next to the newest
   long first_dense_ = 0;      ///< place in the signal of the first sample that is kept

@@ -18,9 +18,8 @@ namespace mien::render {
 struct StaticBackground {
   Framebuffer radiance;
   std::vector<std::uint8_t> floor;  ///< 1 where a pixel's centre shows the floor
-  std::vector<std::uint8_t>
-      solid;           ///< 1 where a pixel may show a static solid; empty if there are none
-  CameraFrame camera;  ///< projects the floor (FloorRow)
+  std::vector<std::uint8_t> solid;  ///< 1 where a static solid may show; empty: none
+  CameraFrame camera;               ///< projects the floor (FloorRow)
 
   /// The floor's albedo, multiplied by the share that has not faded. A row of uniform colour has it
   /// in `uniform_albedo` alone, which is faster to read.

@@ -26,8 +26,7 @@ struct Camera {
   float focus_distance = 5.0f;   ///< along the axis, metres; of a camera with an aperture
   int width = 960;               ///< pixels
   int height = 540;              ///< pixels
-  std::optional<Window>
-      window;  ///< the part of the picture that is rendered, bit for bit as in the whole; none: all
+  std::optional<Window> window;  ///< the part that is rendered, bit for bit; none: all
 };
 
 /// The part of the picture that is rendered.

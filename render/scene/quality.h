@@ -16,16 +16,14 @@ enum class Background {
 /// Every shaded surface sample has one shadow ray a light; samples of the floor share the lines of
 /// line_shadow.h where penumbrae are wide, and cast shadow rays only where lines do not apply.
 struct Quality {
-  int samples_per_pixel = 16;  ///< where a pixel may show a solid each is a primary ray
-  int sky_rays = 2;            ///< rays towards the sky for each shaded surface sample
-  int samples_shaded_together =
-      1;  ///< this many samples of a pixel are shaded once if they hit the same solid
+  int samples_per_pixel = 16;       ///< where a pixel may show a solid each is a primary ray
+  int sky_rays = 2;                 ///< rays towards the sky for each shaded surface sample
+  int samples_shaded_together = 1;  ///< of a pixel, where they hit the same solid
 
   /// Whether two neighbours in a row are shaded together too; only where `samples_shaded_together`
   /// is not less than `samples_per_pixel`.
   bool shades_pixel_pairs = false;
-  int static_samples =
-      64;  ///< samples a pixel for static solids, which are rendered once for each camera
+  int static_samples = 64;  ///< samples a pixel for static solids, once a camera
 
   /// How much of the sky a figure hides from the floor is sampled at grid points, with as many rays
   /// each as keep the noise at about `floor_sky_noise` of the sky's light, and interpolated where a
@@ -42,8 +40,7 @@ struct Quality {
 
   float filter_width = 2.0f;  ///< whole width of the Blackman–Harris filter, pixels
   Background background = Background::shown;
-  float shutter =
-      1.0f;  ///< share of the interval to the closing scene during which the shutter is open
+  float shutter = 1.0f;    ///< share of the frame interval for which it is open
   std::uint64_t seed = 0;  ///< another seed, another noise pattern
 
   /// Also trace rays that are known to hit nothing. The picture is the same, bit for bit, only

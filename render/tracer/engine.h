@@ -119,9 +119,8 @@ class Engine {
   StaticBackgroundCache* backgrounds_;
   LightCache light_cache_;
   BackgroundPool pool_;  // for backgrounds that are not shared with other tracers
-  std::array<CachedBackground, 2>
-      cached_;                       // two, for a pair of cameras; the one used last comes first
-  std::map<float, Filter> filters_;  // by width
+  std::array<CachedBackground, 2> cached_;  // for a pair of cameras; last used first
+  std::map<float, Filter> filters_;         // by width
 };
 
 }  // namespace mien::render

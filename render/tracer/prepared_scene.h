@@ -29,12 +29,11 @@ struct PreparedScene {
   const Filter& filter;
   EmbreeScene figure;
   const StaticBackground& background;
-  const EmbreeScene* static_solids;      ///< null if there are none
-  BoundingSphere bounds;                 ///< of the figure
-  PixelMask pixel_mask;                  ///< where primary rays may meet the figure
-  std::vector<ShadowMask> shadow_masks;  ///< where it may hide each light from the floor
-  std::uint32_t
-      line_lights;  ///< bit i: its shadows on the floor from light i are computed by lines
+  const EmbreeScene* static_solids;       ///< null if there are none
+  BoundingSphere bounds;                  ///< of the figure
+  PixelMask pixel_mask;                   ///< where primary rays may meet the figure
+  std::vector<ShadowMask> shadow_masks;   ///< where it may hide each light from the floor
+  std::uint32_t line_lights;              ///< bit i: shadows of light i on the floor are by lines
   std::vector<std::vector<int>> casters;  ///< of each light, the round cones that are not behind it
   FloorSky floor_sky;                     ///< its occlusion of the sky on the floor
   std::vector<float> opacities;           ///< of the figures

@@ -15,9 +15,8 @@ namespace mien::render {
 /// next frame differs from it; these hashes tell exactly (but for a chance of 2⁻⁶⁴) which frames
 /// the encoder was given and which bytes of the file it made of each.
 struct VideoReceipt {
-  std::vector<std::uint64_t> frames;  ///< hash_of each frame that was written, in order
-  std::vector<std::uint64_t>
-      packet_hashes;  ///< packet_hash of each frame; empty unless has_packet_per_frame
+  std::vector<std::uint64_t> frames;         ///< hash_of each frame that was written, in order
+  std::vector<std::uint64_t> packet_hashes;  ///< of each frame; empty: no packet per frame
 };
 
 /// Whether files of that kind store each frame as one packet as the encoder made it: MP4, WebM and

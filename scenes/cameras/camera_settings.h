@@ -45,8 +45,7 @@ struct CameraSettings {
   std::vector<CameraKey> path;                ///< at least two, in time; instead of a view
   std::optional<double> stereo_separation_m;  ///< two pictures side by side, left eye left
   std::optional<ScreenSettings> screen;
-  std::optional<double>
-      figure_px;  ///< of a view: the distance is chosen for this height of the standing figure
+  std::optional<double> figure_px;             ///< height of the standing figure; sets the distance
   std::optional<DepthOfField> depth_of_field;  ///< everything is sharp without it
 
   friend bool operator==(const CameraSettings&, const CameraSettings&) = default;

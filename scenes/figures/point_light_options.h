@@ -32,8 +32,7 @@ struct PointLightOptions {
   bool inverted = false;         ///< upside down
   bool mirrored = false;         ///< left and right exchanged, as seen by the camera
   double rotated_degrees = 0.0;  ///< about the vertical, counter-clockwise seen from above
-  bool scrambled =
-      false;  ///< each dot's motion is moved to a random position within the figure's extent
+  bool scrambled = false;        ///< each dot's motion at a random position in the extent
 
   bool reversed = false;         ///< last frame first
   bool constant_speed = false;   ///< each dot follows its own path at constant speed
@@ -46,8 +45,7 @@ struct PointLightOptions {
   /// with another phase.
   int mask = 0;
 
-  std::optional<std::uint64_t>
-      seed;  ///< of everything random; by default derived from the production's seed
+  std::optional<std::uint64_t> seed;  ///< default: derived from the production's
 
   friend bool operator==(const PointLightOptions&, const PointLightOptions&) = default;
 };

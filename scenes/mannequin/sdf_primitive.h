@@ -22,8 +22,7 @@ struct SdfPrimitive {
   Shape shape = Shape::ellipsoid;
 
   motion::Vec3 start = motion::Vec3::Zero();  ///< centre of the ellipsoid or of the first sphere
-  motion::Vec3 end =
-      motion::Vec3::Zero();  ///< centre of the second sphere; not used by the ellipsoid
+  motion::Vec3 end = motion::Vec3::Zero();    ///< of the second sphere; round cone only
   double start_radius = 0.0;
   double end_radius = 0.0;
 

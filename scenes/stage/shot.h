@@ -32,13 +32,11 @@ struct Look {
   Figure figure;
   CameraSettings camera;
   Role role = Role::neutral;
-  std::array<int, 2> size{960, 540};  ///< pixels that the camera frames
-  std::optional<render::Window>
-      window;                ///< the part of them that is rendered; not for stereo pairs
-  double pixel_scale = 1.0;  ///< factor of sizes in pixels
-  std::optional<std::array<double, 2>>
-      figure_place;       ///< position of the figure in the picture (figure_place.h)
-  bool in_place = false;  ///< walk in place, whatever the set
+  std::array<int, 2> size{960, 540};                  ///< pixels that the camera frames
+  std::optional<render::Window> window;               ///< the part that is rendered; no stereo
+  double pixel_scale = 1.0;                           ///< factor of sizes in pixels
+  std::optional<std::array<double, 2>> figure_place;  ///< in the picture, pixels
+  bool in_place = false;                              ///< walk in place, whatever the set
   Layout layout = Layout::superimposed;
   std::uint64_t seed = 0;  ///< of what is random about a figure
 };
@@ -55,10 +53,9 @@ struct Performance {
 struct Shot {
   std::vector<Actor> actors;  ///< at least one
   SetPlan set;
-  Place place;                 ///< placement of the set
-  render::Scene static_scene;  ///< the static part of the set
-  motion::Vec3 step =
-      motion::Vec3::Zero();  ///< travel per frame that was removed from a figure in place, metres
+  Place place;                               ///< placement of the set
+  render::Scene static_scene;                ///< the static part of the set
+  motion::Vec3 step = motion::Vec3::Zero();  ///< removed travel per frame, metres
   CameraRig cameras;
   Action action;                      ///< what the cameras frame
   std::array<int, 2> size{960, 540};  ///< pixels of a whole picture
