@@ -68,7 +68,7 @@ FramePicture FrameDrawer::draw_layers(int frame) {
 render::Framebuffer FrameDrawer::draw_light(ReadyFrame ready) {
   std::vector<render::Framebuffer> seen;
   for (render::PreparedView& sight : ready.sights)
-    seen.push_back(tracer_.draw(std::move(sight)).film);
+    seen.push_back(tracer_.draw(std::move(sight)).color);
   return eyes_ == 1 ? std::move(seen[0]) : beside(seen[0], seen[1]);
 }
 
