@@ -6,7 +6,7 @@
 
 namespace mien {
 
-/// Where in a file a fault lies. `line` and `column` count from 1; 0 means unknown.
+/// A position in a file. `line` and `column` count from 1; 0 means unknown.
 struct Place {
   std::string file;
   int line = 0;
@@ -16,7 +16,7 @@ struct Place {
 /// "file:line:column" with the unknown parts left out.
 std::string to_string(const Place& place);
 
-/// Something that the user gave is wrong: a file, a manifest, an option.
+/// An error in the user's input: a file, a manifest, an option.
 ///
 /// `what()` reads "file:line:column: what is wrong; how to mend it". The command line turns it into
 /// exit code 2.

@@ -81,7 +81,7 @@ Clip smoothed(const Clip& clip) {
 }
 
 /// Angular velocities, rad/s, world space.
-std::vector<Vec3> angular_velocity(const std::vector<MovingBody>& body, int joint, double rate) {
+std::vector<Vec3> angular_velocity(const std::vector<BodyDynamics>& body, int joint, double rate) {
   const int count = static_cast<int>(body.size());
   std::vector<Vec3> result;
   for (int t = 0; t < count; ++t) {
@@ -94,9 +94,9 @@ std::vector<Vec3> angular_velocity(const std::vector<MovingBody>& body, int join
   return result;
 }
 
-void add_segment(std::vector<MovingBody>& body, int segment, const Vec3& axis, double rate) {
+void add_segment(std::vector<BodyDynamics>& body, int segment, const Vec3& axis, double rate) {
   std::vector<Vec3> path;
-  for (const MovingBody& moment : body) path.push_back(moment.centre[segment]);
+  for (const BodyDynamics& moment : body) path.push_back(moment.centre[segment]);
   const std::vector<Vec3> acceleration = derivative(derivative(path, rate), rate);
   const int joint = segment_joints[segment];
   const Gyration& gyration = gyrations[segment];
@@ -117,15 +117,15 @@ void add_segment(std::vector<MovingBody>& body, int segment, const Vec3& axis, d
   }
 }
 
-void add_floor(MovingBody& moment) {
+void add_floor(BodyDynamics& moment) {
   const Vec3 up = Vec3::UnitY();
   Vec3 moment_about_origin = Vec3::Zero();
   for (int s = 0; s < segment_count; ++s) {
     const Vec3 force = moment.mass[s] * (moment.acceleration[s] + gravity * up);
-    moment.floor_force += force;
+    moment.ground_reaction += force;
     moment_about_origin += moment.centre[s].cross(force) + moment.momentum_rate[s];
   }
-  const double press = moment.floor_force.y();
+  const double press = moment.ground_reaction.y();
   moment.zero_moment_point = Vec3(moment.centre_of_mass.x(), 0, moment.centre_of_mass.z());
   if (press < 0.1 * gravity) return;
   // M = p × F with p on the floor: M.x = −p.z·F.y, M.z = p.x·F.y.
@@ -133,9 +133,9 @@ void add_floor(MovingBody& moment) {
       Vec3(moment_about_origin.z() / press, 0, -moment_about_origin.x() / press);
 }
 
-void add_centre_of_mass(std::vector<MovingBody>& body, double rate) {
+void add_centre_of_mass(std::vector<BodyDynamics>& body, double rate) {
   std::vector<Vec3> path;
-  for (MovingBody& moment : body) {
+  for (BodyDynamics& moment : body) {
     double mass = 0.0;
     for (int s = 0; s < segment_count; ++s) {
       moment.centre_of_mass += moment.mass[s] * moment.centre[s];
@@ -150,9 +150,9 @@ void add_centre_of_mass(std::vector<MovingBody>& body, double rate) {
 
 }  // namespace
 
-std::vector<MovingBody> moving_body(const LintSubject& subject) {
+std::vector<BodyDynamics> body_dynamics(const LintSubject& subject) {
   const Clip clip = smoothed(subject.clip);
-  std::vector<MovingBody> body(clip.poses.size());
+  std::vector<BodyDynamics> body(clip.poses.size());
   for (size_t t = 0; t < body.size(); ++t) {
     body[t].world = world_transforms(clip.body, clip.poses[t]);
     const std::vector<SegmentMass> segments = segment_masses(clip.body, body[t].world);
@@ -164,7 +164,7 @@ std::vector<MovingBody> moving_body(const LintSubject& subject) {
   add_centre_of_mass(body, subject.rate());
   const std::array<Vec3, segment_count> axis = axes(clip.body);
   for (int s = 0; s < segment_count; ++s) add_segment(body, s, axis[s], subject.rate());
-  for (MovingBody& moment : body) add_floor(moment);
+  for (BodyDynamics& moment : body) add_floor(moment);
   return body;
 }
 

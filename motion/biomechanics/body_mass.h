@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// Whose masses and centres of mass a body's segments have.
+/// The source of the masses and centres of mass of a body's segments.
 enum class MassModel {
   de_leva_male,    ///< de Leva 1996, adjusted Zatsiorsky–Seluyanov, men; default
   de_leva_female,  ///< the same, women
@@ -24,7 +24,7 @@ struct SegmentMass {
 /// The 14 segments of the canonical body in a pose: head with neck, trunk, and on either side upper
 /// arm, forearm, hand, thigh, shank and foot.
 ///
-/// The neck joint stands for the 7th cervical vertebra, the middle between the hip joints for the
+/// The neck joint represents the 7th cervical vertebra, the middle between the hip joints for the
 /// trunk's lower end. The hand's centre lies the published distance beyond the wrist, scaled with
 /// stature; the foot's halfway from ankle to toe joint. Winter gives the head's centre at the ear
 /// canal, which the body does not have: the middle between neck and vertex is taken, as by de Leva.

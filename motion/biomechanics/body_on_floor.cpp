@@ -7,10 +7,10 @@
 namespace mien::motion {
 
 BodyOnFloor body_on_floor(const LintSubject& subject) {
-  return {moving_body(subject), supports(subject)};
+  return {body_dynamics(subject), supports(subject)};
 }
 
-void without_ends(const LintSubject& subject, std::vector<double>& values) {
+void mask_ends(const LintSubject& subject, std::vector<double>& values) {
   if (subject.was_loop) return;
   const long count = static_cast<long>(values.size());
   const long ends = std::min(count, std::lround(0.1 * subject.rate()) + 1);

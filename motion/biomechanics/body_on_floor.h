@@ -7,16 +7,17 @@
 
 namespace mien::motion {
 
-/// What the checks of balance and forces look at, frame by frame.
+/// Dynamics and support of a subject, frame by frame: the input of the checks of balance and
+/// forces.
 struct BodyOnFloor {
-  std::vector<MovingBody> moments;
+  std::vector<BodyDynamics> moments;
   std::vector<Support> supports;
 };
 
 BodyOnFloor body_on_floor(const LintSubject& subject);
 
-/// Makes nothing (NaN) of the first and last 0.1 s of a motion that does not loop: accelerations
-/// are guesses there.
-void without_ends(const LintSubject& subject, std::vector<double>& values);
+/// Sets the values of the first and last 0.1 s to NaN, unless the motion loops: accelerations are
+/// unreliable there.
+void mask_ends(const LintSubject& subject, std::vector<double>& values);
 
 }  // namespace mien::motion

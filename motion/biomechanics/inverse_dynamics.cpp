@@ -17,11 +17,11 @@ struct FeetForces {
   FootForce right;
 };
 
-FeetForces feet_forces(const MovingBody& moment, const Support& support) {
+FeetForces feet_forces(const BodyDynamics& moment, const Support& support) {
   FeetForces feet;
   const Vec3& zmp = moment.zero_moment_point;
-  if (!support.left.empty()) feet.left.point = nearest_in(zmp, support.left);
-  if (!support.right.empty()) feet.right.point = nearest_in(zmp, support.right);
+  if (!support.left.empty()) feet.left.point = nearest_in_hull(zmp, support.left);
+  if (!support.right.empty()) feet.right.point = nearest_in_hull(zmp, support.right);
   const double from_left = (zmp - feet.left.point).norm();
   const double from_right = (zmp - feet.right.point).norm();
   double left_share = support.left.empty() ? 0.0 : 1.0;
@@ -29,13 +29,13 @@ FeetForces feet_forces(const MovingBody& moment, const Support& support) {
     const double both = from_left + from_right;
     left_share = both > 1e-6 ? from_right / both : 0.5;
   }
-  feet.left.force = left_share * moment.floor_force;
-  if (!support.right.empty()) feet.right.force = (1.0 - left_share) * moment.floor_force;
+  feet.left.force = left_share * moment.ground_reaction;
+  if (!support.right.empty()) feet.right.force = (1.0 - left_share) * moment.ground_reaction;
   return feet;
 }
 
-/// What must turn and push the segments from `first` to `last` about a point, N·m/kg.
-Vec3 needed(const MovingBody& moment, const Vec3& about, int first, int last) {
+/// Net moment about a point that moves the segments from `first` to `last`, N·m/kg.
+Vec3 needed(const BodyDynamics& moment, const Vec3& about, int first, int last) {
   Vec3 torque = Vec3::Zero();
   for (int s = first; s <= last; ++s) {
     const Vec3 force = moment.mass[s] * (moment.acceleration[s] + gravity * Vec3::UnitY());
@@ -44,7 +44,7 @@ Vec3 needed(const MovingBody& moment, const Vec3& about, int first, int last) {
   return torque;
 }
 
-Vec3 trunk_torque(const MovingBody& moment) {
+Vec3 trunk_torque(const BodyDynamics& moment) {
   const Vec3& spine = moment.world.positions[Spine];
   const Vec3 upper = spine + 0.5 * (moment.world.positions[Neck] - spine);
   const Vec3 force =
@@ -65,7 +65,7 @@ const std::vector<TorqueJoint>& torque_joints() {
   return joints;
 }
 
-std::vector<double> joint_torques(const MovingBody& moment, const Support& support) {
+std::vector<double> joint_torques(const BodyDynamics& moment, const Support& support) {
   const FeetForces feet = feet_forces(moment, support);
   const auto& at = moment.world.positions;
   std::vector<double> torques = {trunk_torque(moment).norm()};

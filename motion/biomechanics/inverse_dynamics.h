@@ -7,19 +7,19 @@
 
 namespace mien::motion {
 
-/// A joint whose torque is looked at, and what strong adults can do there.
+/// A joint whose torque is checked, with the limit of strong adults.
 struct TorqueJoint {
   int joint;
-  double limit;  ///< N·m of a body of 70 kg; others in proportion
+  double limit;  ///< N·m for a body mass of 70 kg; others in proportion
 };
 
 /// Ankles, knees, hips, elbows, shoulders and the lower spine.
 const std::vector<TorqueJoint>& torque_joints();
 
-/// Torques, newton metres a kilogram of body, in the order of `torque_joints`: what muscles and
-/// ligaments must give so that everything beyond a joint moves as it does (Newton–Euler, summed
-/// over the segments beyond). The floor's force bears on the planted feet: on one of them at the
-/// zero-moment point, as near as its sole comes to it; on two by the lever rule between them.
-std::vector<double> joint_torques(const MovingBody& moment, const Support& support);
+/// Joint torques, newton metres per kg of body mass, in the order of `torque_joints`: the net
+/// torques of muscles and ligaments by inverse dynamics (Newton–Euler, summed over the distal
+/// segments). The ground reaction force acts on the planted feet: on a single foot at the point of
+/// its sole nearest to the zero-moment point, on two feet divided by the lever rule.
+std::vector<double> joint_torques(const BodyDynamics& moment, const Support& support);
 
 }  // namespace mien::motion

@@ -12,7 +12,7 @@ namespace {
 constexpr int laps = 3;
 constexpr double slowest_walk = 0.15;  // m/s
 
-/// What passes under the planted feet of a motion that gets nowhere; zero for all others.
+/// Floor velocity under the planted feet of a motion in place; zero for all others.
 Vec3 floor_under(const Clip& motion) {
   if (motion.loops) return floor_velocity(motion);
   if (motion.frame_count() < 3) return Vec3::Zero();
@@ -77,7 +77,7 @@ LintSubject lint_subject(const Clip& motion) {
 
 namespace {
 
-/// Of the motion that was given, in frames.
+/// Duration of the given motion, frames.
 double duration_frames(const LintSubject& subject) {
   return subject.was_loop ? subject.frames : std::max(subject.frames - 1, 1);
 }

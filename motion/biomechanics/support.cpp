@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "motion/biomechanics/bearing.h"
+#include "motion/biomechanics/weight_bearing.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {
@@ -18,13 +18,13 @@ double lowest_of(const SolePoints& sole) {
 }
 
 std::vector<Vec3> bearing_corners(const SolePoints& sole, double lowest, double scale) {
-  const Vec3 along = level(sole.ball - sole.heel);
+  const Vec3 along = horizontal(sole.ball - sole.heel);
   const Vec3 side = 0.5 * sole_width * scale * Vec3(along.z(), 0.0, -along.x()).normalized();
   std::vector<Vec3> corners;
   for (const Vec3& point : {sole.heel, sole.ball, sole.tip}) {
     if (point.y() > lowest + touching_metres * scale) continue;
-    corners.push_back(level(point) + side);
-    corners.push_back(level(point) - side);
+    corners.push_back(horizontal(point) + side);
+    corners.push_back(horizontal(point) - side);
   }
   return corners;
 }
@@ -77,8 +77,8 @@ Nearest nearest(const Vec3& point, const std::vector<Vec3>& corners) {
     const Vec3& a = edges[i];
     const Vec3& b = edges[(i + 1) % edges.size()];
     if (turn(a, b, point) < 0.0) result.is_inside = false;
-    const Vec3 candidate = nearest_on_edge(level(point), a, b);
-    const double distance = (level(point) - candidate).norm();
+    const Vec3 candidate = nearest_on_edge(horizontal(point), a, b);
+    const double distance = (horizontal(point) - candidate).norm();
     if (distance < result.distance) {
       result.distance = distance;
       result.point = candidate;
@@ -98,7 +98,7 @@ std::vector<Vec3> Support::all() const {
 
 std::vector<Support> supports(const LintSubject& subject) {
   std::vector<Support> result(subject.world.size());
-  const Bearing bears = bearing_of(subject);
+  const WeightBearing bears = weight_bearing_of(subject);
   const auto corners = [&](int t, bool left) {
     const SolePoints sole = sole_points(subject.clip.body, subject.world[t], left);
     return bearing_corners(sole, lowest_of(sole), subject.scale);
@@ -106,21 +106,21 @@ std::vector<Support> supports(const LintSubject& subject) {
   for (int t = 0; t < subject.frame_count(); ++t) {
     if (bears.left[t]) result[t].left = corners(t, true);
     if (bears.right[t]) result[t].right = corners(t, false);
-    for (const BodyJoint joint : other_rests(subject, t)) {
-      result[t].elsewhere.push_back(level(subject.world[t].positions[joint]));
+    for (const BodyJoint joint : other_contacts(subject, t)) {
+      result[t].elsewhere.push_back(horizontal(subject.world[t].positions[joint]));
     }
   }
   return result;
 }
 
-double distance_outside(const Vec3& point, const std::vector<Vec3>& corners) {
+double signed_distance_to_hull(const Vec3& point, const std::vector<Vec3>& corners) {
   const Nearest found = nearest(point, corners);
   return found.is_inside ? -found.distance : found.distance;
 }
 
-Vec3 nearest_in(const Vec3& point, const std::vector<Vec3>& corners) {
+Vec3 nearest_in_hull(const Vec3& point, const std::vector<Vec3>& corners) {
   const Nearest found = nearest(point, corners);
-  return found.is_inside ? level(point) : found.point;
+  return found.is_inside ? horizontal(point) : found.point;
 }
 
 }  // namespace mien::motion

@@ -6,26 +6,26 @@
 
 namespace mien::motion {
 
-/// What carries the body in one frame: corners, world space, y = 0. A foot that does not bear
-/// (bearing.h) has none.
+/// Base of support in one frame: corners, world space, y = 0. A foot without weight
+/// (weight_bearing.h) has none.
 struct Support {
-  std::vector<Vec3> left;         ///< the part of the sole on the floor
-  std::vector<Vec3> right;        ///< likewise
+  std::vector<Vec3> left;         ///< corners of the part of the left sole on the floor
+  std::vector<Vec3> right;        ///< of the right sole
   std::vector<Vec3> elsewhere{};  ///< knees, hands and seat on the floor
 
   bool empty() const { return left.empty() && right.empty() && elsewhere.empty(); }
   std::vector<Vec3> all() const;
 };
 
-/// The support in every frame. Of a foot that bears all of the sole counts that is within 0.03 m of
-/// its lowest point, 0.09 m wide (at a stature of 1.75 m).
+/// The base of support in every frame. Of a bearing foot the sole within 0.03 m of its lowest point
+/// counts, with a width of 0.09 m (at a stature of 1.75 m).
 std::vector<Support> supports(const LintSubject& subject);
 
 /// Horizontal distance, metres, of a point from the convex hull of the corners; negative inside.
 /// `corners` must not be empty.
-double distance_outside(const Vec3& point, const std::vector<Vec3>& corners);
+double signed_distance_to_hull(const Vec3& point, const std::vector<Vec3>& corners);
 
 /// The point of the convex hull that is nearest to `point`, on the floor.
-Vec3 nearest_in(const Vec3& point, const std::vector<Vec3>& corners);
+Vec3 nearest_in_hull(const Vec3& point, const std::vector<Vec3>& corners);
 
 }  // namespace mien::motion

@@ -10,50 +10,49 @@
 
 namespace mien::motion {
 
-/// Motion files that make a set of examples.
+/// Selection of the motion files of a set of examples.
 struct ExampleFolder {
   std::filesystem::path path;
   std::string include = "*";  ///< pattern of file names (file_labels.h)
-  std::string exclude;        ///< pattern; empty leaves nothing out
-  std::string take;           ///< of files that may hold several motions; empty: their first
+  std::string exclude;        ///< pattern; empty excludes nothing
+  std::string take;           ///< name of the motion in files with several; empty: the first
   CycleChoice cycle = CycleChoice::automatic;
   bool shorten_names = true;  ///< name examples by the part of the file name in which they differ
-  std::vector<std::pair<std::string, std::string>> names;  ///< file stem → name, goes before
-  /// File stem → keytimes by hand, seconds (make_example.h). Empty to find them; otherwise every
-  /// file has some, all equally many.
+  std::vector<std::pair<std::string, std::string>> names;  ///< file stem → name; takes precedence
+  /// File stem → manual keytimes, seconds (make_example.h). Empty: they are detected; otherwise
+  /// every file needs the same number.
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;
-  /// Otherwise each motion stays on its own body, with keytimes of its own.
+  /// False: each motion keeps its own body and keytimes.
   bool blendable = true;
 };
 
-/// The motion files that are chosen, ordered by name. Throws Error: no such folder, no such file.
+/// The selected motion files, sorted by name. Throws Error if the folder or files do not exist.
 std::vector<std::filesystem::path> example_files(const ExampleFolder& folder);
 
-/// Names of the examples that these files make, in their order. Throws Error: a name that occurs
-/// twice.
+/// Names of the examples of these files, in their order. Throws Error if a name occurs twice.
 std::vector<std::string> example_names(const ExampleFolder& folder);
 
-/// What an example was cut from.
+/// The source of an example.
 struct ExampleOrigin {
   std::filesystem::path file;
   double frames_per_second = 0.0;  ///< of the file
   int file_frames = 0;
-  FrameRange frames;         ///< of the file, that the example is made of
-  bool is_mirrored = false;  ///< they are one step; the other is its mirror image
+  FrameRange frames;         ///< range of the file that the example was cut from
+  bool is_mirrored = false;  ///< the range is one step; the other step is its mirror image
 };
 
-/// A set and where it is from.
+/// A set of examples and its sources.
 struct LoadedExamples {
   ExampleSet set;
   std::vector<std::string> file_stems;  ///< aligned with the examples
-  std::vector<ExampleOrigin> origins;   ///< likewise
-  std::vector<std::string> warnings;    ///< plain sentences that name the example
+  std::vector<ExampleOrigin> origins;   ///< aligned with the examples
+  std::vector<std::string> warnings;    ///< sentences that name the example
 };
 
 /// Reads the files, maps all files of one rig together, cuts and straightens each motion
 /// (make_example.h), and, to be blended, puts all on the first one's body (retarget.h). Throws
-/// Error naming the file that cannot be used: unreadable, no human, another number of keytimes than
-/// the first, a name that occurs twice, or keytimes by hand for other files than there are.
+/// Error naming the file that cannot be used: unreadable, not human, with another number of
+/// keytimes than the first, a duplicate name, or manual keytimes for a file that does not exist.
 LoadedExamples load_examples(const ExampleFolder& folder);
 
 }  // namespace mien::motion

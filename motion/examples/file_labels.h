@@ -12,8 +12,8 @@ namespace mien::motion {
 /// differ.
 bool matches_glob(std::string_view pattern, std::string_view name);
 
-/// Short labels for files that belong together: what all stems (names without extension) begin or
-/// end with alike is taken off, in whole parts between "_", "." and spaces.
+/// Short labels for files that belong together: the common prefix and suffix of all stems (names
+/// without extension) are removed, in whole parts between "_", "." and spaces.
 /// {"dataset-1_walk_sad_001", "dataset-1_walk_proud_001"} gives {"sad", "proud"}. A single stem
 /// stays as it is.
 std::vector<std::string> labels_from_names(std::span<const std::string> stems);

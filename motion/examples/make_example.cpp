@@ -127,7 +127,7 @@ Clip on_the_floor(Clip clip) {
   return clip;
 }
 
-PreparedExample looped_example(const Clip& clip, const GaitCycle& cycle, CyclePlace cut) {
+PreparedExample looped_example(const Clip& clip, const GaitCycle& cycle, CycleRange cut) {
   const Clip loop = cycle.is_half ? mirrored_loop(clip, cut.start, cut.end)
                                   : closed_loop(clip, cut.start, cut.end);
   const auto to_strike = static_cast<int>(std::lround(cycle.left_strike)) - cut.start;
@@ -191,7 +191,7 @@ PreparedExample prepare_example(const Clip& clip, const ExampleOptions& options)
   if (options.cycle == CycleChoice::start_peak_end) return peaked_example(clip);
   const auto cycle = steadiest_cycle(clip);
   if (!cycle) return whole_example(clip);
-  const CyclePlace place{cycle->start_frame, cycle->end_frame};
+  const CycleRange place{cycle->start_frame, cycle->end_frame};
   return looped_example(clip, *cycle, cycle->is_half ? place : best_cut(clip, place));
 }
 

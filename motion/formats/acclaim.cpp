@@ -29,7 +29,7 @@ class AmcReader {
 
   std::vector<Pose> read() {
     while (!at_end(cursor_)) {
-      take_line();
+      parse_line();
       skip_line(cursor_);
     }
     if (poses_.empty()) {
@@ -42,35 +42,35 @@ class AmcReader {
   std::optional<double> samples_per_second() const { return samples_per_second_; }
 
  private:
-  void take_line() {
+  void parse_line() {
     skip_blanks(cursor_);
     const size_t place = cursor_.at;
-    const std::string_view word = take_word_on_line(cursor_);
+    const std::string_view word = next_word_on_line(cursor_);
     if (word.empty() || word.starts_with('#')) return;
-    if (word.starts_with(':')) return take_keyword(word, place);
+    if (word.starts_with(':')) return parse_keyword(word, place);
     skip_blanks(cursor_);
     const bool is_number = word.find_first_not_of("0123456789") == std::string_view::npos;
     if (is_number && at_line_end(cursor_)) {
       cursor_.at = place;
       return start_frame();
     }
-    take_bone(word, place);
+    parse_bone(word, place);
   }
 
-  void take_keyword(std::string_view word, size_t place) {
+  void parse_keyword(std::string_view word, size_t place) {
     if (!poses_.empty()) {
       fail(cursor_, place, in_quotes(word) + " stands after the first frame",
            "put it at the head of the file");
     }
     if (same_word(word, ":DEGREES")) radians_per_unit_ = radians_per_degree;
     if (same_word(word, ":RADIANS")) radians_per_unit_ = 1.0;
-    if (same_word(word, ":SAMPLES-PER-SECOND")) take_rate();
+    if (same_word(word, ":SAMPLES-PER-SECOND")) parse_rate();
   }
 
-  void take_rate() {
+  void parse_rate() {
     skip_blanks(cursor_);
     const size_t place = cursor_.at;
-    const double rate = at_line_end(cursor_) ? 0.0 : take_number(cursor_, "samples per second");
+    const double rate = at_line_end(cursor_) ? 0.0 : parse_number(cursor_, "samples per second");
     if (!(rate >= 1e-3 && rate <= 1e5)) {
       fail(cursor_, place, "the samples per second are not usable", "120 is usual");
     }
@@ -79,7 +79,7 @@ class AmcReader {
 
   void start_frame() {
     const size_t place = cursor_.at;
-    const long number = take_count(cursor_, "the number of a frame");
+    const long number = parse_count(cursor_, "the number of a frame");
     if (!poses_.empty()) {
       require_all_bones();
       if (number != frame_number_ + 1) {
@@ -110,7 +110,7 @@ class AmcReader {
     }
   }
 
-  void take_bone(std::string_view name, size_t place) {
+  void parse_bone(std::string_view name, size_t place) {
     if (poses_.empty()) {
       fail(cursor_, place, "expected the number of the first frame, found " + in_quotes(name),
            "check that this is an AMC file");
@@ -128,16 +128,16 @@ class AmcReader {
            "remove one of the lines");
     }
     last_frame_with_[bone] = frame;
-    take_freedoms(bone, poses_.back());
+    parse_freedoms(bone, poses_.back());
   }
 
-  void take_freedoms(size_t bone, Pose& pose) {
+  void parse_freedoms(size_t bone, Pose& pose) {
     const AcclaimBone& moves = skeleton_.bones[bone];
     Quat turned = Quat::Identity();
     for (size_t i = 0; i < moves.freedoms.size(); ++i) {
       skip_blanks(cursor_);
       if (at_line_end(cursor_)) refuse_count(bone, std::to_string(i) + " numbers");
-      const double value = take_number(cursor_, "one a degree of freedom");
+      const double value = parse_number(cursor_, "one a degree of freedom");
       const int axis = moves.freedoms[i].axis;
       if (moves.freedoms[i].rotation) {
         turned = Quat(Eigen::AngleAxisd(value * radians_per_unit_, Vec3::Unit(axis))) * turned;

@@ -42,7 +42,7 @@ struct NamedText {
   std::string file_name;
 };
 
-/// As `read_amc`, of texts in memory.
+/// As `read_amc`, from texts in memory.
 Recording parse_amc(const NamedText& amc, const NamedText& asf,
                     std::optional<double> frames_per_second = std::nullopt);
 

@@ -53,7 +53,7 @@ void require_all_reached(const TextCursor& cursor, const AsfFile& file,
 
 AcclaimSkeleton parse_asf(std::string_view text, const std::string& file_name) {
   TextCursor cursor = start_of(text, file_name);
-  const AsfFile file = take_asf(cursor);
+  const AsfFile file = parse_asf_file(cursor);
   AcclaimSkeleton built;
   built.metres_per_unit = metres_per_unit(file);
   built.radians_per_unit = file.radians_per_unit;

@@ -14,13 +14,13 @@ struct AcclaimFreedom {
   bool rotation = true;  ///< else a translation
 };
 
-/// How a bone moves.
+/// The axes and degrees of freedom of a bone.
 struct AcclaimBone {
   Quat axis = Quat::Identity();          ///< C: the frame that the bone turns in
   std::vector<AcclaimFreedom> freedoms;  ///< in the order of the AMC's numbers
 };
 
-/// What an ASF file says. Bone j moves joint j; 0 is the root.
+/// The contents of an ASF file. Bone j moves joint j; 0 is the root.
 struct AcclaimSkeleton {
   Skeleton skeleton;
   std::vector<AcclaimBone> bones;

@@ -40,7 +40,7 @@ class AsfReader {
   }
 
   AsfFile read() {
-    while (!at_end(cursor_)) take_section();
+    while (!at_end(cursor_)) parse_section();
     if (!has_hierarchy_) {
       fail(cursor_, cursor_.at, "there is no :hierarchy", "check that this is a complete ASF file");
     }
@@ -51,19 +51,19 @@ class AsfReader {
   AsfBone& root() { return file_.bones.front(); }
 
   /// A line that starts with a colon and what follows, up to the next such line.
-  void take_section() {
+  void parse_section() {
     if (is_comment_or_empty(cursor_)) return skip_line(cursor_);
     const size_t place = cursor_.at;
-    const std::string_view word = take_word_on_line(cursor_);
+    const std::string_view word = next_word_on_line(cursor_);
     if (!word.starts_with(':')) {
       fail(cursor_, place, "expected a section such as :bonedata, found " + in_quotes(word),
            "check that this is an ASF file");
     }
     skip_line(cursor_);
-    if (same_word(word, ":units")) return take_lines([&](auto key, size_t at) { unit(key, at); });
-    if (same_word(word, ":root")) return take_lines([&](auto key, size_t at) { root(key, at); });
-    if (same_word(word, ":bonedata")) return take_bones();
-    if (same_word(word, ":hierarchy")) return take_hierarchy();
+    if (same_word(word, ":units")) return parse_lines([&](auto key, size_t at) { unit(key, at); });
+    if (same_word(word, ":root")) return parse_lines([&](auto key, size_t at) { root(key, at); });
+    if (same_word(word, ":bonedata")) return parse_bones();
+    if (same_word(word, ":hierarchy")) return parse_hierarchy();
     skip_section();
   }
 
@@ -78,11 +78,11 @@ class AsfReader {
 
   /// Calls `take(first word, its place)` for every line of a section.
   template <typename Take>
-  void take_lines(Take take) {
+  void parse_lines(Take take) {
     while (!section_ends()) {
       if (!is_comment_or_empty(cursor_)) {
         const size_t place = cursor_.at;
-        take(take_word_on_line(cursor_), place);
+        take(next_word_on_line(cursor_), place);
       }
       skip_line(cursor_);
     }
@@ -93,7 +93,7 @@ class AsfReader {
     if (at_line_end(cursor_)) {
       fail(cursor_, cursor_.at, "expected a number, " + std::string(meaning), "complete this line");
     }
-    return take_number(cursor_, meaning);
+    return parse_number(cursor_, meaning);
   }
 
   Vec3 vector(std::string_view meaning) {
@@ -112,7 +112,7 @@ class AsfReader {
     } else if (same_word(key, "angle")) {
       skip_blanks(cursor_);
       const size_t at = cursor_.at;
-      const std::string_view word = take_word_on_line(cursor_);
+      const std::string_view word = next_word_on_line(cursor_);
       if (same_word(word, "rad") || same_word(word, "radians")) {
         file_.radians_per_unit = 1.0;
       } else if (!same_word(word, "deg") && !same_word(word, "degrees")) {
@@ -136,7 +136,7 @@ class AsfReader {
   std::string axis_order() {
     skip_blanks(cursor_);
     const size_t place = cursor_.at;
-    const std::string_view word = take_word_on_line(cursor_);
+    const std::string_view word = next_word_on_line(cursor_);
     for (const std::string_view order : {"XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"}) {
       if (same_word(word, order)) return std::string(order);
     }
@@ -150,7 +150,7 @@ class AsfReader {
     for (;;) {
       skip_blanks(cursor_);
       const size_t place = cursor_.at;
-      const std::string_view word = take_word_on_line(cursor_);
+      const std::string_view word = next_word_on_line(cursor_);
       if (word.empty()) return found;
       const std::optional<AcclaimFreedom> freedom = freedom_named(word);
       if (!freedom || found.size() == 6) {
@@ -161,18 +161,18 @@ class AsfReader {
     }
   }
 
-  void take_bones() {
-    take_lines([&](std::string_view word, size_t place) {
+  void parse_bones() {
+    parse_lines([&](std::string_view word, size_t place) {
       if (!same_word(word, "begin")) {
         fail(cursor_, place, "expected begin, found " + in_quotes(word),
              "each bone stands between begin and end");
       }
       skip_line(cursor_);
-      take_bone(place);
+      parse_bone(place);
     });
   }
 
-  void take_bone(size_t place) {
+  void parse_bone(size_t place) {
     AsfBone bone;
     bone.place = place;
     for (;;) {
@@ -181,9 +181,9 @@ class AsfReader {
       }
       if (!is_comment_or_empty(cursor_)) {
         const size_t at = cursor_.at;
-        const std::string_view key = take_word_on_line(cursor_);
+        const std::string_view key = next_word_on_line(cursor_);
         if (same_word(key, "end")) break;
-        take_bone_line(bone, key, at);
+        parse_bone_line(bone, key, at);
       }
       skip_line(cursor_);
     }
@@ -195,9 +195,9 @@ class AsfReader {
   }
 
   /// Limits, masses and ids do not change the motion and are passed over.
-  void take_bone_line(AsfBone& bone, std::string_view key, size_t place) {
+  void parse_bone_line(AsfBone& bone, std::string_view key, size_t place) {
     if (same_word(key, "name")) {
-      bone.name = take_word_on_line(cursor_);
+      bone.name = next_word_on_line(cursor_);
     } else if (same_word(key, "direction")) {
       bone.direction = vector("the bone's direction");
     } else if (same_word(key, "length")) {
@@ -233,15 +233,15 @@ class AsfReader {
     }
   }
 
-  void take_hierarchy() {
+  void parse_hierarchy() {
     has_hierarchy_ = true;
-    take_lines([&](std::string_view word, size_t place) {
+    parse_lines([&](std::string_view word, size_t place) {
       if (same_word(word, "begin") || same_word(word, "end")) return;
       const int parent = block_named(word, place);
       for (;;) {
         skip_blanks(cursor_);
         const size_t at = cursor_.at;
-        const std::string_view child = take_word_on_line(cursor_);
+        const std::string_view child = next_word_on_line(cursor_);
         if (child.empty()) return;
         attach(parent, block_named(child, at), at);
       }
@@ -276,6 +276,6 @@ class AsfReader {
 
 }  // namespace
 
-AsfFile take_asf(TextCursor& cursor) { return AsfReader(cursor).read(); }
+AsfFile parse_asf_file(TextCursor& cursor) { return AsfReader(cursor).read(); }
 
 }  // namespace mien::motion

@@ -15,7 +15,7 @@ struct AsfAxis {
   std::string order = "XYZ";   ///< the first letter's turn is the innermost
 };
 
-/// A bone as its begin … end block says.
+/// A bone as described in its begin … end block.
 struct AsfBone {
   std::string name;
   size_t place = 0;  ///< index of the block in the text
@@ -37,6 +37,6 @@ struct AsfFile {
 
 /// Reads the text to its end. Every bone has a name, direction, length and axis, and at most one
 /// parent. Throws mien::Error.
-AsfFile take_asf(TextCursor& cursor);
+AsfFile parse_asf_file(TextCursor& cursor);
 
 }  // namespace mien::motion

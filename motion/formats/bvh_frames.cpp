@@ -80,20 +80,20 @@ void set_channel(Pose& pose, const BvhChannel& channel, double value) {
 
 }  // namespace
 
-BvhFrameCount take_bvh_frame_count(TextCursor& cursor) {
+BvhFrameCount parse_bvh_frame_count(TextCursor& cursor) {
   expect_label(cursor, "Frames");
   skip_space(cursor);
   const size_t place = cursor.at;
-  const auto count = static_cast<size_t>(take_count(cursor, "the number of frames"));
+  const auto count = static_cast<size_t>(parse_count(cursor, "the number of frames"));
   expect_line_end(cursor);
   return {count, place};
 }
 
-double take_bvh_frame_rate(TextCursor& cursor) {
+double parse_bvh_frame_rate(TextCursor& cursor) {
   expect_label(cursor, "Frame Time");
   skip_space(cursor);
   const size_t place = cursor.at;
-  const double seconds = take_number(cursor, "seconds a frame");
+  const double seconds = parse_number(cursor, "seconds a frame");
   if (!(seconds >= 1e-5 && seconds <= longest_frame_seconds)) {
     const std::string written(in_quotes(cursor.text.substr(place, cursor.at - place)));
     fail(cursor, place, "a frame time of " + written + " seconds",
@@ -116,7 +116,7 @@ Pose bvh_pose_before_channels(const BvhHierarchy& hierarchy) {
   return pose;
 }
 
-void take_bvh_frame(TextCursor& cursor, const BvhHierarchy& hierarchy, Pose& pose) {
+void parse_bvh_frame(TextCursor& cursor, const BvhHierarchy& hierarchy, Pose& pose) {
   const size_t channels = hierarchy.channels.size();
   std::optional<ShortLine> wrapped;
   for (size_t taken = 0; taken < channels; ++taken) {
@@ -126,7 +126,7 @@ void take_bvh_frame(TextCursor& cursor, const BvhHierarchy& hierarchy, Pose& pos
       skip_space(cursor);
       if (at_end(cursor)) refuse_short_frame(cursor, *wrapped, channels);
     }
-    set_channel(pose, hierarchy.channels[taken], take_number(cursor, "one a channel"));
+    set_channel(pose, hierarchy.channels[taken], parse_number(cursor, "one a channel"));
   }
   skip_blanks(cursor);
   if (!at_line_end(cursor)) {

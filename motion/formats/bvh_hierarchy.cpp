@@ -34,7 +34,7 @@ std::optional<BvhChannel> channel_named(std::string_view word) {
 void expect_brace(TextCursor& cursor, std::string_view brace, std::string_view after) {
   skip_space(cursor);
   const size_t place = cursor.at;
-  const std::string_view word = take_word(cursor);
+  const std::string_view word = next_word(cursor);
   if (word == brace) return;
   fail(cursor, place,
        "expected \"" + std::string(brace) + "\" after " + std::string(after) + ", found " +
@@ -43,7 +43,7 @@ void expect_brace(TextCursor& cursor, std::string_view brace, std::string_view a
 }
 
 /// Names may hold spaces: a name runs to the brace or the end of its line.
-std::string take_name(TextCursor& cursor, std::string_view keyword) {
+std::string parse_name(TextCursor& cursor, std::string_view keyword) {
   skip_space(cursor);
   const size_t start = cursor.at;
   while (!at_line_end(cursor) && cursor.text[cursor.at] != '{') ++cursor.at;
@@ -55,22 +55,22 @@ std::string take_name(TextCursor& cursor, std::string_view keyword) {
   return std::string(name);
 }
 
-Vec3 take_offset(TextCursor& cursor) {
-  const double x = take_number(cursor, "x of OFFSET");
-  const double y = take_number(cursor, "y of OFFSET");
-  const double z = take_number(cursor, "z of OFFSET");
+Vec3 parse_offset(TextCursor& cursor) {
+  const double x = parse_number(cursor, "x of OFFSET");
+  const double y = parse_number(cursor, "y of OFFSET");
+  const double z = parse_number(cursor, "z of OFFSET");
   return {x, y, z};
 }
 
-Vec3 take_end_site(TextCursor& cursor) {
+Vec3 parse_end_site(TextCursor& cursor) {
   while (!at_end(cursor) && cursor.text[cursor.at] != '{') ++cursor.at;
   expect_brace(cursor, "{", "End Site");
   skip_space(cursor);
   const size_t place = cursor.at;
-  if (!same_word(take_word(cursor), "OFFSET")) {
+  if (!same_word(next_word(cursor), "OFFSET")) {
     fail(cursor, place, "End Site holds no OFFSET", "write \"OFFSET x y z\" between its braces");
   }
-  const Vec3 tip = take_offset(cursor);
+  const Vec3 tip = parse_offset(cursor);
   expect_brace(cursor, "}", "the OFFSET of End Site");
   return tip;
 }
@@ -79,7 +79,7 @@ Vec3 take_end_site(TextCursor& cursor) {
 /// joint is its name.
 size_t comment_in(std::string_view line) {
   TextCursor cursor = start_of(line, "");
-  const std::string_view first = take_word(cursor);
+  const std::string_view first = next_word(cursor);
   if (same_word(first, "ROOT") || same_word(first, "JOINT")) return std::string_view::npos;
   for (size_t i = 0; i < line.size(); ++i) {
     const bool is_free = i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t';
@@ -94,7 +94,7 @@ class HierarchyReader {
 
   BvhHierarchy read() {
     expect_heading();
-    while (take_statement()) {
+    while (parse_statement()) {
     }
     return std::move(hierarchy_);
   }
@@ -105,25 +105,25 @@ class HierarchyReader {
   void expect_heading() {
     skip_space(cursor_);
     const size_t place = cursor_.at;
-    if (!same_word(take_word(cursor_), "HIERARCHY")) {
+    if (!same_word(next_word(cursor_), "HIERARCHY")) {
       fail(cursor_, place, "a BVH file starts with HIERARCHY", "check that this is a BVH file");
     }
   }
 
   /// False after MOTION.
-  bool take_statement() {
+  bool parse_statement() {
     skip_space(cursor_);
     const size_t place = cursor_.at;
-    const std::string_view word = take_word(cursor_);
-    if (open_.empty()) return take_outer_statement(word, place);
+    const std::string_view word = next_word(cursor_);
+    if (open_.empty()) return parse_outer_statement(word, place);
     if (same_word(word, "OFFSET")) {
-      take_joint_offset(place);
+      parse_joint_offset(place);
     } else if (same_word(word, "CHANNELS")) {
-      take_channels(place);
+      parse_channels(place);
     } else if (same_word(word, "JOINT")) {
       open_joint("JOINT", place);
     } else if (same_word(word, "End") || same_word(word, "EndSite")) {
-      const Vec3 tip = take_end_site(cursor_);
+      const Vec3 tip = parse_end_site(cursor_);
       Joint& joint = joints()[static_cast<size_t>(open_.back().joint)];
       if (!joint.tip) joint.tip = tip;
     } else if (word == "}") {
@@ -134,7 +134,7 @@ class HierarchyReader {
     return true;
   }
 
-  bool take_outer_statement(std::string_view word, size_t place) {
+  bool parse_outer_statement(std::string_view word, size_t place) {
     if (same_word(word, "ROOT")) {
       if (!joints().empty()) {
         fail(cursor_, place, "a second ROOT", "keep one figure a file: split it at the roots");
@@ -165,7 +165,7 @@ class HierarchyReader {
 
   void open_joint(std::string_view keyword, size_t place) {
     Joint joint;
-    joint.name = take_name(cursor_, keyword);
+    joint.name = parse_name(cursor_, keyword);
     joint.parent = open_.empty() ? -1 : open_.back().joint;
     if (!is_reasonable_size(joints().size() + 1, 0))
       require_reasonable_size(place_at(cursor_, place), joints().size() + 1, 0);
@@ -185,34 +185,34 @@ class HierarchyReader {
     open_.pop_back();
   }
 
-  void take_joint_offset(size_t place) {
+  void parse_joint_offset(size_t place) {
     OpenJoint& joint = open_.back();
     if (std::exchange(joint.has_offset, true)) {
       fail(cursor_, place, "a second OFFSET in one joint", "remove one");
     }
-    joints()[static_cast<size_t>(joint.joint)].offset = take_offset(cursor_);
+    joints()[static_cast<size_t>(joint.joint)].offset = parse_offset(cursor_);
   }
 
-  void take_channels(size_t place) {
+  void parse_channels(size_t place) {
     OpenJoint& joint = open_.back();
     if (std::exchange(joint.has_channels, true)) {
       fail(cursor_, place, "a second CHANNELS in one joint", "remove one");
     }
     skip_space(cursor_);
     const size_t count_place = cursor_.at;
-    const long count = take_count(cursor_, "the number of channels");
+    const long count = parse_count(cursor_, "the number of channels");
     if (count > 6) {
       fail(cursor_, count_place, std::to_string(count) + " channels on one joint",
            "a joint has at most 6");
     }
     std::array<bool, 6> named = {};
-    for (long i = 0; i < count; ++i) take_channel(joint.joint, named);
+    for (long i = 0; i < count; ++i) parse_channel(joint.joint, named);
   }
 
-  void take_channel(int joint, std::array<bool, 6>& named) {
+  void parse_channel(int joint, std::array<bool, 6>& named) {
     skip_space(cursor_);
     const size_t place = cursor_.at;
-    const std::string_view word = take_word(cursor_);
+    const std::string_view word = next_word(cursor_);
     std::optional<BvhChannel> channel = channel_named(word);
     if (!channel) {
       fail(cursor_, place,
@@ -250,6 +250,6 @@ std::string without_bvh_comments(std::string_view text) {
   return plain;
 }
 
-BvhHierarchy take_bvh_hierarchy(TextCursor& cursor) { return HierarchyReader(cursor).read(); }
+BvhHierarchy parse_bvh_hierarchy(TextCursor& cursor) { return HierarchyReader(cursor).read(); }
 
 }  // namespace mien::motion

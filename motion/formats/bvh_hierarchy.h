@@ -17,16 +17,17 @@ struct BvhChannel {
   bool rotation = false;  ///< degrees about the axis; else the coordinate along it
 };
 
-/// The upper half of a BVH file.
+/// The HIERARCHY section of a BVH file.
 struct BvhHierarchy {
   Skeleton skeleton;
   std::vector<BvhChannel> channels;  ///< in the order of a frame's numbers
 };
 
-/// The text with its comments blanked: from '#' or '//' to the line's end. Places stay.
+/// The text with its comments (from '#' or '//' to the line's end) replaced by blanks, so that
+/// positions stay.
 std::string without_bvh_comments(std::string_view text);
 
 /// Reads from HIERARCHY up to and with MOTION. Throws mien::Error.
-BvhHierarchy take_bvh_hierarchy(TextCursor& cursor);
+BvhHierarchy parse_bvh_hierarchy(TextCursor& cursor);
 
 }  // namespace mien::motion

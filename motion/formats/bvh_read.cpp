@@ -10,8 +10,8 @@ namespace mien::motion {
 
 namespace {
 
-std::vector<Pose> take_frames(TextCursor& cursor, const BvhHierarchy& hierarchy, size_t count,
-                              size_t count_place) {
+std::vector<Pose> parse_frames(TextCursor& cursor, const BvhHierarchy& hierarchy, size_t count,
+                               size_t count_place) {
   const Pose before = bvh_pose_before_channels(hierarchy);
   // The count is only a claim: what can be there is at least two characters a number.
   const size_t possible = (cursor.text.size() - cursor.at) / (2 * hierarchy.channels.size()) + 1;
@@ -23,7 +23,7 @@ std::vector<Pose> take_frames(TextCursor& cursor, const BvhHierarchy& hierarchy,
            "correct the number after Frames: or remove the surplus");
     }
     poses.push_back(before);
-    take_bvh_frame(cursor, hierarchy, poses.back());
+    parse_bvh_frame(cursor, hierarchy, poses.back());
   }
   if (poses.size() < count) {
     fail(cursor, count_place,
@@ -39,8 +39,8 @@ std::vector<Pose> take_frames(TextCursor& cursor, const BvhHierarchy& hierarchy,
 Recording parse_bvh(std::string_view text, const std::string& file_name) {
   const std::string plain = without_bvh_comments(text);
   TextCursor cursor = start_of(plain, file_name);
-  BvhHierarchy hierarchy = take_bvh_hierarchy(cursor);
-  const auto [count, count_place] = take_bvh_frame_count(cursor);
+  BvhHierarchy hierarchy = parse_bvh_hierarchy(cursor);
+  const auto [count, count_place] = parse_bvh_frame_count(cursor);
   if (count == 0) {
     fail(cursor, count_place, "there are no frames", "give a motion of at least one frame");
   }
@@ -51,8 +51,8 @@ Recording parse_bvh(std::string_view text, const std::string& file_name) {
   Recording recording;
   recording.name = std::filesystem::path(file_name).stem().string();
   recording.format = "bvh";
-  recording.frames_per_second = take_bvh_frame_rate(cursor);
-  recording.poses = take_frames(cursor, hierarchy, count, count_place);
+  recording.frames_per_second = parse_bvh_frame_rate(cursor);
+  recording.poses = parse_frames(cursor, hierarchy, count, count_place);
   recording.skeleton = std::move(hierarchy.skeleton);
   return recording;
 }

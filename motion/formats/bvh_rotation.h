@@ -6,8 +6,8 @@ namespace mien::motion {
 
 /// Rotations as BVH files hold them: angles about the Z, X and Y axis, in this order, degrees.
 
-/// The angles, radians, of a joint that is written: of the two triples that make a rotation, and of
-/// their whole turns, what lies nearest to the previous frame's, so that curves run on over ±180°.
+/// Euler angles, radians, of a rotation: of the two equivalent triples and their full turns those
+/// nearest to the previous frame's, so that curves are continuous across ±180°.
 Vec3 bvh_angles(const Quat& rotation, const Vec3& previous);
 
 /// rotation · (turn about a coordinate axis), as each channel that is read turns its joint.

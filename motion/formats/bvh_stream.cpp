@@ -16,15 +16,15 @@ constexpr size_t longest_rest = 4096;
 size_t words_in(std::string_view line) {
   TextCursor cursor{line, ""};
   size_t words = 0;
-  while (!take_word_on_line(cursor).empty()) ++words;
+  while (!next_word_on_line(cursor).empty()) ++words;
   return words;
 }
 
 /// Whether the line holds the label of the frame time, and whether a number follows there.
 bool is_frame_time(std::string_view line) {
   TextCursor cursor{line, ""};
-  if (!same_word(take_word_on_line(cursor), "Frame")) return false;
-  return same_word(take_word_on_line(cursor).substr(0, 4), "Time");
+  if (!same_word(next_word_on_line(cursor), "Frame")) return false;
+  return same_word(next_word_on_line(cursor).substr(0, 4), "Time");
 }
 
 bool has_digit(std::string_view line) {
@@ -41,7 +41,7 @@ void BvhStream::finish() {
 }
 
 /// The next whole line of the text that has not been looked at, with its end.
-std::optional<std::string_view> BvhStream::take_line() {
+std::optional<std::string_view> BvhStream::next_line() {
   size_t end = text_.find_first_of("\r\n", seen_);
   if (end == std::string::npos) {
     if (!finished_ || seen_ == text_.size()) return std::nullopt;
@@ -69,14 +69,14 @@ void BvhStream::read_head() {
   TextCursor cursor = start_of(plain, file_);
   const size_t mark = text_.size() - cursor.text.size();
   BvhHead head;
-  head.hierarchy = take_bvh_hierarchy(cursor);
-  const auto [frames, place] = take_bvh_frame_count(cursor);
+  head.hierarchy = parse_bvh_hierarchy(cursor);
+  const auto [frames, place] = parse_bvh_frame_count(cursor);
   head.claimed_frames = frames;
   if (head.hierarchy.channels.empty()) {
     fail(cursor, place, "no joint has channels", "give the joints CHANNELS");
   }
   require_reasonable_size(place_at(cursor, place), head.hierarchy.skeleton.joints.size(), 1);
-  head.frames_per_second = take_bvh_frame_rate(cursor);
+  head.frames_per_second = parse_bvh_frame_rate(cursor);
   before_ = bvh_pose_before_channels(head.hierarchy);
   head_ = std::move(head);
   drop(mark + cursor.at);
@@ -85,7 +85,7 @@ void BvhStream::read_head() {
 
 std::optional<Pose> BvhStream::next() {
   while (!head_) {
-    const auto line = take_line();
+    const auto line = next_line();
     if (!line) {
       if (text_.size() <= longest_head) return std::nullopt;
       const TextCursor cursor{text_, file_};
@@ -96,13 +96,13 @@ std::optional<Pose> BvhStream::next() {
     if (!knows_kind_ && words_in(plain) > 0) {
       knows_kind_ = true;
       TextCursor cursor = start_of(plain, file_);
-      if (!same_word(take_word(cursor), "HIERARCHY")) read_head();  // says what is wrong, and where
+      if (!same_word(next_word(cursor), "HIERARCHY")) read_head();  // says what is wrong, and where
     }
     has_label_ = has_label_ || is_frame_time(plain);
     if (has_label_ && has_digit(plain)) read_head();
   }
   const size_t channels = head_->hierarchy.channels.size();
-  while (const auto line = take_line()) {
+  while (const auto line = next_line()) {
     const size_t words = words_in(without_bvh_comments(*line));
     if (words == 0 && numbers_ == 0) {
       drop(seen_);
@@ -114,7 +114,7 @@ std::optional<Pose> BvhStream::next() {
     TextCursor cursor{plain, file_, 0, first_line_};
     skip_space(cursor);
     Pose pose = before_;
-    take_bvh_frame(cursor, head_->hierarchy, pose);
+    parse_bvh_frame(cursor, head_->hierarchy, pose);
     numbers_ = 0;
     drop(seen_);
     return pose;
@@ -127,7 +127,7 @@ std::optional<Pose> BvhStream::next() {
     const std::string plain = without_bvh_comments(text_);
     TextCursor rest{plain, file_, 0, first_line_};
     Pose pose = before_;
-    take_bvh_frame(rest, head_->hierarchy, pose);  // says that the text was cut short
+    parse_bvh_frame(rest, head_->hierarchy, pose);  // says that the text was cut short
   }
   return std::nullopt;
 }

@@ -9,22 +9,22 @@
 
 namespace mien::motion {
 
-/// BVH text piece by piece, as `to_bvh` (bvh.h) writes it: the head, then frame after frame.
+/// Writes BVH text incrementally, as `to_bvh` (bvh.h): the header, then frame by frame.
 class BvhText {
  public:
-  /// `moving` tells the joints whose offsets change over the poses; none of them when empty.
+  /// `moving`: the joints whose offsets change over the poses; empty: none.
   explicit BvhText(Skeleton skeleton, std::vector<bool> moving = {});
 
-  /// From HIERARCHY to Frame Time, with what `Frames:` is to say.
+  /// The header from HIERARCHY to Frame Time; `frames` is the value of `Frames:`.
   std::string head(std::string_view frames, double frames_per_second) const;
 
-  /// One line; its angles run on from those of the frame before.
+  /// Appends one line, with angles continuous to those of the frame before.
   void append_frame(std::string& text, const Pose& pose);
 
  private:
   Skeleton skeleton_;
   std::vector<bool> moving_;
-  std::vector<size_t> order_;  ///< joints as they stand in the text
+  std::vector<size_t> order_;  ///< joints in the order of the text
   std::vector<Vec3> angles_;   ///< of the last frame, radians
 };
 

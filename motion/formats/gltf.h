@@ -34,8 +34,8 @@ namespace mien::motion {
 Recording read_gltf(const std::filesystem::path& path,
                     const std::optional<std::string>& take = std::nullopt);
 
-/// As `read_gltf`, of a file in memory; `file_name` serves error messages and the recording's name.
-/// A file that keeps its buffers in other files is refused.
+/// As `read_gltf`, from a file in memory; `file_name` serves error messages and the recording's
+/// name. A file that keeps its buffers in other files is refused.
 Recording parse_gltf(std::string_view bytes, const std::string& file_name,
                      const std::optional<std::string>& take = std::nullopt);
 
@@ -49,7 +49,7 @@ Recording parse_gltf(std::string_view bytes, const std::string& file_name,
 /// The recording has at least one pose. The same recording gives the same bytes.
 std::string to_glb(const Recording& recording);
 
-/// Writes `to_glb`. Throws mien::Error when the file cannot be written.
+/// Writes a recording as a GLB file. Throws mien::Error when the file cannot be written.
 void write_glb(const Recording& recording, const std::filesystem::path& path);
 
 }  // namespace mien::motion

@@ -9,8 +9,8 @@
 
 namespace mien::motion {
 
-/// Number of elements of an accessor. Throws mien::Error when there is no such accessor; `use` says
-/// what it is for: "key times".
+/// Number of elements of an accessor. Throws mien::Error when there is no such accessor; `use` is
+/// its purpose for error messages: "key times".
 size_t accessor_count(const GltfFile& file, int accessor, std::string_view use);
 
 /// The numbers of an accessor with `components` (1, 2, 3, 4, 16) in each element: floats and

@@ -9,7 +9,7 @@
 
 namespace mien::motion {
 
-/// Which nodes of a glTF file make the figure.
+/// The nodes of a glTF file that form the figure.
 struct GltfFigure {
   std::vector<int> above;    ///< the root's ancestors, topmost first
   std::vector<int> joints;   ///< depth first
@@ -26,7 +26,7 @@ GltfFigure gltf_figure(const GltfFile& file, const GltfNodes& nodes,
 /// Whether each node is moved by a track.
 std::vector<bool> moved_nodes(const GltfNodes& nodes, const std::vector<GltfTrack>& tracks);
 
-/// The node at the end of a last joint's bone, or −1.
+/// The node that marks the end of a leaf joint's bone, or −1.
 int tip_node(const GltfFile& file, const GltfNodes& nodes, const std::vector<bool>& moved,
              int joint);
 

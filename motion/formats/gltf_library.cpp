@@ -36,7 +36,7 @@ std::uint32_t word_at(std::string_view bytes, size_t at) {
   return word;
 }
 
-Container take_container(std::string_view bytes, const std::string& name) {
+Container parse_container(std::string_view bytes, const std::string& name) {
   if (!bytes.starts_with("glTF")) return {bytes, std::nullopt};
   constexpr std::uint32_t json_chunk = 0x4E4F534A;
   constexpr std::uint32_t binary_chunk = 0x004E4942;
@@ -143,9 +143,9 @@ void require_few_nodes(const Json& json, const std::string& name) {
 }
 
 /// The buffers' bytes, taken out of the JSON.
-std::vector<tinygltf::Buffer> take_buffers(Json& json, std::optional<std::string_view> binary,
-                                           const std::string& name,
-                                           const std::optional<std::filesystem::path>& folder) {
+std::vector<tinygltf::Buffer> parse_buffers(Json& json, std::optional<std::string_view> binary,
+                                            const std::string& name,
+                                            const std::optional<std::filesystem::path>& folder) {
   std::vector<tinygltf::Buffer> buffers;
   const Json list = json.value("buffers", Json::array());
   json.erase("buffers");
@@ -178,11 +178,11 @@ std::vector<tinygltf::Buffer> take_buffers(Json& json, std::optional<std::string
 
 GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
                          const std::optional<std::filesystem::path>& folder) {
-  const Container container = take_container(bytes, name);
+  const Container container = parse_container(bytes, name);
   Json json = parse_json(container.json, name);
   require_readable(json, name);
   require_few_nodes(json, name);
-  std::vector<tinygltf::Buffer> buffers = take_buffers(json, container.binary, name, folder);
+  std::vector<tinygltf::Buffer> buffers = parse_buffers(json, container.binary, name, folder);
   unpack_meshopt(json, buffers, name);
   GltfFile file{name, {}};
   std::string fault;
@@ -198,7 +198,8 @@ GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
     fault = error.what();
   }
   if (!understood) {
-    refuse(file, "is faulty: " + excerpt(fault.substr(0, fault.find('\n')), 2 * most_quoted),
+    refuse(file,
+           "is faulty: " + excerpt(fault.substr(0, fault.find('\n')), 2 * max_quoted_characters),
            get_it_again);
   }
   file.model.buffers = std::move(buffers);
@@ -206,7 +207,7 @@ GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
 }
 
 std::string_view gltf_json_text(std::string_view bytes, const std::string& name) {
-  return take_container(bytes, name).json;
+  return parse_container(bytes, name).json;
 }
 
 std::string path_of_gltf_uri(const std::string& uri) {
@@ -246,9 +247,9 @@ std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::
     throw Error({name}, "its " + thing + "s are not in the file",
                 "export it as .glb, all in one file");
   }
-  if (const std::string hindrance = hindrance_of(*folder / path, most_of_recording);
-      !hindrance.empty()) {
-    throw Error({name}, "its " + thing + " " + in_quotes(path.string()) + " " + hindrance,
+  if (const std::string problem = read_error(*folder / path, max_recording_bytes);
+      !problem.empty()) {
+    throw Error({name}, "its " + thing + " " + in_quotes(path.string()) + " " + problem,
                 "put it beside the file, or export it as .glb, all in one file");
   }
   const std::string contents = read_contents(*folder / path);

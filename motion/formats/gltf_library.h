@@ -10,8 +10,8 @@
 
 namespace mien::motion {
 
-/// What a glTF file says of nodes, skins and animations, and the bytes of its buffers. Nothing else
-/// of it has been checked: indices, counts and offsets are the file's own.
+/// The nodes, skins, animations and buffers of a glTF file. Its indices, counts and offsets are not
+/// yet checked.
 struct GltfFile {
   std::string name;  ///< for error messages
   tinygltf::Model model;
@@ -29,7 +29,7 @@ std::string_view gltf_json_text(std::string_view bytes, const std::string& name)
 /// A relative URI as a path: "a%20walk.bin" names the file "a walk.bin".
 std::string path_of_gltf_uri(const std::string& uri);
 
-/// What a URI says: a data URI's bytes, else those of the file that it names in `folder`. `use`
+/// The bytes of a data URI or of the file that a URI names in `folder`. `use`
 /// says what it is for: "buffer". Throws mien::Error.
 std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::string& name,
                                              const std::optional<std::filesystem::path>& folder,
@@ -38,7 +38,7 @@ std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::
 /// The remedy for a file that was written wrongly.
 inline constexpr std::string_view get_it_again = "export or download the file again";
 
-/// Throws mien::Error naming the file.
+/// Throws mien::Error with the file's name.
 [[noreturn]] void refuse(const GltfFile& file, std::string_view wrong, std::string_view remedy);
 
 }  // namespace mien::motion

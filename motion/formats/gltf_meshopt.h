@@ -9,8 +9,8 @@
 
 namespace mien::motion {
 
-/// Whether a buffer only holds the place of what buffer views compress (`fallback` of
-/// EXT_meshopt_compression): it may have no bytes.
+/// Whether a buffer is only the fallback of compressed buffer views (`fallback` of
+/// EXT_meshopt_compression), which may have no bytes.
 bool is_meshopt_fallback(const nlohmann::json& buffer);
 
 /// Unpacks the buffer views of a glTF document that are compressed by EXT_meshopt_compression or

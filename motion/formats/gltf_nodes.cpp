@@ -11,8 +11,8 @@ namespace {
 std::string title(int node) { return "node " + std::to_string(node); }
 
 /// The numbers when there are `count`, all usable; false when there are none.
-bool take_numbers(const GltfFile& file, int node, const std::vector<double>& numbers,
-                  size_t count) {
+bool parse_numbers(const GltfFile& file, int node, const std::vector<double>& numbers,
+                   size_t count) {
   if (numbers.empty()) return false;
   const bool usable = std::all_of(numbers.begin(), numbers.end(),
                                   [](double n) { return std::isfinite(n) && std::abs(n) <= 1e12; });
@@ -38,12 +38,12 @@ NodeTransform split(const std::vector<double>& matrix) {
 NodeTransform transform_of(const GltfFile& file, int index) {
   const tinygltf::Node& node = file.model.nodes[static_cast<size_t>(index)];
   NodeTransform transform;
-  if (take_numbers(file, index, node.matrix, 16)) return split(node.matrix);
-  if (take_numbers(file, index, node.translation, 3)) {
+  if (parse_numbers(file, index, node.matrix, 16)) return split(node.matrix);
+  if (parse_numbers(file, index, node.translation, 3)) {
     transform.translation = Vec3(node.translation.data());
   }
-  if (take_numbers(file, index, node.scale, 3)) transform.scale = Vec3(node.scale.data());
-  if (take_numbers(file, index, node.rotation, 4)) {
+  if (parse_numbers(file, index, node.scale, 3)) transform.scale = Vec3(node.scale.data());
+  if (parse_numbers(file, index, node.rotation, 4)) {
     transform.rotation = Quat(node.rotation.data());
     if (!(transform.rotation.norm() > 1e-6)) {
       refuse(file, title(index) + " has a rotation of length zero", get_it_again);
@@ -92,7 +92,7 @@ std::vector<int> counts_below(const GltfNodes& nodes, const std::vector<int>& wa
 
 }  // namespace
 
-GltfNodes take_nodes(const GltfFile& file) {
+GltfNodes parse_nodes(const GltfFile& file) {
   GltfNodes nodes;
   const size_t count = file.model.nodes.size();
   nodes.parents.assign(count, -1);

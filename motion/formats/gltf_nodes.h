@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// How a node stands in its parent: scaled, then turned, then moved.
+/// Transform of a node relative to its parent: scale, then rotation, then translation.
 struct NodeTransform {
   Vec3 translation = Vec3::Zero();
   Quat rotation = Quat::Identity();
@@ -27,7 +27,7 @@ struct GltfNodes {
 /// The nodes of a file; matrices are split into translation, rotation and scale, shear is left out.
 /// Throws mien::Error: children that do not exist, two parents, circles, numbers that are not
 /// finite or too few, a rotation of length zero.
-GltfNodes take_nodes(const GltfFile& file);
+GltfNodes parse_nodes(const GltfFile& file);
 
 /// The lowest node at or above all of `wanted`. Throws mien::Error when there is none.
 int common_root(const GltfFile& file, const GltfNodes& nodes, const std::vector<int>& wanted);

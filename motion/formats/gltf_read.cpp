@@ -173,11 +173,11 @@ void note_choice(Recording& recording, bool was_asked_for) {
 }
 
 Recording recording_of(const GltfFile& file, const std::optional<std::string>& wanted) {
-  const GltfNodes nodes = take_nodes(file);
+  const GltfNodes nodes = parse_nodes(file);
   const std::vector<GltfTake> takes = gltf_takes(file);
   const std::optional<GltfTake> take = chosen_take(file, takes, wanted);
   std::vector<GltfTrack> tracks;
-  if (take) tracks = take_tracks(file, take->animation);
+  if (take) tracks = parse_tracks(file, take->animation);
   Recording recording;
   recording.name = std::filesystem::path(file.name).stem().string();
   recording.format = "gltf";

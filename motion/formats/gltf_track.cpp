@@ -66,8 +66,8 @@ void require_good_values(const GltfFile& file, const GltfTrack& track) {
   }
 }
 
-GltfTrack take_track(const GltfFile& file, const tinygltf::Animation& animation,
-                     const tinygltf::AnimationChannel& channel, Part part) {
+GltfTrack parse_track(const GltfFile& file, const tinygltf::Animation& animation,
+                      const tinygltf::AnimationChannel& channel, Part part) {
   const int index = channel.sampler;
   if (index < 0 || static_cast<size_t>(index) >= animation.samplers.size()) {
     refuse(file, "a track has no sampler", get_it_again);
@@ -91,7 +91,7 @@ GltfTrack take_track(const GltfFile& file, const tinygltf::Animation& animation,
   return track;
 }
 
-std::vector<GltfTrack> take_tracks_of(const GltfFile& file, const tinygltf::Animation& animation) {
+std::vector<GltfTrack> parse_tracks_of(const GltfFile& file, const tinygltf::Animation& animation) {
   std::vector<GltfTrack> tracks;
   std::set<std::pair<int, Part>> moved;
   for (const tinygltf::AnimationChannel& channel : animation.channels) {
@@ -100,7 +100,7 @@ std::vector<GltfTrack> take_tracks_of(const GltfFile& file, const tinygltf::Anim
     if (!moved.emplace(channel.target_node, *part).second) {
       refuse(file, "two tracks move the same part of a node", get_it_again);
     }
-    tracks.push_back(take_track(file, animation, channel, *part));
+    tracks.push_back(parse_track(file, animation, channel, *part));
   }
   return tracks;
 }
@@ -130,7 +130,7 @@ Eigen::Vector4d spline(const GltfTrack& track, size_t key, double t, double seco
   return vanishes ? part(t < 0.5 ? key : key + 1, 1) : value;
 }
 
-/// Of the frame times that BVH knows too.
+/// Limits of the frame rate, as for BVH frame times.
 constexpr double slowest_frame_rate = 0.49;
 constexpr double fastest_frame_rate = 1e5;
 
@@ -175,8 +175,8 @@ std::vector<GltfTake> gltf_takes(const GltfFile& file) {
   return takes;
 }
 
-std::vector<GltfTrack> take_tracks(const GltfFile& file, int animation) {
-  return take_tracks_of(file, file.model.animations[static_cast<size_t>(animation)]);
+std::vector<GltfTrack> parse_tracks(const GltfFile& file, int animation) {
+  return parse_tracks_of(file, file.model.animations[static_cast<size_t>(animation)]);
 }
 
 double stated_frame_rate(const GltfFile& file, int animation) {

@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// How one part of one node's transform changes over time.
+/// An animation channel with its sampler: one component of one node's transform over time.
 struct GltfTrack {
   enum class Part { translation, rotation, scale };
   enum class Interpolation { step, linear, cubic_spline };
@@ -23,8 +23,8 @@ struct GltfTrack {
   std::vector<double> numbers;
 };
 
-/// Where the writer of GLB states, in the `extras` of an animation, a rate that its keys do not
-/// tell: below 10 frames a second.
+/// Key in the `extras` of an animation under which our GLB writer states a frame rate below 10
+/// frames a second, which the key times do not determine.
 inline constexpr const char* gltf_rate_key = "framesPerSecond";
 
 /// An animation of a file that moves any node.
@@ -40,13 +40,13 @@ std::vector<GltfTake> gltf_takes(const GltfFile& file);
 /// Throws mien::Error: key times that do not increase or are negative, more or fewer values than
 /// keys, two tracks for one part, rotations of length zero, and whatever `accessor_numbers`
 /// refuses.
-std::vector<GltfTrack> take_tracks(const GltfFile& file, int animation);
+std::vector<GltfTrack> parse_tracks(const GltfFile& file, int animation);
 
-/// The rate that a file written by mien says for the animation; 0 when none.
+/// The frame rate stated by our GLB writer for an animation; 0 when none.
 double stated_frame_rate(const GltfFile& file, int animation);
 
-/// Puts the track's value at a time into the transform; before the first key and after the last one
-/// it is theirs. Appendix C of the glTF 2.0 specification.
+/// Sets the track's value at a time in the transform, clamped to the first and last key (glTF 2.0
+/// specification, appendix C).
 void apply(const GltfTrack& track, double seconds, NodeTransform& transform);
 
 /// When to sample tracks.
@@ -57,10 +57,10 @@ struct TrackTiming {
   std::vector<double> keys;  ///< of evenly spaced keys that span all tracks, their own times
 };
 
-/// At least one track. The rate is that of the track with most keys when they are evenly spaced at
-/// 10 a second or more; slower ones too, when all tracks have the same eight keys or more, none of
-/// them a spline, as recordings do: poses that somebody set by hand lie far apart as well, and what
-/// lies between them is theirs. Else it is `stated`, or 30.
+/// When to sample tracks (at least one). The rate is that of the track with the most keys if they
+/// are evenly spaced at 10 a second or more; also slower if all tracks have the same eight keys or
+/// more and none is a spline, which indicates a recording rather than sparse keyframes. Else it is
+/// `stated`, or 30.
 TrackTiming timing_of(const std::vector<GltfTrack>& tracks, double stated = 0.0);
 
 /// Number of frames from the first key to the last.

@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// Whether a file's extension is one that `read_motion` takes.
+/// Whether `read_motion` supports a file's extension.
 bool is_motion_file(const std::filesystem::path& path);
 
 /// Reads a motion by its file's extension: .bvh, .amc (with its .asf), .gltf, .glb. Throws
@@ -17,7 +17,7 @@ bool is_motion_file(const std::filesystem::path& path);
 Recording read_motion(const std::filesystem::path& path,
                       const std::optional<std::string>& take = std::nullopt);
 
-/// As `read_motion`, where an empty name stands for the first of several motions.
+/// As `read_motion`, where an empty `take` means the first of several motions.
 Recording read_take(const std::filesystem::path& path, const std::string& take);
 
 /// Whether a file of this extension may hold several motions to choose a take from.

@@ -6,11 +6,11 @@
 
 namespace mien::motion {
 
-/// Whether a recording may be real: it has no more than 65,536 joints, and no more than 2^27 joint
-/// rotations, which take 4 GiB. A broken or hostile file could exhaust the memory otherwise.
+/// Whether a recording has at most 65,536 joints and 2^27 joint rotations (4 GiB), so that a broken
+/// or hostile file does not exhaust the memory.
 bool is_reasonable_size(size_t joints, size_t frames);
 
-/// Refuses, at `place`, one that has more.
+/// Throws mien::Error at `place` unless is_reasonable_size.
 void require_reasonable_size(const Place& place, size_t joints, size_t frames);
 
 }  // namespace mien::motion

@@ -13,10 +13,10 @@ struct ContactOptions {
   double off_speed = 0.3;              ///< m/s above which it ends
   double shortest_gap = 0.07;          ///< seconds; shorter gaps are closed
   double shortest_plant = 0.1;         ///< seconds; shorter contacts are dropped
-  Vec3 floor_velocity = Vec3::Zero();  ///< m/s; of the floor under a clip that walks in place
+  Vec3 floor_velocity = Vec3::Zero();  ///< m/s; of the floor under a clip in place
 };
 
-/// Which parts of one foot touch the floor, frame by frame (points of sole.h).
+/// Contact of the parts of one foot with the floor, frame by frame (points of sole.h).
 struct FootContact {
   std::vector<bool> heel;
   std::vector<bool> toes;  ///< ball or tip
@@ -31,8 +31,8 @@ FootContact foot_contact(const Clip& clip, bool left, const ContactOptions& opti
 /// The stretches of contact of both feet by time, as `foot_locked` takes them.
 std::vector<FootPlant> foot_plants(const Clip& clip, const ContactOptions& options = {});
 
-/// Velocity of the floor under a looping clip that walks in place: what the planted feet share.
-/// Zero for clips that travel or hold no planted foot.
+/// Velocity of the floor under a looping clip that walks in place: the common velocity of the
+/// planted feet. Zero for clips that travel or have no planted foot.
 Vec3 floor_velocity(const Clip& loop);
 
 }  // namespace mien::motion

@@ -102,7 +102,7 @@ Clip grounded(const Clip& clip, const std::vector<FootPlant>& plants,
 }
 
 /// Where each plant of the foot stands, from heel strike to lift.
-void add_stances(std::vector<PlacedStretch>& stretches, const Clip& clip,
+void add_stances(std::vector<FootTrajectory>& stretches, const Clip& clip,
                  const std::vector<FootPlant>& plants, bool left, const FootLockOptions& options) {
   const FootPath path = foot_path(clip, left);
   const double turn_frames = std::max(1.0, 0.1 * clip.frames_per_second);
@@ -117,7 +117,7 @@ void add_stances(std::vector<PlacedStretch>& stretches, const Clip& clip,
 Clip foot_locked(const Clip& free, const std::vector<FootPlant>& plants,
                  const FootLockOptions& options) {
   const Clip clip = grounded(free, plants, options);
-  std::vector<PlacedStretch> stretches;
+  std::vector<FootTrajectory> stretches;
   std::array<double, 2> lowered = {0.0, 0.0};
   for (const bool left : {true, false}) {
     add_stances(stretches, clip, plants, left, options);

@@ -11,8 +11,8 @@ struct FootLockOptions {
   double blend_seconds = 0.17;  ///< a foot's correction fades in and out over this (Kovar 2002)
   double flat_metres = 0.006;   ///< the sole is flat while heel and ball are this near their lowest
   double lifted_metres = 0.015;  ///< a heel or ball this much higher has left the floor
-  double extension = 0.98;       ///< share of the leg's length that a correction may ask for
-  bool keep_velocity = false;    ///< corrections fade from a plant with the change they had in it
+  double extension = 0.98;       ///< largest extension by a correction, share of the leg's length
+  bool keep_velocity = false;    ///< corrections leave a plant with continuous velocity
 };
 
 /// Removes foot skate: while planted, a foot turns about its heel until the sole is flat, stands

@@ -14,7 +14,7 @@ struct LegJoints {
 
 LegJoints leg_joints(bool left);
 
-/// The way of a foot through a clip: one entry a frame, world space.
+/// The trajectory of a foot through a clip: one entry for each frame, world space.
 struct FootPath {
   Vec3 ball_in_foot;  ///< toe joint, in the ankle's frame
   Vec3 heel_in_foot;  ///< back of the sole at the ball's height, in the ankle's frame
@@ -25,7 +25,7 @@ struct FootPath {
   Vec3 cycle_displacement = Vec3::Zero();
 
   int frame_count() const { return static_cast<int>(ankle.size()); }
-  /// Any frame of a loop, in unrolled numbering: `frame` mod count, and displaced.
+  /// Frame of the loop for any frame number of the unrolled loop: `frame` mod count.
   int wrapped(int frame) const;
   Vec3 displacement(int frame) const;
   Vec3 ankle_at(int frame) const;
@@ -36,7 +36,7 @@ struct FootPath {
 
 FootPath foot_path(const Clip& clip, bool left);
 
-/// How a foot goes through a plant: down on its heel, flat, up on its ball.
+/// The phases of a plant: heel contact, flat foot, heel off (on the ball).
 struct Stance {
   int first = 0;       ///< heel on the floor from here …
   int flat_first = 0;  ///< … the whole sole from here …
@@ -47,7 +47,7 @@ struct Stance {
 /// The plant's stance. Its ends lie within the plant: heel and ball count as on the floor while
 /// they are less than `lifted_metres` above their height under the flat sole, the sole as flat
 /// while both are less than `flat_metres` above their lowest. A foot that never comes down flat
-/// (running on the toes, or tilting all the while in a noisy capture) is taken as flat where the
+/// (running on the toes, or never level in a noisy capture) counts as flat where the
 /// higher of both is least.
 Stance stance_of(const FootPath& path, const FootPlant& plant, double flat_metres,
                  double lifted_metres);

@@ -13,7 +13,7 @@ namespace mien::motion {
 
 namespace {
 
-/// What is added to the foot at one frame: translation, and rotation vector from the left.
+/// Correction of the foot in one frame: translation, and rotation vector applied from the left.
 struct Correction {
   Vec3 translation = Vec3::Zero();
   Vec3 turn = Vec3::Zero();
@@ -37,13 +37,13 @@ Correction operator-(const Correction& a, const Correction& b) {
 
 /// Corrections of one foot for every frame: exact in its stretches, fading between them.
 std::vector<Correction> corrections(const FootPath& path,
-                                    const std::vector<PlacedStretch>& stretches, bool left,
+                                    const std::vector<FootTrajectory>& stretches, bool left,
                                     double reach, bool keep_velocity) {
   const int count = path.frame_count();
   std::vector<Correction> result(static_cast<size_t>(count));
   std::vector<bool> placed(static_cast<size_t>(count), false);
   std::vector<Edge> starts, ends;
-  for (const PlacedStretch& stretch : stretches) {
+  for (const FootTrajectory& stretch : stretches) {
     if (stretch.left != left || stretch.places.empty()) continue;
     const int last = stretch.first + static_cast<int>(stretch.places.size()) - 1;
     for (int f = stretch.first; f <= last; ++f) {
@@ -104,7 +104,7 @@ struct LegTargets {
   std::vector<FootPlace> places;
 };
 
-LegTargets leg_targets(const Clip& clip, const std::vector<PlacedStretch>& stretches, bool left,
+LegTargets leg_targets(const Clip& clip, const std::vector<FootTrajectory>& stretches, bool left,
                        double lowered, const FootLockOptions& options) {
   const FootPath path = foot_path(clip, left);
   const auto added = corrections(
@@ -199,7 +199,7 @@ void place_leg(Pose& pose, const JointTransforms& world, const LegJoints& leg,
 
 }  // namespace
 
-Clip with_feet_placed(const Clip& clip, const std::vector<PlacedStretch>& stretches,
+Clip with_feet_placed(const Clip& clip, const std::vector<FootTrajectory>& stretches,
                       const FootLockOptions& options, const std::array<double, 2>& lowered) {
   const std::array legs = {leg_targets(clip, stretches, true, lowered[0], options),
                            leg_targets(clip, stretches, false, lowered[1], options)};

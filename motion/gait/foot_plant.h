@@ -2,7 +2,7 @@
 
 namespace mien::motion {
 
-/// A stretch of frames in which one foot stands on the floor. In a looping clip `last` may lie
+/// An interval of frames in which one foot stands on the floor. In a looping clip `last` may lie
 /// beyond the last frame: the plant goes on in the next cycle.
 struct FootPlant {
   bool left = true;

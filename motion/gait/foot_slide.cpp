@@ -34,7 +34,7 @@ Vec3 slid(const Supports& from, const Supports& to, double floor) {
   double length = std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < from.size(); ++p) {
     if (std::max(from[p].y(), to[p].y()) > floor + touching_m) continue;
-    const Vec3 step = level(to[p] - from[p]);
+    const Vec3 step = horizontal(to[p] - from[p]);
     if (step.norm() >= length) continue;
     least = step;
     length = step.norm();

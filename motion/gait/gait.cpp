@@ -46,8 +46,8 @@ std::optional<GaitCycle> cycle_of(const Clip& clip, const Stride& stride) {
   for (size_t k = 0; k < keyframes->size(); ++k) {
     cycle.keytimes[k] = (*keyframes)[k] / clip.frames_per_second;
   }
-  const Vec3 travel = level(clip.poses[cycle.end_frame].root_position -
-                            clip.poses[cycle.start_frame].root_position);
+  const Vec3 travel = horizontal(clip.poses[cycle.end_frame].root_position -
+                                 clip.poses[cycle.start_frame].root_position);
   cycle.speed_m_s = travel.norm() * clip.frames_per_second / (cycle.end_frame - cycle.start_frame);
   cycle.has_flight = has_flight(stride);
   if (!stride.confirmed) {
@@ -62,7 +62,7 @@ Vec3 velocity_around(const Clip& clip, int frame) {
   const int reach = std::max(1, static_cast<int>(std::lround(0.1 * clip.frames_per_second)));
   const int before = std::max(0, frame - reach);
   const int after = std::min(clip.frame_count() - 1, frame + reach);
-  return level(clip.poses[after].root_position - clip.poses[before].root_position) *
+  return horizontal(clip.poses[after].root_position - clip.poses[before].root_position) *
          (clip.frames_per_second / std::max(1, after - before));
 }
 
@@ -122,10 +122,10 @@ std::vector<GaitCycle> cycles_of_foot(const Clip& clip, const std::vector<GaitEv
 }
 
 /// The two moments at which the pose is most alike, half a second to two seconds apart.
-std::optional<CyclePlace> most_alike(const Clip& clip) {
+std::optional<CycleRange> most_alike(const Clip& clip) {
   const int shortest = std::max(8, static_cast<int>(std::ceil(0.5 * clip.frames_per_second)));
   const int longest = static_cast<int>(2.0 * clip.frames_per_second);
-  std::optional<CyclePlace> best;
+  std::optional<CycleRange> best;
   double least = 0.0;
   for (int start = 0; start + shortest < clip.frame_count(); ++start) {
     const int last = std::min(clip.frame_count() - 1, start + longest);
@@ -133,7 +133,7 @@ std::optional<CyclePlace> most_alike(const Clip& clip) {
       const double cost = seam_cost(clip, start, end);
       if (best && cost >= least) continue;
       least = cost;
-      best = CyclePlace{start, end};
+      best = CycleRange{start, end};
     }
   }
   return best;
@@ -141,7 +141,7 @@ std::optional<CyclePlace> most_alike(const Clip& clip) {
 
 /// For takes of about one cycle. Looking at every pair of frames of a long take would be slow and,
 /// where somebody stands, meaningless.
-std::optional<GaitCycle> cycle_by_likeness(const Clip& clip) {
+std::optional<GaitCycle> cycle_by_similarity(const Clip& clip) {
   if (clip.duration_seconds() > 4.0) return std::nullopt;
   const auto place = most_alike(clip);
   if (!place || seam_cost(clip, place->start, place->end) > alike_enough) return std::nullopt;
@@ -204,7 +204,7 @@ std::optional<GaitCycle> steadiest_cycle(const Clip& clip) {
   const std::vector<GaitCycle> cycles = gait_cycles(clip);
   if (cycles.empty() && clip.loops) return std::nullopt;
   if (cycles.empty()) {
-    const auto alike = cycle_by_likeness(clip);
+    const auto alike = cycle_by_similarity(clip);
     return alike ? alike : half_cycle(clip);
   }
   const GaitCycle& best = *std::max_element(

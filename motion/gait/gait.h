@@ -42,8 +42,8 @@ std::vector<GaitCycle> gait_cycles(const Clip& clip);
 /// pose is most alike, when a left and a right step lie between.
 std::optional<GaitCycle> steadiest_cycle(const Clip& clip);
 
-/// The cycle of a looping clip that holds one: start 0, end its frame count. Empty when the loop
-/// has not exactly one heel strike of either foot.
+/// The cycle of a looping clip that contains exactly one: start 0, end its frame count. Empty when
+/// the loop has not exactly one heel strike of either foot.
 std::optional<GaitCycle> cycle_of_loop(const Clip& loop);
 
 }  // namespace mien::motion

@@ -159,8 +159,8 @@ std::vector<Vec3> walking_directions(const Clip& clip) {
   std::vector<Vec3> pelvis;
   std::vector<Vec3> facing;
   for (const Pose& pose : clip.poses) {
-    pelvis.push_back(level(pose.root_position));
-    facing.push_back(level(pose.rotations[Pelvis] * Vec3::UnitZ()));
+    pelvis.push_back(horizontal(pose.root_position));
+    facing.push_back(horizontal(pose.rotations[Pelvis] * Vec3::UnitZ()));
   }
   const double rate = clip.frames_per_second;
   const std::vector<Vec3> velocity = derivative(low_pass(pelvis, 1.0, rate), rate);

@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// A stretch between two plants in which no foot touches the floor and the body is up: running.
+/// A flight phase of running: an interval between two plants without ground contact.
 struct Flight {
   int first = 0;
   int last = 0;                ///< included
@@ -28,8 +28,8 @@ struct GaitEvent {
   bool confirmed = false;  ///< the foot's contact begins (heel strike) or ends within 0.1 s of it
 };
 
-/// How far each foot is before the pelvis along the direction of walking, metres, frame by frame,
-/// without marker noise (`gait_cutoff_hz`).
+/// Position of each foot relative to the pelvis along the direction of walking, metres, frame by
+/// frame, low-pass filtered (`gait_cutoff_hz`).
 struct FootProgress {
   std::vector<double> left_heel;  ///< ankle joint
   std::vector<double> right_heel;
@@ -37,8 +37,8 @@ struct FootProgress {
   std::vector<double> right_toe;
 };
 
-/// Horizontal unit vectors along which the body walks, frame by frame: the pelvis' velocity below
-/// 1 Hz where that is more than 0.2 m/s, else where the pelvis faces.
+/// Direction of walking, frame by frame, as horizontal unit vectors: the pelvis' velocity below 1
+/// Hz if that is more than 0.2 m/s, else its facing direction.
 std::vector<Vec3> walking_directions(const Clip& clip);
 
 FootProgress foot_progress(const Clip& clip);

@@ -209,9 +209,9 @@ double seam_cost(const Clip& clip, int start, int end) {
   return cost;
 }
 
-CyclePlace best_cut(const Clip& clip, CyclePlace near, int search) {
+CycleRange best_cut(const Clip& clip, CycleRange near, int search) {
   const int last = clip.frame_count() - 1;
-  CyclePlace best = near;
+  CycleRange best = near;
   double least = seam_cost(clip, near.start, near.end);
   for (int start = std::max(0, near.start - search); start <= std::min(last, near.start + search);
        ++start) {

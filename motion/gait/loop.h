@@ -4,18 +4,18 @@
 
 namespace mien::motion {
 
-/// How badly `end` of a cycle meets its `start`: sum over the joints of squared distances between
+/// Mismatch of the end of a cycle with its start: sum over the joints of squared distances between
 /// direction vectors plus (0.1 s)² times that of their velocities. Heading and place do not count.
 /// Frames lie in the clip.
 double seam_cost(const Clip& clip, int start, int end);
 
-struct CyclePlace {
+struct CycleRange {
   int start = 0;
   int end = 0;
 };
 
 /// The start and end of least seam cost within `search` frames of the given ones.
-CyclePlace best_cut(const Clip& clip, CyclePlace near, int search = 3);
+CycleRange best_cut(const Clip& clip, CycleRange near, int search = 3);
 
 /// Frames `start` to `end` of a clip as a loop. Frame `end` is the next cycle's first frame, so the
 /// loop has end − start frames and its seam is no jump: the difference between the two is spread
@@ -27,7 +27,8 @@ CyclePlace best_cut(const Clip& clip, CyclePlace near, int search = 3);
 /// 0 ≤ start, end < frames, end − start ≥ 3 and the clip itself does not loop.
 Clip closed_loop(const Clip& clip, int start, int end);
 
-/// As `closed_loop` with frame `end` still there: the same pose as the first, the cycle's way on.
+/// As `closed_loop`, keeping frame `end`: the pose of the first frame, one cycle displacement
+/// further on.
 Clip closed_ends(const Clip& clip, int start, int end);
 
 /// One step, frames `start` to `end`, and its mirror image as a loop of 2·(end − start) frames, for
@@ -35,8 +36,8 @@ Clip closed_ends(const Clip& clip, int start, int end);
 /// to meet the mirror image of its start, in the way of `closed_loop`. Same conditions.
 Clip mirrored_loop(const Clip& clip, int start, int end);
 
-/// The loop begun `frames` later (or earlier): the same motion for ever, another first frame. The
-/// first frame stands where it stood in the first cycle.
+/// The loop shifted cyclically by `frames`: the same endless motion from another first frame, which
+/// keeps its position in the first cycle.
 Clip shifted_loop(const Clip& loop, int frames);
 
 }  // namespace mien::motion

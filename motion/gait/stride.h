@@ -9,7 +9,7 @@
 
 namespace mien::motion {
 
-/// The seven moments of a gait cycle from one foot's heel strike to its next, in frames: strike,
+/// The seven events of a stride from one foot's heel strike to its next, in frames: strike,
 /// the other foot's toe off, the other ankle passing, the other foot's strike, own toe off, own
 /// ankle passing, next strike. In running the toe offs lie before the strikes they follow here.
 struct Stride {
@@ -21,7 +21,7 @@ struct Stride {
   double toe_off = 0.0;
   double passes = 0.0;
   double next_strike = 0.0;
-  bool confirmed = true;  ///< contact agrees with all of its events
+  bool confirmed = true;  ///< all of its events agree with foot contacts
 
   double period() const { return next_strike - strike; }
 };

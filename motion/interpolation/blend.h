@@ -10,7 +10,7 @@
 
 namespace mien::motion {
 
-/// How the rotations of one joint are averaged.
+/// Averaging method for the rotations of a joint.
 enum class RotationBlend {
   karcher_mean,       ///< the rotation with the least weighted squared angle to all; default
   direction_vectors,  ///< weighted sum of direction vectors, made orthonormal again
@@ -31,8 +31,9 @@ Quat blend_rotations(std::span<const Quat> rotations, std::span<const double> we
 /// Keytimes of the blend with these weights, seconds.
 std::vector<double> mean_keytimes(const ExampleSet& set, const Eigen::VectorXd& weights);
 
-/// The motion between the examples: keytimes and duration are weighted means; at each moment every
-/// example is sampled at its corresponding time, rotations are averaged and root positions summed.
+/// A weighted blend of the examples: keytimes and duration are weighted means; at each time every
+/// example is sampled at its corresponding time, rotations are averaged and root positions summed
+/// with the weights.
 ///
 /// `weights` has one entry an example, all ≥ 0 and summing to 1. All examples stand on the same
 /// body and have the same number of keytimes. A loop's duration is rounded to whole frames

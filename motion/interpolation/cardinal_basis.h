@@ -29,10 +29,10 @@ CardinalBasis fit_cardinal_basis(const Eigen::MatrixXd& example_parameters);
 /// Weights at parameters p as the basis gives them (may lie outside [0, 1]; sum to 1).
 Eigen::VectorXd raw_weights(const CardinalBasis& basis, const Eigen::RowVectorXd& parameters);
 
-/// As `raw_weights`, then clipped to [0, 1] and normalised. This is what motions are blended with.
+/// `raw_weights` clipped to [0, 1] and normalised: the weights with which motions are blended.
 Eigen::VectorXd weights(const CardinalBasis& basis, const Eigen::RowVectorXd& parameters);
 
-/// Clip to [0, 1] and divide by the sum. The sum must not be zero.
+/// The weights clipped to [0, 1] and divided by their sum, which must not be zero.
 Eigen::VectorXd clipped_and_normalised(Eigen::VectorXd weights);
 
 }  // namespace mien::motion

@@ -30,7 +30,7 @@ std::string counted(Eigen::Index count, const std::string& thing) {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
-void tell_shared_places(const ExampleSet& set, Interpolator& interpolator) {
+void add_shared_place_remarks(const ExampleSet& set, Interpolator& interpolator) {
   const DistinctParameters& distinct = interpolator.distinct;
   for (size_t place = 0; place < distinct.sharers.size(); ++place) {
     if (distinct.sharers[place] < 2) continue;
@@ -46,8 +46,8 @@ void tell_shared_places(const ExampleSet& set, Interpolator& interpolator) {
   }
 }
 
-/// Of the parameters that are asked for, which come first.
-void tell_dependence(Interpolator& interpolator, Eigen::Index asked) {
+/// Adds remarks on the dependence of the requested parameters, which come first.
+void add_dependence_remarks(Interpolator& interpolator, Eigen::Index asked) {
   const Eigen::MatrixXd places = interpolator.distinct.places.leftCols(asked);
   const Eigen::Index count = places.rows();
   const std::string what = listed({interpolator.names.begin(), interpolator.names.begin() + asked});
@@ -75,7 +75,7 @@ std::string percent(double share) {
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
-void tell_halvings(int halvings, const std::string& what, Interpolator& interpolator) {
+void add_halving_remark(int halvings, const std::string& what, Interpolator& interpolator) {
   if (halvings == 0) return;
   interpolator.remarks.push_back("examples lie so close that the " + what + " was halved " +
                                  counted(halvings, "time") + " to keep the weights exact");
@@ -91,9 +91,9 @@ Eigen::VectorXd grid_weights(const GridOfWeights& grid, const Eigen::RowVectorXd
       parameters);
 }
 
-/// What a grid misses at the examples themselves.
-void tell_grid_misses(const GridOfWeights& grid, const Eigen::MatrixXd& places,
-                      Interpolator& interpolator) {
+/// Error of a grid at the examples themselves.
+void add_grid_error_remark(const GridOfWeights& grid, const Eigen::MatrixXd& places,
+                           Interpolator& interpolator) {
   double least = 1.0;
   for (Eigen::Index k = 0; k < places.rows(); ++k) {
     least = std::min(least, grid_weights(grid, places.row(k))[k]);
@@ -126,7 +126,7 @@ Eigen::MatrixXd place_differences(const ExampleSet& set, const DistinctParameter
   return all(first, first);
 }
 
-/// What methods are fitted to.
+/// Input of the fits.
 struct Fit {
   const ExampleSet& set;
   const Eigen::MatrixXd& parameters;
@@ -136,26 +136,26 @@ struct Fit {
 
 void fit_cardinal(Interpolator& fitted) {
   CardinalBasis basis = fit_cardinal_basis(fitted.distinct.places);
-  tell_halvings(basis.halvings, "reach of the radial functions", fitted);
+  add_halving_remark(basis.halvings, "reach of the radial functions", fitted);
   fitted.method = std::move(basis);
 }
 
 void fit_reaching(const Fit& fit, Interpolator& fitted) {
   Reach reach = fit_reach(fitted.distinct.places, fit.held);
-  tell_halvings(reach.basis.halvings, "reach of the radial functions", fitted);
+  add_halving_remark(reach.basis.halvings, "reach of the radial functions", fitted);
   fitted.method = std::move(reach);
 }
 
 void fit_grid_of_weights(const Fit& fit, Interpolator& fitted) {
   GridOfWeights grid = fit_grid(fitted.distinct.places, fit.options);
-  tell_grid_misses(grid, fitted.distinct.places, fitted);
+  add_grid_error_remark(grid, fitted.distinct.places, fitted);
   fitted.method = std::move(grid);
 }
 
 void fit_kriging_method(const Fit& fit, Interpolator& fitted) {
   Kriging kriging = fit_kriging(fitted.distinct.places, fit.options.kriging,
                                 place_differences(fit.set, fitted.distinct));
-  tell_halvings(kriging.halvings, "range of the variogram", fitted);
+  add_halving_remark(kriging.halvings, "range of the variogram", fitted);
   fitted.method = std::move(kriging);
 }
 
@@ -249,8 +249,8 @@ Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& para
   for (Eigen::Index m = static_cast<Eigen::Index>(names.size()); m < parameters.cols(); ++m) {
     fitted.names.push_back("parameter " + std::to_string(m + 1));
   }
-  tell_shared_places(set, fitted);
-  tell_dependence(fitted, parameters.cols() - held);
+  add_shared_place_remarks(set, fitted);
+  add_dependence_remarks(fitted, parameters.cols() - held);
   fit_method({set, parameters, options, held}, fitted);
   return fitted;
 }

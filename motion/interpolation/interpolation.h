@@ -39,22 +39,22 @@ struct Interpolator {
   std::variant<CardinalBasis, Reach, NearestNeighbours, InverseDistance, GridOfWeights, Kriging,
                StatisticalModel, WordClicks, DirectShares>
       method;
-  /// Plain sentences on what the user should know of the fit: examples that share a place,
-  /// parameters that say the same, a system that had to be made easier.
+  /// Sentences about the fit for the user: examples with equal parameters, collinear parameters, a
+  /// system that had to be regularised.
   std::vector<std::string> remarks;
 };
 
-/// The examples' shares at parameters.
+/// The blend weights of the examples at given parameters.
 struct InterpolatedWeights {
-  Eigen::VectorXd weights;  ///< one an example, ≥ 0, sum 1; of `pca` equivalent ones, any sign
+  Eigen::VectorXd weights;                 ///< one an example, ≥ 0, sum 1; for `pca` of any sign
   std::optional<double> expected_error_m;  ///< kriging: expected RMS distance of joints, metres
-  std::vector<std::string> remarks;        ///< plain sentences on this query
+  std::vector<std::string> remarks;        ///< sentences about this query
 };
 
-/// Fits once. `parameters`: one row an example of the set (N × M; N × N for `direct`, not looked
-/// at). `names`: of the parameters, for remarks; numbered without. The last `held` parameters are
-/// not asked for but to be kept as near as can be: `reach` lets them wait for the others, to the
-/// other methods they are parameters like all. Throws Error when the method cannot take so many
+/// Fits a method. `parameters`: one row for each example of the set (N × M; N × N and ignored for
+/// `direct`). `names`: of the parameters, for remarks; numbers if empty. The last `held` parameters
+/// are not requested but held as nearly as possible: for `reach` they have lower priority, the
+/// other methods treat them like the rest. Throws Error when the method does not support that many
 /// parameters.
 Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& parameters,
                               const InterpolationOptions& options,
@@ -63,15 +63,15 @@ Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& para
 InterpolatedWeights weights_at(const Interpolator& interpolator,
                                const Eigen::RowVectorXd& parameters);
 
-/// The motion at parameters: a blend by `weights_at`, or what the statistical model expects.
+/// The motion at given parameters: a blend by `weights_at`, or the motion of the statistical model.
 Example motion_at(const Interpolator& interpolator, const ExampleSet& set,
                   const Eigen::RowVectorXd& parameters, const BlendOptions& options = {});
 
 /// Shares divided by their sum; equal when all are zero. Shares are ≥ 0.
 Eigen::VectorXd direct_weights(const Eigen::VectorXd& shares);
 
-/// ½ mean squared distance, m², of the 20 joints over the 11 corresponding moments that D looks at,
-/// for every pair (N × N): what kriging takes for the unlikeness of motions.
+/// Half the mean squared distance, m², of the 20 joints over the 11 corresponding times of D, for
+/// every pair of examples (N × N): the dissimilarity of motions for kriging.
 Eigen::MatrixXd half_squared_differences(const ExampleSet& set);
 
 }  // namespace mien::motion

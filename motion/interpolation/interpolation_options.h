@@ -5,25 +5,25 @@
 
 namespace mien::motion {
 
-/// From parameters to a motion: how the examples' shares are found.
+/// How blend weights are computed from parameters.
 enum class InterpolationMethod {
-  reach,             ///< what is asked exactly, as near to `cardinal` as can be (reach.h); default
-  cardinal,          ///< linear part and cubic B-splines (cardinal_basis.h): the paper's
-  nearest,           ///< nearest neighbours among examples and random blends of them
+  reach,     ///< meets the request exactly, as near to `cardinal` as possible (reach.h); default
+  cardinal,  ///< linear part and cubic B-splines (cardinal_basis.h): the paper's
+  nearest,   ///< nearest neighbours among examples and random blends of them
   inverse_distance,  ///< Shepard's inverse distances
   grid,              ///< multilinear on a regular grid of another method's weights
-  kriging,           ///< universal kriging; says how unsure it is
+  kriging,           ///< universal kriging, with an error estimate
   pca,               ///< statistical model of the motions; yields no blend
-  incremental,       ///< clicks on words, solved with the pseudo-inverse
+  incremental,       ///< incremental clicks on words, solved with the pseudo-inverse
   direct,            ///< the parameters are the examples' shares
 };
 
-/// As manifests and tables call it: "cardinal", "knn", "inverse-distance", …
+/// The name in manifests and tables: "cardinal", "knn", "inverse-distance", …
 std::string_view name_of(InterpolationMethod method);
 
 struct NearestNeighboursOptions {
-  int neighbours = 0;            ///< that take part, the farthest with weight 0; 0 means M + 2
-  int trials = 300;              ///< random blends that are tried as further samples; 0 for none
+  int neighbours = 0;  ///< number of neighbours, the farthest with weight 0; 0 means M + 2
+  int trials = 300;    ///< random blends that are tried as further samples; 0 for none
   double least_distance = 0.05;  ///< of a blend's parameters from those of every other sample
   std::uint64_t seed = 0;
 
@@ -38,7 +38,7 @@ struct KrigingOptions {
   friend bool operator==(const KrigingOptions&, const KrigingOptions&) = default;
 };
 
-/// What a statistical model takes for the motion at parameters.
+/// Estimator of a statistical model for the motion at given parameters.
 enum class ModelEstimate {
   expected,     ///< mean of the motions that have them: regression of coordinates on parameters
   most_likely,  ///< maximum a posteriori: likely by itself, and with parameters as measured near
@@ -54,13 +54,13 @@ struct StatisticalModelOptions {
   friend bool operator==(const StatisticalModelOptions&, const StatisticalModelOptions&) = default;
 };
 
-/// What a grid's nodes are sampled from.
+/// The method from which a grid's nodes are sampled.
 enum class GridSource { cardinal, nearest };
 
-/// Parameters that a grid can take: a cell has 2^M corners.
-inline constexpr int most_grid_dimensions = 8;
+/// Largest number of parameters of a grid: a cell has 2^M corners.
+inline constexpr int max_grid_dimensions = 8;
 
-/// Only the chosen method's options count.
+/// Options of all methods; only those of the chosen method apply.
 struct InterpolationOptions {
   InterpolationMethod method = InterpolationMethod::reach;
   NearestNeighboursOptions nearest;

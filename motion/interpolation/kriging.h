@@ -9,7 +9,7 @@
 
 namespace mien::motion {
 
-/// How unlike two motions are expected to be at a distance in parameter space: half the mean
+/// Expected dissimilarity of two motions by their distance in parameter space: half the mean
 /// squared difference, γ(h) = sill · (1 − exp(−(h/range)²)).
 struct Variogram {
   double sill = 1.0;   ///< in the unit of the dissimilarity, e.g. m²

@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// The parameters that the blend with these weights (≥ 0, sum 1) really has.
+/// Measures the parameters of the blend with these weights (≥ 0, sum 1).
 using MeasureBlend = std::function<Eigen::RowVectorXd(const Eigen::VectorXd& weights)>;
 
 /// Samples of parameter space: the examples and random blends of them (Kovar and Gleicher 2004).

@@ -23,7 +23,7 @@ DistinctParameters distinct_parameters(const Eigen::MatrixXd& example_parameters
 /// Weights of examples from weights of places: those who share a place share its weight equally.
 Eigen::VectorXd by_example(const DistinctParameters& distinct, const Eigen::VectorXd& by_place);
 
-/// Singular values below this share of the largest are directions in which nothing spreads.
+/// Singular values below this share of the largest count as zero.
 inline constexpr double singular_share = 1e-8;
 
 /// Directions in which the rows spread: the number of singular values of the centred matrix above
@@ -31,12 +31,11 @@ inline constexpr double singular_share = 1e-8;
 int spread_rank(const Eigen::MatrixXd& places);
 
 /// Parameters that motions can be made from, and where the examples lie on them: one row each,
-/// values 0…1 at the examples. Whether people's ratings or measures of the motions are behind them
-/// is of no concern to whoever makes motions.
+/// values 0…1 at the examples. They may come from ratings or from measures of the motions.
 struct ParameterTable {
   std::vector<std::string> names;  ///< groups (primary parameters) first, then single ones
   Eigen::MatrixXd values;          ///< parameters × examples
-  bool simulated = false;          ///< rests on ratings that nobody gave
+  bool simulated = false;          ///< based on simulated ratings
 
   /// Row of a parameter, or −1.
   int find(const std::string& name) const;
@@ -45,8 +44,8 @@ struct ParameterTable {
 /// The row of a parameter. Throws Error when the examples have none of that name.
 Eigen::Index parameter_row(const std::string& name, const ParameterTable& table);
 
-/// Where the examples lie on some of the parameters: N × parameters. Throws Error when they lack
-/// one.
+/// Values of the examples for some of the parameters: N × parameters. Throws Error when one does
+/// not exist.
 Eigen::MatrixXd places_of_examples(std::span<const std::string> parameters,
                                    const ParameterTable& table);
 

@@ -46,16 +46,16 @@ Eigen::VectorXd weights(const Reach& reach, const Eigen::RowVectorXd& parameters
   return least_squares_at_mean(reach.asked, start, c, d);
 }
 
-ParameterRange feasible_range(const Eigen::MatrixXd& places, const Eigen::RowVectorXd& wish,
+ParameterRange feasible_range(const Eigen::MatrixXd& places, const Eigen::RowVectorXd& request,
                               Eigen::Index which) {
-  assert(which >= 0 && which < places.cols() && wish.size() == places.cols());
+  assert(which >= 0 && which < places.cols() && request.size() == places.cols());
   const Eigen::Index others = places.cols() - 1;
   Eigen::MatrixXd points(others, places.rows());
   Eigen::VectorXd target(others);
   for (Eigen::Index m = 0, row = 0; m < places.cols(); ++m) {
     if (m == which) continue;
     points.row(row) = places.col(m).transpose();
-    target[row++] = wish[m];
+    target[row++] = request[m];
   }
   const Eigen::VectorXd slopes = places.col(which);
   const Eigen::VectorXd start = weights_nearest_to(points, target);

@@ -19,7 +19,7 @@ namespace mien::motion {
 /// expected, E[c|p] = Σ_cp (Σ_pp + ridge)⁻¹ (p − p̄), or most likely: those that minimise
 /// ‖C c − (p − p̄)‖²/noise² + cᵀ Λ⁻¹ c, where C, the regression of parameters on coordinates,
 /// measures a motion and Λ holds the components' variances. Both are linear in p. Unlike the other
-/// methods it does not reproduce its examples: what few of them share is left out.
+/// methods it does not reproduce its examples: variation that only few of them share is lost.
 struct StatisticalModel {
   Skeleton body;
   bool loops = false;
@@ -41,7 +41,7 @@ StatisticalModel fit_statistical_model(const ExampleSet& set, const Eigen::Matri
                                        const StatisticalModelOptions& options = {},
                                        WarpShape warp = WarpShape::monotone);
 
-/// Coordinates at parameters, expected or most likely.
+/// Coordinates at given parameters, expected or most likely.
 Eigen::VectorXd coordinates_at(const StatisticalModel& model, const Eigen::RowVectorXd& parameters);
 
 /// The motion with these coordinates. A loop's duration is rounded to whole frames.

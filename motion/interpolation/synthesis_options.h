@@ -6,7 +6,7 @@
 
 namespace mien::motion {
 
-/// How examples become a clip.
+/// Options of motion synthesis from examples.
 struct SynthesisOptions {
   InterpolationOptions weights;  ///< from parameters to shares of the examples
   RotationBlend rotations = RotationBlend::karcher_mean;

@@ -5,7 +5,7 @@
 
 namespace mien::motion {
 
-/// How time runs between corresponding keytimes.
+/// Shape of a time warp between corresponding keytimes.
 enum class WarpShape {
   monotone,  ///< monotone cubic (Fritsch and Carlson 1980): no jump of speed at a keytime; default
   linear,    ///< piecewise linear, as in the adjective paper

@@ -11,9 +11,9 @@ namespace mien::motion {
 
 WeightGrid make_weight_grid(const Eigen::MatrixXd& places, int cells) {
   assert(places.rows() > 0 && cells > 0);
-  if (places.cols() > most_grid_dimensions) {
+  if (places.cols() > max_grid_dimensions) {
     throw Error("a grid over " + std::to_string(places.cols()) + " parameters has too many corners",
-                "name at most " + std::to_string(most_grid_dimensions) +
+                "name at most " + std::to_string(max_grid_dimensions) +
                     " parameters, or use another interpolation method");
   }
   WeightGrid grid;

@@ -19,7 +19,7 @@ struct WeightGrid {
   int cells = 8;             ///< a dimension
 };
 
-/// Throws Error when there are more than `most_grid_dimensions` parameters: a cell has 2^M corners.
+/// Throws Error when there are more than `max_grid_dimensions` parameters: a cell has 2^M corners.
 WeightGrid make_weight_grid(const Eigen::MatrixXd& places, int cells);
 
 /// Multilinear between the corners of the cell in which the parameters lie. Outside the grid: the

@@ -46,9 +46,9 @@ Eigen::VectorXd clicked(const WordClicks& words, const Eigen::VectorXd& weights,
   return clipped_and_normalised(weights + move);
 }
 
-ClickPath click_towards(const WordClicks& words, const Eigen::RowVectorXd& wish) {
+ClickPath click_towards(const WordClicks& words, const Eigen::RowVectorXd& request) {
   const auto count = words.standardised.cols();
-  const Eigen::VectorXd goal = (wish.transpose() - words.mean).cwiseQuotient(words.deviation);
+  const Eigen::VectorXd goal = (request.transpose() - words.mean).cwiseQuotient(words.deviation);
   ClickPath path;
   path.weights = Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(count));
   std::vector<bool> stuck(static_cast<size_t>(goal.size()), false);

@@ -17,7 +17,7 @@ struct Click {
 
 /// Incremental control with words (after Förger and Takala 2012): each click moves the weights by
 /// the least change that moves the named parameters by a step and keeps the sum, found with the
-/// pseudo-inverse. Where one arrives depends on the way.
+/// pseudo-inverse. The result depends on the path.
 struct WordClicks {
   Eigen::MatrixXd standardised;  ///< M × N: parameters of examples, mean 0 and SD 1 a row
   Eigen::VectorXd mean;          ///< M
@@ -33,15 +33,15 @@ WordClicks fit_word_clicks(const Eigen::MatrixXd& places, double step = 0.25);
 Eigen::VectorXd clicked(const WordClicks& words, const Eigen::VectorXd& weights,
                         std::span<const Click> word);
 
-/// A way through clicks and where it ends.
+/// A sequence of clicks and its result.
 struct ClickPath {
   std::vector<Click> clicks;
   Eigen::VectorXd weights;
-  bool arrived = false;  ///< every parameter is within half a step of the wish
+  bool arrived = false;  ///< every parameter is within half a step of the request
 };
 
-/// What a patient user does: from equal weights, clicks on the parameter that is farthest from the
-/// wish, as long as a click brings the whole nearer.
-ClickPath click_towards(const WordClicks& words, const Eigen::RowVectorXd& wish);
+/// Simulates a patient user: from equal weights, clicks on the parameter that is farthest from the
+/// request as long as that reduces the total deviation.
+ClickPath click_towards(const WordClicks& words, const Eigen::RowVectorXd& request);
 
 }  // namespace mien::motion

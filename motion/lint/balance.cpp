@@ -4,7 +4,7 @@
 
 #include "motion/gait/gait_events.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 
 namespace mien::motion {
 
@@ -15,17 +15,18 @@ constexpr double standing_seconds = 0.3;
 constexpr double falling_seconds = 0.15;
 constexpr double pendulum_by_leg = 1.2;  // Hof 2005: leaning with the legs, from the trochanter
 
-double level_speed(const MovingBody& moment) {
+double level_speed(const BodyDynamics& moment) {
   return std::hypot(moment.velocity.x(), moment.velocity.z());
 }
 
 /// How far the centre of mass is outside the support while the body stands.
 std::vector<double> standing_margins(const LintSubject& subject, const BodyOnFloor& body) {
-  std::vector<double> values(body.moments.size(), nothing);
+  std::vector<double> values(body.moments.size(), no_value);
   for (size_t t = 0; t < values.size(); ++t) {
     const Support& support = body.supports[t];
     if (support.empty() || level_speed(body.moments[t]) > standing_speed) continue;
-    values[t] = distance_outside(body.moments[t].centre_of_mass, support.all()) / subject.scale;
+    values[t] =
+        signed_distance_to_hull(body.moments[t].centre_of_mass, support.all()) / subject.scale;
   }
   return values;
 }
@@ -41,12 +42,12 @@ std::vector<double> lateral_margins(const LintSubject& subject, const BodyOnFloo
   const double pendulum = pendulum_by_leg * leg_length(subject.clip.body);
   const double seconds = std::sqrt(pendulum / gravity);
   const std::vector<Vec3> directions = walking_directions(subject.clip);
-  std::vector<double> values(body.moments.size(), nothing);
+  std::vector<double> values(body.moments.size(), no_value);
   for (size_t t = 0; t < values.size(); ++t) {
     const Support& support = body.supports[t];
     const bool on_feet = !support.empty() && support.elsewhere.empty();
     if (!on_feet || level_speed(body.moments[t]) <= standing_speed) continue;
-    const MovingBody& moment = body.moments[t];
+    const BodyDynamics& moment = body.moments[t];
     const Vec3 extrapolated = moment.centre_of_mass + seconds * moment.velocity;
     const Vec3 to_left = Vec3::UnitY().cross(directions[t]);
     const double left = extrapolated.dot(to_left) - farthest(support.left, to_left);
@@ -59,13 +60,13 @@ std::vector<double> lateral_margins(const LintSubject& subject, const BodyOnFloo
 }
 
 std::vector<double> pressure_margins(const LintSubject& subject, const BodyOnFloor& body) {
-  std::vector<double> values(body.moments.size(), nothing);
+  std::vector<double> values(body.moments.size(), no_value);
   for (size_t t = 0; t < values.size(); ++t) {
     if (body.supports[t].empty()) continue;
     const Vec3& point = body.moments[t].zero_moment_point;
-    values[t] = distance_outside(point, body.supports[t].all()) / subject.scale;
+    values[t] = signed_distance_to_hull(point, body.supports[t].all()) / subject.scale;
   }
-  without_ends(subject, values);
+  mask_ends(subject, values);
   return values;
 }
 
@@ -80,9 +81,10 @@ Findings find_lost_balance(const LintSubject& subject, const BodyOnFloor& body,
     const std::vector<double> before =
         original ? margins(*original, *original_body) : std::vector<double>();
     const auto sentence = [&](double worst) { return where + rounded(100.0 * worst, 0) + after; };
-    add_stretches(findings, subject,
-                  {"balance", "", "m", raised(levels, before), seconds, 3, sentence},
-                  margins(subject, body));
+    add_threshold_findings(
+        findings, subject,
+        {"balance", "", "m", raised_levels(levels, before), seconds, 3, sentence},
+        margins(subject, body));
   };
   add(standing_margins, options.standing_margin_metres, standing_seconds,
       "The body would fall over: standing, its centre of mass is ", " cm outside its feet.");

@@ -9,14 +9,14 @@
 
 namespace mien::motion {
 
-// The checks of the lint, a file each. All take a motion made ready by `lint_subject`; those of
+// The checks of the lint, a file each. All take a motion prepared by `lint_subject`; those of
 // whole bodies need the canonical one. `original` may be null where it is a pointer.
 
 using Findings = std::vector<Finding>;
 
-/// Thresholds of what is wrong with a take as a whole; our decisions. Lengths hold for a stature of
-/// 1.75 m. Who stands quietly sways by some millimetres a second (Prieto et al. 1996): nobody
-/// stands as still as what is frozen.
+/// Thresholds of the checks of a take as a whole; our decisions. Lengths are for a stature of 1.75
+/// m. Quiet standing sways by some millimetres a second (Prieto et al. 1996), which is more than
+/// frozen frames move.
 struct TakeLimits {
   double frozen_rad_s = 0.001;          ///< no joint turns faster in frozen frames…
   double frozen_m_s = 0.001;            ///< …nor does the root move faster
@@ -29,18 +29,19 @@ struct TakeLimits {
 };
 inline constexpr TakeLimits take_limits;
 
-/// Numbers that are none, rotations that are none and bones that grow, of the clip as it was given.
+/// Non-finite numbers, invalid rotations and changing bone lengths of the clip as given.
 Findings find_broken_data(const Clip& clip, const LintOptions& options);
 
-/// Whether there is nothing in the clip that other checks could not calculate with.
+/// Whether the clip's data is valid, so that the other checks can be computed.
 bool is_calculable(const Clip& clip);
 
 /// Rotations and root positions that step farther between two frames than the mean of the steps
-/// before and after: no body moves so, however fast it is. A loop's seam is left to the next.
+/// before and after: no body moves so, however fast it is. The seam of a loop is checked by
+/// find_broken_seam.
 Findings find_jumps(const LintSubject& subject, const LintOptions& options);
 
 /// Whether neither a joint nor the root moves from frame `step` to the next, to within
-/// `frozen_rad_s` and `frozen_m_s`; what the floor under a walk on the spot does counts as nothing.
+/// `frozen_rad_s` and `frozen_m_s`; the floor's velocity under a walk in place is ignored.
 bool is_frozen(const LintSubject& subject, int step);
 
 /// Stretches in which everything is frozen, of motions that move elsewhere for `frozen_seconds`.
@@ -53,8 +54,8 @@ Findings find_frozen(const LintSubject& subject, const LintSubject* original);
 /// at most, or until something moves. None of loops.
 Findings find_calibration_pose(const LintSubject& subject, const LintOptions& options);
 
-/// Walks on the spot, and how fast the floor would move under them. None of loops, whose place is
-/// wanted, and none where the original walks on the spot too.
+/// Walks on the spot, and how fast the floor would move under them. No finding for loops, which are
+/// in place on purpose, nor if the original walks in place too.
 Findings find_walk_on_spot(const LintSubject& subject, const LintSubject* original);
 
 /// Bodies that slide steadily as a whole while both feet bear for `drift_seconds` or more: both
@@ -68,20 +69,20 @@ Findings find_drift(const LintSubject& subject, const LintOptions& options,
 /// None of loops.
 Findings find_rise(const LintSubject& subject, const LintSubject* original);
 
-/// The step over a loop's seam, likewise, against what the steps elsewhere in the loop do.
+/// A jump over a loop's seam, compared with the steps elsewhere in the loop.
 Findings find_broken_seam(const LintSubject& subject, const LintOptions& options);
 
 /// Angles beyond the healthy range (joint_angles.h) and beyond what the original did.
 Findings find_joints_beyond_limits(const LintSubject& subject, const LintOptions& options,
                                    const LintSubject* original);
 
-/// Parts of the body (body_capsules.h) in each other, deeper than while standing at ease and than
-/// in the original. Depths are scaled to a stature of 1.75 m.
+/// Parts of the body (collision_shapes.h) in each other, deeper than while standing at ease and
+/// than in the original. Depths are scaled to a stature of 1.75 m.
 Findings find_self_intersections(const LintSubject& subject, const LintOptions& options,
                                  const LintSubject* original);
 
-/// Feet that slide while they bear the body (bearing.h), however fast. Against an original, what
-/// they slid more than there is an error sooner.
+/// Feet that slide while they bear the body (weight_bearing.h), however fast. Against an original,
+/// what they slid more than there is an error sooner.
 Findings find_skating_feet(const LintSubject& subject, const LintOptions& options,
                            const LintSubject* original);
 
@@ -100,7 +101,7 @@ Findings find_fast_joints(const LintSubject& subject, const LintOptions& options
 
 /// Standing, the centre of mass outside the feet; walking, the extrapolated centre of mass (Hof,
 /// Gazendam and Sinke 2005) outward of the standing foot; the zero-moment point beside the feet.
-/// The originals are both null or neither; likewise below.
+/// `original` and `original_body` are both null or neither, here and below.
 Findings find_lost_balance(const LintSubject& subject, const BodyOnFloor& body,
                            const LintOptions& options, const LintSubject* original,
                            const BodyOnFloor* original_body);

@@ -3,7 +3,7 @@
 
 #include "motion/gait/contact.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 
 namespace mien::motion {
 
@@ -59,7 +59,7 @@ struct ContactFault {
 void add_fault(const LintSubject& subject, const Levels& levels, const ContactFault& fault,
                Findings& findings) {
   if (!(fault.seconds > levels.warning)) return;
-  Finding finding = graded("contact-timing", fault.seconds, "s", levels);
+  Finding finding = graded_finding("contact-timing", fault.seconds, "s", levels);
   finding.joint = name_of(fault.expected.left ? LeftAnkle : RightAnkle);
   finding.first = static_cast<int>(std::lround(fault.expected.first));
   finding.last = static_cast<int>(std::lround(fault.expected.last));

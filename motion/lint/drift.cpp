@@ -5,10 +5,10 @@
 #include <numeric>
 #include <string>
 
-#include "motion/biomechanics/bearing.h"
+#include "motion/biomechanics/weight_bearing.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/slip.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/planted_slip.h"
+#include "motion/lint/threshold_findings.h"
 #include "motion/math/percentile.h"
 #include "motion/skeleton/sole.h"
 
@@ -23,7 +23,7 @@ constexpr double rolling_m_s = 0.02;  // and that of feet whose lowest point cha
 
 /// Stretches in which both feet bear; as plants of the left foot.
 std::vector<FootPlant> double_stances(const LintSubject& subject) {
-  const Bearing bearing = bearing_of(subject);
+  const WeightBearing bearing = weight_bearing_of(subject);
   const int count = subject.frame_count();
   std::vector<FootPlant> found;
   for (int first = 0; first < count; ++first) {
@@ -66,7 +66,7 @@ double largest_slide(const LintSubject& subject) {
 }
 
 Finding drift_of(int first, int last, double measured, const Levels& levels) {
-  Finding finding = graded("drift", measured, "m", levels);
+  Finding finding = graded_finding("drift", measured, "m", levels);
   finding.first = first;
   finding.last = last;
   return finding;
@@ -78,7 +78,7 @@ struct Line {
   double explained = 0.0;  ///< share of the variance
 };
 
-/// Of values of consecutive frames.
+/// Least-squares line through values of consecutive frames.
 Line line_of(const std::vector<double>& values, double rate) {
   const double count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
@@ -147,7 +147,7 @@ Findings find_drift(const LintSubject& subject, const LintOptions& options,
   Findings findings;
   if (subject.was_loop) return findings;
   Levels levels = options.skate_metres;
-  if (original) levels = raised(levels, std::array{largest_slide(*original)});
+  if (original) levels = raised_levels(levels, std::array{largest_slide(*original)});
   for (const FootPlant& stance : double_stances(subject)) {
     const double way = common_slide(subject, stance);
     if (!(way > levels.warning)) continue;
@@ -162,7 +162,7 @@ Findings find_drift(const LintSubject& subject, const LintOptions& options,
 Findings find_rise(const LintSubject& subject, const LintSubject* original) {
   if (subject.was_loop) return {};
   Levels levels = take_limits.rise_metres;
-  if (original) levels = raised(levels, std::array{std::abs(steady_rise(*original))});
+  if (original) levels = raised_levels(levels, std::array{std::abs(steady_rise(*original))});
   const double rise = steady_rise(subject);
   if (!(std::abs(rise) > levels.warning)) return {};
   Finding finding = drift_of(0, subject.frame_count() - 1, std::abs(rise), levels);

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/biomechanics/bearing.h"
 #include "motion/biomechanics/body_on_floor.h"
+#include "motion/biomechanics/weight_bearing.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {
@@ -27,11 +27,11 @@ std::vector<double> sole_heights(const LintSubject& subject, bool left) {
 /// on none; also those next to a fall, for feet leave and meet the floor softly, and those of a
 /// motion's ends of which that cannot be told.
 void without_flights(const LintSubject& subject, std::vector<double>& heights) {
-  const Bearing bears = bearing_of(subject);
+  const WeightBearing bears = weight_bearing_of(subject);
   const int count = subject.frame_count();
   const int soft = static_cast<int>(std::lround(soft_seconds * subject.rate()));
   std::vector<double> ends(heights.size(), 0.0);
-  without_ends(subject, ends);
+  mask_ends(subject, ends);
   const auto falls_near = [&](int t) {
     const auto from = bears.falls.begin() + std::max(t - soft, 0);
     const auto to = bears.falls.begin() + std::min(t + soft + 1, count);
@@ -39,7 +39,7 @@ void without_flights(const LintSubject& subject, std::vector<double>& heights) {
   };
   for (int t = 0; t < count; ++t) {
     const bool may_fly = falls_near(t) || std::isnan(ends[t]);
-    if (bears.elsewhere[t] || (may_fly && !bears.planted[t])) heights[t] = nothing;
+    if (bears.elsewhere[t] || (may_fly && !bears.planted[t])) heights[t] = no_value;
   }
 }
 
@@ -69,10 +69,10 @@ Findings find_sunken_feet(const LintSubject& subject, const LintOptions& options
              rounded(100.0 * worst, 1) + " cm into the floor.";
     };
     const std::string joint(name_of(left ? LeftAnkle : RightAnkle));
-    const Levels levels = raised(options.penetration_metres,
-                                 original ? depths(*original, left) : std::vector<double>());
-    add_stretches(findings, subject, {"penetration", joint, "m", levels, 0, 2, sentence},
-                  depths(subject, left));
+    const Levels levels = raised_levels(options.penetration_metres,
+                                        original ? depths(*original, left) : std::vector<double>());
+    add_threshold_findings(findings, subject, {"penetration", joint, "m", levels, 0, 2, sentence},
+                           depths(subject, left));
   }
   return findings;
 }
@@ -84,10 +84,11 @@ Findings find_floating(const LintSubject& subject, const LintOptions& options,
     return "The body hangs in the air: the lower foot is " + rounded(100.0 * worst, 1) +
            " cm above the floor.";
   };
-  const Levels levels = raised(options.floating_metres,
-                               original ? hanging_heights(*original) : std::vector<double>());
-  add_stretches(findings, subject, {"floating", "", "m", levels, shortest_seconds, 3, sentence},
-                hanging_heights(subject));
+  const Levels levels = raised_levels(
+      options.floating_metres, original ? hanging_heights(*original) : std::vector<double>());
+  add_threshold_findings(findings, subject,
+                         {"floating", "", "m", levels, shortest_seconds, 3, sentence},
+                         hanging_heights(subject));
   return findings;
 }
 

@@ -15,7 +15,7 @@ enum class Severity {
 /// "warning", "error".
 std::string_view name_of(Severity severity);
 
-/// A fault of a motion, and where it is.
+/// A fault of a motion and its position.
 struct Finding {
   std::string check;  ///< which rule: one of `lint_checks()` (lint.h)
   std::string
@@ -23,10 +23,10 @@ struct Finding {
   int first = 0;  ///< frames of the clip
   int last = 0;   ///< included; of a loop it may lie beyond the end, where frame n is frame 0
   double measured = 0.0;   ///< the worst value in these frames, in `unit`
-  double threshold = 0.0;  ///< what it passed to be of this severity, in `unit`
+  double threshold = 0.0;  ///< the threshold of this severity that it exceeds, in `unit`
   std::string unit;        ///< "m", "m/s", "°", "rad/s", "N·m", "s", …; empty: a ratio
   Severity severity = Severity::warning;
-  std::string sentence;  ///< what is wrong, for a reader who knows no thresholds
+  std::string sentence;  ///< description for readers who do not know the thresholds
 };
 
 /// Whether one of the findings is an error.

@@ -2,7 +2,7 @@
 
 #include "motion/biomechanics/inverse_dynamics.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 
 namespace mien::motion {
 
@@ -13,10 +13,10 @@ constexpr double light = 0.3;  // body weights; below, friction says nothing
 
 std::vector<double> presses(const LintSubject& subject, const BodyOnFloor& body) {
   std::vector<double> values;
-  for (const MovingBody& moment : body.moments) {
-    values.push_back(moment.floor_force.y() / gravity);
+  for (const BodyDynamics& moment : body.moments) {
+    values.push_back(moment.ground_reaction.y() / gravity);
   }
-  without_ends(subject, values);
+  mask_ends(subject, values);
   return values;
 }
 
@@ -27,13 +27,13 @@ std::vector<double> pulls(const LintSubject& subject, const BodyOnFloor& body) {
 }
 
 std::vector<double> frictions(const LintSubject& subject, const BodyOnFloor& body) {
-  std::vector<double> values(body.moments.size(), nothing);
+  std::vector<double> values(body.moments.size(), no_value);
   for (size_t t = 0; t < values.size(); ++t) {
-    const Vec3& force = body.moments[t].floor_force;
+    const Vec3& force = body.moments[t].ground_reaction;
     if (force.y() < light * gravity) continue;
     values[t] = std::hypot(force.x(), force.z()) / force.y();
   }
-  without_ends(subject, values);
+  mask_ends(subject, values);
   return values;
 }
 
@@ -46,10 +46,10 @@ std::vector<std::vector<double>> torques(const LintSubject& subject, const BodyO
     // How much of the floor's force knees and hands take cannot be told.
     const bool is_known = body.supports[t].elsewhere.empty();
     for (size_t j = 0; j < rows.size(); ++j) {
-      rows[j].push_back(is_known ? mass_kg * values[j] : nothing);
+      rows[j].push_back(is_known ? mass_kg * values[j] : no_value);
     }
   }
-  for (std::vector<double>& row : rows) without_ends(subject, row);
+  for (std::vector<double>& row : rows) mask_ends(subject, row);
   return rows;
 }
 
@@ -64,9 +64,10 @@ Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& bo
     const std::vector<double> before =
         original ? measure(*original, *original_body) : std::vector<double>();
     const auto sentence = [&](double worst) { return what + rounded(worst, 1) + after; };
-    add_stretches(findings, subject,
-                  {"forces", "", unit, raised(levels, before), least_overload_seconds, 3, sentence},
-                  measure(subject, body));
+    add_threshold_findings(
+        findings, subject,
+        {"forces", "", unit, raised_levels(levels, before), least_overload_seconds, 3, sentence},
+        measure(subject, body));
   };
   add(presses, options.press, "body weights", "The feet press the floor with ",
       " times the body's weight.");
@@ -92,13 +93,13 @@ Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& b
                            limit * options.torque_ratio.error};
     const std::string name(name_of(BodyJoint(joint.joint)));
     const auto sentence = [&](double worst) {
-      return "The " + spoken(name) + " would need " + rounded(worst, 0) + " N·m, more than the " +
-             rounded(limit, 0) + " N·m that strong adults have.";
+      return "The " + display_name(name) + " would need " + rounded(worst, 0) +
+             " N·m, more than the " + rounded(limit, 0) + " N·m that strong adults have.";
     };
-    add_stretches(findings, subject,
-                  {"joint-torque", name, "N·m", raised(levels, before[j]), least_overload_seconds,
-                   3, sentence},
-                  rows[j]);
+    add_threshold_findings(findings, subject,
+                           {"joint-torque", name, "N·m", raised_levels(levels, before[j]),
+                            least_overload_seconds, 3, sentence},
+                           rows[j]);
   }
   return findings;
 }

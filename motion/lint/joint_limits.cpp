@@ -3,7 +3,7 @@
 
 #include "motion/biomechanics/joint_angles.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 #include "motion/math/rotation.h"
 
 namespace mien::motion {
@@ -44,10 +44,11 @@ void add_beyond(const LintSubject& subject, const JointAngle& angle, std::string
                 const Levels& levels, const std::vector<double>& beyond, Findings& findings) {
   const std::string name(name_of(angle.joint));
   const auto sentence = [&](double worst) {
-    return "The " + spoken(name) + " " + std::string(what) + ": " + rounded(worst, 0) +
+    return "The " + display_name(name) + " " + std::string(what) + ": " + rounded(worst, 0) +
            "° beyond the range of its " + std::string(angle.name) + ".";
   };
-  add_stretches(findings, subject, {"joint-limit", name, "°", levels, 0, 1, sentence}, beyond);
+  add_threshold_findings(findings, subject, {"joint-limit", name, "°", levels, 0, 1, sentence},
+                         beyond);
 }
 
 /// The hand against the forearm, degrees from its mean attitude: where a straight hand lies is not
@@ -121,14 +122,15 @@ Findings find_fast_joints(const LintSubject& subject, const LintOptions& options
     if (is_end(j)) continue;
     const std::string name(name_of(BodyJoint(j)));
     const auto sentence = [&](double worst) {
-      return "The " + spoken(name) + " turns at " + rounded(worst, 0) +
+      return "The " + display_name(name) + " turns at " + rounded(worst, 0) +
              " rad/s, faster than people can.";
     };
-    const Levels levels = raised(is_leg(j) ? options.leg_speed : options.arm_speed,
-                                 original ? speeds(*original, j) : std::vector<double>());
-    add_stretches(findings, subject,
-                  {"joint-speed", name, "rad/s", levels, least_excess_seconds, 2, sentence},
-                  speeds(subject, j));
+    const Levels levels = raised_levels(is_leg(j) ? options.leg_speed : options.arm_speed,
+                                        original ? speeds(*original, j) : std::vector<double>());
+    add_threshold_findings(
+        findings, subject,
+        {"joint-speed", name, "rad/s", levels, least_excess_seconds, 2, sentence},
+        speeds(subject, j));
   }
   return findings;
 }

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "motion/lint/checks.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 #include "motion/math/percentile.h"
 #include "motion/math/rotation.h"
 
@@ -60,7 +60,7 @@ bool is_seam(const LintSubject& subject, int i) {
 
 /// A value a step as a value a frame, that to which the step leads.
 std::vector<double> without_seams(const LintSubject& subject, const std::vector<double>& steps) {
-  std::vector<double> values(subject.frame_count(), nothing);
+  std::vector<double> values(subject.frame_count(), no_value);
   for (int i = 0; i < static_cast<int>(steps.size()); ++i) {
     if (!is_seam(subject, i)) values[i + 1] = steps[i];
   }
@@ -171,9 +171,9 @@ double seam_excess(const LintSubject& subject, const std::vector<double>& steps)
 
 void add_seam(const LintSubject& subject, const MeasuredFault& fault, double excess,
               Findings& findings) {
-  std::vector<double> values(subject.frame_count(), nothing);
+  std::vector<double> values(subject.frame_count(), no_value);
   values[subject.start + subject.frames - 1] = excess;
-  add_stretches(findings, subject, fault, values);
+  add_threshold_findings(findings, subject, fault, values);
 }
 
 }  // namespace
@@ -183,20 +183,20 @@ Findings find_jumps(const LintSubject& subject, const LintOptions& options) {
   for (int j = 0; j < subject.clip.body.size(); ++j) {
     const std::string& name = subject.clip.body.joints[j].name;
     const auto sentence = [&](double worst) {
-      return "The " + spoken(name) + " leaps by " + rounded(worst, 0) +
+      return "The " + display_name(name) + " leaps by " + rounded(worst, 0) +
              "° from one frame to the next.";
     };
     const std::vector<double> leaps =
         in_degrees(leaps_of_joint(turns(subject.clip, j), subject.rate()));
     const Levels levels = widened(options.jump_degrees, sparse(subject.rate()) * flick(subject, j));
-    add_stretches(findings, subject, {"jump", name, "°", levels, 0, 1, sentence},
-                  without_seams(subject, leaps));
+    add_threshold_findings(findings, subject, {"jump", name, "°", levels, 0, 1, sentence},
+                           without_seams(subject, leaps));
   }
   const auto sentence = [](double worst) {
     return "The whole body leaps by " + rounded(100.0 * worst, 0) +
            " cm from one frame to the next.";
   };
-  add_stretches(
+  add_threshold_findings(
       findings, subject,
       {"jump", "", "m", widened(options.jump_metres, sparse(subject.rate())), 0, 1, sentence},
       without_seams(subject, leaps_of_body(root_steps(subject.clip))));
@@ -236,8 +236,8 @@ Findings find_broken_seam(const LintSubject& subject, const LintOptions& options
   for (int j = 0; j < subject.clip.body.size(); ++j) {
     const std::string& name = subject.clip.body.joints[j].name;
     const auto sentence = [&](double worst) {
-      return "The loop does not close: the " + spoken(name) + " leaps by " + rounded(worst, 1) +
-             "° at its seam.";
+      return "The loop does not close: the " + display_name(name) + " leaps by " +
+             rounded(worst, 1) + "° at its seam.";
     };
     const std::vector<double> steps = in_degrees(excesses(turns(subject.clip, j)));
     add_seam(subject, {"loop-seam", name, "°", options.seam_degrees, 0, 1, sentence},

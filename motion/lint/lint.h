@@ -14,15 +14,15 @@ namespace mien::motion {
 struct LintCheck {
   std::string_view id;          ///< "foot-skate"
   std::string_view what;        ///< what it looks for, a few words
-  bool needs_original = false;  ///< says nothing without one
+  bool needs_original = false;  ///< finds nothing without one
 };
 
-/// All rules, in the order in which their findings are told.
+/// All rules, in the order of their findings.
 const std::vector<LintCheck>& lint_checks();
 
-/// Looks a motion over for what no body does: broken data, joints beyond their range, parts of the
-/// body in each other, feet that slide, sink or float, lost balance, forces and torques that
-/// nobody has.
+/// Checks a motion for physical impossibilities: invalid data, joints beyond their range, parts of
+/// the body in each other, feet that slide, sink or float, lost balance, impossible forces and
+/// torques.
 ///
 /// The clip is in metres, +Y up, its floor at y = 0; a loop is judged as going on for ever, and one
 /// that walks in place as on a treadmill. Of a skeleton that is not the canonical body only the
@@ -33,12 +33,12 @@ const std::vector<LintCheck>& lint_checks();
 std::vector<Finding> lint(const Clip& clip, const LintOptions& options = {},
                           const Clip* original = nullptr);
 
-/// The finding of check `calibration-pose`: another pose before the motion of a canonical body, as
-/// a T-pose in frame 0. None where the clip has no frames, or numbers that are none.
+/// The finding of check `calibration-pose`: a different pose before the motion of a canonical body,
+/// such as a T-pose in frame 0. None if the clip has no frames or non-finite numbers.
 std::optional<Finding> calibration_pose(const Clip& clip);
 
-/// What is wrong with the data of a recording as it was read, before it is put on the canonical
-/// body, whose bones never change: numbers that are none and bones that grow.
+/// Checks the data of a recording as it was read, before it is mapped to the canonical body, whose
+/// bone lengths are constant: non-finite numbers and changing bone lengths.
 std::vector<Finding> lint(const Recording& recording, const LintOptions& options = {});
 
 }  // namespace mien::motion

@@ -2,7 +2,7 @@
 
 namespace mien::motion {
 
-/// Beyond `warning` a value is worth a look, beyond `error` it is broken.
+/// Thresholds of a check: values above `warning` are suspicious, above `error` broken.
 struct Levels {
   double warning = 0.0;
   double error = 0.0;
@@ -17,14 +17,14 @@ struct LintOptions {
   Levels bone_drift = {0.001, 0.01};   ///< share of the bone's usual length
   Levels jump_degrees = {20.0, 30.0};  ///< a step beyond the mean of its two neighbours; at less
                                        ///< than 30 frames a second by so much more
-  Levels jump_metres = {0.05, 0.1};    ///< of the root, likewise
+  Levels jump_metres = {0.05, 0.1};    ///< the same for the root
   Levels seam_degrees = {3.0, 8.0};    ///< at a loop's seam, beyond the steps elsewhere
-  Levels seam_metres = {0.01, 0.03};   ///< of the root, likewise
+  Levels seam_metres = {0.01, 0.03};   ///< the same for the root
 
   // The body.
   Levels beyond_limit_degrees = {5.0, 15.0};  ///< beyond a joint's range (joint_angles.h)
   Levels intersection_metres = {0.02, 0.06};  ///< depth of two parts of the body in each other
-  double intersection_seconds = 0.1;          ///< shorter touches are let pass
+  double intersection_seconds = 0.1;          ///< shorter contacts are ignored
   Levels leg_speed = {15.0, 25.0};            ///< rad/s
   Levels arm_speed = {25.0, 40.0};            ///< rad/s; trunk and head too
   Levels jerk_ratio = {5.0, 20.0};            ///< of hands, feet and head, by the original's
@@ -35,7 +35,7 @@ struct LintOptions {
   Levels floating_metres = {0.03, 0.04};        ///< of the lower sole, of a body that does not fall
   Levels contact_shift_seconds = {0.07, 0.15};  ///< against the original
   Levels phase_shift_seconds = {0.1, 0.25};     ///< of a limb against the original
-  Levels unlikeness = {0.6, 0.9};  ///< 1 − correlation of a limb with the original at any shift
+  Levels dissimilarity = {0.6, 0.9};  ///< 1 − correlation of a limb with the original at any shift
 
   // Balance and forces.
   Levels standing_margin_metres = {0.0, 0.05};  ///< centre of mass outside the support, standing

@@ -1,25 +1,26 @@
 #include <algorithm>
 
-#include "motion/biomechanics/body_capsules.h"
+#include "motion/biomechanics/collision_shapes.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/threshold_findings.h"
 
 namespace mien::motion {
 
 namespace {
 
-std::vector<std::vector<Capsule>> capsules_of(const LintSubject& subject) {
-  std::vector<std::vector<Capsule>> frames;
+std::vector<std::vector<RoundCone>> shapes_of(const LintSubject& subject) {
+  std::vector<std::vector<RoundCone>> frames;
   frames.reserve(subject.world.size());
   for (const JointTransforms& world : subject.world) {
-    frames.push_back(body_capsules(subject.clip.body, world));
+    frames.push_back(collision_shapes(subject.clip.body, world));
   }
   return frames;
 }
 
-double deepest(const std::vector<std::vector<Capsule>>& frames, const PartPair& pair) {
+double deepest(const std::vector<std::vector<RoundCone>>& frames, const CollisionPair& pair) {
   double most = 0.0;
-  for (const auto& parts : frames) most = std::max(most, depth(parts[pair.a], parts[pair.b]));
+  for (const auto& parts : frames)
+    most = std::max(most, penetration_depth(parts[pair.a], parts[pair.b]));
   return most;
 }
 
@@ -28,25 +29,25 @@ double deepest(const std::vector<std::vector<Capsule>>& frames, const PartPair& 
 Findings find_self_intersections(const LintSubject& subject, const LintOptions& options,
                                  const LintSubject* original) {
   Findings findings;
-  const auto frames = capsules_of(subject);
-  const auto before = original ? capsules_of(*original) : std::vector<std::vector<Capsule>>();
-  for (const PartPair& pair : separate_parts(subject.clip.body)) {
+  const auto frames = shapes_of(subject);
+  const auto before = original ? shapes_of(*original) : std::vector<std::vector<RoundCone>>();
+  for (const CollisionPair& pair : collision_pairs(subject.clip.body)) {
     const double allowed = std::max(pair.allowed, deepest(before, pair));
     std::vector<double> values;
     for (const auto& parts : frames) {
-      values.push_back((depth(parts[pair.a], parts[pair.b]) - allowed) / subject.scale);
+      values.push_back((penetration_depth(parts[pair.a], parts[pair.b]) - allowed) / subject.scale);
     }
-    const BodyPart& a = body_parts()[pair.a];
-    const BodyPart& b = body_parts()[pair.b];
+    const CollisionPart& a = collision_parts()[pair.a];
+    const CollisionPart& b = collision_parts()[pair.b];
     const auto sentence = [&](double worst) {
       return "The " + std::string(b.name) + " is " + rounded(100.0 * worst, 1) +
              " cm deep in the " + std::string(a.name) + ".";
     };
     const std::string joints = std::string(name_of(b.joint)) + "/" + std::string(name_of(a.joint));
-    add_stretches(findings, subject,
-                  {"self-intersection", joints, "m", options.intersection_metres,
-                   options.intersection_seconds, 2, sentence},
-                  values);
+    add_threshold_findings(findings, subject,
+                           {"self-intersection", joints, "m", options.intersection_metres,
+                            options.intersection_seconds, 2, sentence},
+                           values);
   }
   return findings;
 }

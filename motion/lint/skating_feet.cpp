@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/biomechanics/bearing.h"
+#include "motion/biomechanics/weight_bearing.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/slip.h"
-#include "motion/lint/stretches.h"
+#include "motion/lint/planted_slip.h"
+#include "motion/lint/threshold_findings.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {
@@ -26,7 +26,7 @@ bool is_on_floor(const LintSubject& subject, const FootPlant& plant) {
 
 /// The stretches in which a foot bears, on the floor.
 std::vector<FootPlant> stances(const LintSubject& subject) {
-  std::vector<FootPlant> found = bearing_feet(bearing_of(subject), subject.rate());
+  std::vector<FootPlant> found = weight_bearing_feet(weight_bearing_of(subject), subject.rate());
   std::erase_if(found, [&](const FootPlant& plant) { return !is_on_floor(subject, plant); });
   return found;
 }
@@ -89,7 +89,7 @@ Findings find_skating_feet(const LintSubject& subject, const LintOptions& option
   for (const FootPlant& plant : judged_plants(subject, original)) {
     const double slip = planted_slip(subject, plant) / subject.scale;
     if (!(slip > levels.warning)) continue;
-    Finding finding = graded("foot-skate", slip, "m", levels);
+    Finding finding = graded_finding("foot-skate", slip, "m", levels);
     finding.joint = name_of(plant.left ? LeftAnkle : RightAnkle);
     finding.first = plant.first;
     finding.last = plant.last;

@@ -15,8 +15,8 @@
 
 namespace mien::motion {
 
-// Values as bytes, little endian, doubles exact. What a thing consists of is told once, by a
-// function template that shows its parts to a ByteWriter or to a ByteReader alike:
+// Binary serialisation, little endian, doubles exact. A type's members are listed once, in a
+// function template that works with a ByteWriter and a ByteReader alike:
 //
 //     template <class Bytes, class J>
 //     void parts_of(Bytes& bytes, J& joint) { bytes.text(joint.name); bytes.vector(joint.offset); }
@@ -41,7 +41,7 @@ class ByteWriter {
   void choice(Choice value, int /*count*/) {
     whole(static_cast<int>(value));
   }
-  /// Each item shown to `show`. `least_bytes`: that an item takes.
+  /// Calls `show` for each item. `least_bytes`: the smallest size of an item.
   template <class Items, class Show>
   void list(const Items& items, std::size_t /*least_bytes*/, Show show) {
     whole(static_cast<int>(items.size()));
@@ -64,8 +64,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Throws Error at what cannot be: a count beyond the bytes that are left, a number that is not
-/// finite, a choice that there is not.
+/// Throws Error for invalid input: a count beyond the remaining bytes, a number that is not finite,
+/// an unknown enumerator.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : left_(bytes) {}
@@ -111,7 +111,7 @@ class ByteReader {
   }
 
   std::size_t left() const { return left_.size(); }
-  /// How many items follow, of so many bytes or more.
+  /// Reads the number of items that follow, each of `least_bytes` or more.
   std::size_t count_of(std::size_t least_bytes);
   [[noreturn]] static void refuse();
 
@@ -119,7 +119,7 @@ class ByteReader {
   std::string_view left_;
 };
 
-/// FNV-1a, 64 bits: no two inputs that differ in one byte have the same.
+/// FNV-1a, 64 bits: inputs that differ in one byte have different checksums.
 std::uint64_t checksum(std::string_view bytes);
 
 }  // namespace mien::motion

@@ -67,10 +67,10 @@ bool is_sound(const InterpolationOptions& options) {
          is_between(options.pca.ridge, 0.0, 100.0) && is_between(options.pca.samples, 2, 1000);
 }
 
-bool is_sound(const Showing& showing) { return is_between(showing.cycles, 1, 1000); }
+bool is_sound(const Playback& playback) { return is_between(playback.cycles, 1, 1000); }
 
 bool is_sound(const LiveTarget& target) {
-  return is_sound(target.motion) && is_sound(target.showing) && target.shown_frames >= 0;
+  return is_sound(target.motion) && is_sound(target.playback) && target.shown_frames >= 0;
 }
 
 bool are_alike(const Example& a, const Example& b) {
@@ -98,7 +98,7 @@ bool is_usable(const LiveBundle& bundle) {
   return sound_examples && sound_targets && is_sound(bundle.adjectives, examples.size()) &&
          is_sound(bundle.features, examples.size()) && are_features(bundle.features.names) &&
          is_sound(bundle.how.weights) && is_between(bundle.frames_per_second, 1.0, 1000.0) &&
-         is_sound(bundle.showing);
+         is_sound(bundle.playback);
 }
 
 constexpr std::string_view magic = "MIENLIVE";
@@ -172,9 +172,9 @@ void scale_parts(Bytes& bytes, S& scale) {
 }
 
 template <class Bytes, class S>
-void showing_parts(Bytes& bytes, S& showing) {
-  bytes.whole(showing.cycles);
-  bytes.flag(showing.in_place);
+void playback_parts(Bytes& bytes, S& playback) {
+  bytes.whole(playback.cycles);
+  bytes.flag(playback.in_place);
 }
 
 template <class Bytes, class T>
@@ -183,7 +183,7 @@ void target_parts(Bytes& bytes, T& target) {
   skeleton_parts(bytes, target.motion.clip.body);
   example_parts(bytes, target.motion);
   bytes.vector(target.weights);
-  showing_parts(bytes, target.showing);
+  playback_parts(bytes, target.playback);
   bytes.whole(target.shown_frames);
 }
 
@@ -199,7 +199,7 @@ void bundle_parts(Bytes& bytes, B& bundle) {
   scale_parts(bytes, bundle.feature_scale);
   option_parts(bytes, bundle.how);
   bytes.number(bundle.frames_per_second);
-  showing_parts(bytes, bundle.showing);
+  playback_parts(bytes, bundle.playback);
   bytes.list(bundle.targets, 64, [&](auto& target) { target_parts(bytes, target); });
 }
 

@@ -67,13 +67,13 @@ Placed placed_sliders(const LiveSetting& setting, const ExampleSet& set) {
           Eigen::RowVectorXd(Eigen::Map<const Eigen::RowVectorXd>(setting.values.data(), count))};
 }
 
-LiveMotion as_live(MadeMotion made) {
+LiveMotion as_live(SynthesisedMotion made) {
   return {std::move(made.motion), std::move(made.found.weights), std::move(made.plants)};
 }
 
 }  // namespace
 
-Making LiveCore::making() const {
+SynthesisContext LiveCore::context() const {
   return {bundle_.examples, bundle_.how, bundle_.frames_per_second};
 }
 
@@ -82,7 +82,7 @@ LiveMotion LiveCore::example(std::string_view name) const {
   Eigen::VectorXd weights =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bundle_.examples.examples.size()));
   weights[static_cast<Eigen::Index>(index)] = 1.0;
-  LiveMotion made = as_live(made_of_weights(weights, making()));
+  LiveMotion made = as_live(synthesise_from_weights(weights, context()));
   made.motion.name = name;
   return made;
 }
@@ -114,15 +114,15 @@ const FittedInterface& LiveCore::fitted(const SliderInterface& interface) {
 LiveMotion LiveCore::make(const LiveSetting& setting) {
   const Placed placed = placed_sliders(setting, bundle_.examples);
   const FittedInterface& interface = fitted(placed.interface);
-  return as_live(
-      made_for(interface, placed.settings, making(), {bundle_.feature_scale, bundle_.features}));
+  return as_live(synthesise_for(interface, placed.settings, context(),
+                                {bundle_.feature_scale, bundle_.features}));
 }
 
 const Example& LiveCore::compared_target(std::string_view name) {
   const auto found = compared_.find(name);
   if (found != compared_.end()) return found->second;
   const LiveTarget& target = find_target(name);
-  Clip shown = shown_clip(target.motion.clip, target.showing);
+  Clip shown = playback_clip(target.motion.clip, target.playback);
   const auto frames = static_cast<std::size_t>(target.shown_frames);
   if (frames > 0 && frames < shown.poses.size()) shown.poses.resize(frames);
   return compared_.emplace(name, compared_example_as_written(shown)).first->second;
@@ -130,7 +130,7 @@ const Example& LiveCore::compared_target(std::string_view name) {
 
 Distance LiveCore::distance(std::string_view target, const LiveSetting& setting) {
   const Example& aim = compared_target(target);
-  const Clip shown = shown_clip(make(setting).motion.clip, bundle_.showing);
+  const Clip shown = playback_clip(make(setting).motion.clip, bundle_.playback);
   return motion::distance(aim, compared_example_as_written(shown));
 }
 

@@ -8,13 +8,13 @@
 #include <Eigen/Core>
 
 #include "motion/live/live_bundle.h"
-#include "motion/live/made_motion.h"
 #include "motion/live/slider_interface.h"
+#include "motion/live/synthesis.h"
 #include "motion/measures/distance/distance.h"
 
 namespace mien::motion {
 
-/// Where the sliders of an interface stand.
+/// The slider values of an interface.
 struct LiveSetting {
   InterfaceKind kind = InterfaceKind::adjectives;
   std::vector<std::string> sliders;  ///< weights that are not named are 0
@@ -24,32 +24,33 @@ struct LiveSetting {
 /// A motion to be shown: one cycle of a loop.
 struct LiveMotion {
   Example motion;
-  Eigen::VectorXd weights;  ///< one an example; empty for what is no blend
+  Eigen::VectorXd weights;  ///< one for each example; empty if it is not a blend
   std::vector<FootPlant> plants;
 };
 
-/// Sliders in, motion out, as often as they are moved: what lies between sliders and examples is
-/// fitted when it is first asked for. One at a time; no threads, no files.
+/// Synthesises motions from slider values interactively. The interpolation of an interface is
+/// fitted when it is first used. Not thread-safe; needs no threads or files.
 class LiveCore {
  public:
   /// Keeps a reference to the bundle.
   explicit LiveCore(const LiveBundle& bundle) : bundle_(bundle) {}
 
-  /// As a stimulus that names it alone would be. Throws Error when there is none of that name.
+  /// An example or target as a stimulus of that name alone would be. Throws Error when there is
+  /// none of that name.
   LiveMotion example(std::string_view name) const;
   LiveMotion target(std::string_view name) const;
 
-  /// As a stimulus that asks for the same would be. Throws Error: a slider that there is not or
-  /// that stands twice, a value beyond 0 to 1, more parameters than the method takes.
+  /// The motion of a setting, as a stimulus with the same request would be. Throws Error for an
+  /// unknown or repeated slider, a value outside 0 to 1, or more parameters than the method takes.
   LiveMotion make(const LiveSetting& setting);
 
-  /// What `mien motion compare` finds of the clips of both as they are written to files, the target
-  /// first. Throws Error as `make` does, and when there is no such target.
+  /// Distance as `mien motion compare` measures it for the clip files of both, the target first.
+  /// Throws Error as `make` does, and when there is no such target.
   Distance distance(std::string_view target, const LiveSetting& setting);
 
  private:
   const FittedInterface& fitted(const SliderInterface& interface);
-  Making making() const;
+  SynthesisContext context() const;
   const LiveTarget& find_target(std::string_view name) const;
   const Example& compared_target(std::string_view name);
 

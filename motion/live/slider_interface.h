@@ -22,31 +22,31 @@ enum class InterfaceKind { adjectives, features, weights };
 /// "adjectives", "features", "weights".
 const char* name_of(InterfaceKind kind);
 
-/// The kind of that name; none of another.
+/// The kind of that name, if there is one.
 std::optional<InterfaceKind> interface_kind(std::string_view name);
 
-/// Sliders from 0 to 1 and what they make.
+/// The sliders of an interface, from 0 to 1.
 struct SliderInterface {
   InterfaceKind kind = InterfaceKind::adjectives;
   std::vector<std::string> sliders;  ///< of weights: all examples in their order
 };
 
-/// An interface ready to make motions: what lies between its sliders and the examples, fitted once.
+/// An interface with its fitted interpolation.
 struct FittedInterface {
   SliderInterface sliders;
   Interpolator interpolator;  ///< of the weights' interface: the shares themselves
 };
 
-/// Examples are those that will be blended. `table`: where they lie on the interface's parameters;
-/// not looked at for weights. The last `held` sliders are not asked for, but to be kept where they
-/// are set (interpolation.h). Throws Error when the examples lack a slider's parameter, or the
-/// method cannot take so many.
+/// Fits an interface to the examples that will be blended. `table`: their values of the interface's
+/// parameters; ignored for weights. The last `held` sliders are held, not requested
+/// (interpolation.h). Throws Error when the examples lack a slider's parameter, or the method does
+/// not support that many.
 FittedInterface fit_interface(const SliderInterface& interface, const SynthesisOptions& how,
                               const ExampleSet& examples, const ParameterTable& table,
                               Eigen::Index held = 0);
 
-/// The motion that the sliders of an interface make, without a foot lock (made_motion.h). Weights
-/// that are all 0 make the mean of all examples.
+/// The motion for slider values, without foot lock (synthesis.h). Weights that are all 0 give the
+/// mean of all examples.
 Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
                   const SynthesisOptions& how, const ExampleSet& examples,
                   double frames_per_second = 30.0);

@@ -8,7 +8,7 @@ namespace mien::motion {
 /// chapter 23). The columns of A at which x is not 0 are linearly independent.
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-// Weights of points that are ≥ 0 and sum to 1, chosen by what their weighted mean has to meet.
+// Convex weights of points (≥ 0, sum 1) for a given weighted mean.
 
 /// Weights whose mean of the points (columns of a D × N matrix) lies nearest to `target`: on it
 /// where it lies within their convex hull. As many weights as D + 1 are above 0 at most. The mean

@@ -6,7 +6,7 @@
 
 namespace mien::motion {
 
-/// A curve through knots whose slope and curvature nowhere jump.
+/// A C² cubic spline through knots.
 struct CubicSpline {
   std::vector<double> times;  ///< ascending
   Eigen::MatrixXd values;     ///< knots × curves
@@ -21,7 +21,7 @@ CubicSpline level_spline(std::vector<double> times, const Eigen::MatrixXd& value
 CubicSpline periodic_spline(std::vector<double> times, const Eigen::MatrixXd& values,
                             double period);
 
-/// At a time; beyond the ends the end's value.
+/// Values of the spline at a time, clamped to its ends.
 Eigen::RowVectorXd at_time(const CubicSpline& spline, double time);
 
 }  // namespace mien::motion

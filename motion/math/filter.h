@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// What a filter takes to lie beyond the ends of a signal.
+/// Extension of a signal beyond its ends for filtering.
 enum class SignalEnds {
   open,      ///< the signal turned half round its end points (odd reflection)
   periodic,  ///< the signal again: sample n is sample 0

@@ -12,7 +12,7 @@ using Quat = Eigen::Quaterniond;
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double radians_per_degree = pi / 180.0;
 
-/// Without its height.
-inline Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
+/// The vector without its height.
+inline Vec3 horizontal(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
 
 }  // namespace mien::motion

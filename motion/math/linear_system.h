@@ -8,7 +8,7 @@ namespace mien::motion {
 // Systems of linear equations. Eigen's decompositions are compiled here once, and not in each file
 // that solves something.
 
-/// A square matrix taken apart, to solve many systems with it: LU with partial pivoting.
+/// A factorised square matrix (LU with partial pivoting), to solve many systems with it.
 class LinearSystem {
  public:
   LinearSystem() = default;
@@ -17,10 +17,10 @@ class LinearSystem {
   /// x where matrix · x = right.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
-  /// The same for each column of `right`.
+  /// `solve` for each column of `right`.
   Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& right) const;
 
-  /// 1 of the identity; towards 0 the nearer the matrix is to a singular one.
+  /// Reciprocal condition number: 1 for the identity, near 0 for nearly singular matrices.
   double reciprocal_condition() const;
 
  private:

@@ -11,20 +11,20 @@
 
 namespace mien::motion {
 
-/// A signal taken apart by frequency: the signal is the sum of all its bands and the rest. All have
-/// the length of the signal.
+/// A multiresolution decomposition (Laplacian pyramid): the signal is the sum of all its bands and
+/// the rest. All have the length of the signal.
 template <typename Value>
 struct Pyramid {
   std::vector<std::vector<Value>> bands;  ///< finest first
   std::vector<Value> rest;                ///< what is slower than the last band, with the mean
 };
 
-/// Into how many bands a signal is taken apart: ⌊log2 samples⌋ (Bruderlin and Williams 1995).
+/// Number of bands of a signal: ⌊log2 samples⌋ (Bruderlin and Williams 1995).
 inline int band_count(std::size_t samples) {
   return samples < 2 ? 0 : static_cast<int>(std::bit_width(samples)) - 1;
 }
 
-/// The frequency to which band `band` (0 is the finest) answers most, Hz. Half the rate for the
+/// Peak frequency of band `band` (0 is the finest), Hz. Half the rate for the
 /// finest band, then 0.1405, 0.0668, 0.0330 of it and halves.
 double band_peak_hz(int band, double rate_hz);
 
@@ -61,8 +61,8 @@ std::vector<Value> smoothed_once(const std::vector<Value>& signal, int level, Si
   return smooth;
 }
 
-/// The signal with so many samples more at either end that repeating its end values for ever would
-/// give the same `levels` bands within the signal.
+/// The signal, padded with its end values at both ends as far as `levels` bands within the signal
+/// depend on them.
 template <typename Value>
 std::vector<Value> with_repeated_ends(std::span<const Value> signal, int levels) {
   const auto pad = static_cast<std::size_t>(2 * ((1L << levels) - 1));
@@ -75,7 +75,7 @@ std::vector<Value> with_repeated_ends(std::span<const Value> signal, int levels)
 }
 
 /// The first `levels` bands of a signal. Beyond the ends of an open signal its end values are
-/// repeated; a periodic one goes on. Value is a number or a vector of numbers.
+/// repeated; a periodic one is continued. Value is a number or a vector of numbers.
 template <typename Value>
 Pyramid<Value> pyramid(std::span<const Value> signal, int levels, SignalEnds ends) {
   Pyramid<Value> result;

@@ -9,13 +9,13 @@ namespace mien::motion {
 /// 2014). Without drawing those before it.
 std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n);
 
-/// 53 of the bits as a number in [−1, 1).
+/// The top 53 bits as a number in [−1, 1).
 double centred_number(std::uint64_t bits);
 
-/// 53 of the bits as a number in (0, 1), whose logarithm is finite.
+/// The top 53 bits as a number in the open interval (0, 1), whose logarithm is finite.
 double open_unit_number(std::uint64_t bits);
 
-/// In [−1, 1), of seed, name and index alone, whatever else was drawn: SplitMix64 started at the
+/// A random number in [−1, 1), a pure function of seed, name and index: SplitMix64, seeded with the
 /// FNV-1a hash of the name.
 double random_number(std::uint64_t seed, std::string_view name, std::uint64_t index);
 

@@ -55,8 +55,8 @@ struct DirectionVectors {
 
 DirectionVectors to_direction_vectors(const Quat& rotation);
 
-/// Back by x = d1/|d1|, z = (x×d2)/|x×d2|, y = z×x. When |d1| < 0.05 or |x×d2| < 0.05·|d2| the
-/// directions say too little, and what is missing comes from `previous`.
+/// The rotation of two direction vectors: x = d1/|d1|, z = (x×d2)/|x×d2|, y = z×x. When |d1| < 0.05
+/// or |x×d2| < 0.05·|d2| the directions are degenerate, and what is missing comes from `previous`.
 Quat to_rotation(const DirectionVectors& directions, const Quat& previous);
 
 }  // namespace mien::motion

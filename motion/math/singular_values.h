@@ -11,7 +11,7 @@ struct SingularValues {
   Eigen::VectorXd values;  ///< descending, none negative
   Eigen::MatrixXd v;
 
-  /// How many values are above `share` of the largest; none of a matrix of zeros.
+  /// Numerical rank: the number of values above `share` of the largest; 0 for a zero matrix.
   Eigen::Index rank(double share) const;
 
   /// The X for which |A X − right| is least, of those the smallest. Values that do not count for

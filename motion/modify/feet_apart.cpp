@@ -43,7 +43,7 @@ std::vector<Step> steps_of(const Clip& clip, const std::vector<FootPlant>& plant
   return steps;
 }
 
-/// Of somebody who stands: the mean while both feet do.
+/// Width of a stance: the mean while both feet stand.
 std::optional<double> standing_width(const Clip& clip, const std::vector<Step>& steps) {
   std::optional<double> least;
   for (const Step& a : steps) {
@@ -76,7 +76,7 @@ std::optional<double> least_step_width(const Clip& clip, const std::vector<FootP
   for (size_t i = 1; i + 1 < steps.size(); ++i) {
     const Step &before = steps[i - 1], &here = steps[i], &after = steps[i + 1];
     if (before.plant.left == here.plant.left || after.plant.left == here.plant.left) continue;
-    const Vec3 stride = level(after.ankle - before.ankle);
+    const Vec3 stride = horizontal(after.ankle - before.ankle);
     if (stride.norm() < least_stride) continue;
     const Vec3 to_left = Vec3::UnitY().cross(stride.normalized());
     const double offset = (here.ankle - before.ankle).dot(to_left);

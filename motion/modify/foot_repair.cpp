@@ -100,7 +100,7 @@ void lift_foot(Pose& pose, const Skeleton& body, const LegJoints& leg, double he
 
 /// The plant's feet as they stand in `known`, moved over the floor and turned about the vertical to
 /// where they are in `path` on the average.
-PlacedStretch carried_over(const FootPath& path, const FootPath& known, const FootPlant& plant) {
+FootTrajectory carried_over(const FootPath& path, const FootPath& known, const FootPlant& plant) {
   const FootLockOptions lock;
   const Stance stance = stance_of(known, plant, lock.flat_metres, lock.lifted_metres);
   Vec3 from = Vec3::Zero();
@@ -118,7 +118,7 @@ PlacedStretch carried_over(const FootPath& path, const FootPath& known, const Fo
   to.y() = from.y();
   const Quat turn = exp(Vec3(0.0, yaw / frames, 0.0));
   // All of the plant, not the stance alone: a foot that has left the floor is to be as high again.
-  PlacedStretch stretch{plant.left, plant.first, {}};
+  FootTrajectory stretch{plant.left, plant.first, {}};
   for (int f = plant.first; f <= plant.last; ++f) {
     stretch.places.push_back({to + turn * (known.ankle_at(f) - from), turn * known.rotation_at(f)});
   }
@@ -143,7 +143,7 @@ void carry_toes_over(Clip& clip, const Clip& settled, const std::vector<FootPlan
 }
 
 Clip with_plants_of(const Clip& clip, const Clip& settled, const std::vector<FootPlant>& plants) {
-  std::vector<PlacedStretch> stretches;
+  std::vector<FootTrajectory> stretches;
   for (const bool left : {true, false}) {
     const FootPath path = foot_path(clip, left);
     const FootPath known = foot_path(settled, left);

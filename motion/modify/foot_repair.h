@@ -7,11 +7,11 @@
 
 namespace mien::motion {
 
-/// The clip with its feet locked (foot_lock.h) until they drift by less than 0.5 mm, or as little
-/// as they can be made to: what glides in a capture is not to glide on when it is modified.
+/// The clip with its feet locked (foot_lock.h) until they drift by less than 0.5 mm, or until the
+/// drift no longer falls, so that a capture's foot skate is not carried into its modification.
 Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants);
 
-/// The clip with its planted feet as they are in `still`, the original with still feet: after a
+/// The clip with the plants of `still`, the original with still feet: after a
 /// smooth hip shift (hip_shift.h), each rolls from heel to ball as it did, moved over the floor and
 /// turned about the vertical to where the change has brought it, and the legs bend for it
 /// (foot_placement.h). Then swinging toes are lifted that would scrape the floor. Both clips travel
@@ -19,8 +19,8 @@ Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants)
 Clip with_plants_carried_over(const Clip& clip, const Clip& still,
                               const std::vector<FootPlant>& plants);
 
-/// The clip with its feet standing again where those of `original` stood: by the hip shift alone
-/// (exact), or by plants carried over. Both clips travel and have the same frames; `plants` are the
+/// The clip with its foot plants restored from `original`: by the hip shift alone (exact), or by
+/// carrying the plants over. Both clips travel and have the same frames; `plants` are the
 /// original's.
 Clip with_repaired_feet(const Clip& clip, const Clip& original,
                         const std::vector<FootPlant>& plants, FootRepair repair);

@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// How closely the root follows the planted feet.
+/// How the root follows the planted feet.
 enum class HipPath {
   exact,   ///< frame by frame: planted feet stand still, jerks and all (the thesis)
   smooth,  ///< what is slower than 4 Hz; what is left over has to be locked (foot_lock.h)

@@ -18,12 +18,12 @@ Quat to_rotation(const Directions& directions, const Quat& previous);
 /// The direction vectors of one joint, frame by frame.
 std::vector<Directions> direction_curve(const Clip& clip, int joint);
 
-/// Puts a curve of direction vectors back as the rotations of one joint. The curve has as many
+/// Sets the rotations of one joint from a curve of direction vectors. The curve has as many
 /// entries as the clip has frames.
 void set_rotations(Clip& clip, int joint, const std::vector<Directions>& curve);
 
 /// A curve between its samples, by Catmull–Rom splines: exact at the samples, no jump of speed.
-/// A periodic curve goes on for ever; another stays at its ends.
+/// A periodic curve is continued; another is clamped to its ends.
 Directions value_at(const std::vector<Directions>& curve, double frame, bool periodic);
 
 }  // namespace mien::motion

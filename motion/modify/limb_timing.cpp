@@ -82,7 +82,7 @@ Clip accelerated(const Clip& clip, const Limbs& limbs, const std::span<const int
     if (!has(limbs, limb)) continue;
     std::vector<double> durations =
         accelerated_durations(limb_speeds(clip, limb), clip.frames_per_second, clip.loops);
-    if (moments) durations = only_near(durations, *moments, clip.frames_per_second, clip.loops);
+    if (moments) durations = near_only(durations, *moments, clip.frames_per_second, clip.loops);
     retime(
         result, limb,
         source_frames(durations, acceleration_segment_seconds, clip.frames_per_second, clip.loops));
@@ -186,7 +186,7 @@ std::vector<double> accelerated_durations(std::span<const double> speeds, double
   return durations;
 }
 
-std::vector<double> only_near(std::span<const double> durations, std::span<const int> moments,
+std::vector<double> near_only(std::span<const double> durations, std::span<const int> moments,
                               double frames_per_second, bool loops) {
   const auto count = static_cast<double>(durations.size());
   std::vector<double> result;

@@ -17,11 +17,11 @@ inline constexpr std::array<Limb, 5> all_limbs = {Limb::head, Limb::left_hand, L
 
 bool has(const Limbs& limbs, Limb limb);
 
-/// Its joints from the trunk outwards. The trunk itself belongs to no limb: it keeps time with the
-/// hips.
+/// Joints of a limb from proximal to distal. The trunk belongs to no limb: its timing is that of
+/// the hips.
 std::vector<BodyJoint> joints_of(Limb limb);
 
-/// The joint whose speed tells the limb's: head, wrist or ankle.
+/// The end joint, whose speed represents the limb's: head, wrist or ankle.
 BodyJoint end_of(Limb limb);
 
 /// How fast the limb's end moves relative to the hips between each frame and the next, m/s, without
@@ -34,20 +34,20 @@ std::vector<double> limb_speeds(const Clip& clip, Limb limb);
 /// speed) an interval lasts as long as one of mean speed.
 std::vector<double> constant_speed_durations(std::span<const double> speeds);
 
-/// How much longer a pause lasts at full acceleration. The thesis has 10, which leaves the rest of
-/// a segment 2.5 times as quick: at 30 frames a second that is seen as jerks.
-inline constexpr double longest_pause = 5.5;
+/// Factor by which a pause is stretched at full acceleration. The thesis has 10, which leaves the
+/// rest of a segment 2.5 times as quick: at 30 frames a second that is seen as jerks.
+inline constexpr double max_pause_factor = 5.5;
 
 /// How long each interval should last so that the end slows down more where it is slow, and is
 /// quicker elsewhere: sets of 0.15 s (at least 3 intervals) that are slower than both their
 /// neighbours last `pause_factor` times as long. What stands still all the while (below 0.05 m/s)
 /// is left.
 std::vector<double> accelerated_durations(std::span<const double> speeds, double frames_per_second,
-                                          bool loops, double pause_factor = longest_pause);
+                                          bool loops, double pause_factor = max_pause_factor);
 
-/// Durations as they were near the given moments (frames), 1 elsewhere: all within 0.1 s, nothing
+/// Durations restricted to the neighbourhood of given frames: full effect within 0.1 s, none (1)
 /// beyond 0.2 s.
-std::vector<double> only_near(std::span<const double> durations, std::span<const int> moments,
+std::vector<double> near_only(std::span<const double> durations, std::span<const int> moments,
                               double frames_per_second, bool loops);
 
 /// For each frame the (fractional) frame of the original that is shown then, when intervals last
@@ -60,19 +60,19 @@ std::vector<double> source_frames(std::span<const double> durations, double segm
 inline constexpr double constant_segment_seconds = 1.5;
 inline constexpr double acceleration_segment_seconds = 0.9;
 
-/// Frames at which a foot comes to the floor; for `only_near`.
+/// Frames at which a foot lands; for `near_only`.
 std::vector<int> contact_frames(const std::vector<FootPlant>& plants, int frame_count);
 
-/// The clip with one limb shown at other times than the rest.
+/// Retimes one limb of the clip.
 void retime(Clip& clip, Limb limb, const std::vector<double>& sources);
 
-/// The clip with the ends of its limbs moving at constant speed.
+/// The clip with constant speed of the limbs' end joints.
 Clip with_constant_speed(const Clip& clip, const Limbs& limbs);
 
-/// The clip with its limbs slowing down more in their pauses, everywhere.
+/// The clip with stretched pauses of its limbs (acceleration), everywhere.
 Clip with_acceleration(const Clip& clip, const Limbs& limbs);
 
-/// The same only near the given moments (frames); where there are none, nowhere.
+/// As with_acceleration, only near the given frames.
 Clip with_acceleration_near(const Clip& clip, const Limbs& limbs, std::span<const int> moments);
 
 }  // namespace mien::motion

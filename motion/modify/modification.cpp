@@ -57,9 +57,9 @@ Clip sent_on_its_way(const Clip& clip) {
 /// Horizontal way of the whole clip, metres: of a loop its displacement; of another the length of
 /// its path without sway, for it may come back to where it began.
 double way(const Clip& clip) {
-  if (clip.loops) return level(clip.cycle_displacement).norm();
+  if (clip.loops) return horizontal(clip.cycle_displacement).norm();
   std::vector<Vec3> path;
-  for (const Pose& pose : clip.poses) path.push_back(level(pose.root_position));
+  for (const Pose& pose : clip.poses) path.push_back(horizontal(pose.root_position));
   path = low_pass(path, 1.0, clip.frames_per_second);
   double length = 0.0;
   for (size_t t = 1; t < path.size(); ++t) length += (path[t] - path[t - 1]).norm();

@@ -10,7 +10,7 @@
 
 namespace mien::motion {
 
-/// What a rotation is while its bands of frequency are weighted.
+/// Representation of rotations while their frequency bands are weighted.
 enum class RotationSignal {
   direction_vectors,  ///< two columns of its matrix (the thesis' way; swings saturate towards 90°)
   quaternions,        ///< its logarithm about the joint's mean rotation (angles scale exactly)
@@ -25,7 +25,7 @@ struct PathGains {
                               ///< the clip's own frame rate); those left out have the low gain
 };
 
-/// Where motion that speeds up and slows down more is to do so.
+/// Where acceleration applies.
 enum class AccelerationPlace {
   pauses,    ///< at the limb's slow moments, all along
   contacts,  ///< only within 0.2 s of when a foot comes to the floor; nowhere where no foot comes
@@ -42,7 +42,7 @@ struct Limbs {
   bool right_foot = false;
 };
 
-/// How feet are made to stand again after a change.
+/// How foot plants are restored after a modification.
 enum class FootRepair {
   plants,     ///< hip shift, then every plant held in its place by bent legs (default)
   hip_shift,  ///< the root moves so that the planted foot stands (the emotion thesis)
@@ -67,13 +67,13 @@ struct Modification {
   bool soft_joint_limits = true;
 };
 
-/// What a modification did, for the report.
+/// Effects of a modification, for the report.
 struct ModificationReport {
-  double tempo = 1.0;                 ///< that came out: a clip lasts a whole number of frames
-  int plants = 0;                     ///< stretches of standing feet, found on the original
-  double drift_before_repair = 0.0;   ///< metres, largest over the plants (planted_drift)
-  double drift_after_repair = 0.0;    ///< metres
-  double travel_ratio = 1.0;          ///< way of the result : way of the original; 1 when it stays
+  double tempo = 1.0;                ///< effective tempo: a clip lasts a whole number of frames
+  int plants = 0;                    ///< number of foot plants, detected on the original
+  double drift_before_repair = 0.0;  ///< metres, largest over the plants (planted_drift)
+  double drift_after_repair = 0.0;   ///< metres
+  double travel_ratio = 1.0;  ///< distance travelled relative to the original; 1 if it stands
   double largest_limit_excess = 0.0;  ///< radians that a joint was bent back by its soft limit
   std::vector<std::string> remarks;   ///< sentences
 };
@@ -83,7 +83,7 @@ struct ModifiedClip {
   ModificationReport report;
 };
 
-/// Whether the modification changes nothing: a clip then comes out as it went in.
+/// Whether the modification changes nothing.
 bool is_identity(const Modification& modification);
 
 /// The modification at a strength: 0 is the identity, 1 the modification itself; above 1 it is
@@ -101,7 +101,7 @@ void check(const Modification& modification);
 /// skeleton that is not the canonical body.
 ModifiedClip modify(const Clip& clip, const Modification& modification);
 
-/// As `modify`, the clip alone.
+/// As `modify`, without the report.
 Clip modified(const Clip& clip, const Modification& modification);
 
 }  // namespace mien::motion

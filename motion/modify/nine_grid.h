@@ -18,11 +18,11 @@ Pose mean_pose(std::span<const Pose* const> poses, std::span<const double> weigh
 /// whose weight is 1 comes out as it is.
 Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights);
 
-/// The place (paths, acceleration) of the modification on the grid of the thesis, the nine motions
-/// {short, as is, long} × {constant speed, as is, accelerated}. `original` travels. Paths are
-/// changed first, then the feet carried along, then the timing of each is changed, and the (at most
-/// four) motions around the place are mixed bilinearly. Explicit gains take the place of the paths'
-/// mix.
+/// The motion at the modification's position (paths, acceleration) on the grid of the thesis, the
+/// nine motions {short, as is, long} × {constant speed, as is, accelerated}. `original` travels.
+/// Paths are changed first, then the feet carried along, then the timing of each is changed, and
+/// the (at most four) motions around the place are mixed bilinearly. Explicit gains take the place
+/// of the paths' mix.
 Clip grid_motion(const Clip& original, const std::vector<FootPlant>& plants,
                  const Modification& modification);
 

@@ -24,17 +24,17 @@ int oversampling(double frames_per_second);
 /// of the signal which is filtered. Ends where only bands of the low group follow.
 std::vector<double> band_gains(const PathGains& gains, double rate_hz);
 
-/// Gains as they are put to the signal of a clip.
+/// Band gains for the signal of a clip.
 struct BandWeights {
   std::vector<double> gains;  ///< of single bands, finest first
   double rest_gain = 1.0;     ///< of all that is slower
-  int factor = 1;             ///< so many samples of the signal for each frame (`oversampling`)
+  int factor = 1;             ///< samples of the signal for each frame (`oversampling`)
 };
 
 BandWeights band_weights(const PathGains& gains, double frames_per_second);
 
 /// The clip with the bands of all its joint rotations weighted (Bruderlin and Williams 1995). The
-/// root's way is left as it is, so feet slide: see foot_repair.h. With direction vectors only the
+/// root's path is unchanged, so feet slide: see foot_repair.h. With direction vectors only the
 /// ratios of gains count.
 Clip with_path_gains(const Clip& clip, const PathGains& gains, RotationSignal signal);
 

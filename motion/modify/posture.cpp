@@ -245,9 +245,9 @@ std::vector<LimbStrengths> smooth_strengths(std::span<const LimbStrengths> stren
   return smooth;
 }
 
-void put_posture_on(Pose& pose, const std::vector<PostureChange>& changes,
-                    const std::optional<PoseDifference>& difference,
-                    const LimbStrengths& strengths) {
+void apply_posture(Pose& pose, const std::vector<PostureChange>& changes,
+                   const std::optional<PoseDifference>& difference,
+                   const LimbStrengths& strengths) {
   const auto strength = [&](BodyJoint joint) {
     const size_t limb = limb_of(joint);
     return limb < strengths.size() ? strengths[limb] : 1.0;
@@ -273,7 +273,7 @@ Clip with_posture(const Clip& clip, const std::vector<PostureChange>& changes,
   Clip result = clip;
   const std::vector<LimbStrengths> strengths = smooth_strengths(clip);
   for (size_t f = 0; f < result.poses.size(); ++f) {
-    put_posture_on(result.poses[f], changes, difference, strengths[f]);
+    apply_posture(result.poses[f], changes, difference, strengths[f]);
   }
   return result;
 }

@@ -56,7 +56,7 @@ struct PostureChange {
   double degrees = 0.0;
 };
 
-/// How each joint of one standing pose is turned against another, in the joint's own frame:
+/// Rotation of each joint from one standing pose to another, in the joint's own frame:
 /// q_neutral⁻¹ · q_posed. Of the pelvis only what is not heading. Holds angles alone, so that it
 /// fits bodies of every size.
 struct PoseDifference {
@@ -71,13 +71,13 @@ PoseDifference pose_difference(const Pose& neutral, const Pose& posed);
 /// The canonical body standing at rest: arms hanging, legs straight, soles on the floor.
 Pose standing_pose(const Skeleton& body);
 
-/// How many limbs take less of a posture as they go away from where they hang: arms, then legs.
+/// Number of limbs whose posture change fades as they move away from rest: arms, then legs.
 inline constexpr int fading_limb_count = 4;
 
-/// How much of its posture each of them takes, 0–1: left arm, right arm, left leg, right leg.
+/// Strength of the posture change of each, 0–1: left arm, right arm, left leg, right leg.
 using LimbStrengths = std::array<double, fading_limb_count>;
 
-/// The strengths at one moment, as yet not smooth over time; see `with_posture`.
+/// Computes the strengths for one pose, not yet smoothed over time; see `with_posture`.
 class LimbFade {
  public:
   explicit LimbFade(const Skeleton& body);
@@ -89,14 +89,13 @@ class LimbFade {
   std::array<double, fading_limb_count> lengths_;
 };
 
-/// The strengths of a whole clip without what is quicker than 4 Hz.
+/// The strengths of a whole clip, low-pass filtered at 4 Hz.
 std::vector<LimbStrengths> smooth_strengths(std::span<const LimbStrengths> strengths,
                                             double frames_per_second, SignalEnds ends);
 
-/// One pose in another posture, its limbs at the given strengths.
-void put_posture_on(Pose& pose, const std::vector<PostureChange>& changes,
-                    const std::optional<PoseDifference>& difference,
-                    const LimbStrengths& strengths);
+/// Applies a posture change to one pose, with the given strengths of the limbs.
+void apply_posture(Pose& pose, const std::vector<PostureChange>& changes,
+                   const std::optional<PoseDifference>& difference, const LimbStrengths& strengths);
 
 /// The clip in another posture: unit differences first, then the captured difference, each at its
 /// full strength while a limb is about where it hangs at rest, and fading out as the hand or foot

@@ -10,7 +10,7 @@ namespace mien::motion {
 /// start + m·(1 − exp(−(value − start)/m)), m = limit − start > 0.
 double softly_limited(double value, double start, double limit);
 
-/// How far each of the joint turns that have limits goes in a motion.
+/// Extremes of the limited joint angles of a motion.
 struct TurnExtremes {
   struct Extreme {
     double least = 0.0, most = 0.0;  ///< radians
@@ -20,11 +20,11 @@ struct TurnExtremes {
 
 void widen(TurnExtremes& extremes, const Pose& pose);
 
-/// Bends the joints of one pose back as `with_soft_limits` does, where the original goes as far as
-/// `known`, which has seen a pose. By how much at the most, radians.
+/// Limits the joints of one pose as `with_soft_limits` does, for an original with the extremes
+/// `known`, which include at least one pose. Returns the largest correction, radians.
 double limit_softly(Pose& pose, const TurnExtremes& known);
 
-/// What the joint limits did.
+/// Result of soft joint limits.
 struct SoftLimits {
   Clip clip;
   double largest_excess = 0.0;  ///< radians that some joint was bent back

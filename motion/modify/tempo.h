@@ -12,7 +12,7 @@ namespace mien::motion {
 /// stays.
 Clip with_tempo(const Clip& clip, double tempo);
 
-/// Plants of a clip of `frames_before` frames, when it has `frames_after` after a change of tempo.
+/// The plants of a clip after a change of tempo from `frames_before` to `frames_after` frames.
 std::vector<FootPlant> with_tempo(const std::vector<FootPlant>& plants, int frames_before,
                                   int frames_after, bool loops);
 

@@ -44,8 +44,8 @@ std::vector<Directions> quick_part(const Clip& longer, const std::vector<Directi
 
 }  // namespace
 
-std::vector<double> wandering_curve(std::uint64_t seed, std::string_view name, int frame_count,
-                                    double frames_per_second, bool loops, double knot_seconds) {
+std::vector<double> smooth_random_curve(std::uint64_t seed, std::string_view name, int frame_count,
+                                        double frames_per_second, bool loops, double knot_seconds) {
   const double frames = loops ? frame_count : std::max(1, frame_count - 1);
   const long spans =
       std::max(loops ? 3L : 1L, std::lround(frames / (knot_seconds * frames_per_second)));
@@ -75,7 +75,7 @@ Clip with_variation(const Clip& clip, double variation, const Limbs& limbs, std:
     if (!has(limbs, limb)) continue;
     const std::string name(name_of(limb));
     const auto wander = [&](const char* what) {
-      return wandering_curve(seed, name + what, clip.frame_count(), rate, clip.loops);
+      return smooth_random_curve(seed, name + what, clip.frame_count(), rate, clip.loops);
     };
     const std::vector<double> path = wander(" path");
     for (const BodyJoint joint : joints_of(limb)) {

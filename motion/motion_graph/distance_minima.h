@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// Two windows that are more alike than those around them.
+/// A local minimum of the distance between two windows.
 struct DistanceMinimum {
   int clip_a = 0;
   int frame_a = 0;  ///< first of its window

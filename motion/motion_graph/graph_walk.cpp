@@ -9,7 +9,7 @@
 #include "motion/gait/foot_lock.h"
 #include "motion/interpolation/blend.h"
 #include "motion/motion_graph/walk_frames.h"
-#include "motion/steered_walk/carriage.h"
+#include "motion/steered_walk/root_motion.h"
 
 namespace mien::motion {
 
@@ -30,16 +30,16 @@ struct Mix {
 
 /// The frames of a walk with the shares that follow the moods.
 Mix mixed(std::span<const MotionGraph> versions, const GraphWalk& walk,
-          std::span<const MoodFrom> moods) {
+          std::span<const MoodChange> moods) {
   constexpr double mood_stiffness = 12.0;  // 1/s
   Mix mix{versions, frames_of(versions.front(), walk), {}, {}};
-  std::vector<Followed> followers;
-  for (const double share : shares_asked(moods, 0.0, versions.size())) {
+  std::vector<DampedSpring> followers;
+  for (const double share : requested_shares(moods, 0.0, versions.size())) {
     followers.push_back({share, 0.0});
   }
   double now = 0.0;
   for (const WalkFrame& frame : mix.frames) {
-    const std::vector<double> asked = shares_asked(moods, now, versions.size());
+    const std::vector<double> asked = requested_shares(moods, now, versions.size());
     std::vector<double> shares;
     double lasts = 0.0;
     for (std::size_t v = 0; v < versions.size(); ++v) {
@@ -47,7 +47,7 @@ Mix mixed(std::span<const MotionGraph> versions, const GraphWalk& walk,
       lasts += followers[v].value * seconds_of(versions[v], frame);
     }
     for (std::size_t v = 0; v < versions.size(); ++v) {
-      followers[v] = followed(followers[v], asked[v], mood_stiffness, lasts);
+      followers[v] = spring_step(followers[v], asked[v], mood_stiffness, lasts);
     }
     mix.shares.push_back(std::move(shares));
     mix.times.push_back(now);
@@ -98,7 +98,7 @@ Clip untimed_clip(const Mix& mix, const GraphWalkOptions& options) {
   const Pose& first = graph.clips[static_cast<std::size_t>(frames.front().clip)]
                           .poses[static_cast<std::size_t>(frames.front().frame)];
   double turn = options.heading - facing(first.rotations.front());
-  Vec3 place = level(options.place);
+  Vec3 place = horizontal(options.place);
   for (std::size_t f = 0; f < frames.size(); ++f) {
     // After a transition the clip that was entered is the one that is played.
     const bool arrived =
@@ -140,7 +140,7 @@ WalkedClip in_time(const Mix& mix, Clip clip, std::vector<FootPlant> plants) {
   return {std::move(clip), std::move(plants)};
 }
 
-void check_versions(std::span<const MotionGraph> versions, std::span<const MoodFrom> moods) {
+void check_versions(std::span<const MotionGraph> versions, std::span<const MoodChange> moods) {
   bool alike = !versions.empty();
   for (const MotionGraph& version : versions) {
     alike = alike && version.edges.size() == versions.front().edges.size() &&
@@ -153,7 +153,7 @@ void check_versions(std::span<const MotionGraph> versions, std::span<const MoodF
     throw Error("versions of different motion graphs cannot be mixed",
                 "make them of one graph (with_motions)");
   }
-  for (const MoodFrom& from : moods) {
+  for (const MoodChange& from : moods) {
     double sum = 0.0;
     for (const double weight : from.moods) {
       if (!(weight >= 0.0)) sum = std::numeric_limits<double>::quiet_NaN();
@@ -166,7 +166,7 @@ void check_versions(std::span<const MotionGraph> versions, std::span<const MoodF
   }
 }
 
-/// Those of the plants that touch a transition.
+/// The plants that overlap a transition.
 std::vector<FootPlant> at_transitions(const std::vector<FootPlant>& plants,
                                       const std::vector<WalkFrame>& frames) {
   std::vector<FootPlant> touching;
@@ -200,12 +200,12 @@ Clip motion_of(const MotionGraph& graph, const GraphWalk& walk, const GraphWalkO
 }
 
 Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
-               std::span<const MoodFrom> moods, const GraphWalkOptions& options) {
+               std::span<const MoodChange> moods, const GraphWalkOptions& options) {
   return walked_clip(versions, walk, moods, options).clip;
 }
 
 WalkedClip walked_clip(std::span<const MotionGraph> versions, const GraphWalk& walk,
-                       std::span<const MoodFrom> moods, const GraphWalkOptions& options) {
+                       std::span<const MoodChange> moods, const GraphWalkOptions& options) {
   check_versions(versions, moods);
   if (walk.edges.empty())
     throw Error("a walk over a motion graph without a frame", "give it an edge");
@@ -224,7 +224,7 @@ WalkedClip walked_clip(std::span<const MotionGraph> versions, const GraphWalk& w
 }
 
 WalkHeadings headings_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
-                         std::span<const MoodFrom> moods, const GraphWalkOptions& options) {
+                         std::span<const MoodChange> moods, const GraphWalkOptions& options) {
   check_versions(versions, moods);
   const Mix mix = mixed(versions, walk, moods);
   WalkHeadings headings{mix.times, {}};

@@ -12,12 +12,11 @@ namespace mien::motion {
 struct GraphWalkOptions {
   Vec3 place = Vec3::Zero();  ///< where the first frame's pelvis stands, on the floor
   double heading = 0.0;       ///< radians about +Y from +Z: where the first frame's pelvis faces
-  /// Feet that stand on both sides of a transition stand through it, and the others come down
-  /// where they stay: feet are locked (gait/foot_lock.h) in plants that touch a transition.
+  /// Feet that stand on both sides of a transition stand through it, and the others land where they
+  /// stay: feet are locked (gait/foot_lock.h) in plants that touch a transition.
   bool lock_feet = true;
-  /// Radians by which each frame of the walk is turned to the left, its path with it, beside what
-  /// the motions do; none: not at all. All planted feet are then locked: they stand while the body
-  /// turns over them.
+  /// Additional heading of each frame, radians to the left, which turns the path too; empty: none.
+  /// With it all planted feet are locked: they stand while the body turns over them.
   std::vector<double> added_headings;
 };
 
@@ -34,19 +33,19 @@ Clip motion_of(const MotionGraph& graph, const GraphWalk& walk,
 /// sum, and followed within some 0.2 s; without any it is the first version. Tempo is mixed too.
 /// Throws as above, for versions of other graphs, and for weights that are none.
 Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
-               std::span<const MoodFrom> moods, const GraphWalkOptions& options = {});
+               std::span<const MoodChange> moods, const GraphWalkOptions& options = {});
 
-/// The same with where its feet stand.
+/// As above, with the foot plants.
 WalkedClip walked_clip(std::span<const MotionGraph> versions, const GraphWalk& walk,
-                       std::span<const MoodFrom> moods, const GraphWalkOptions& options = {});
+                       std::span<const MoodChange> moods, const GraphWalkOptions& options = {});
 
-/// When each frame of a walk begins, seconds, and where the pelvis faces in it, radians.
+/// Start time of each frame of a walk, seconds, and the pelvis' facing direction in it, radians.
 struct WalkHeadings {
   std::vector<double> seconds;
   std::vector<double> facings;
 };
 
 WalkHeadings headings_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
-                         std::span<const MoodFrom> moods, const GraphWalkOptions& options = {});
+                         std::span<const MoodChange> moods, const GraphWalkOptions& options = {});
 
 }  // namespace mien::motion

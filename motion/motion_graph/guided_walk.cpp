@@ -6,7 +6,7 @@
 
 #include "motion/error.h"
 #include "motion/math/percentile.h"
-#include "motion/motion_graph/spread_heading.h"
+#include "motion/motion_graph/heading_correction.h"
 #include "motion/motion_graph/walk_search.h"
 #include "motion/steered_walk/floor_path.h"
 
@@ -43,7 +43,7 @@ std::vector<WalkState> starts_at(const MotionGraph& graph, const Vec3& place, do
     state.node = static_cast<int>(n);
     state.turn = heading - facing_at(graph, graph.nodes[n]);
     state.facing = heading;
-    state.place = level(place);
+    state.place = horizontal(place);
     starts.push_back(state);
   }
   return starts;
@@ -55,7 +55,7 @@ double brisk_speed(const MotionGraph& graph) {
   for (const Clip& clip : graph.clips) {
     for (std::size_t f = 1; f < clip.poses.size(); ++f) {
       const Vec3 step = clip.poses[f].root_position - clip.poses[f - 1].root_position;
-      speeds.push_back(level(step).norm() * clip.frames_per_second);
+      speeds.push_back(horizontal(step).norm() * clip.frames_per_second);
     }
   }
   return percentile(std::move(speeds), 90.0);
@@ -100,7 +100,7 @@ void refuse_straying(const FloorPath& path, const Clip& clip) {
   double way = 0.0;
   for (const Pose& pose : clip.poses) {
     way = nearest_way(path, pose.root_position, way);
-    if ((point_at(path, way) - level(pose.root_position)).norm() < lost) continue;
+    if ((point_at(path, way) - horizontal(pose.root_position)).norm() < lost) continue;
     throw Error("the motion graph strays from the path by more than a metre",
                 "add motions that turn as the path does, or raise the graph's threshold");
   }
@@ -109,10 +109,10 @@ void refuse_straying(const FloorPath& path, const Clip& clip) {
 /// Speed and heading that a script asks for, moment by moment.
 struct ScriptMoments {
   double seconds_each = 0.0;
-  std::vector<double> speeds;       ///< m/s
-  std::vector<double> headings;     ///< radians
-  std::vector<HeadingWish> wishes;  ///< at the ends of walks and stands, and at the last
-  std::vector<MoodFrom> moods;
+  std::vector<double> speeds;      ///< m/s
+  std::vector<double> headings;    ///< radians
+  std::vector<HeadingGoal> goals;  ///< at the ends of walks and stands, and at the last
+  std::vector<MoodChange> moods;
 };
 
 void add_moments(const WalkSegment& segment, double brisk, ScriptMoments& moments) {
@@ -139,25 +139,25 @@ void add_moments(const WalkSegment& segment, double brisk, ScriptMoments& moment
 }
 
 /// Wishes at the ends of segments: of a turn when it is the last, for else what follows shows it.
-void add_wish(std::span<const WalkSegment> script, std::size_t i, ScriptMoments& moments) {
+void add_goal(std::span<const WalkSegment> script, std::size_t i, ScriptMoments& moments) {
   constexpr double gait_cycle = 1.0;  // seconds, in which the pelvis turns to and fro
   const WalkSegment& segment = script[i];
   const bool turns = segment.kind == WalkSegment::Kind::turn;
   if (moments.headings.empty() || (turns && i + 1 < script.size())) return;
-  HeadingWish wish;
-  wish.seconds = static_cast<double>(moments.headings.size()) * moments.seconds_each;
-  wish.radians = moments.headings.back();
+  HeadingGoal goal;
+  goal.seconds = static_cast<double>(moments.headings.size()) * moments.seconds_each;
+  goal.radians = moments.headings.back();
   const bool stands = segment.kind == WalkSegment::Kind::stand;
-  wish.over_seconds =
+  goal.over_seconds =
       turns ? 0.1 : std::clamp(0.5 * segment.seconds, 0.1, stands ? 0.3 : gait_cycle);
-  if (segment.turn_rate_deg != 0.0) wish.over_seconds = 0.1;
-  wish.segment = i;
-  while (wish.segment > 0 && script[wish.segment].kind != WalkSegment::Kind::turn &&
-         script[wish.segment].turn_rate_deg == 0.0) {
-    --wish.segment;
+  if (segment.turn_rate_deg != 0.0) goal.over_seconds = 0.1;
+  goal.segment = i;
+  while (goal.segment > 0 && script[goal.segment].kind != WalkSegment::Kind::turn &&
+         script[goal.segment].turn_rate_deg == 0.0) {
+    --goal.segment;
   }
-  if (!moments.wishes.empty() && wish.seconds - moments.wishes.back().seconds < 0.3) return;
-  moments.wishes.push_back(wish);
+  if (!moments.goals.empty() && goal.seconds - moments.goals.back().seconds < 0.3) return;
+  moments.goals.push_back(goal);
 }
 
 ScriptMoments moments_of(std::span<const WalkSegment> script, double frame, double brisk) {
@@ -165,7 +165,7 @@ ScriptMoments moments_of(std::span<const WalkSegment> script, double frame, doub
   moments.seconds_each = frame;
   for (std::size_t i = 0; i < script.size(); ++i) {
     add_moments(script[i], brisk, moments);
-    add_wish(script, i, moments);
+    add_goal(script, i, moments);
   }
   if (moments.speeds.empty())
     throw Error("an empty script for a walk", "give one segment at least");
@@ -173,13 +173,14 @@ ScriptMoments moments_of(std::span<const WalkSegment> script, double frame, doub
 }
 
 /// The turn that is missed by most, if by enough.
-std::optional<MissedTurn> missed_turn(const ScriptMoments& moments, const SpreadHeading& spread) {
-  constexpr double told_deg = 5.0;
+std::optional<MissedTurn> missed_turn(const ScriptMoments& moments,
+                                      const HeadingCorrection& correction) {
+  constexpr double reported_deg = 5.0;
   std::optional<MissedTurn> worst;
-  for (std::size_t w = 0; w < moments.wishes.size(); ++w) {
-    const double degrees = spread.missing[w] / radians_per_degree;
-    if (std::abs(degrees) <= (worst ? std::abs(worst->degrees) : told_deg)) continue;
-    worst = MissedTurn{moments.wishes[w].segment, degrees};
+  for (std::size_t w = 0; w < moments.goals.size(); ++w) {
+    const double degrees = correction.missing[w] / radians_per_degree;
+    if (std::abs(degrees) <= (worst ? std::abs(worst->degrees) : reported_deg)) continue;
+    worst = MissedTurn{moments.goals[w].segment, degrees};
   }
   return worst;
 }
@@ -192,7 +193,7 @@ GuidedWalk walk_along(const MotionGraph& graph, std::span<const Vec3> polyline,
 }
 
 GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec3> polyline,
-                      std::span<const MoodFrom> moods, const GuidedWalkOptions& options) {
+                      std::span<const MoodChange> moods, const GuidedWalkOptions& options) {
   check_options(options);
   const MixedGraph mixed{versions, moods};
   const MotionGraph& graph = mixed.graph();
@@ -213,11 +214,11 @@ GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec
     const double amiss = frame * (beside + facing_away * off * off);
     return amiss + idling * std::max(0.0, full_step - (state.way - before));
   };
-  const WalkDone done = [&](const WalkState& state) { return state.way >= length - 0.05; };
+  const GoalReached done = [&](const WalkState& state) { return state.way >= length - 0.05; };
   const double heading = heading_at(path, 0.3);
   GuidedWalk guided;
   guided.walk =
-      searched_walk(mixed, starts_at(graph, path.points.front(), heading), cost, done, options);
+      search_walk(mixed, starts_at(graph, path.points.front(), heading), cost, done, options);
   make_clip(mixed, beginning(graph, guided.walk, path.points.front(), heading), guided);
   end_with(path, guided);
   refuse_straying(path, guided.clip);
@@ -250,15 +251,17 @@ GuidedWalk scripted_walk(std::span<const MotionGraph> versions, std::span<const 
     return frame * (speed * speed + turn * turn);
   };
   const double end = frame * static_cast<double>(moments.speeds.size());
-  const WalkDone done = [&](const WalkState& state) { return state.seconds >= end - 0.5 * frame; };
+  const GoalReached done = [&](const WalkState& state) {
+    return state.seconds >= end - 0.5 * frame;
+  };
   GuidedWalk guided;
-  guided.walk = searched_walk(mixed, starts_at(graph, Vec3::Zero(), 0.0), cost, done, options);
+  guided.walk = search_walk(mixed, starts_at(graph, Vec3::Zero(), 0.0), cost, done, options);
   GraphWalkOptions begins = beginning(graph, guided.walk, Vec3::Zero(), 0.0);
-  const SpreadHeading spread =
-      spread_heading(headings_of(versions, guided.walk, moments.moods, begins), moments.wishes);
-  begins.added_headings = spread.added;
+  const HeadingCorrection correction =
+      correct_headings(headings_of(versions, guided.walk, moments.moods, begins), moments.goals);
+  begins.added_headings = correction.added;
   make_clip(mixed, begins, guided);
-  guided.missed = missed_turn(moments, spread);
+  guided.missed = missed_turn(moments, correction);
   return guided;
 }
 

@@ -10,23 +10,23 @@
 namespace mien::motion {
 
 struct GuidedWalkOptions {
-  /// How far the search looks ahead, and how much of what it finds is kept before it looks again,
-  /// seconds (Kovar, Gleicher and Pighin 2002, section 5.2: 80–120 and 25–30 frames).
+  /// Look-ahead of the search, and how much of its result is kept before the next search, seconds
+  /// (Kovar, Gleicher and Pighin 2002, section 5.2: 80–120 and 25–30 frames).
   double ahead_seconds = 2.5;
   double kept_seconds = 0.8;
-  /// Seconds that a clip is played at least between transitions, where it goes on for so long.
+  /// Least time between transitions, seconds, if the clip is long enough.
   double between_seconds = 0.4;
-  /// Edges that are tried for each stretch; the best walk found until then is taken.
+  /// Largest number of edges tried in each search; the best walk found so far is then used.
   int most_edges = 60000;
 };
 
-/// A turn of a script that the graph's motions do not make.
+/// A turn of a script that the graph's motions miss.
 struct MissedTurn {
   std::size_t segment = 0;  ///< of the script
-  double degrees = 0.0;     ///< that are missing in the end, to the left
+  double degrees = 0.0;     ///< missing at the end, to the left
 };
 
-/// A walk found for a purpose, and the motion that it makes.
+/// A walk found by search, and its motion.
 struct GuidedWalk {
   GraphWalk walk;
   Clip clip;
@@ -47,20 +47,20 @@ struct GuidedWalk {
 GuidedWalk walk_along(const MotionGraph& graph, std::span<const Vec3> path,
                       const GuidedWalkOptions& options = {});
 
-/// The same over several versions of one graph, mixed by moods on the way (graph_walk.h).
+/// As above over several versions of one graph, mixed by moods on the way (graph_walk.h).
 GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec3> path,
-                      std::span<const MoodFrom> moods, const GuidedWalkOptions& options = {});
+                      std::span<const MoodChange> moods, const GuidedWalkOptions& options = {});
 
-/// A walk that does what a script says (scripted_walk.h), likewise: at each moment it is to have
-/// the speed and heading of the script, where `pace` 1 is the fastest tenth of the graph's frames
-/// and turns are made at 60°/s, on the spot at 45°/s. What the heading is off by at the end of a
-/// turn, a walk or a stand is spread over the way there, up to 25° and 12°/s: the body is turned
-/// and its feet are locked. Turns that come out wrong by more than 5° all the same are told
-/// (`missed`). Moods are not looked at. Throws as above, and for an empty script.
+/// A walk that follows a script (scripted_walk.h), found by the same search: at each moment it is
+/// to have the speed and heading of the script, where `pace` 1 is the fastest tenth of the graph's
+/// frames and turns are made at 60°/s, on the spot at 45°/s. What the heading is off by at the end
+/// of a turn, a walk or a stand is spread over the way there, up to 25° and 12°/s: the body is
+/// turned and its feet are locked. Turns that still deviate by more than 5° are reported
+/// (`missed`). Moods are ignored. Throws as above, and for an empty script.
 GuidedWalk scripted_walk(const MotionGraph& graph, std::span<const WalkSegment> script,
                          const GuidedWalkOptions& options = {});
 
-/// The same over several versions of one graph: `moods` of the script are their weights, from a
+/// As above over several versions of one graph: `moods` of the script are their weights, from a
 /// segment's beginning on; before the first the first version walks alone.
 GuidedWalk scripted_walk(std::span<const MotionGraph> versions, std::span<const WalkSegment> script,
                          const GuidedWalkOptions& options = {});

@@ -169,9 +169,9 @@ MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& 
   minima_options.threads = options.threads;
   find_plants(graph);
   std::vector<DistanceMinimum> minima = distance_minima(clouds, minima_options);
-  const FootStands stands = foot_stands(graph);
+  const FootContacts contacts = foot_contacts(graph);
   std::erase_if(minima, [&](const DistanceMinimum& m) {
-    return contact_change(stands, m, graph.window) > options.most_contact_change;
+    return contact_change(contacts, m, graph.window) > options.most_contact_change;
   });
   if (connect(graph, minima, options.threshold_m) == 0) refuse_unconnected(graph, minima);
   find_turns(graph);
@@ -179,12 +179,12 @@ MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& 
 }
 
 MotionGraph with_motions(MotionGraph graph, std::span<const Clip> clips) {
-  std::vector<MotionInStep> motions;
+  std::vector<SynchronisedMotion> motions;
   for (const Clip& clip : clips) motions.push_back({clip, {}});
   return with_motions(std::move(graph), motions);
 }
 
-MotionGraph with_motions(MotionGraph graph, std::span<const MotionInStep> motions) {
+MotionGraph with_motions(MotionGraph graph, std::span<const SynchronisedMotion> motions) {
   if (motions.size() != graph.clips.size()) {
     throw Error("a motion graph of " + std::to_string(graph.clips.size()) + " motions is given " +
                     std::to_string(motions.size()),
@@ -199,7 +199,7 @@ MotionGraph with_motions(MotionGraph graph, std::span<const MotionInStep> motion
         clip.frames_per_second != graph.clips[c].frames_per_second) {
       throw Error("the motion " + quoted(clip) + " has not the frames of " +
                       quoted(graph.clips[c]) + ", in whose place it is to stand",
-                  "put it in step first (in_step), and unroll loops");
+                  "synchronise it first (synchronised), and unroll loops");
     }
     graph.frame_seconds.push_back(motions[c].frame_seconds);
     in_tempo = in_tempo || !motions[c].frame_seconds.empty();

@@ -15,25 +15,25 @@ struct MotionGraphOptions {
   /// puts "the same motion"; captures of one actor walking join from about 0.04 m, unlike motions
   /// blend visibly above 0.1 m. The paper sets it by hand for every kind of motion.
   double threshold_m = 0.06;
-  /// What is compared; its window is also how long transitions last.
+  /// Comparison of windows; its window is also the duration of transitions.
   CloudOptions cloud;
   /// Share of the window's frames in which a foot may stand in one motion and not in the other. A
   /// blend of a foot that stands with one that swings slides, which locking it cannot mend.
   double most_contact_change = 0.25;
   /// Degrees by which the pelvis may face elsewhere in one motion than in the other, on the average
-  /// over the window: what is more is taken off the alignment. The blend turns the pelvis by that
+  /// over the window: any excess is removed from the alignment. The blend turns the pelvis by that
   /// much beside what the motions do: 5° over a third of a second by about 1° a frame; where it
   /// would be more, less is allowed.
   double most_facing_change_deg = 5.0;
   /// Threads for the comparison; 0: one a processor. The graph does not depend on it.
   int threads = 0;
-  /// Looping clips are unrolled to at least so many seconds, and always by one window more than
-  /// their cycles, so that their end meets their start.
+  /// Looping clips are unrolled to at least this duration, seconds, and always by one window more
+  /// than their cycles, so that their end meets their start.
   double unrolled_seconds = 2.0;
 };
 
-/// Two windows that are alike: after frame `from_frame` of a clip (exclusive) the motion may go
-/// over, during the window, to the other clip.
+/// A transition between two similar windows: from frame `from_frame` on, one clip is blended into
+/// the other over the window.
 struct GraphTransition {
   int from_clip = 0;
   int from_frame = 0;  ///< first frame of the blend in the clip that is left
@@ -44,7 +44,7 @@ struct GraphTransition {
                         ///< distance, within `most_facing_change_deg`
 };
 
-/// A place in a clip from which there is a choice: the next frame to be played would be `frame`.
+/// A branching point in a clip, before `frame`.
 struct GraphNode {
   int clip = 0;
   int frame = 0;
@@ -55,7 +55,7 @@ struct GraphEdge {
   int from = 0;         ///< node
   int to = 0;           ///< node
   int transition = -1;  ///< index; −1: the clip goes on
-  int frames = 0;       ///< that it lasts
+  int frames = 0;       ///< duration
 };
 
 /// A motion graph (Kovar, Gleicher and Pighin, SIGGRAPH 2002): motions cut where they are alike, so
@@ -72,7 +72,7 @@ struct MotionGraph {
   std::vector<GraphEdge> edges;
   std::vector<std::vector<int>> leaving;  ///< edges from each node; the one that goes on is first
   /// How long each frame of each clip lasts, seconds, where that is not one by the frame rate: the
-  /// tempo of motions that were put in step with others (`in_step`). Empty otherwise.
+  /// tempo of motions that were put in step with others (`synchronised`). Empty otherwise.
   std::vector<std::vector<double>> frame_seconds;
 };
 
@@ -82,27 +82,26 @@ struct MotionGraph {
 ///
 /// Throws mien::Error without clips, for clips that are shorter than two windows, differ in bones
 /// (by more than a millimetre) or frame rate, for options out of range, and when no component with
-/// a cycle is left: it then tells the threshold from which one is.
+/// a cycle is left: the message then states the smallest sufficient threshold.
 MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& options = {});
 
-/// The graph with other motions in place of its clips, which have the same body or another one and
-/// the same frames: where it can go stays as it was, how the windows lie on each other is found
-/// anew. So all nodes can be put through one modification (modify/modification.h), or be blended of
-/// versions that correspond. Throws mien::Error for clips that do not match in number, frames,
-/// frame rate or body.
+/// The graph with its clips replaced by other motions of the same frames, on the same or another
+/// body: the topology stays, the alignments of the windows are computed anew. So all clips can get
+/// one modification (modify/modification.h), or be blends of corresponding versions. Throws
+/// mien::Error for clips that do not match in number, frames, frame rate or body.
 MotionGraph with_motions(MotionGraph graph, std::span<const Clip> clips);
 
-/// The same with each clip's frame durations, as `in_step` gives them.
-struct MotionInStep {
+/// A motion with the duration of each frame, as returned by `synchronised`.
+struct SynchronisedMotion {
   Clip clip;
   std::vector<double> frame_seconds;
 };
-MotionGraph with_motions(MotionGraph graph, std::span<const MotionInStep> motions);
+MotionGraph with_motions(MotionGraph graph, std::span<const SynchronisedMotion> motions);
 
-/// A version of a motion put in step with another: frame for frame the same moment, by keytimes
-/// (seconds, ascending, as many of each) that correspond, and how long each frame lasts there.
+/// A version of a motion synchronised with a reference by corresponding keytimes (seconds,
+/// ascending, equally many): frame by frame the same moment, with the duration of each frame.
 /// Throws mien::Error when the keytimes do not correspond or lie outside the clips.
-MotionInStep in_step(const Clip& version, std::span<const double> version_keytimes,
-                     const Clip& reference, std::span<const double> reference_keytimes);
+SynchronisedMotion synchronised(const Clip& version, std::span<const double> version_keytimes,
+                                const Clip& reference, std::span<const double> reference_keytimes);
 
 }  // namespace mien::motion

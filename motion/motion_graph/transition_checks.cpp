@@ -7,8 +7,8 @@
 
 namespace mien::motion {
 
-FootStands foot_stands(const MotionGraph& graph) {
-  FootStands stands;
+FootContacts foot_contacts(const MotionGraph& graph) {
+  FootContacts contacts;
   for (std::size_t c = 0; c < graph.clips.size(); ++c) {
     std::vector<std::array<bool, 2>> clip(graph.clips[c].poses.size(), {false, false});
     for (const FootPlant& plant : graph.plants[c]) {
@@ -17,14 +17,14 @@ FootStands foot_stands(const MotionGraph& graph) {
         clip[static_cast<std::size_t>(f)][plant.left] = true;
       }
     }
-    stands.push_back(std::move(clip));
+    contacts.push_back(std::move(clip));
   }
-  return stands;
+  return contacts;
 }
 
-double contact_change(const FootStands& stands, const DistanceMinimum& minimum, int window) {
-  const auto& a = stands[static_cast<std::size_t>(minimum.clip_a)];
-  const auto& b = stands[static_cast<std::size_t>(minimum.clip_b)];
+double contact_change(const FootContacts& contacts, const DistanceMinimum& minimum, int window) {
+  const auto& a = contacts[static_cast<std::size_t>(minimum.clip_a)];
+  const auto& b = contacts[static_cast<std::size_t>(minimum.clip_b)];
   std::array<int, 2> changes = {0, 0};
   for (int f = 0; f < window; ++f) {
     for (std::size_t side = 0; side < 2; ++side) {

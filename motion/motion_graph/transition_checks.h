@@ -9,13 +9,13 @@
 namespace mien::motion {
 
 /// Whether each foot (right, left) stands, by clip and frame of a graph.
-using FootStands = std::vector<std::vector<std::array<bool, 2>>>;
+using FootContacts = std::vector<std::vector<std::array<bool, 2>>>;
 
-FootStands foot_stands(const MotionGraph& graph);
+FootContacts foot_contacts(const MotionGraph& graph);
 
-/// Share of the frames of both windows, foot by foot, in which it stands in one and not in the
-/// other: that of the foot for which it is more.
-double contact_change(const FootStands& stands, const DistanceMinimum& minimum, int window);
+/// Share of the frames in which a foot's contact differs between the two windows; the larger of
+/// both feet.
+double contact_change(const FootContacts& contacts, const DistanceMinimum& minimum, int window);
 
 /// Mean difference, radians, between where the pelvis faces in the window of the transition's
 /// second clip, turned by its `turn`, and in that of the first.

@@ -16,19 +16,19 @@ const Pose& pose_of_frame(const MotionGraph& graph, int clip, int frame) {
 /// The step over the floor that leads to a frame of a clip; of the first frame the step after it.
 Vec3 step_to(const MotionGraph& graph, int clip, int frame) {
   const int to = std::max(frame, 1);
-  return level(pose_of_frame(graph, clip, to).root_position -
-               pose_of_frame(graph, clip, to - 1).root_position);
+  return horizontal(pose_of_frame(graph, clip, to).root_position -
+                    pose_of_frame(graph, clip, to - 1).root_position);
 }
 
 Quat turned_by(double turn) { return Quat(Eigen::AngleAxisd(turn, Vec3::UnitY())); }
 
 }  // namespace
 
-std::vector<double> shares_asked(std::span<const MoodFrom> moods, double seconds,
-                                 std::size_t versions) {
+std::vector<double> requested_shares(std::span<const MoodChange> moods, double seconds,
+                                     std::size_t versions) {
   std::vector<double> shares(versions, 0.0);
   shares.front() = 1.0;
-  for (const MoodFrom& from : moods) {
+  for (const MoodChange& from : moods) {
     if (from.seconds > seconds && &from != &moods.front()) continue;
     double sum = 0.0;
     for (const double weight : from.moods) sum += weight;
@@ -102,7 +102,7 @@ std::vector<WalkFrame> frames_of(const MotionGraph& graph, const GraphWalk& walk
 }
 
 std::vector<FootPlant> plants_of(const MotionGraph& graph, const std::vector<WalkFrame>& frames) {
-  const FootStands stands = foot_stands(graph);
+  const FootContacts contacts = foot_contacts(graph);
   std::vector<FootPlant> plants;
   for (const bool left : {true, false}) {
     int first = -1;
@@ -114,7 +114,7 @@ std::vector<FootPlant> plants_of(const MotionGraph& graph, const std::vector<Wal
         const bool entered = frame.to_clip >= 0 && frame.share < 0.5;
         const auto clip = static_cast<std::size_t>(entered ? frame.to_clip : frame.clip);
         const auto at = static_cast<std::size_t>(entered ? frame.to_frame : frame.frame);
-        stands_now = stands[clip][at][left];
+        stands_now = contacts[clip][at][left];
       }
       if (stands_now && first < 0) first = f;
       if (!stands_now && first >= 0) {

@@ -8,12 +8,12 @@
 
 namespace mien::motion {
 
-/// Shares of a graph's versions that moods ask for at a moment, one a version, of sum 1: those of
-/// the last change until then, or of the first; the first version alone without any change.
-std::vector<double> shares_asked(std::span<const MoodFrom> moods, double seconds,
-                                 std::size_t versions);
+/// Requested shares of a graph's versions at a time, sum 1: those of the last change until then, or
+/// of the first; the first version alone if there is no change.
+std::vector<double> requested_shares(std::span<const MoodChange> moods, double seconds,
+                                     std::size_t versions);
 
-/// A way over the edges of a graph: edge after edge, each from where the one before leads.
+/// A walk in a graph: consecutive edges.
 struct GraphWalk {
   std::vector<int> edges;
 };
@@ -38,11 +38,10 @@ std::vector<WalkFrame> frames_of(const MotionGraph& graph, const GraphWalk& walk
 Pose posture_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
 Vec3 step_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
 
-/// How long the frame lasts, seconds.
+/// Duration of the frame, seconds.
 double seconds_of(const MotionGraph& graph, const WalkFrame& frame);
 
-/// Where the foot stands in each frame of a walk, as stretches. In a transition the foot stands as
-/// in the clip that weighs more.
+/// Foot plants of a walk. In a transition contact is that of the clip with the larger weight.
 std::vector<FootPlant> plants_of(const MotionGraph& graph, const std::vector<WalkFrame>& frames);
 
 }  // namespace mien::motion

@@ -16,7 +16,7 @@ struct StretchSearch {
   const MixedGraph& mixed;
   const std::vector<std::vector<EdgeSteps>>& steps;  ///< of each version
   const FrameCost& cost;
-  const WalkDone& done;
+  const GoalReached& done;
   const GuidedWalkOptions& options;
   double until = 0.0;  ///< of WalkState::played
   int tried = 0;
@@ -25,7 +25,7 @@ struct StretchSearch {
   double best = std::numeric_limits<double>::infinity();
 };
 
-/// What an edge leads to, and at what cost.
+/// The successor state of an edge, with its cost.
 struct Branch {
   int edge = 0;
   WalkState state;
@@ -44,7 +44,7 @@ FrameStep mixed_step(const StretchSearch& search, std::size_t edge, std::size_t 
   const EdgeSteps& first = search.steps.front()[edge];
   if (search.steps.size() == 1) return {first.steps[f], first.facings[f], first.seconds[f]};
   const std::vector<double> shares =
-      shares_asked(search.mixed.moods, now, search.mixed.versions.size());
+      requested_shares(search.mixed.moods, now, search.mixed.versions.size());
   FrameStep mix;
   mix.facing = first.facings[f];
   for (std::size_t v = 0; v < shares.size(); ++v) {
@@ -117,7 +117,7 @@ void extend(StretchSearch& search, const WalkState& from, double spent) {
 
 StretchSearch stretch_from(const MixedGraph& mixed,
                            const std::vector<std::vector<EdgeSteps>>& steps, const WalkState& start,
-                           const FrameCost& cost, const WalkDone& done,
+                           const FrameCost& cost, const GoalReached& done,
                            const GuidedWalkOptions& options) {
   StretchSearch search{mixed, steps, cost, done, options};
   search.until = start.played + options.ahead_seconds;
@@ -128,7 +128,7 @@ StretchSearch stretch_from(const MixedGraph& mixed,
 /// The start whose first stretch costs least.
 WalkState best_start(const MixedGraph& mixed, const std::vector<std::vector<EdgeSteps>>& steps,
                      const std::vector<WalkState>& starts, const FrameCost& cost,
-                     const WalkDone& done, GuidedWalkOptions options) {
+                     const GoalReached& done, GuidedWalkOptions options) {
   options.most_edges /= 20;
   double least = std::numeric_limits<double>::infinity();
   WalkState best = starts.front();
@@ -163,9 +163,9 @@ std::vector<EdgeSteps> edge_steps(const MotionGraph& graph) {
   return all;
 }
 
-GraphWalk searched_walk(const MixedGraph& mixed, const std::vector<WalkState>& starts,
-                        const FrameCost& cost, const WalkDone& done,
-                        const GuidedWalkOptions& options) {
+GraphWalk search_walk(const MixedGraph& mixed, const std::vector<WalkState>& starts,
+                      const FrameCost& cost, const GoalReached& done,
+                      const GuidedWalkOptions& options) {
   constexpr double longest_seconds = 3600.0;
   std::vector<std::vector<EdgeSteps>> steps;
   for (const MotionGraph& version : mixed.versions) steps.push_back(edge_steps(version));

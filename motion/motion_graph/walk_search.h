@@ -10,7 +10,7 @@
 
 namespace mien::motion {
 
-/// How an edge leads over the floor, in the frame of the clip that it leaves.
+/// Horizontal motion of an edge, in the frame of the clip that it leaves.
 struct EdgeSteps {
   std::vector<Vec3> steps;      ///< of the pelvis, metres, a frame
   std::vector<double> facings;  ///< of the pelvis after each step, radians about +Y from +Z
@@ -18,10 +18,10 @@ struct EdgeSteps {
   double turn = 0.0;            ///< of the clip that it leads to on the one that it leaves, radians
 };
 
-/// Of every edge of the graph, as `motion_of` (graph_walk.h) plays it, feet unlocked.
+/// The steps of every edge of the graph, as in `motion_of` (graph_walk.h) without foot lock.
 std::vector<EdgeSteps> edge_steps(const MotionGraph& graph);
 
-/// Where a walk has come to.
+/// State of a walk during the search.
 struct WalkState {
   int node = 0;
   double turn = 0.0;          ///< of the node's clip, radians
@@ -33,24 +33,25 @@ struct WalkState {
   double way = 0.0;           ///< along what is followed; kept by the cost
 };
 
-/// What one more frame costs, ≥ 0: the state is after it but for `way`, which the cost may move on.
+/// Cost of one more frame, ≥ 0. The state is that after the frame except for `way`, which the cost
+/// may advance.
 using FrameCost = std::function<double(WalkState& state, const Vec3& step)>;
-/// Whether the purpose is reached.
-using WalkDone = std::function<bool(const WalkState& state)>;
+/// Whether the walk has reached its goal.
+using GoalReached = std::function<bool(const WalkState& state)>;
 
 /// Versions of one graph (motion_graph.h) and what is asked of them by time, which the search mixes
 /// as `motion_of` (graph_walk.h) does, but without delay.
 struct MixedGraph {
   std::span<const MotionGraph> versions;
-  std::span<const MoodFrom> moods;
+  std::span<const MoodChange> moods;
 
   const MotionGraph& graph() const { return versions.front(); }
 };
 
 /// The cheapest walk from each of some starts (of one cost), stretch by stretch by branch and
 /// bound, until it is done. Throws mien::Error when `way` does not get on (`gets_on`).
-GraphWalk searched_walk(const MixedGraph& mixed, const std::vector<WalkState>& starts,
-                        const FrameCost& cost, const WalkDone& done,
-                        const GuidedWalkOptions& options);
+GraphWalk search_walk(const MixedGraph& mixed, const std::vector<WalkState>& starts,
+                      const FrameCost& cost, const GoalReached& done,
+                      const GuidedWalkOptions& options);
 
 }  // namespace mien::motion

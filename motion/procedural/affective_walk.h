@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// An emotion's place in the plane of pleasure and activation, each in [−1, 1].
+/// Coordinates of an emotion: valence (pleasure) and arousal (activation), each in [−1, 1].
 struct Emotion {
   std::string_view name;
   double valence;
@@ -19,7 +19,7 @@ struct Emotion {
 /// 241.9°, tired 267.7°, calm 316.2°; all at distance 1 from the middle.
 std::vector<Emotion> circumplex_emotions();
 
-/// How somebody walks who feels like that.
+/// The walk style of an emotional state.
 ///
 /// Arousal raises speed and cadence, widens the arm swing and flexes the elbows. Valence lifts
 /// chest and head, adds bounce, arm swing and trunk rotation. Two mixed terms tell the corners

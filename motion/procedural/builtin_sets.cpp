@@ -95,7 +95,7 @@ std::vector<std::string> builtin_example_names(std::string_view name) {
 }
 
 // The actors' walks, knocks and poses are no motions between which there are others.
-ExampleSet unmade_examples(std::string_view name) {
+ExampleSet empty_example_set(std::string_view name) {
   ExampleSet set;
   set.name = name;
   set.simulated = true;
@@ -104,7 +104,7 @@ ExampleSet unmade_examples(std::string_view name) {
 }
 
 ExampleSet builtin_examples(std::string_view name, double frames_per_second) {
-  ExampleSet set = unmade_examples(name);
+  ExampleSet set = empty_example_set(name);
   for (const ExampleMaker& maker : builtin_example_makers(name, frames_per_second))
     set.examples.push_back(maker.make());
   return set;

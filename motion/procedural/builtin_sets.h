@@ -30,7 +30,7 @@ std::vector<NamedStyle> builtin_styles(std::string_view name);
 /// Names of the examples of a built-in set. Throws as above.
 std::vector<std::string> builtin_example_names(std::string_view name);
 
-/// One of a built-in set.
+/// Makes one example of a built-in set.
 struct ExampleMaker {
   std::string name;
   std::function<Example()> make;  ///< named; several may be called at the same time
@@ -40,8 +40,8 @@ struct ExampleMaker {
 std::vector<ExampleMaker> builtin_example_makers(std::string_view name,
                                                  double frames_per_second = 30.0);
 
-/// What a built-in set is beside its examples, which are still to be made.
-ExampleSet unmade_examples(std::string_view name);
+/// A built-in set without its examples: its name and properties.
+ExampleSet empty_example_set(std::string_view name);
 
 /// The set's walks, made by the parametric walker on the standard body; marked as simulated.
 ///

@@ -4,13 +4,13 @@
 
 namespace mien::motion {
 
-/// Expressive walks. What tells each from an ordinary walk is taken from studies of emotional gait;
-/// how much, in degrees and metres, is ours where they give no numbers.
+/// Expressive walks. Their differences from an ordinary walk follow studies of emotional gait;
+/// amounts are ours where the studies give no numbers.
 
-/// An ordinary walk, fast.
+/// A fast ordinary walk.
 WalkStyle brisk_walk();
 
-/// An ordinary walk, slow.
+/// A slow ordinary walk.
 WalkStyle slow_walk();
 
 /// Fast, upright, much arm swing and vertical movement, a light step (Montepare et al. 1987;

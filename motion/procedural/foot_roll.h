@@ -15,7 +15,7 @@ struct FootShape {
   double toe_length;    ///< from the toe joint to the tip
 };
 
-/// Of the foot below `ankle`, with the sole that sole.h gives it.
+/// The shape of the foot below `ankle`, with the sole of sole.h.
 FootShape foot_shape(const Skeleton& body, BodyJoint ankle);
 
 /// A foot at one moment. Angles in radians.
@@ -34,13 +34,13 @@ Quat foot_rotation(const FootPose& foot);
 /// slopes that the swing must meet.
 double stance_pitch(const WalkStyle& style, double phase);
 
-/// Where what a foot rolls about lies from the ankle, in the directions of the world.
+/// Offsets from the ankle to the pivot of a rolling foot, in world axes.
 struct FootRoll {
   Vec3 flat_pivot;  ///< while the sole is flat
-  Vec3 pivot;       ///< as it is rolled
+  Vec3 pivot;       ///< at the present pitch
 };
 
-/// Of a foot whose sole has this pitch: about the heel's edge (toes up) or the ball (heel up).
+/// The pivot of a foot at a pitch of its sole: the heel's edge (toes up) or the ball (heel up).
 FootRoll foot_roll(const FootShape& shape, double yaw, double pitch);
 
 /// The ankle of a foot rolled so over a print (see `rolled_foot`).

@@ -7,8 +7,8 @@
 
 namespace mien::motion {
 
-/// How the pelvis travels through a gait cycle of phase 0 … 1 (phase 0 is left heel strike), along
-/// +Z with the path's line at x = 0.
+/// Trajectory of the pelvis through a gait cycle of phase 0 … 1 (phase 0 is left heel strike),
+/// along +Z with the path's line at x = 0.
 struct PelvisPath {
   WalkStyle style;
   double stride_m = 0.0;       ///< forward per cycle
@@ -20,7 +20,7 @@ struct PelvisPath {
 /// side.
 Vec3 pelvis_position(const PelvisPath& path, double phase);
 
-/// Rotation about the vertical, in the frontal plane, and forward tilt, in this order.
+/// Rotation of the pelvis: about the vertical, in the frontal plane, then forward tilt.
 Quat pelvis_rotation(const PelvisPath& path, double phase);
 
 /// The line from hip to ankle, as a knee angle and two deviations: what a leg does, apart from
@@ -80,8 +80,8 @@ FootPose planted_foot(const LegCycle& leg, double phase);
 /// at heel strike without a jump in speed or acceleration, and keep the foot clear of the floor.
 LegCycle fit_swing(LegCycle leg);
 
-/// As `fit_swing`, with `knee_peak`, `lift` and `landing` as they are: the curves alone, which are
-/// soon found.
+/// As `fit_swing` with given `knee_peak`, `lift` and `landing`: computes the curves only, which is
+/// fast.
 LegCycle with_swing_curves(LegCycle leg);
 
 /// The foot of a leg with swing curves at a phase of the leg's own cycle in [stance_share, 1].

@@ -14,7 +14,7 @@ struct Harmonic {
 /// mean + Σ harmonics at `phase` (share of the gait cycle; any real number).
 double fourier(double mean, std::span<const Harmonic> harmonics, double phase);
 
-/// cos of `n` cycles a gait cycle, +1 at `peak`.
+/// A cosine with `n` periods in a gait cycle, +1 at phase `peak`.
 double wave(int n, double phase, double peak);
 
 /// Value and slope of a curve at one end.

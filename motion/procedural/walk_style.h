@@ -2,7 +2,7 @@
 
 namespace mien::motion {
 
-/// How somebody walks on level ground: the knobs of the parametric walker. The defaults are an
+/// Parameters of the parametric walker: a walk on level ground. The defaults are an
 /// ordinary adult walk at a comfortable speed. Angles in degrees, lengths in metres for a stature
 /// of 1.75 m (scaled with leg length on other bodies), shares as fractions of the gait cycle.
 ///

@@ -35,8 +35,8 @@ struct Found {
 };
 
 /// Bones that only help the figure's own, such as Rigify's, lie on these.
-void tell_other_figure(const Skeleton& rig, const JointTransforms& world, const KeyJoints& keys,
-                       std::vector<std::string>& warnings) {
+void warn_of_other_figure(const Skeleton& rig, const JointTransforms& world, const KeyJoints& keys,
+                          std::vector<std::string>& warnings) {
   const int other = other_figure_in(rig, keys);
   if (other < 0) return;
   const Vec3& arm = world.positions[keys.left.upper_arm];
@@ -58,7 +58,7 @@ std::optional<Found> find_joints(const Recording& recording,
           "Toes, knees and elbows point backwards by the joint names: left and right may be "
           "exchanged in the file.");
     }
-    tell_other_figure(rig, world.front(), *keys, found.warnings);
+    warn_of_other_figure(rig, world.front(), *keys, found.warnings);
     return found;
   }
   if (const auto guess = key_joints_by_topology(recording, world)) {
@@ -317,9 +317,9 @@ Clip to_body(const Recording& recording, const BodyMapping& mapping) {
 
 Clip to_body(const Recording& recording) { return to_body(recording, recognise(recording)); }
 
-RigSketch sketch(const Recording& recording) {
+RigAnalysis analyse_rig(const Recording& recording) {
   check_frames(recording);
-  RigSketch result;
+  RigAnalysis result;
   try {
     result.human = recognise(recording);
     result.to_y_up = result.human->to_y_up;
@@ -327,9 +327,9 @@ RigSketch sketch(const Recording& recording) {
     result.metres_per_unit = result.human->metres_per_unit;
     result.warnings = result.human->warnings;
   } catch (const Error& error) {
-    result.why_not = error.what();
+    result.rejection = error.what();
     result.warnings = recording.notes;
-    result.warnings.push_back(result.why_not);
+    result.warnings.push_back(result.rejection);
     result.warnings.push_back(
         "It is shown as it is: unscaled, a unit of the file for a metre, and +Y up.");
   }

@@ -13,10 +13,10 @@
 
 namespace mien::motion {
 
-/// How the joints of a rig become the canonical body (body.h). Made by `recognise`.
+/// Mapping of a rig to the canonical body (body.h), made by `recognise`.
 struct BodyMapping {
   std::string rig;      ///< "cmu-bvh", "acclaim", "bandai-namco", …, "by names", "by topology"
-  MappedJoints joints;  ///< which rig joints stand for each canonical joint, and how surely
+  MappedJoints joints;  ///< the rig joints of each canonical joint, with confidence
   std::array<Quat, body_joint_count> calibration;  ///< A_j: G_canonical = G_rig · A_j
   Skeleton body;                    ///< canonical body with the performer's bone lengths, metres
   Quat to_y_up = Quat::Identity();  ///< the file's axes → +Y up
@@ -30,8 +30,8 @@ struct BodyMapping {
 /// Throws Error when it is no human rig that could be followed, saying what is missing.
 BodyMapping recognise(const Recording& recording);
 
-/// As above, calibrated over several recordings of one rig together: what is measured (twist of the
-/// limbs, flat feet) is then the same for all of them. All must have the first one's skeleton
+/// As above, calibrated over several recordings of one rig together, so that measured quantities
+/// (twist of the limbs, flat feet) are the same for all. All must have the skeleton of the first
 /// (`same_rig`); throws Error naming one that has not.
 BodyMapping recognise(std::span<const Recording> recordings);
 
@@ -45,7 +45,7 @@ BodyMapping recognise(std::span<const Recording> recordings);
 /// has another rig than the mapping.
 Clip to_body(const Recording& recording, const BodyMapping& mapping);
 
-/// Where the floor of a recording lies on the canonical body, as `to_body` takes it off.
+/// Floor of a recording mapped to the canonical body, as `to_body` removes it.
 struct RecordedFloor {
   Quat levelling = Quat::Identity();  ///< turns a floor that slopes level
   double height = 0.0;                ///< metres, after that
@@ -53,24 +53,23 @@ struct RecordedFloor {
 
 RecordedFloor recorded_floor(const Recording& recording, const BodyMapping& mapping);
 
-/// As above, on a floor that is known.
+/// As above, with a known floor.
 Clip to_body(const Recording& recording, const BodyMapping& mapping, const RecordedFloor& floor);
 
-/// `to_body` with a mapping of its own.
+/// `to_body` with the recording's own `recognise` mapping.
 Clip to_body(const Recording& recording);
 
-/// What can be said of any recording, human or not, so that it can still be drawn as a stick
-/// figure.
-struct RigSketch {
+/// Analysis of any recording, human or not, so that it can be drawn as a stick figure.
+struct RigAnalysis {
   std::optional<BodyMapping> human;   ///< empty when it was not recognised
-  std::string why_not;                ///< then: the reason, a plain sentence
-  std::vector<std::string> warnings;  ///< the human's, or why it is none; notes of the reader
+  std::string rejection;              ///< why it was not recognised, a sentence
+  std::vector<std::string> warnings;  ///< of the mapping, or the rejection; and notes of the reader
   Quat to_y_up = Quat::Identity();
   std::string up = "+Y";
-  double metres_per_unit = 1.0;  ///< without a human 1: nothing tells the unit
+  double metres_per_unit = 1.0;  ///< 1 if not human: the unit is unknown
   double floor = 0.0;            ///< height of the lowest point, metres, after the turn to +Y
 };
 
-RigSketch sketch(const Recording& recording);
+RigAnalysis analyse_rig(const Recording& recording);
 
 }  // namespace mien::motion

@@ -16,20 +16,21 @@ struct BoneTree {
   std::vector<double> reach;  ///< length of the longest way from the joint to an end
   double size = 0.0;          ///< longest way from a fork to an end
 
-  /// Of the bone after a last joint; 0 where the rig tells none.
+  /// Length of the bone after a leaf joint; 0 if the rig has none.
   double tip_length(int joint) const;
 
-  /// From the parent of a child to the farthest end beyond it.
+  /// Length from the parent of a child to the farthest end through it.
   double length_through(int child) const { return bone[child] + reach[child]; }
 };
 
-/// Lengths are means over some of the frames; of the rig's offsets when there are none.
+/// Makes the tree of a rig. Lengths are means over some of the frames, or those of the rig's
+/// offsets without frames.
 BoneTree bone_tree(const Skeleton& rig, const std::vector<JointTransforms>& world);
 
-/// The child with the longest way to go, the first of several; −1 when there is none.
+/// The child with the longest chain, the first of several; −1 when there is none.
 int main_child_of(const BoneTree& tree, int joint);
 
-/// The joint and then always the child with the longest way to go.
+/// The joint followed by its longest chain of descendants.
 std::vector<int> longest_chain(const BoneTree& tree, int joint);
 
 }  // namespace mien::motion

@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// What turns a rig's joint frames into those of the canonical body.
+/// Rotations from a rig's joint frames to those of the canonical body.
 struct Calibration {
   /// Constant A_j: global rotation of canonical joint j = global rotation of the rig joint it
   /// follows · A_j. Identity for joints that follow none.

@@ -7,14 +7,14 @@
 
 namespace mien::motion {
 
-/// A foot while it stands flat, as its own joint frames see the world. Vectors are means over the
-/// flat frames, not unit; those of the toe are zero when the rig has no turning toe joint.
+/// Mean world directions in the frames of a foot's joints while it stands flat. Vectors are means
+/// over the flat frames, not unit; those of the toe are zero when the rig has no turning toe joint.
 struct FootRest {
   Vec3 up = Vec3::Zero();           ///< world up in the ankle's frame
   Vec3 forward = Vec3::Zero();      ///< ankle to toe in the ankle's frame; zero without a toe
   Vec3 toe_up = Vec3::Zero();       ///< world up in the toe's frame
   Vec3 toe_forward = Vec3::Zero();  ///< ankle to toe in the toe's frame
-  int frames = 0;                   ///< how many flat frames there were
+  int frames = 0;                   ///< number of flat frames
 };
 
 /// Frames in which the foot of `ankle` stands flat: ankle and toe both low and slow. When there are

@@ -109,21 +109,21 @@ JointWord joint_word(std::string_view name) {
   return joint;
 }
 
-BodyPart body_part_of(const JointWord& joint) {
+BodyRegion body_region_of(const JointWord& joint) {
   const std::string_view word = joint.word;
-  if (word == "armature") return BodyPart::other;
-  if (begins_with_any(word, {face_words})) return BodyPart::head;
+  if (word == "armature") return BodyRegion::other;
+  if (begins_with_any(word, {face_words})) return BodyRegion::head;
   if (is_among(short_finger_words, word) ||
       begins_with_any(word, {upper_arm_words, shoulder_words, forearm_words, wrist_words,
                              clavicle_words, finger_words})) {
-    return BodyPart::arm;
+    return BodyRegion::arm;
   }
   const bool is_hip = joint.side != Side::middle && begins_with_any(word, {hip_words});
   if (is_hip || begins_with_any(word, {thigh_words, shank_words, ankle_words, foot_words,
                                        Words(toe_words).first(3)})) {
-    return BodyPart::leg;
+    return BodyRegion::leg;
   }
-  return BodyPart::other;
+  return BodyRegion::other;
 }
 
 bool names_an_end(std::string_view name) {

@@ -6,7 +6,7 @@
 
 namespace mien::motion {
 
-/// What a joint's name says, whatever rig it comes from.
+/// A normalised joint name, independent of the rig's spelling.
 struct JointWord {
   enum class Side { middle, left, right };
   Side side = Side::middle;
@@ -17,18 +17,18 @@ struct JointWord {
 /// "UpperLeg_L", "lfemur", "Bip01 L Thigh", "J_Bip_L_UpperLeg", "thigh.L", "left_hip".
 JointWord joint_word(std::string_view name);
 
-/// What a name says of where its joint belongs.
-enum class BodyPart { other, head, arm, leg };
+/// The region of the body that a joint's name indicates.
+enum class BodyRegion { other, head, arm, leg };
 
-/// By the beginning of the word, so that "handthumb" and "upperarmtwist" are of the arm. Joints of
-/// the trunk, and those whose names say nothing, are of another part.
-BodyPart body_part_of(const JointWord& joint);
+/// The region by the beginning of the word, so that "handthumb" and "upperarmtwist" belong to the
+/// arm; `other` for joints of the trunk and unknown names.
+BodyRegion body_region_of(const JointWord& joint);
 
-/// Whether a name says that its joint is but the end of the bone before it: "HeadTop_End",
+/// Whether a name marks its joint as an end site: "HeadTop_End",
 /// "ToeNub".
 bool names_an_end(std::string_view name);
 
-/// The words that joints are known by.
+/// Words for joints in common rigs.
 namespace joint_words {
 
 using Words = std::span<const std::string_view>;

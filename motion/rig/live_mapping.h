@@ -4,18 +4,17 @@
 
 namespace mien::motion {
 
-/// Maps a rig to the canonical body pose by pose, while it moves: what `recognise` and `to_body`
-/// find out over a whole recording is known before.
+/// Maps a rig to the canonical body pose by pose, for live input, with a mapping that is determined
+/// beforehand.
 class LiveMapping {
  public:
-  /// From the hierarchy and a first pose alone: the rig's zero pose must be a standing figure
-  /// (rest_calibration.h), and the first pose stand on the floor, for that is where the floor is
-  /// taken to be. `first` holds one pose. Throws mien::Error for a rig that is not human, and for
-  /// one that says too little.
+  /// Calibrates from the hierarchy and a first pose alone: the rig's zero pose must be a standing
+  /// figure (rest_calibration.h), and the first pose must stand on the floor. `first` contains one
+  /// pose. Throws mien::Error for a rig that is not human or cannot be calibrated.
   explicit LiveMapping(const Recording& first);
 
-  /// From a recording of the same rig. Throws mien::Error when `first` is of another, or it is not
-  /// human.
+  /// Calibrates from a recording of the same rig. Throws mien::Error when `first` is of another
+  /// rig, or it is not human.
   LiveMapping(const Recording& calibration, const Recording& first);
 
   const BodyMapping& mapping() const { return mapping_; }

@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// Which joints of a rig stand for one joint of the canonical body.
+/// The joints of a rig that correspond to one joint of the canonical body.
 struct MappedJoint {
   std::vector<int> group;  ///< rig joints from root to tip; empty when the rig has none
   int position = -1;    ///< rig joint that sits where the canonical joint sits; −1 with no group
@@ -33,7 +33,7 @@ struct KeyLimbs {
   int toe = -1;
 };
 
-/// The joints that fix a human rig; everything between them belongs to a group or is passed over.
+/// The joints that determine a human rig; those between them belong to a group or are skipped.
 struct KeyJoints {
   int pelvis = -1;
   int chest = -1;  ///< where the arms branch off
@@ -41,7 +41,7 @@ struct KeyJoints {
   int neck = -1;  ///< of a rig without a head: the neck's last joint
   KeyLimbs left;
   KeyLimbs right;
-  std::vector<int> by_shape;  ///< those of a named rig that its shape told, not a name
+  std::vector<int> by_shape;  ///< those of a named rig that were found by its shape, not by name
 };
 
 /// The groups of a rig: spine joints between pelvis and chest are shared out to Spine and Chest
@@ -52,7 +52,7 @@ struct KeyJoints {
 MappedJoints groups_of(const Skeleton& rig, const KeyJoints& keys, double confidence,
                        const std::string& found_by);
 
-/// Whether no joint of the rig stands for two joints of the body.
+/// Whether no joint of the rig is mapped to two joints of the body.
 bool are_disjoint(const MappedJoints& joints);
 
 /// Joints from `ancestor` (left out) down to `descendant` (included). Empty when it is no ancestor.

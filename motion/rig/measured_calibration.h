@@ -10,8 +10,8 @@ namespace mien::motion {
 /// Calibration constants (A_j of calibration.h) from the way the rig moves, whatever its zero pose.
 struct MeasuredCalibration {
   std::array<Quat, body_joint_count> constants;
-  /// Whether the twist of the joint rests on evidence of its own (bent elbows and knees, feet on
-  /// the floor) rather than on its neighbours.
+  /// Whether the joint's twist was measured itself (bent elbows and knees, flat feet) rather than
+  /// inferred from its neighbours.
   std::array<bool, body_joint_count> has_evidence{};
 };
 

@@ -11,7 +11,7 @@ constexpr double leg_per_stature = 0.491;    // thigh .245 + shank .246 (Winter 
 constexpr double stature_of_offsets = 1.75;  // metres: stature that the filled-in offsets belong to
 
 /// Fills in the offsets of one body.
-struct Tailor {
+struct BodyFitter {
   std::span<const RigMotion> motions;
   const std::array<Quat, body_joint_count>& constants;
   double stature;  ///< rig units
@@ -31,12 +31,12 @@ BodyJoint turning_parent(const RigMotion& motion, BodyJoint joint) {
 }
 
 /// Mean offset of `joint` from `base` in the canonical frame of `base`.
-Vec3 mean_offset(const Tailor& tailor, BodyJoint base, BodyJoint joint) {
+Vec3 mean_offset(const BodyFitter& fitter, BodyJoint base, BodyJoint joint) {
   Vec3 sum = Vec3::Zero();
   double count = 0.0;
-  for (const RigMotion& motion : tailor.motions) {
+  for (const RigMotion& motion : fitter.motions) {
     for (const JointTransforms& frame : motion.frames) {
-      const Quat frame_of_base = canonical_rotation(motion, frame, base, tailor.constants[base]);
+      const Quat frame_of_base = canonical_rotation(motion, frame, base, fitter.constants[base]);
       sum += frame_of_base.conjugate() * (motion.point(frame, joint) - motion.point(frame, base));
       count += 1.0;
     }
@@ -45,65 +45,65 @@ Vec3 mean_offset(const Tailor& tailor, BodyJoint base, BodyJoint joint) {
 }
 
 /// Sum of the offsets already given to the joints strictly between `base` and `joint`.
-Vec3 given_between(const Tailor& tailor, BodyJoint base, BodyJoint joint) {
+Vec3 given_between(const BodyFitter& fitter, BodyJoint base, BodyJoint joint) {
   Vec3 given = Vec3::Zero();
   for (int j = body_parents[joint]; j != base; j = body_parents[j]) {
-    given += tailor.body.joints[j].offset;
+    given += fitter.body.joints[j].offset;
   }
   return given;
 }
 
-void fit_present(Tailor& tailor, BodyJoint joint) {
-  const BodyJoint base = turning_parent(tailor.rig(), joint);
-  tailor.offset(joint) = mean_offset(tailor, base, joint) - given_between(tailor, base, joint);
+void fit_present(BodyFitter& fitter, BodyJoint joint) {
+  const BodyJoint base = turning_parent(fitter.rig(), joint);
+  fitter.offset(joint) = mean_offset(fitter, base, joint) - given_between(fitter, base, joint);
 }
 
-void fit_missing(Tailor& tailor, BodyJoint joint) {
-  const RigMotion& rig = tailor.rig();
+void fit_missing(BodyFitter& fitter, BodyJoint joint) {
+  const RigMotion& rig = fitter.rig();
   const Vec3 along = rest_direction(BodyJoint(body_parents[joint]));
   switch (joint) {
     case Neck:
-      tailor.offset(joint) = rig.has(Head)
-                                 ? Vec3(0.7 * mean_offset(tailor, turning_parent(rig, joint), Head))
-                                 : Vec3(tailor.scaled(0.24) * along);
+      fitter.offset(joint) = rig.has(Head)
+                                 ? Vec3(0.7 * mean_offset(fitter, turning_parent(rig, joint), Head))
+                                 : Vec3(fitter.scaled(0.24) * along);
       break;
     case Head:
-      tailor.offset(joint) = tailor.scaled(0.10) * along;
+      fitter.offset(joint) = fitter.scaled(0.10) * along;
       break;
     case LeftClavicle:
     case RightClavicle: {
       const auto shoulder = BodyJoint(joint + 1);
-      const Vec3 whole = mean_offset(tailor, turning_parent(rig, joint), shoulder);
-      tailor.offset(joint) = Vec3(0.1 * whole.x(), whole.y(), whole.z());
+      const Vec3 whole = mean_offset(fitter, turning_parent(rig, joint), shoulder);
+      fitter.offset(joint) = Vec3(0.1 * whole.x(), whole.y(), whole.z());
       break;
     }
     case LeftWrist:
     case RightWrist:
-      tailor.offset(joint) = tailor.scaled(0.265) * along;
+      fitter.offset(joint) = fitter.scaled(0.265) * along;
       break;
     case LeftToe:
     case RightToe:
-      tailor.offset(joint) =
-          Vec3(0.0, -ankle_height(tailor.motions, BodyJoint(joint - 1)), tailor.scaled(0.13));
+      fitter.offset(joint) =
+          Vec3(0.0, -ankle_height(fitter.motions, BodyJoint(joint - 1)), fitter.scaled(0.13));
       break;
     default:
-      tailor.offset(joint) = Vec3::Zero();
+      fitter.offset(joint) = Vec3::Zero();
   }
 }
 
 /// The end of the head, a hand or a foot: the rig's own when it has one of plausible length within
 /// 60° of the rest direction, else `metres` along that. Toes are laid flat, as they stand.
-void fit_tip(Tailor& tailor, BodyJoint joint, double metres) {
+void fit_tip(BodyFitter& fitter, BodyJoint joint, double metres) {
   const Vec3 along = rest_direction(joint);
-  Vec3 tip = tailor.scaled(metres) * along;
-  if (tailor.rig().turns(joint)) {
-    const Vec3 end = tailor.constants[joint].conjugate() * far_end(tailor.rig(), joint);
+  Vec3 tip = fitter.scaled(metres) * along;
+  if (fitter.rig().turns(joint)) {
+    const Vec3 end = fitter.constants[joint].conjugate() * far_end(fitter.rig(), joint);
     const bool plausible_length = end.norm() > 0.25 * tip.norm() && end.norm() < 2.0 * tip.norm();
     if (plausible_length && end.normalized().dot(along) > 0.5) {
       tip = joint == LeftToe || joint == RightToe ? Vec3(end.norm() * along) : end;
     }
   }
-  tailor.body.joints[joint].tip = tip;
+  fitter.body.joints[joint].tip = tip;
 }
 
 }  // namespace
@@ -138,21 +138,22 @@ double ankle_height(std::span<const RigMotion> motions, BodyJoint ankle) {
 
 Skeleton proportions(std::span<const RigMotion> motions,
                      const std::array<Quat, body_joint_count>& constants) {
-  Tailor tailor{motions, constants, leg_length(motions.front()) / leg_per_stature, standard_body()};
+  BodyFitter fitter{motions, constants, leg_length(motions.front()) / leg_per_stature,
+                    standard_body()};
   for (int j = Spine; j < body_joint_count; ++j) {
     const auto joint = BodyJoint(j);
-    if (tailor.rig().has(joint)) {
-      fit_present(tailor, joint);
+    if (fitter.rig().has(joint)) {
+      fit_present(fitter, joint);
     } else {
-      fit_missing(tailor, joint);
+      fit_missing(fitter, joint);
     }
   }
-  fit_tip(tailor, Head, 0.17);
-  fit_tip(tailor, LeftWrist, 0.17);
-  fit_tip(tailor, RightWrist, 0.17);
-  fit_tip(tailor, LeftToe, 0.06);
-  fit_tip(tailor, RightToe, 0.06);
-  return tailor.body;
+  fit_tip(fitter, Head, 0.17);
+  fit_tip(fitter, LeftWrist, 0.17);
+  fit_tip(fitter, RightWrist, 0.17);
+  fit_tip(fitter, LeftToe, 0.06);
+  fit_tip(fitter, RightToe, 0.06);
+  return fitter.body;
 }
 
 }  // namespace mien::motion

@@ -11,7 +11,7 @@ namespace mien::motion {
 /// mean over all frames of what the rig shows in the calibrated frame (`constants`, A_j of
 /// calibration.h) of the parent; exact when the rig's offsets are constant.
 ///
-/// What the rig lacks is filled in: a missing spine sits at the pelvis, a missing neck at 7/10 of
+/// Missing joints are filled in: a missing spine sits at the pelvis, a missing neck at 7/10 of
 /// the way from chest to head, a missing clavicle near the midline level with its shoulder, a
 /// missing toe 0.13 m (at 1.75 m stature) before the ankle on the floor; a missing head, wrist or
 /// tip by average proportions.

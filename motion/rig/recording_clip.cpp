@@ -14,7 +14,7 @@ Skeleton scaled(Skeleton skeleton, double factor) {
   return skeleton;
 }
 
-Pose upright(Pose pose, const RigSketch& rig) {
+Pose upright(Pose pose, const RigAnalysis& rig) {
   pose.root_position = rig.to_y_up * (pose.root_position * rig.metres_per_unit);
   pose.root_position.y() -= rig.floor;
   pose.rotations.front() = rig.to_y_up * pose.rotations.front();
@@ -25,7 +25,7 @@ Pose upright(Pose pose, const RigSketch& rig) {
 }  // namespace
 
 Recording in_metres(Recording recording) {
-  const RigSketch rig = sketch(recording);
+  const RigAnalysis rig = analyse_rig(recording);
   if (!rig.human) return recording;  // nothing tells its unit and axes
   const double unit = rig.metres_per_unit;
   for (Joint& joint : recording.skeleton.joints) {
@@ -41,7 +41,7 @@ Recording in_metres(Recording recording) {
 }
 
 Clip clip_of(const Recording& recording) {
-  const RigSketch rig = sketch(recording);
+  const RigAnalysis rig = analyse_rig(recording);
   if (rig.human) return to_body(recording, *rig.human);
   Clip clip;
   clip.name = recording.name;

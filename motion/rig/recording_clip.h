@@ -7,7 +7,7 @@ namespace mien::motion {
 
 /// The recording on its own joints, but in metres and with +Y up, as glTF has it: a figure in
 /// centimetres would be a giant of 170 m to every viewer. Unit and axes are found as for drawing
-/// (`sketch`); what is no human stays as it is.
+/// (`sketch`); recordings that are not human are unchanged.
 Recording in_metres(Recording recording);
 
 /// A recording as a clip in metres, +Y up, on the floor: of the canonical body when the figure is

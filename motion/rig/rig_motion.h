@@ -22,14 +22,14 @@ struct RigMotion {
   bool has(BodyJoint joint) const { return joints[joint].position >= 0; }
   bool turns(BodyJoint joint) const { return joints[joint].rotation() >= 0; }
 
-  /// Where a canonical joint is; it must be one that the rig has.
+  /// Position of a canonical joint, which the rig must have.
   Vec3 point(const JointTransforms& frame, BodyJoint joint) const;
 
-  /// How the rig joint that the canonical joint follows is turned; it must turn.
+  /// Rotation of the rig joint that the canonical joint follows, which must exist.
   const Quat& rotation(const JointTransforms& frame, BodyJoint joint) const;
 };
 
-/// Turns the frames so that `to_y_up` of the file's up is +Y.
+/// Makes the RigMotion of a recording, rotated by `to_y_up`.
 RigMotion rig_motion(const Recording& recording, const MappedJoints& joints, const Quat& to_y_up);
 
 /// The rig with all rotations zero, as one frame.

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "motion/rig/named_gaps.h"
+#include "motion/rig/joints_by_shape.h"
 
 namespace mien::motion {
 

@@ -15,15 +15,15 @@ namespace mien::motion {
 /// word means the same on both sides of a rig.
 ///
 /// Joints whose names say nothing are found by the shape of the rig round the others
-/// (named_gaps.h). Empty when thighs, shanks, upper arms and forearms of both sides are not found
-/// so, or the tree contradicts them.
+/// (joints_by_shape.h). Empty when thighs, shanks, upper arms and forearms of both sides are not
+/// found so, or the tree contradicts them.
 std::optional<KeyJoints> key_joints_by_name(const BoneTree& tree);
 
-/// As above, with the offsets of the rig for its bones.
+/// As above, with bones from the rig's offsets.
 std::optional<KeyJoints> key_joints_by_name(const Skeleton& rig);
 
-/// Of a rig with key joints: the twin of a joint of an arm or leg that no joint of this figure is,
-/// such as "B:LeftArm" beside "A:LeftArm", where all of them have one; −1 when not.
+/// A joint of a second figure in the rig, such as "B:LeftArm" beside "A:LeftArm", if all joints of
+/// arms and legs have such a twin; else −1.
 int other_figure_in(const Skeleton& rig, const KeyJoints& keys);
 
 /// Name of the rig family, from names that only that family has: "cmu-bvh", "acclaim",

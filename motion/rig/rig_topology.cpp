@@ -187,24 +187,24 @@ std::optional<std::pair<Pair, Pair>> legs_and_arms(const Recording& recording, c
 }
 
 /// Whether a name says that its joint belongs elsewhere.
-bool is_contradicted(const Skeleton& rig, int joint, BodyPart part) {
+bool is_contradicted(const Skeleton& rig, int joint, BodyRegion part) {
   if (joint < 0) return false;
-  const BodyPart named = body_part_of(joint_word(rig.joints[joint].name));
-  return named != BodyPart::other && named != part;
+  const BodyRegion named = body_region_of(joint_word(rig.joints[joint].name));
+  return named != BodyRegion::other && named != part;
 }
 
 bool names_contradict(const Skeleton& rig, const KeyJoints& keys) {
   for (const KeyLimbs& limbs : {keys.left, keys.right}) {
     for (const int joint : {limbs.upper_arm, limbs.forearm, limbs.wrist}) {
-      if (is_contradicted(rig, joint, BodyPart::arm)) return true;
+      if (is_contradicted(rig, joint, BodyRegion::arm)) return true;
     }
     for (const int joint : {limbs.thigh, limbs.shank, limbs.ankle, limbs.toe}) {
-      if (is_contradicted(rig, joint, BodyPart::leg)) return true;
+      if (is_contradicted(rig, joint, BodyRegion::leg)) return true;
     }
   }
-  return is_contradicted(rig, keys.head, BodyPart::head) ||
-         is_contradicted(rig, keys.pelvis, BodyPart::other) ||
-         is_contradicted(rig, keys.chest, BodyPart::other);
+  return is_contradicted(rig, keys.head, BodyRegion::head) ||
+         is_contradicted(rig, keys.pelvis, BodyRegion::other) ||
+         is_contradicted(rig, keys.chest, BodyRegion::other);
 }
 
 /// Whether these joints can be those of a human. The body hangs from the pelvis: a rig rooted at

@@ -9,7 +9,7 @@ namespace mien::motion {
 
 struct TopologyGuess {
   KeyJoints keys;
-  double confidence = 0.0;  ///< 0–1: how clearly anatomy tells left from right
+  double confidence = 0.0;  ///< 0–1: how clearly anatomy distinguishes left from right
 };
 
 /// The key joints of a human rig from the shape of its tree and from how it moves. Names are not
@@ -24,7 +24,7 @@ struct TopologyGuess {
 std::optional<TopologyGuess> key_joints_by_topology(const Recording& recording,
                                                     const std::vector<JointTransforms>& world);
 
-/// What speaks for the body facing (left hip − right hip) × up, mean over the frames: toes, bent
+/// Evidence that the body faces (left hip − right hip) × up, mean over the frames: toes, bent
 /// knees and elbows, the way it travels. Some units for a clear rig; negative when left and right
 /// are exchanged.
 double forward_votes(const Recording& recording, const std::vector<JointTransforms>& world,

@@ -78,7 +78,8 @@ double leg_length(const Skeleton& body);
 /// ends at its toe joints, so this is less than the stature by the sole's depth (sole.h).
 double standing_height(const Skeleton& body);
 
-/// Stature by that of `standard_body()`, 1.75 m: by this scale lengths that are given for 1.75 m.
+/// Stature relative to `standard_body()` (1.75 m): the factor for lengths that are given for 1.75
+/// m.
 double relative_stature(const Skeleton& body);
 
 }  // namespace mien::motion

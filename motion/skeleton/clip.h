@@ -30,8 +30,8 @@ struct Clip {
   }
 };
 
-/// The pose at a time, interpolated between frames. A looping clip goes on for ever in both
-/// directions, each cycle displaced; another is clamped at its ends.
+/// The pose at a time, interpolated between frames. A looping clip repeats in both directions, each
+/// cycle displaced; another is clamped at its ends.
 Pose pose_at(const Clip& clip, double seconds);
 
 /// The clip at another frame rate: slerp for rotations, cubic (Catmull–Rom) for the root. A looping
@@ -45,7 +45,7 @@ Clip repeated(const Clip& loop, int cycles);
 /// World positions of all joints, frame by frame.
 std::vector<std::vector<Vec3>> joint_paths(const Clip& clip);
 
-/// As a recording that the writers take: metres, joint names of the body.
+/// The clip as a recording for the file writers: metres, joint names of the body.
 Recording to_recording(const Clip& clip);
 
 }  // namespace mien::motion

@@ -10,7 +10,7 @@ namespace mien::motion {
 /// A motion prepared for blending: walks along +Z, starts at its first keytime, and marks the
 /// moments that correspond between examples.
 struct Example {
-  std::string name;              ///< as ratings and weights refer to it: "normal", "sad_002", …
+  std::string name;              ///< used by ratings and weights: "normal", "sad_002", …
   Clip clip;                     ///< loops for gait; one performance otherwise
   std::vector<double> keytimes;  ///< seconds, ascending, first 0, last the clip's duration
 };

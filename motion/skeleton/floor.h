@@ -10,9 +10,9 @@ namespace mien::motion {
 std::vector<double> lowest_sole_heights(const Clip& clip);
 
 /// Height of the floor under a clip: the level on which the lower foot stands, where its ball rests
-/// (the median of its height while it is slow). Toes that dip while a foot rolls off do not count,
-/// nor what rests higher than 0.08 m above the lowest: on steps, or held up. Without a ball that
-/// rests it is the third percentile of the lowest sole point.
+/// (the median of its height while it is slow). Toes that dip at toe off do not count, nor rests
+/// higher than 0.08 m above the lowest (steps, raised feet). If no ball rests it is the third
+/// percentile of the lowest sole point.
 double floor_height(const Clip& clip);
 
 /// The rotation that levels a floor which slopes in the recording, as happens when the capture

@@ -15,7 +15,7 @@ struct Pose {
       offsets;  ///< per-frame joint offsets that replace the skeleton's; usually empty
 };
 
-/// Where each joint is, and how it is turned, in world space.
+/// World positions and rotations of all joints.
 struct JointTransforms {
   std::vector<Vec3> positions;
   std::vector<Quat> rotations;
@@ -24,19 +24,19 @@ struct JointTransforms {
 /// Forward kinematics. The root stands at `pose.root_position`; its skeleton offset is not added.
 JointTransforms world_transforms(const Skeleton& skeleton, const Pose& pose);
 
-/// As `world_transforms`, positions only.
+/// Forward kinematics, positions only.
 std::vector<Vec3> world_positions(const Skeleton& skeleton, const Pose& pose);
 
 /// Slerp of the rotations and linear interpolation of the positions; t in [0, 1].
 Pose interpolate(const Pose& from, const Pose& to, double t);
 
-/// Where one joint is, and how it is turned, in world space.
+/// World position and rotation of one joint.
 struct JointTransform {
   Vec3 position;
   Quat rotation;
 };
 
-/// The same as `world_transforms` has for the joint, from the joints above it alone.
+/// Forward kinematics of one joint, from its ancestors alone.
 JointTransform world_transform(const Skeleton& skeleton, const Pose& pose, int joint);
 
 }  // namespace mien::motion

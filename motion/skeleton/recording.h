@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// A motion as a file holds it: any rig, in the file's own unit and axes.
+/// A motion as read from a file: any rig, in the file's own unit and axes.
 ///
 /// `to_body` (body_mapping.h) turns it into a Clip of the canonical body.
 struct Recording {
@@ -18,8 +18,8 @@ struct Recording {
   double frames_per_second = 30.0;
   std::vector<Pose> poses;
   std::vector<std::string> takes;  ///< motions that the file holds, where it names them (glTF)
-  std::string take;                ///< the one of them that this is
-  std::vector<std::string> notes;  ///< what the reader chose or left out; plain sentences
+  std::string take;                ///< the name of this one
+  std::vector<std::string> notes;  ///< choices and omissions of the reader, as sentences
 
   int frame_count() const { return static_cast<int>(poses.size()); }
 };

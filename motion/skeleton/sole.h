@@ -4,9 +4,9 @@
 
 namespace mien::motion {
 
-/// The sole of one foot in the frames of its joints, metres. A skeleton has none: it is taken to
-/// lie 0.02 m below the toe joint, to reach 0.045 m behind the ankle and, where the toe joint has
-/// no tip, 0.06 m beyond that, for a stature of 1.75 m.
+/// The sole of one foot in the frames of its joints, metres. Skeletons have no sole: it is assumed
+/// to lie 0.02 m below the toe joint, to reach 0.045 m behind the ankle and, where the toe joint
+/// has no tip, 0.06 m beyond that, for a stature of 1.75 m.
 struct SoleShape {
   double depth;  ///< of the sole below the toe joint
   Vec3 heel;     ///< back edge, in the ankle's frame
@@ -16,7 +16,7 @@ struct SoleShape {
 
 SoleShape sole_shape(const Skeleton& body, bool left);
 
-/// Of the soles below the toe joints, metres.
+/// Depth of the soles below the toe joints, metres.
 double sole_depth(const Skeleton& body);
 
 /// The points of one foot that touch the floor, world space.

@@ -14,8 +14,8 @@ constexpr double slowest_walk = 0.1;     // m/s
 constexpr double straight_metres = 0.3;  // from where an even walk would be
 
 Vec3 displacement(const Clip& clip) {
-  if (clip.loops) return level(clip.cycle_displacement);
-  return level(clip.poses.back().root_position - clip.poses.front().root_position);
+  if (clip.loops) return horizontal(clip.cycle_displacement);
+  return horizontal(clip.poses.back().root_position - clip.poses.front().root_position);
 }
 
 /// Where each frame would be from the first at even speed.
@@ -30,23 +30,23 @@ std::vector<Vec3> even_way(const Clip& clip) {
 std::vector<Vec3> smooth_way(const Clip& clip) {
   std::vector<Vec3> way;
   for (const Pose& pose : clip.poses) {
-    way.push_back(level(pose.root_position - clip.poses.front().root_position));
+    way.push_back(horizontal(pose.root_position - clip.poses.front().root_position));
   }
   return low_pass(way, 1.0, clip.frames_per_second);
 }
 
 }  // namespace
 
-Clip shown_clip(const Clip& clip, const Showing& showing) {
-  if (!clip.loops) return showing.in_place ? kept_in_place(clip) : clip;
-  return repeated(showing.in_place ? in_place(clip) : clip, showing.cycles);
+Clip playback_clip(const Clip& clip, const Playback& playback) {
+  if (!clip.loops) return playback.in_place ? kept_in_place(clip) : clip;
+  return repeated(playback.in_place ? in_place(clip) : clip, playback.cycles);
 }
 
 Vec3 mean_direction(const Clip& clip) {
   const Vec3 travel = displacement(clip);
   if (travel.norm() > slowest_walk * clip.duration_seconds()) return travel.normalized();
   Vec3 facing = Vec3::Zero();
-  for (const Pose& pose : clip.poses) facing += level(pose.rotations[Pelvis] * Vec3::UnitZ());
+  for (const Pose& pose : clip.poses) facing += horizontal(pose.rotations[Pelvis] * Vec3::UnitZ());
   return facing.norm() > 1e-9 ? Vec3(facing.normalized()) : Vec3(Vec3::UnitZ());
 }
 

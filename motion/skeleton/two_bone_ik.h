@@ -22,7 +22,7 @@ struct TwoBoneSolution {
 /// Moves the limb's end to `target`, bone lengths kept. The plane of the bend turns with the line
 /// from root to end and is otherwise kept (knee plane). `bend_hint` is the direction in which the
 /// middle joint should lie off that line; it takes over, smoothly, as the limb comes within 10° of
-/// straight, where what is left of the bend says nothing of its direction. A target out of reach is
+/// straight, where the bend's direction is ill-defined. A target out of reach is
 /// approached as far as `max_extension` (share of the two bones' summed length) allows.
 TwoBoneSolution solve_two_bone(const TwoBoneLimb& limb, const Vec3& target, const Vec3& bend_hint,
                                double max_extension = 0.9999);

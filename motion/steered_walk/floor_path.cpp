@@ -47,10 +47,10 @@ FloorPath floor_path(std::span<const Vec3> polyline) {
   double length = 0.0;
   for (const Vec3& point : polyline) {
     if (!point.allFinite()) throw Error("a path with a number that is none", "give metres");
-    const double piece = points.empty() ? 1.0 : (level(point) - points.back()).norm();
+    const double piece = points.empty() ? 1.0 : (horizontal(point) - points.back()).norm();
     if (piece < 1e-6) continue;
     if (!points.empty()) length += piece;
-    points.push_back(level(point));
+    points.push_back(horizontal(point));
   }
   if (length < 0.1) {
     throw Error("a path shorter than 0.1 m", "give two points at least that are apart");
@@ -89,9 +89,9 @@ double largest_curvature(const FloorPath& path, double from, double to) {
 
 double nearest_way(const FloorPath& path, const Vec3& place, double last) {
   double best = last;
-  double least = (point_at(path, last) - level(place)).norm();
+  double least = (point_at(path, last) - horizontal(place)).norm();
   for (double way = last; way <= std::min(last + 0.6, path.length()); way += 0.02) {
-    const double away = (point_at(path, way) - level(place)).norm();
+    const double away = (point_at(path, way) - horizontal(place)).norm();
     if (away < least) {
       least = away;
       best = way;

@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// A way over the floor, in equal steps, its corners rounded. y is 0.
+/// A path on the floor with rounded corners, sampled in equal steps. y is 0.
 struct FloorPath {
   std::vector<Vec3> points;
   double step_m = 0.05;  ///< from point to point
@@ -15,22 +15,22 @@ struct FloorPath {
   double length() const { return step_m * static_cast<double>(points.size() - 1); }
 };
 
-/// The polyline through points (x, z in metres; y is not looked at) as a path whose corners are
-/// rounded over some 0.3 m. The ends stay. Throws mien::Error for numbers that are none and for
-/// less than 0.1 m of way.
+/// The polyline through points (x, z in metres; y is ignored) as a path whose corners are
+/// rounded over some 0.3 m. The ends stay. Throws mien::Error for non-finite numbers and for a path
+/// shorter than 0.1 m.
 FloorPath floor_path(std::span<const Vec3> polyline);
 
-/// The place after a way of so many metres; beyond the end straight on.
+/// The point at an arc length, metres; straight on beyond the end.
 Vec3 point_at(const FloorPath& path, double way);
 
-/// Where the path goes there, about +Y from +Z, radians.
+/// Heading of the path at an arc length, about +Y from +Z, radians.
 double heading_at(const FloorPath& path, double way);
 
-/// Largest curvature, 1/m, between two ways.
+/// Largest curvature, 1/m, between two arc lengths.
 double largest_curvature(const FloorPath& path, double from, double to);
 
-/// The way of the point nearest to a place, looked for from `last` to 0.6 m on, so that a path that
-/// crosses itself is not cut short.
+/// Arc length of the point nearest to `place`, searched from `last` to 0.6 m on, so that
+/// self-crossing paths are not cut short.
 double nearest_way(const FloorPath& path, const Vec3& place, double last);
 
 }  // namespace mien::motion

@@ -12,20 +12,21 @@ namespace {
 constexpr double longest_frame = 0.25;  // seconds
 constexpr double fastest_turn = 180.0;  // °/s
 
-bool is_sound(const WalkWish& wish) {
-  bool sound = std::isfinite(wish.pace) && std::isfinite(wish.turn_deg_s) &&
-               (!wish.heading_deg || std::isfinite(*wish.heading_deg));
-  for (const double mood : wish.moods) sound = sound && std::isfinite(mood) && mood >= 0.0;
+bool is_sound(const WalkRequest& request) {
+  bool sound = std::isfinite(request.pace) && std::isfinite(request.turn_deg_s) &&
+               (!request.heading_deg || std::isfinite(*request.heading_deg));
+  for (const double mood : request.moods) sound = sound && std::isfinite(mood) && mood >= 0.0;
   return sound;
 }
 
-Steering steering_of(const WalkWish& wish) {
+Steering steering_of(const WalkRequest& request) {
   Steering steering;
-  steering.pace = std::clamp(wish.pace, 0.0, gait_paces.back());
-  if (wish.heading_deg)
-    steering.heading = radians_per_degree * std::remainder(*wish.heading_deg, 360.0);
-  steering.turning = radians_per_degree * std::clamp(wish.turn_deg_s, -fastest_turn, fastest_turn);
-  steering.moods = wish.moods;
+  steering.pace = std::clamp(request.pace, 0.0, gait_paces.back());
+  if (request.heading_deg)
+    steering.heading = radians_per_degree * std::remainder(*request.heading_deg, 360.0);
+  steering.turning =
+      radians_per_degree * std::clamp(request.turn_deg_s, -fastest_turn, fastest_turn);
+  steering.moods = request.moods;
   return steering;
 }
 
@@ -43,17 +44,17 @@ LiveWalk make_live_walk(std::span<const NamedStyle> moods, const Skeleton& body)
   return walk;
 }
 
-Pose advance(LiveWalk& walk, double seconds, const WalkWish& wish) {
+Pose advance(LiveWalk& walk, double seconds, const WalkRequest& request) {
   if (!(seconds >= 0.0) || std::isinf(seconds)) {
     throw Error("a walker cannot go back in time", "give the seconds since the frame before");
   }
-  if (!is_sound(wish) || wish.moods.size() > walk.moods.size()) {
+  if (!is_sound(request) || request.moods.size() > walk.moods.size()) {
     throw Error(
         "a wish for the walker with a number that is none, a mood below 0 or more moods than it "
         "has",
         "give pace, degrees, and a weight a mood");
   }
-  advance(walk.gaits, steering_of(wish), std::min(seconds, longest_frame), walk.walker);
+  advance(walk.gaits, steering_of(request), std::min(seconds, longest_frame), walk.walker);
   return pose_of(walk.gaits, walk.walker);
 }
 

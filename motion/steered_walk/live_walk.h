@@ -10,20 +10,20 @@
 
 namespace mien::motion {
 
-/// What somebody at the keys wants of the walker now.
-struct WalkWish {
+/// User input for a walker.
+struct WalkRequest {
   double pace = 0.0;  ///< share of the mood's own speed: 0 stops, 1 walks, up to 1.2; else clamped
-  std::optional<double> heading_deg;  ///< to face, about +Y from +Z; turned to the shorter way
-  double turn_deg_s = 0.0;            ///< °/s to the left, when no heading is wanted
-  std::vector<double> moods;  ///< weights ≥ 0, one a mood, divided by their sum; none: the first
+  std::optional<double> heading_deg;  ///< to face, about +Y from +Z; turns the shorter way
+  double turn_deg_s = 0.0;            ///< °/s to the left, if no heading is requested
+  std::vector<double> moods;  ///< weights ≥ 0, one for each mood, normalised; empty: the first mood
 };
 
-/// A walker under control that can be played for ever, in real time: a pose in some 50 µs, without
+/// An interactive walker that can run indefinitely, in real time: a pose in some 50 µs, without
 /// threads, files or memory that grows. Moods are versions of every one of its motions, in
 /// correspondence, and are interpolated while it walks, tempo too.
 ///
 /// It goes by footsteps that are planned as it walks (steered_walk.h), not over a motion graph: in
-/// a graph a new wish waits for the next transition, some tenths of a second and up to a step or
+/// a graph a new request waits for the next transition, some tenths of a second and up to a step or
 /// two, and a change of mood for motions that differ only in it. Graphs are for captures.
 struct LiveWalk {
   std::vector<std::string> moods;
@@ -35,9 +35,9 @@ struct LiveWalk {
 /// `fit_walker` (walker_gaits.h). Takes some 60 ms a mood.
 LiveWalk make_live_walk(std::span<const NamedStyle> moods, const Skeleton& body);
 
-/// The pose `seconds` later. What is longer than a quarter of a second (a page that was out of
-/// sight) counts as that. A time below 0, and numbers that are none, throw mien::Error; the walker
-/// is then as it was.
-Pose advance(LiveWalk& walk, double seconds, const WalkWish& wish);
+/// Advances the walker by `seconds`, at most a quarter of a second (longer after a page was
+/// hidden), and returns its pose. Throws mien::Error for a negative time or non-finite numbers and
+/// leaves the walker unchanged.
+Pose advance(LiveWalk& walk, double seconds, const WalkRequest& request);
 
 }  // namespace mien::motion

@@ -60,7 +60,7 @@ Filming filming(const WalkerGaits& gaits, const ScriptedWalkOptions& options, co
 std::vector<double> moods_at(const ScriptedWalkOptions& options, double seconds) {
   std::vector<double> moods =
       options.moods.empty() ? std::vector<double>{} : options.moods.front().moods;
-  for (const MoodFrom& from : options.moods) {
+  for (const MoodChange& from : options.moods) {
     if (from.seconds <= seconds) moods = from.moods;
   }
   return moods;
@@ -82,7 +82,7 @@ void film_for(Filming& film, const Steering& steering, double seconds) {
 }
 
 bool faces(const SteeredWalk& walker, double heading) {
-  return std::abs(std::remainder(walker.carriage.heading - heading, 2.0 * pi)) <
+  return std::abs(std::remainder(walker.root.heading - heading, 2.0 * pi)) <
          radians_per_degree * 6.0;
 }
 
@@ -108,8 +108,7 @@ void film_segment(Filming& film, const WalkSegment& segment, double& heading) {
       steering.turning = radians_per_degree * segment.turn_rate_deg;
     }
     film_for(film, steering, segment.seconds);
-    if (!steering.heading)
-      heading = film.walker.carriage.heading + coasting_turn(film.walker.carriage);
+    if (!steering.heading) heading = film.walker.root.heading + coasting_turn(film.walker.root);
     return;
   }
   if (segment.kind == WalkSegment::Kind::turn) {
@@ -143,13 +142,13 @@ double speed_for(double curvature) {
 
 /// Steers back onto the path and along it: pure pursuit (Coulter 1992) of a point ahead, from where
 /// the walker will be when it has answered.
-Steering steering_along(const FloorPath& path, double way, const Carriage& carriage, double pace,
+Steering steering_along(const FloorPath& path, double way, const RootMotion& root, double pace,
                         double own) {
   constexpr double answer = 0.35;  // seconds
-  const double speed = std::max(0.15, carriage.speed.value);
-  Carriage then = carriage;
-  then.place += speed * answer * forward_of(carriage);
-  then.heading = carriage.heading + coasting_turn(carriage);
+  const double speed = std::max(0.15, root.speed.value);
+  RootMotion then = root;
+  then.place += speed * answer * forward_of(root);
+  then.heading = root.heading + coasting_turn(root);
   const double ahead = 0.3 + 0.25 * speed;
   const Vec3 goal = to_local(then, point_at(path, way + speed * answer + ahead));
   const double distance = std::max(0.1, goal.norm());
@@ -184,11 +183,11 @@ WalkedClip walk_along(const WalkerGaits& gaits, std::span<const Vec3> polyline, 
   const double length = path.length();
   Filming film = filming(gaits, options, path.points.front(), heading_at(path, 0.2));
   double way = 0.0;
-  while (length - way > coasting_way(film.walker.carriage) + 0.02) {
-    const Carriage& carriage = film.walker.carriage;
+  while (length - way > coasting_distance(film.walker.root) + 0.02) {
+    const RootMotion& root = film.walker.root;
     const double own = own_speed(gaits, shares_of(film.walker.gaits));
-    film_frame(film, steering_along(path, way, carriage, pace, own));
-    way = nearest_way(path, film.walker.carriage.place, way);
+    film_frame(film, steering_along(path, way, root, pace, own));
+    way = nearest_way(path, film.walker.root.place, way);
   }
   Steering stop;
   stop.heading = heading_at(path, length);

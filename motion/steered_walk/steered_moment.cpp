@@ -35,15 +35,15 @@ std::vector<double> mood_goals(const std::vector<double>& asked, std::size_t moo
   return goals;
 }
 
-std::vector<double> shares_of(const std::vector<Followed>& moods) {
+std::vector<double> shares_of(const std::vector<DampedSpring>& moods) {
   std::vector<double> shares;
-  for (const Followed& mood : moods) shares.push_back(mood.value);
+  for (const DampedSpring& mood : moods) shares.push_back(mood.value);
   return shares;
 }
 
 SteeredMoment moment_at(const WalkerGaits& gaits, const SteeredWalk& walker) {
   const std::vector<double> moods = shares_of(walker.gaits);
-  const double speed = std::max(0.0, walker.carriage.speed.value);
+  const double speed = std::max(0.0, walker.root.speed.value);
   SteeredMoment moment;
   moment.gait = gait_at(gaits, moods, speed, walker.activity.value);
   moment.upper = gait_at(gaits, shares_of(walker.moods), speed, walker.activity.value).style;
@@ -52,7 +52,7 @@ SteeredMoment moment_at(const WalkerGaits& gaits, const SteeredWalk& walker) {
   double& cadence = moment.gait.style.cadence_steps_min;
   cadence = std::max(cadence, 60.0 * speed / longest);
   const double slow = std::max(0.0, 1.0 - speed / own_speed(gaits, moods));
-  const double turning = std::abs(walker.carriage.turning.value) / brisk_turning;
+  const double turning = std::abs(walker.root.turning.value) / brisk_turning;
   const double turned = slow * turning * turning / (0.25 + turning * turning);
   cadence *= 1.0 + 0.3 * turned;
   moment.gait.style.step_width_m += 0.04 * turned;

@@ -7,21 +7,21 @@
 
 namespace mien::motion {
 
-/// The gait of a walker under control at one moment, and its legs as they would walk on straight.
+/// The gait of a steered walker at one time, and its leg cycles for straight walking.
 struct SteeredMoment {
   FittedGait gait;
-  WalkStyle upper;  ///< of trunk, head and arms, which follow the mood sooner
+  WalkStyle upper;  ///< of trunk, head and arms, which follow the mood faster
   std::array<LegCycle, 2> legs;
 };
 
 SteeredMoment moment_at(const WalkerGaits& gaits, const SteeredWalk& walker);
 
-/// Shares of the moods that sum to 1: of what was asked for, and as they are now.
+/// Shares of the moods, sum 1: the requested ones, and the present ones.
 std::vector<double> mood_goals(const std::vector<double>& asked, std::size_t moods);
-std::vector<double> shares_of(const std::vector<Followed>& moods);
+std::vector<double> shares_of(const std::vector<DampedSpring>& moods);
 
-/// Lifts the heels of standing feet as far as their legs need it to reach them, and lets the pelvis
-/// sink, smoothly, by what they lately could not.
+/// Lifts the heels of standing feet as far as the legs need to reach them, and lowers the pelvis
+/// smoothly by the remaining distance.
 void follow_reach(const SteeredMoment& moment, double seconds, SteeredWalk& walker);
 
 }  // namespace mien::motion

@@ -39,7 +39,7 @@ Sway sway_at(double seconds, double stillness) {
   return sway;
 }
 
-/// The body in the frame of its carriage, as yet without legs.
+/// The body in the root's frame, without legs yet.
 struct CarriedPelvis {
   Vec3 pelvis = Vec3::Zero();
   Quat rotation = Quat::Identity();  ///< of the pelvis
@@ -49,10 +49,10 @@ struct CarriedPelvis {
 CarriedPelvis carried_pelvis(const SteeredMoment& moment, const SteeredWalk& walker,
                              const Sway& sway) {
   const PelvisPath& path = moment.legs[0].pelvis;
-  const Carriage& carriage = walker.carriage;
-  const double sideways = carriage.speed.value * carriage.turning.value;  // m/s², to the left
+  const RootMotion& root = walker.root;
+  const double sideways = root.speed.value * root.turning.value;  // m/s², to the left
   const double side_lean = std::clamp(0.045 * sideways, -0.12, 0.12);
-  const double front_lean = std::clamp(0.03 * carriage.speed.rate, -0.06, 0.08);
+  const double front_lean = std::clamp(0.03 * root.speed.rate, -0.06, 0.08);
   CarriedPelvis carried;
   carried.unlent = pelvis_rotation(path, walker.phase);
   carried.rotation = about_z(-side_lean) * about_x(front_lean) * carried.unlent;
@@ -72,7 +72,7 @@ double highest_pelvis(const LegCycle& leg, const CarriedPelvis& carried, const F
 }
 
 LegMoment leg_moment(const SteeredMoment& moment, const SteeredWalk& walker, std::size_t side) {
-  return {moment.legs[side], walker.carriage, walker.phase, walker.phase_rate};
+  return {moment.legs[side], walker.root, walker.phase, walker.phase_rate};
 }
 
 std::array<FootPose, 2> feet_of(const SteeredMoment& moment, const SteeredWalk& walker) {
@@ -98,7 +98,7 @@ void pull_within_reach(const LegCycle& leg, const CarriedPelvis& carried, FootPo
   foot.ankle = hip + line * (softly_less(line.norm(), longest, soft_m) / line.norm());
 }
 
-/// Turns a joint by a rotation of the carriage's frame.
+/// Rotates a joint by a rotation in the root's frame.
 void turn(const Skeleton& body, Pose& pose, BodyJoint joint, const Quat& rotation) {
   const Quat parent = world_transform(body, pose, body_parents[joint]).rotation;
   Quat& local = pose.rotations[static_cast<std::size_t>(joint)];
@@ -114,7 +114,7 @@ void breathe(const Sway& sway, Pose& pose) {
   pose.rotations[RightClavicle] = about_z(-lift) * pose.rotations[RightClavicle];
 }
 
-/// By how much the pelvis is too high for the leg, metres; below 0 there is room.
+/// Distance by which the pelvis is too high for the leg, metres; negative if it can rise.
 double out_of_reach(const LegCycle& leg, const CarriedPelvis& carried, const FootPose& foot) {
   return carried.pelvis.y() - highest_pelvis(leg, carried, foot);
 }
@@ -168,7 +168,7 @@ void pass_beside(const FootPose& standing, double side, double swing_share, Foot
       side * share * softly_positive(apart_m * std::exp(-along * along) - beside, soft_m);
 }
 
-/// What will be missing, metres, when a swinging leg comes down.
+/// Predicted shortfall of a swinging leg at its landing, metres.
 double missing_at_landing(const SteeredMoment& moment, const SteeredWalk& walker,
                           std::size_t side) {
   const SteppingLeg& leg = walker.legs[side];
@@ -200,7 +200,7 @@ void follow_reach(const SteeredMoment& moment, double seconds, SteeredWalk& walk
   constexpr double sinking = 12.0;  // 1/s
   constexpr double rising = 4.0;
   const double stiffness = missing > walker.crouch.value ? sinking : rising;
-  walker.crouch = followed(walker.crouch, missing, stiffness, seconds);
+  walker.crouch = spring_step(walker.crouch, missing, stiffness, seconds);
 }
 
 Pose pose_of(const WalkerGaits& gaits, const SteeredWalk& walker) {
@@ -241,8 +241,8 @@ Pose pose_of(const WalkerGaits& gaits, const SteeredWalk& walker) {
   for (std::size_t side = 0; side < 2; ++side) {
     set_leg(moment.legs[side], feet[side], gaits.body, pose);
   }
-  pose.root_position = to_world(walker.carriage, pose.root_position);
-  pose.rotations[Pelvis] = about_y(walker.carriage.heading) * pose.rotations[Pelvis];
+  pose.root_position = to_world(walker.root, pose.root_position);
+  pose.rotations[Pelvis] = about_y(walker.root.heading) * pose.rotations[Pelvis];
   for (Quat& rotation : pose.rotations) {
     rotation = in_hemisphere_of(Quat::Identity(), rotation.normalized());
   }

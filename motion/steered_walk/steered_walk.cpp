@@ -17,7 +17,7 @@ constexpr double gait_stiffness = 7.0;       // 1/s: of the legs, which have to 
 bool is_asked_to_move(const SteeredWalk& walker, const Steering& steering) {
   const double least = radians_per_degree * (walker.stepping ? 5.0 : 9.0);
   return steering.pace > 0.02 ||
-         (steering.heading ? std::abs(heading_left(walker.carriage, steering)) > least
+         (steering.heading ? std::abs(remaining_turn(walker.root, steering)) > least
                            : std::abs(steering.turning) > 0.05);
 }
 
@@ -26,7 +26,7 @@ double own_speed_of(const WalkerGaits& gaits, const SteeredWalk& walker) {
 }
 
 LegMoment moment_of(const SteeredWalk& walker, const LegCycle& steady) {
-  return {steady, walker.carriage, walker.phase, walker.phase_rate};
+  return {steady, walker.root, walker.phase, walker.phase_rate};
 }
 
 /// Phase, above `phase`, at which a standing walker waits: the heel of one foot is about to rise.
@@ -51,9 +51,9 @@ void start_stepping(SteeredWalk& walker, const Steering& steering) {
   walker.stepping = true;
   walker.started = false;
   if (walker.activity.value > 0.02 || std::abs(walker.phase_rate) > 0.05) return;
-  const double turn = steering.heading ? heading_left(walker.carriage, steering) : steering.turning;
-  const double left = to_local(walker.carriage, walker.legs[0].print).z();
-  const double right = to_local(walker.carriage, walker.legs[1].print).z();
+  const double turn = steering.heading ? remaining_turn(walker.root, steering) : steering.turning;
+  const double left = to_local(walker.root, walker.legs[0].print).z();
+  const double right = to_local(walker.root, walker.legs[1].print).z();
   const bool turns = std::abs(turn) > radians_per_degree * 15.0;
   const bool wants_left = turns ? turn > 0.0 : left < right;
   const bool left_is_next = wrapped_phase(walker.phase) < 0.5;
@@ -121,34 +121,34 @@ void take_steps(const WalkerGaits& gaits, const Steering& steering, const Steere
     constexpr double exactly = 1e-9;
     if (leg.swinging && walker.phase >= leg.lands_at - exactly) {
       touch_down(leg, now);
-      const Carriage rest = predicted(walker.carriage, steering, own, 1.5);
-      if (!is_asked_to_move(walker, steering) && walker.carriage.speed.value < 0.4 &&
+      const RootMotion rest = predicted(walker.root, steering, own, 1.5);
+      if (!is_asked_to_move(walker, steering) && walker.root.speed.value < 0.4 &&
           stands_well(walker, moment, rest)) {
         come_to_stand(walker, moment, side);
       }
     } else if (!leg.swinging && !leg.held && phase >= stance - exactly && phase < 0.95) {
       lift_off(leg, now);
       walker.started = true;
-      aim(leg, now, landing_of(walker, moment, side, steering, own),
-          std::numeric_limits<double>::infinity());
+      plan_swing(leg, now, landing_of(walker, moment, side, steering, own),
+                 std::numeric_limits<double>::infinity());
     }
   }
 }
 
-/// The carriage of one who stands comes to be over the middle of the feet.
+/// Moves the root of a standing walker over the centre of its feet.
 void centre(SteeredWalk& walker, const SteeredMoment& moment, double seconds) {
-  Carriage& carriage = walker.carriage;
+  RootMotion& root = walker.root;
   const double heading =
-      carriage.heading + 0.5 * (std::remainder(walker.legs[0].yaw - carriage.heading, 2.0 * pi) +
-                                std::remainder(walker.legs[1].yaw - carriage.heading, 2.0 * pi));
-  Carriage turned = carriage;
+      root.heading + 0.5 * (std::remainder(walker.legs[0].yaw - root.heading, 2.0 * pi) +
+                            std::remainder(walker.legs[1].yaw - root.heading, 2.0 * pi));
+  RootMotion turned = root;
   turned.heading = heading;
   const Vec3 middle = 0.5 * (walker.legs[0].print + walker.legs[1].print) -
                       moment.gait.ahead_m * forward_of(turned);
   const std::array<double, 3> goals = {middle.x(), middle.z(), heading};
-  std::array<double*, 3> values = {&carriage.place.x(), &carriage.place.z(), &carriage.heading};
+  std::array<double*, 3> values = {&root.place.x(), &root.place.z(), &root.heading};
   for (std::size_t i = 0; i < goals.size(); ++i) {
-    Followed& follower = walker.centring[i];
+    DampedSpring& follower = walker.centring[i];
     follower.value = *values[i];
     if (walker.stepping) {
       const double left = std::exp(-8.0 * seconds);
@@ -156,7 +156,7 @@ void centre(SteeredWalk& walker, const SteeredMoment& moment, double seconds) {
       follower.rate *= left;
     } else {
       constexpr double centring_stiffness = 3.0;
-      follower = followed(follower, goals[i], centring_stiffness, seconds);
+      follower = spring_step(follower, goals[i], centring_stiffness, seconds);
       *values[i] = follower.value;
     }
   }
@@ -165,8 +165,8 @@ void centre(SteeredWalk& walker, const SteeredMoment& moment, double seconds) {
 void follow_moods(const Steering& steering, double seconds, SteeredWalk& walker) {
   const std::vector<double> goals = mood_goals(steering.moods, walker.moods.size());
   for (std::size_t m = 0; m < goals.size(); ++m) {
-    walker.moods[m] = followed(walker.moods[m], goals[m], mood_stiffness, seconds);
-    walker.gaits[m] = followed(walker.gaits[m], goals[m], gait_stiffness, seconds);
+    walker.moods[m] = spring_step(walker.moods[m], goals[m], mood_stiffness, seconds);
+    walker.gaits[m] = spring_step(walker.gaits[m], goals[m], gait_stiffness, seconds);
   }
 }
 
@@ -180,8 +180,8 @@ void follow_phase(const SteeredMoment& moment, double seconds, SteeredWalk& walk
     walker.phase += 0.5 * (before + walker.phase_rate) * seconds;
     return;
   }
-  const Followed next = followed({walker.phase, walker.phase_rate}, walker.rest_phase,
-                                 walker.rest_stiffness, seconds);
+  const DampedSpring next = spring_step({walker.phase, walker.phase_rate}, walker.rest_phase,
+                                        walker.rest_stiffness, seconds);
   walker.phase = next.value;
   walker.phase_rate = next.rate;
 }
@@ -190,18 +190,18 @@ void follow_phase(const SteeredMoment& moment, double seconds, SteeredWalk& walk
 void move_on(const WalkerGaits& gaits, const Steering& steering, const SteeredMoment& moment,
              double seconds, SteeredWalk& walker) {
   const double own = own_speed_of(gaits, walker);
-  const CarriageGoal goal = goal_of(walker.carriage, steering, own);
+  const RootGoal goal = goal_of(walker.root, steering, own);
   const double share = setting_out(walker, moment);
-  walker.carriage = advanced(walker.carriage, share * goal.speed, share * goal.turning, seconds);
+  walker.root = advanced(walker.root, share * goal.speed, share * goal.turning, seconds);
   follow_moods(steering, seconds, walker);
   follow_phase(moment, seconds, walker);
   centre(walker, moment, seconds);
-  walker.activity =
-      followed(walker.activity, walker.stepping ? 1.0 : 0.0, walker.stepping ? 9.0 : 5.0, seconds);
+  walker.activity = spring_step(walker.activity, walker.stepping ? 1.0 : 0.0,
+                                walker.stepping ? 9.0 : 5.0, seconds);
   const double ahead =
-      steering.heading && walker.stepping ? 0.5 * heading_left(walker.carriage, steering) : 0.0;
+      steering.heading && walker.stepping ? 0.5 * remaining_turn(walker.root, steering) : 0.0;
   const double gaze = std::clamp(ahead + 0.4 * share * goal.turning, -0.6, 0.6);
-  walker.gaze = followed(walker.gaze, gaze, 6.0, seconds);
+  walker.gaze = spring_step(walker.gaze, gaze, 6.0, seconds);
   walker.seconds += seconds;
 }
 
@@ -210,8 +210,8 @@ void move_on(const WalkerGaits& gaits, const Steering& steering, const SteeredMo
 SteeredWalk standing_walker(const WalkerGaits& gaits, const Vec3& place, double heading,
                             const std::vector<double>& moods) {
   SteeredWalk walker;
-  walker.carriage.place = level(place);
-  walker.carriage.heading = heading;
+  walker.root.place = horizontal(place);
+  walker.root.heading = heading;
   for (const double share : mood_goals(moods, gaits.moods.size())) {
     walker.moods.push_back({share, 0.0});
   }
@@ -220,7 +220,7 @@ SteeredWalk standing_walker(const WalkerGaits& gaits, const Vec3& place, double 
   for (std::size_t side = 0; side < 2; ++side) {
     const LegCycle& steady = moment.legs[side];
     walker.legs[side].print =
-        to_world(walker.carriage,
+        to_world(walker.root,
                  {0.5 * steady.side * steady.pelvis.style.step_width_m, 0.0, moment.gait.ahead_m});
     walker.legs[side].yaw =
         heading + steady.side * radians_per_degree * steady.pelvis.style.foot_progression_deg;
@@ -242,8 +242,8 @@ void advance(const WalkerGaits& gaits, const Steering& steering, double seconds,
     const double own = own_speed_of(gaits, walker);
     for (std::size_t side = 0; side < 2; ++side) {
       if (!walker.legs[side].swinging) continue;
-      aim(walker.legs[side], moment_of(walker, moment.legs[side]),
-          landing_of(walker, moment, side, steering, own), step);
+      plan_swing(walker.legs[side], moment_of(walker, moment.legs[side]),
+                 landing_of(walker, moment, side, steering, own), step);
     }
     take_steps(gaits, steering, moment, walker);
     follow_reach(moment, step, walker);
@@ -253,7 +253,7 @@ void advance(const WalkerGaits& gaits, const Steering& steering, double seconds,
 
 bool at_rest(const SteeredWalk& walker) {
   return !walker.stepping && walker.activity.value < 0.02 &&
-         std::abs(walker.carriage.speed.value) < 0.005;
+         std::abs(walker.root.speed.value) < 0.005;
 }
 
 }  // namespace mien::motion

@@ -23,30 +23,30 @@ double longest_reach(const LegCycle& steady) {
 
 }  // namespace
 
-double heading_left(const Carriage& carriage, const Steering& steering) {
+double remaining_turn(const RootMotion& root, const Steering& steering) {
   if (!steering.heading) return 0.0;
-  return wrapped_angle(*steering.heading - carriage.heading - coasting_turn(carriage));
+  return wrapped_angle(*steering.heading - root.heading - coasting_turn(root));
 }
 
-CarriageGoal goal_of(const Carriage& carriage, const Steering& steering, double own) {
+RootGoal goal_of(const RootMotion& root, const Steering& steering, double own) {
   const double pace = std::clamp(steering.pace, 0.0, gait_paces.back());
-  const double left = heading_left(carriage, steering);
+  const double left = remaining_turn(root, steering);
   const double turning = steering.heading ? heading_gain * left : steering.turning;
-  const double speed = std::max(carriage.speed.value, 0.1);
+  const double speed = std::max(root.speed.value, 0.1);
   const double most = std::min(fastest_turning, most_sideways_acceleration / speed);
   // Sharp turns are walked slowly.
   const double sharp = std::clamp((std::abs(left) - 0.6) / 1.4, 0.0, 1.0);
   return {pace * own * (1.0 - 0.75 * sharp), std::clamp(turning, -most, most)};
 }
 
-Carriage predicted(Carriage carriage, const Steering& steering, double own, double seconds) {
+RootMotion predicted(RootMotion root, const Steering& steering, double own, double seconds) {
   while (seconds > 0.0) {
     const double step = std::min(seconds, prediction_step);
-    const CarriageGoal goal = goal_of(carriage, steering, own);
-    carriage = advanced(carriage, goal.speed, goal.turning, step);
+    const RootGoal goal = goal_of(root, steering, own);
+    root = advanced(root, goal.speed, goal.turning, step);
     seconds -= step;
   }
-  return carriage;
+  return root;
 }
 
 double cycle_rate(const LegCycle& steady) { return steady.pelvis.style.cadence_steps_min / 120.0; }
@@ -57,19 +57,19 @@ Landing landing_of(const SteeredWalk& walker, const SteeredMoment& moment, std::
   const LegCycle& steady = moment.legs[side];
   const double rate = std::max(walker.phase_rate, 0.5 * cycle_rate(steady));
   Landing landing;
-  landing.carriage =
-      predicted(walker.carriage, steering, own, std::max(0.0, leg.lands_at - walker.phase) / rate);
-  const Carriage passing =
-      predicted(landing.carriage, steering, own, moment.gait.passing_phase / cycle_rate(steady));
+  landing.root =
+      predicted(walker.root, steering, own, std::max(0.0, leg.lands_at - walker.phase) / rate);
+  const RootMotion passing =
+      predicted(landing.root, steering, own, moment.gait.passing_phase / cycle_rate(steady));
   const double width = steady.side * steady.pelvis.style.step_width_m;
   landing.print =
-      to_local(landing.carriage, to_world(passing, Vec3(0.5 * width, 0.0, moment.gait.ahead_m)));
-  landing.yaw = passing.heading - landing.carriage.heading +
+      to_local(landing.root, to_world(passing, Vec3(0.5 * width, 0.0, moment.gait.ahead_m)));
+  landing.yaw = passing.heading - landing.root.heading +
                 steady.side * radians_per_degree * steady.pelvis.style.foot_progression_deg;
   // Not across the other foot.
   constexpr double narrowest = 0.75;
   const SteppingLeg& other = walker.legs[1 - side];
-  const double beside = to_local(landing.carriage, other.print).x();
+  const double beside = to_local(landing.root, other.print).x();
   const double nearest = beside + narrowest * width;
   if (steady.side * (landing.print.x() - nearest) < 0.0) landing.print.x() = nearest;
   // Not farther before or behind the body than the leg reaches.
@@ -78,7 +78,7 @@ Landing landing_of(const SteeredWalk& walker, const SteeredMoment& moment, std::
   return landing;
 }
 
-bool stands_well(const SteeredWalk& walker, const SteeredMoment& moment, const Carriage& rest) {
+bool stands_well(const SteeredWalk& walker, const SteeredMoment& moment, const RootMotion& rest) {
   for (std::size_t side = 0; side < 2; ++side) {
     const LegCycle& steady = moment.legs[side];
     const double width = steady.side * steady.pelvis.style.step_width_m;

@@ -22,7 +22,7 @@ FootPose foot_pose(const FootNumbers& numbers) {
   return {numbers.head<3>(), numbers[3], numbers[4], numbers[5]};
 }
 
-/// The foot of the steady walk in the carriage's frame, at an own phase that may leave [0, 1] a
+/// The foot of the steady walk in the root's frame, at an own phase that may leave [0, 1] a
 /// little.
 FootNumbers steady_stance(const LegCycle& steady, double own) {
   FootNumbers numbers = numbers_of(planted_foot(steady, own));
@@ -36,20 +36,20 @@ FootNumbers steady_swing(const LegCycle& steady, double own) {
   return numbers;
 }
 
-/// A foot that stands in the world, in the carriage's frame.
-FootNumbers local_stance(const LegCycle& steady, const Carriage& carriage, const Vec3& print,
+/// A planted foot, in the root's frame.
+FootNumbers local_stance(const LegCycle& steady, const RootMotion& root, const Vec3& print,
                          double yaw, double pitch) {
   FootPose foot = rolled_foot(steady.foot, print, yaw, pitch);
-  foot.ankle = to_local(carriage, foot.ankle);
-  foot.yaw -= carriage.heading;
+  foot.ankle = to_local(root, foot.ankle);
+  foot.yaw -= root.heading;
   return numbers_of(foot);
 }
 
-/// The carriage as it goes on at its speed.
-Carriage moved_on(Carriage carriage, double seconds) {
-  carriage.place += carriage.speed.value * seconds * forward_of(carriage);
-  carriage.heading += carriage.turning.value * seconds;
-  return carriage;
+/// The root continued at its present velocity.
+RootMotion moved_on(RootMotion root, double seconds) {
+  root.place += root.speed.value * seconds * forward_of(root);
+  root.heading += root.turning.value * seconds;
+  return root;
 }
 
 /// Within its stance, also where rounding has taken it just before its heel strike.
@@ -63,7 +63,7 @@ double rolling_pitch(const SteppingLeg& leg, const LegMoment& moment) {
 }
 
 /// Value and rate of the pitch that the stance gives.
-Followed stance_roll(const LegMoment& moment) {
+DampedSpring stance_roll(const LegMoment& moment) {
   const double own = stance_phase(moment);
   const double later = moment_seconds * moment.phase_rate;
   const WalkStyle& style = moment.steady.pelvis.style;
@@ -72,7 +72,7 @@ Followed stance_roll(const LegMoment& moment) {
 }
 
 FootNumbers standing_numbers(const SteppingLeg& leg, const LegMoment& moment) {
-  return local_stance(moment.steady, moment.carriage, leg.print, leg.yaw,
+  return local_stance(moment.steady, moment.root, leg.print, leg.yaw,
                       rolling_pitch(leg, moment) + leg.more_pitch.value - leg.heel_rise.value);
 }
 
@@ -80,11 +80,11 @@ FootNumbers standing_numbers(const SteppingLeg& leg, const LegMoment& moment) {
 FootNumbers landing_rate(const LegMoment& moment, const Landing& landing) {
   const LegCycle& steady = moment.steady;
   const double later = moment_seconds * moment.phase_rate;
-  const Vec3 print = to_world(landing.carriage, landing.print);
-  const double yaw = landing.carriage.heading + landing.yaw;
+  const Vec3 print = to_world(landing.root, landing.print);
+  const double yaw = landing.root.heading + landing.yaw;
   const auto difference = [&](double seconds, double own) {
     const double pitch = stance_pitch(steady.pelvis.style, own);
-    return (local_stance(steady, moved_on(landing.carriage, seconds), print, yaw, pitch) -
+    return (local_stance(steady, moved_on(landing.root, seconds), print, yaw, pitch) -
             steady_stance(steady, own))
         .eval();
   };
@@ -148,7 +148,7 @@ double swing_share(const SteppingLeg& leg, const LegMoment& moment) {
 FootPose foot_of(const SteppingLeg& leg, const LegMoment& moment) {
   if (!leg.swinging) return foot_pose(standing_numbers(leg, moment));
   return clear_of_floor(foot_pose(swinging_numbers(leg, moment)), moment.steady.foot,
-                        swing_share(leg, moment), moment.carriage.speed.value);
+                        swing_share(leg, moment), moment.root.speed.value);
 }
 
 FootPose landing_foot(const SteppingLeg& leg, const LegMoment& moment) {
@@ -156,14 +156,14 @@ FootPose landing_foot(const SteppingLeg& leg, const LegMoment& moment) {
 }
 
 void hold(SteppingLeg& leg, const LegMoment& moment) {
-  const Followed roll = stance_roll(moment);
+  const DampedSpring roll = stance_roll(moment);
   leg.held = true;
   leg.more_pitch.value += roll.value;
   leg.more_pitch.rate += roll.rate;
 }
 
 void release(SteppingLeg& leg, const LegMoment& moment) {
-  const Followed roll = stance_roll(moment);
+  const DampedSpring roll = stance_roll(moment);
   leg.held = false;
   leg.more_pitch.value -= roll.value;
   leg.more_pitch.rate -= roll.rate;
@@ -175,12 +175,12 @@ void lift_off(SteppingLeg& leg, const LegMoment& moment) {
   const double step = moment_seconds * moment.phase_rate;
   const auto difference = [&](double seconds, double at, double more) {
     const double pitch = stance_pitch(steady.pelvis.style, at) + more;
-    return (local_stance(steady, moved_on(moment.carriage, seconds), leg.print, leg.yaw, pitch) -
+    return (local_stance(steady, moved_on(moment.root, seconds), leg.print, leg.yaw, pitch) -
             steady_stance(steady, at))
         .eval();
   };
-  const Followed more = {leg.more_pitch.value - leg.heel_rise.value,
-                         leg.more_pitch.rate - leg.heel_rise.rate};
+  const DampedSpring more = {leg.more_pitch.value - leg.heel_rise.value,
+                             leg.more_pitch.rate - leg.heel_rise.rate};
   leg.start = difference(0.0, own, more.value);
   leg.start_rate = (leg.start - difference(-moment_seconds, own - step,
                                            more.value - more.rate * moment_seconds)) /
@@ -192,7 +192,7 @@ void lift_off(SteppingLeg& leg, const LegMoment& moment) {
   leg.lands_at = moment.phase + (1.0 - own);
 }
 
-void aim(SteppingLeg& leg, const LegMoment& moment, const Landing& landing, double seconds) {
+void plan_swing(SteppingLeg& leg, const LegMoment& moment, const Landing& landing, double seconds) {
   const LegCycle& steady = moment.steady;
   const FootPose wanted =
       rolled_foot(steady.foot, landing.print, landing.yaw, stance_pitch(steady.pelvis.style, 0.0));
@@ -201,23 +201,23 @@ void aim(SteppingLeg& leg, const LegMoment& moment, const Landing& landing, doub
   const double free = std::clamp((0.92 - swing_share(leg, moment)) / 0.45, 0.0, 1.0);
   for (std::size_t i = 0; i < goals.size(); ++i) {
     leg.landing[i] = std::isinf(seconds)
-                         ? Followed{goals[i], 0.0}
-                         : followed(leg.landing[i], goals[i], free * landing_stiffness, seconds);
+                         ? DampedSpring{goals[i], 0.0}
+                         : spring_step(leg.landing[i], goals[i], free * landing_stiffness, seconds);
   }
   leg.landing_rate = landing_rate(moment, landing);
 }
 
 void settle(SteppingLeg& leg, double heel_rise, double seconds) {
-  leg.heel_rise = followed(leg.heel_rise, heel_rise, heel_stiffness, seconds);
-  leg.more_pitch = followed(leg.more_pitch, 0.0, pitch_stiffness, seconds);
+  leg.heel_rise = spring_step(leg.heel_rise, heel_rise, heel_stiffness, seconds);
+  leg.more_pitch = spring_step(leg.more_pitch, 0.0, pitch_stiffness, seconds);
 }
 
 void touch_down(SteppingLeg& leg, const LegMoment& moment) {
   const FootNumbers foot = swinging_numbers(leg, moment);
-  leg.yaw = foot[3] + moment.carriage.heading;
+  leg.yaw = foot[3] + moment.root.heading;
   const FootPose unmoved = rolled_foot(moment.steady.foot, Vec3::Zero(), leg.yaw,
                                        stance_pitch(moment.steady.pelvis.style, 0.0));
-  leg.print = level(to_world(moment.carriage, foot.head<3>()) - unmoved.ankle);
+  leg.print = horizontal(to_world(moment.root, foot.head<3>()) - unmoved.ankle);
   leg.swinging = false;
   leg.held = false;
   leg.more_pitch = {};

@@ -3,15 +3,15 @@
 #include <array>
 
 #include "motion/procedural/leg_cycle.h"
-#include "motion/steered_walk/carriage.h"
+#include "motion/steered_walk/root_motion.h"
 
 namespace mien::motion {
 
-/// A foot in the carriage's frame, or the difference of two: ankle x, y, z (metres), yaw, pitch and
-/// extension of the toes (radians).
+/// Coordinates of a foot in the root's frame, or the difference of two: ankle x, y, z (metres),
+/// yaw, pitch and extension of the toes (radians).
 using FootNumbers = Eigen::Matrix<double, 6, 1>;
 
-/// One leg of a walker that goes where it is steered.
+/// State of one leg of a steered walker.
 ///
 /// It stands on a print that does not move, or swings to the next one. The swing is that of a
 /// steady walk straight on (leg_cycle.h) plus a difference, which goes from what the foot's last
@@ -19,13 +19,13 @@ using FootNumbers = Eigen::Matrix<double, 6, 1>;
 /// walker, and starts, stops and turns leave and meet the floor at rest.
 struct SteppingLeg {
   bool swinging = false;
-  bool held = true;  ///< stands on, whatever its phase: waits for the walk to go on
+  bool held = true;  ///< stays planted whatever its phase, until the walk continues
 
   // While it stands. World space.
   Vec3 print = Vec3::Zero();  ///< as `rolled_foot` (foot_roll.h) means it
   double yaw = 0.0;
-  Followed more_pitch;  ///< over that of the stance, radians; fades
-  Followed heel_rise;   ///< that the leg asks for to reach, radians
+  DampedSpring more_pitch;  ///< over that of the stance, radians; fades
+  DampedSpring heel_rise;   ///< needed for the leg to reach, radians
 
   // While it swings.
   double toe_off = 0.0;                          ///< own phase at which it left the floor
@@ -33,13 +33,13 @@ struct SteppingLeg {
   FootNumbers start = FootNumbers::Zero();       ///< difference from the steady walk at toe off …
   FootNumbers start_rate = FootNumbers::Zero();  ///< … and its rate, 1/s
   FootNumbers landing_rate = FootNumbers::Zero();  ///< of the difference as it lands, 1/s
-  std::array<Followed, 3> landing;  ///< x, z and yaw of the foot as it lands, as planned now
+  std::array<DampedSpring, 3> landing;  ///< x, z and yaw of the foot as it lands, as planned now
 };
 
-/// What of a walk a leg needs to know, at one moment.
+/// The input of a leg at one time.
 struct LegMoment {
   const LegCycle& steady;  ///< straight on, at the gait and speed of the moment
-  Carriage carriage;
+  RootMotion root;
   double phase = 0.0;       ///< of the cycle, unwrapped
   double phase_rate = 0.0;  ///< 1/s
 };
@@ -47,14 +47,13 @@ struct LegMoment {
 /// Phase of the leg's own cycle, 0 ≤ own < 1; 0 is its heel strike.
 double own_phase(const LegCycle& steady, double cycle_phase);
 
-/// The foot in the carriage's frame.
+/// The foot in the root's frame.
 FootPose foot_of(const SteppingLeg& leg, const LegMoment& moment);
 
-/// The foot of a swinging leg at the moment of its landing, as it is planned now, in the frame of
-/// the carriage then.
+/// The foot of a swinging leg at its planned landing, in the root's frame at that time.
 FootPose landing_foot(const SteppingLeg& leg, const LegMoment& moment);
 
-/// Share of its swing that a swinging leg has behind it.
+/// Completed share of a leg's swing.
 double swing_share(const SteppingLeg& leg, const LegMoment& moment);
 
 /// Holds the standing leg where it is, its heel sinking.
@@ -66,19 +65,19 @@ void release(SteppingLeg& leg, const LegMoment& moment);
 /// The standing leg leaves the floor.
 void lift_off(SteppingLeg& leg, const LegMoment& moment);
 
-/// Where a swinging leg will come down: the carriage then, and the print in the carriage's frame.
+/// Planned landing of a swinging leg: the root at that time, and the footprint in its frame.
 struct Landing {
-  Carriage carriage;
+  RootMotion root;
   Vec3 print = Vec3::Zero();
   double yaw = 0.0;
 };
 
-/// Turns the swing of the leg towards a landing; `seconds` since this was last done, infinite the
+/// Adjusts the swing of the leg to a planned landing; `seconds` since the last call, infinite the
 /// first time.
-void aim(SteppingLeg& leg, const LegMoment& moment, const Landing& landing, double seconds);
+void plan_swing(SteppingLeg& leg, const LegMoment& moment, const Landing& landing, double seconds);
 
-/// A standing leg `seconds` later: what was left of another stance fades, and the heel goes where
-/// the leg asks for it to reach the floor (`heel_rise`, radians).
+/// Advances a standing leg by `seconds`: deviations from the steady stance fade, and the heel rises
+/// as far as the leg needs to reach the floor (`heel_rise`, radians).
 void settle(SteppingLeg& leg, double heel_rise, double seconds);
 
 /// The swinging leg comes down where it is.

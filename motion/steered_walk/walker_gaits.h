@@ -8,15 +8,15 @@
 
 namespace mien::motion {
 
-/// What `fit_swing` finds for a leg by search (leg_cycle.h).
+/// Results of the search of `fit_swing` (leg_cycle.h) for a leg.
 struct FittedSwing {
   double knee_peak = 0.0;
   double lift = 0.0;
   double landing = 0.0;
 };
 
-/// A style fitted to a body: all that takes time to find, and nothing but numbers, so that gaits
-/// can be blended as they are played.
+/// A style fitted to a body: the expensive part of a gait as plain numbers, so that gaits can be
+/// blended at run time.
 struct FittedGait {
   WalkStyle style;              ///< lengths of the body, not of 1.75 m
   double mean_height_m = 0.0;   ///< of the pelvis joint
@@ -39,7 +39,7 @@ FittedGait blended(std::span<const FittedGait> gaits, std::span<const double> we
 /// pelvis is at z = stride · phase (surge aside), the left foot strikes at phase 0.
 std::array<LegCycle, 2> legs_of(const FittedGait& gait, const Skeleton& body, double speed_m_s);
 
-/// A way of walking from standing to fast, all on one body: what is blended while it is played.
+/// Gaits of one mood from standing to fast, on one body, to be blended at run time.
 struct MoodGaits {
   double speed_m_s = 0.0;  ///< at pace 1
   FittedGait standing;
@@ -49,8 +49,8 @@ struct MoodGaits {
 /// Shares of a style's own speed at which it is fitted; between them gaits are blended.
 inline constexpr std::array<double, 6> gait_paces = {0.0, 0.25, 0.5, 0.75, 1.0, 1.2};
 
-/// Everything that a walker under control can do: several moods in correspondence, which differ in
-/// their styles alone, on one body.
+/// Gaits of a steered walker: several moods in correspondence, which differ in style only, on one
+/// body.
 struct WalkerGaits {
   Skeleton body;
   std::vector<MoodGaits> moods;

@@ -35,7 +35,7 @@ Modification paths_alone(const Modification& modification) {
   return paths;
 }
 
-/// The same bands at a quarter of the frames, as long as that is a rate of films.
+/// The same bands at a quarter of the frame rate, if that is still a film's.
 bool can_be_thinned(const Modification& paths, double frames_per_second) {
   const double quarter = 0.25 * frames_per_second;
   const bool own_bands = paths.gains && !paths.gains->bands.empty();
@@ -98,7 +98,7 @@ int shortest_look_ahead(const Modification& modification, double frames_per_seco
   return enough;
 }
 
-StreamDelay shared_out(int frames, const Modification& m, double frames_per_second) {
+StreamDelay split_delay(int frames, const Modification& m, double frames_per_second) {
   StreamDelay delay;
   if (m.gains || m.paths != 1.0) {
     delay.paths = std::min(frames, path_reach(path_mix(m).gains, frames_per_second));

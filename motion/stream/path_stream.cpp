@@ -23,7 +23,7 @@ int levels_of(const BandWeights& weights) {
 /// Samples to either side that a filter of so many levels weighs.
 long reach_of(int levels) { return 2 * ((1L << levels) - 1); }
 
-/// What the weighting of bands makes of a single 1 among zeros.
+/// Impulse response of the band weighting.
 std::vector<double> band_response(const BandWeights& weights, int levels) {
   const auto reach = static_cast<size_t>(reach_of(levels));
   std::vector<double> single(std::max<size_t>(2 * reach + 1, 2), 0.0);
@@ -123,7 +123,7 @@ Pose PathStream::next() {
   }
   longer_before_ = longer;
   ++given_;
-  drop_what_is_past();
+  drop_past_frames();
   if (share_ >= 1.0) return longer;
   const std::array<const Pose*, 2> both = {&original, &longer};
   const std::array<double, 2> shares = {1.0 - share_, share_};
@@ -131,7 +131,7 @@ Pose PathStream::next() {
   return *before_;
 }
 
-void PathStream::drop_what_is_past() {
+void PathStream::drop_past_frames() {
   const auto reach = static_cast<long>(response_.size() / 2);
   // The two newest intervals may still change.
   const auto kept = static_cast<long>(signals_.front().dense.size()) - 2 * weights_.factor - 1;

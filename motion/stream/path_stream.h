@@ -10,8 +10,8 @@
 
 namespace mien::motion {
 
-/// How the lengths of a motion's paths change: a share of the motion with these gains, the rest of
-/// it as it is (nine_grid.h).
+/// Change of path lengths: a mix of the motion with these gains and the unchanged motion
+/// (nine_grid.h).
 struct PathMix {
   PathGains gains;
   double share = 0.0;  ///< 0–1
@@ -20,8 +20,8 @@ struct PathMix {
 
 PathMix path_mix(const Modification& modification);
 
-/// How many frames the weighting of bands looks ahead for all that it can use; with so many a
-/// stream's paths are those of the whole motion.
+/// Look-ahead of the band filter, frames, at which a stream's paths equal those of the whole
+/// motion.
 int path_reach(const PathGains& gains, double frames_per_second);
 
 /// Changes the lengths of motion paths as `with_path_gains` does (by direction vectors), a frame at
@@ -32,10 +32,10 @@ class PathStream {
  public:
   PathStream(const PathMix& mix, double frames_per_second, int look_ahead);
 
-  /// Takes the next frame and gives, once `look_ahead` have passed, the frame that many before it.
+  /// Takes the next frame and returns, from frame `look_ahead` on, the frame that many before it.
   std::optional<Pose> push(const Pose& pose);
 
-  /// The frames that have not been given yet. Nothing may be pushed after it.
+  /// The remaining frames. Nothing may be pushed afterwards.
   std::vector<Pose> finish();
 
  private:
@@ -48,14 +48,13 @@ class PathStream {
   void extend(Signal& signal, const Quat& rotation) const;
   Directions filtered(const Signal& signal) const;
   Pose next();
-  void drop_what_is_past();
+  void drop_past_frames();
 
   BandWeights weights_;
   double share_;
   bool legs_;
   int look_ahead_;
-  std::vector<double>
-      response_;  ///< of the weighted bands to a single sample, centre in the middle
+  std::vector<double> response_;  ///< impulse response of the bands, centred
   std::array<Signal, body_joint_count> signals_;
   std::deque<Pose> waiting_;  ///< from the frame that is given next to the newest
   long first_dense_ = 0;      ///< place in the signal of the first sample that is kept

@@ -62,8 +62,8 @@ Pose PostureStream::next() {
   const std::vector<LimbStrengths> known(strengths_.begin(), strengths_.end());
   Pose pose = std::move(waiting_.front());
   waiting_.pop_front();
-  put_posture_on(pose, changes_, difference_,
-                 smooth_strengths(known, frames_per_second_, SignalEnds::open)[now]);
+  apply_posture(pose, changes_, difference_,
+                smooth_strengths(known, frames_per_second_, SignalEnds::open)[now]);
   const auto remembered = static_cast<size_t>(std::ceil(remembered_seconds * frames_per_second_));
   if (now >= remembered) strengths_.pop_front();
   return pose;

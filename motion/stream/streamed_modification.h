@@ -11,9 +11,9 @@
 
 namespace mien::motion {
 
-/// Puts another posture on a motion as `with_posture` does, a frame at a time and `look_ahead`
-/// frames late. How much of it a limb takes is smoothed over what has come so far, as if the motion
-/// ended there: without look-ahead it is what the moment says. Trunk and head need no look-ahead.
+/// Applies a posture change as `with_posture` does, frame by frame and `look_ahead` frames late.
+/// The strengths of the limbs are smoothed over the frames so far, as if the motion ended there:
+/// without look-ahead they are those of the present pose. Trunk and head need no look-ahead.
 class PostureStream {
  public:
   PostureStream(const Modification& modification, const Skeleton& body, double frames_per_second,
@@ -37,14 +37,14 @@ class PostureStream {
   std::deque<LimbStrengths> strengths_;  ///< those of `waiting_`, and of some before
 };
 
-/// Whose path lengths change.
+/// The joints whose path lengths change.
 enum class PathScope {
   body,
-  upper_body,  ///< all but pelvis and legs: feet then slide no more than they did
+  upper_body,  ///< all but pelvis and legs, so that feet slide no more than before
 };
 
-/// How many frames each part of a modification looks ahead, and so delays the motion. Posture and
-/// acceleration do with none.
+/// Look-ahead of each part of a modification in frames, which delays the motion. Posture and
+/// acceleration work without.
 struct StreamDelay {
   int paths = 0;    ///< of no use beyond `path_reach`
   int timing = 0;   ///< of acceleration: the limb may be before the trunk by as many
@@ -76,10 +76,10 @@ class StreamedModification {
                        const Modification& modification, const StreamDelay& delay,
                        PathScope scope = PathScope::body);
 
-  /// A motion of the same performer that is known beforehand: so far its joints may go.
+  /// A known motion of the same performer, whose joint ranges are allowed.
   void expect(const Clip& known);
 
-  /// Takes the next frame; gives none until the delay has passed, then one each time.
+  /// Takes the next frame; returns none until the delay has passed, then one each time.
   std::optional<Pose> push(const Pose& pose);
 
   /// The frames that have not been given yet. Nothing may be pushed after it.
@@ -87,7 +87,7 @@ class StreamedModification {
 
   const StreamDelay& delay() const { return delay_; }
 
-  /// How far a limb was behind the trunk at the most by acceleration, frames.
+  /// Largest lag of a limb behind the trunk by acceleration, frames.
   double largest_lag() const { return timing_ ? timing_->largest_lag() : 0.0; }
 
  private:
@@ -103,7 +103,7 @@ class StreamedModification {
   std::optional<PostureStream> posture_;
 };
 
-/// The whole clip, which does not loop, as a stream of its frames gives it.
+/// The result of streaming a whole clip, which does not loop.
 Clip streamed(const Clip& clip, const Modification& modification, const StreamDelay& delay,
               PathScope scope = PathScope::body);
 

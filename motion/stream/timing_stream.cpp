@@ -60,7 +60,7 @@ std::vector<Pose> TimingStream::finish() {
 
 /// How long the limb should take for what it shows now, against its own time. Brings the means up
 /// to date.
-double TimingStream::wished_duration(Player& player) const {
+double TimingStream::target_duration(Player& player) const {
   const bool constant = acceleration_ < 0.0;
   const double segment = constant ? constant_segment_seconds : acceleration_segment_seconds;
   const auto newest = static_cast<long>(player.places.size()) - 1;
@@ -82,7 +82,7 @@ double TimingStream::wished_duration(Player& player) const {
     const double pause = std::max(standstill, 0.1 * player.top_speed);
     if (speed >= pause) duration = std::max(speed / player.mean_speed, 0.05);
   } else if (player.top_speed > standstill) {
-    duration = 1.0 + (longest_pause - 1.0) * pause_of(speed, player.mean_speed);
+    duration = 1.0 + (max_pause_factor - 1.0) * pause_of(speed, player.mean_speed);
   }
   player.mean_duration += share * (duration - player.mean_duration);
   return duration;
@@ -94,7 +94,7 @@ void TimingStream::play_on(Player& player) const {
   const auto newest = static_cast<double>(first_ + static_cast<long>(poses_.size()) - 1);
   const double oldest = static_cast<double>(given_) - longest_lag_seconds * frames_per_second_;
   const double landing = landing_seconds * frames_per_second_;
-  double rate = std::min(player.mean_duration / wished_duration(player), quickest);
+  double rate = std::min(player.mean_duration / target_duration(player), quickest);
   rate += (static_cast<double>(given_ - 1) - player.source) / (return_seconds * frames_per_second_);
   const double room = rate > 1.0 ? newest - 1.0 - player.source : player.source + 1.0 - oldest;
   rate = std::max(0.0, 1.0 + (rate - 1.0) * std::clamp(room / landing, 0.0, 1.0));
@@ -131,7 +131,7 @@ Pose TimingStream::next() {
     timed = shown_at(player, timed);
   }
   ++given_;
-  drop_what_is_past();
+  drop_past_frames();
   const std::array<const Pose*, 2> both = {&now, &timed};
   const std::array<double, 2> shares = {1.0 - std::abs(acceleration_), std::abs(acceleration_)};
   before_ =
@@ -139,7 +139,7 @@ Pose TimingStream::next() {
   return *before_;
 }
 
-void TimingStream::drop_what_is_past() {
+void TimingStream::drop_past_frames() {
   const auto kept =
       static_cast<long>(std::ceil((longest_lag_seconds + pause_seconds) * frames_per_second_)) +
       look_ahead_ + 4;

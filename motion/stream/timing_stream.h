@@ -8,16 +8,16 @@
 
 namespace mien::motion {
 
-/// Lets limbs slow down more in their pauses (acceleration above 0) or move at more constant speed
-/// (below 0), a frame at a time and `look_ahead` frames late.
+/// Stretches the pauses of limbs (acceleration above 0) or evens their speed (below 0), frame by
+/// frame and `look_ahead` frames late.
 ///
-/// Offline, a limb's pauses are stretched within segments of 0.9 s and the rest is quickened, so
-/// that the limb runs before and behind the trunk by turns. What has not come cannot be shown: here
-/// a limb plays what has come at a speed of its own, behind the newest frame by between nothing and
-/// `look_ahead` + `longest_lag_seconds`. It falls behind in its pauses and catches up after them.
-/// Speed of a limb's end relative to the hips, over 0.1 s, against its mean over the last 0.9 s
-/// (1.5 s for constant speed) says what a pause is; how long it lasts is `longest_pause` or
-/// `constant_speed_durations`. Without any change of speed the motion comes out as it went in.
+/// Offline, a limb's pauses are stretched within segments of 0.9 s and the rest is accelerated, so
+/// that the limb alternately leads and lags the trunk. A stream cannot show future frames: here a
+/// limb plays past frames at its own speed, behind the newest frame by 0 to `look_ahead` +
+/// `longest_lag_seconds`. It falls behind in its pauses and catches up after them. Speed of a
+/// limb's end relative to the hips, over 0.1 s, against its mean over the last 0.9 s (1.5 s for
+/// constant speed) says what a pause is; how long it lasts is `max_pause_factor` or
+/// `constant_speed_durations`. Without any change of speed the motion is unchanged.
 class TimingStream {
  public:
   static constexpr double longest_lag_seconds = 0.25;
@@ -31,7 +31,7 @@ class TimingStream {
   /// The frames that have not been given yet. Nothing may be pushed after it.
   std::vector<Pose> finish();
 
-  /// How far a limb was behind the trunk at the most, frames; negative where it went before.
+  /// Largest lag of a limb behind the trunk, frames; negative if it was ahead.
   double largest_lag() const { return largest_lag_; }
 
  private:
@@ -41,15 +41,15 @@ class TimingStream {
     double source = 0.0;         ///< frame that is shown
     double rate = 1.0;           ///< frames of the motion a frame, smooth
     double mean_duration = 1.0;  ///< over the last segment
-    double mean_speed = -1.0;    ///< likewise, m/s; below 0 before the first
-    double top_speed = 0.0;      ///< likewise
+    double mean_speed = -1.0;    ///< over the last segment, m/s; below 0 before the first
+    double top_speed = 0.0;      ///< over the last segment, m/s
   };
 
   Pose next();
   void play_on(Player& player) const;
-  double wished_duration(Player& player) const;
+  double target_duration(Player& player) const;
   Pose shown_at(const Player& player, const Pose& now) const;
-  void drop_what_is_past();
+  void drop_past_frames();
 
   Skeleton body_;
   double acceleration_;

@@ -16,7 +16,7 @@ BodyJoint busiest_effector(const Clip& clip);
 std::vector<int> basic_periods(const Clip& clip, BodyJoint effector);
 
 /// Joints by distance from the body's centre: trunk; neck, head and the limbs' roots; elbows and
-/// knees; hands and feet. The root's place is a class of its own.
+/// knees; hands and feet. The root's position is a separate class.
 inline constexpr int amplitude_classes = 5;
 inline constexpr int root_place_class = 4;
 int amplitude_class(int joint);
@@ -34,7 +34,7 @@ struct PeriodMeasure {
   std::array<double, amplitude_classes> amplitudes = {};
 };
 
-/// Of every period of the clip.
+/// Measures every period of the clip.
 std::vector<PeriodMeasure> measured_periods(const Clip& clip, BodyJoint effector);
 
 PeriodMeasure mean_of(const std::vector<PeriodMeasure>& periods);

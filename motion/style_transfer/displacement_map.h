@@ -6,7 +6,7 @@
 
 namespace mien::motion {
 
-/// How far joints are turned, and the root is moved, at a moment.
+/// A key of a displacement map: rotation of a joint, and translation of the root, at a time.
 struct DisplacementKey {
   double seconds = 0.0;
   BodyJoint joint = Pelvis;

@@ -25,10 +25,10 @@ enum class DriveQuantity {
 
 inline constexpr int drive_quantity_count = 11;
 
-/// As manifests and tables call it: "left-hand-forward", …
+/// The name in manifests and tables: "left-hand-forward", …
 std::string_view name_of(DriveQuantity quantity);
 
-/// The quantity frame by frame.
+/// Values of the quantity, frame by frame.
 std::vector<double> quantity_of(const Clip& clip, DriveQuantity quantity);
 
 /// Correlation of two quantities: y ≈ slope·x + intercept by least squares.

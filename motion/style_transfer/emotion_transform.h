@@ -13,7 +13,7 @@ struct EmotionTransformOptions {
   bool amplitude = true;  ///< take over how far the joints swing
 };
 
-/// What an emotion does to one basic period of a motion.
+/// Transform of one basic period of a motion.
 struct PeriodTransform {
   double duration_ratio = 1.0;
   /// Share of the neutral period's time at even shares of the emotional one's, ascending 0 … 1.
@@ -24,7 +24,7 @@ struct PeriodTransform {
 /// Emotion transform: timing and amplitude by which an emotional performance differs from a
 /// neutral one of the same action (Amaya, Bruderlin and Calvert 1996).
 struct EmotionTransform {
-  BodyJoint effector = RightWrist;       ///< whose path tells time and periods
+  BodyJoint effector = RightWrist;       ///< whose path defines timing and periods
   std::vector<PeriodTransform> periods;  ///< one for each period of both, else only the mean
   PeriodTransform mean;
   double way_ratio = 1.0;  ///< of the ways along the floor
@@ -44,7 +44,7 @@ EmotionTransform emotion_transform(const Clip& neutral, const Clip& emotional);
 Clip transformed(const Clip& motion, const EmotionTransform& transform,
                  const EmotionTransformOptions& options = {});
 
-/// Both in one.
+/// emotion_transform and transformed in one call.
 Clip emotion_transformed(const Clip& motion, const Clip& neutral, const Clip& emotional,
                          const EmotionTransformOptions& options = {});
 

@@ -18,8 +18,8 @@ void require_loop(const Clip& clip) {
               "use a gait cycle, or another method");
 }
 
-/// Of how many samples a cycle's n-th harmonic of `frames` frames is 1 rather than 2 numbers: the
-/// one at half the frame rate is a cosine only.
+/// Factor of a cycle's n-th harmonic over `frames` frames: 2, but 1 at half the frame rate, where
+/// it is a cosine only.
 double harmonic_share(int n, int frames) { return 2 * n == frames ? 1.0 : 2.0; }
 
 /// Row n−1: complex amplitude cₙ of harmonic n, θ = mean + Re Σ cₙ exp(i n φ).

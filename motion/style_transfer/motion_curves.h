@@ -20,8 +20,8 @@ constexpr int first_curve(int joint) { return 3 + 3 * joint; }
 /// of q·m⁻¹ about the joint's mean rotation m, axes of the parent's frame: no gimbal lock, and
 /// vectors of neighbouring frames are neighbours. The pelvis' rotation and the root's place
 /// (metres) are taken in the frame of the clip's mean direction of walking (straighten.h), so that
-/// motions that head elsewhere can be compared; the even way along the floor is taken off, and the
-/// horizontal part of what is left has mean zero.
+/// motions that head elsewhere can be compared; the mean travel along the floor is subtracted, and
+/// the horizontal part of the rest has mean zero.
 struct MotionCurves {
   Clip timing;              ///< name, body, frame rate and whether it loops; no poses
   Quat heading;             ///< +Z → mean direction of walking

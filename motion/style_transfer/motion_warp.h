@@ -7,13 +7,13 @@
 
 namespace mien::motion {
 
-/// How a key is reached: θ'(t) = a(t)·θ(g(t)) + b(t) has two ways.
+/// How a curve is warped to a key: θ'(t) = a(t)·θ(g(t)) + b(t) has two ways.
 enum class WarpBy {
   offset,  ///< by b, a stays 1 (default)
   scale,   ///< by a, b stays 0; where a curve is within 1° of its mean, by b after all
 };
 
-/// Where one joint is to be at a key.
+/// Constraint of one joint at a key.
 struct JointKey {
   BodyJoint joint = Pelvis;
   Quat turn = Quat::Identity();  ///< from the motion's rotation at the key, axes of the parent
@@ -24,7 +24,7 @@ struct JointKey {
 struct WarpKey {
   double seconds = 0.0;            ///< the moment of the motion
   std::optional<double> at;        ///< seconds of the result at which it is to be; else as it was
-  std::vector<JointKey> joints;    ///< the others stay free
+  std::vector<JointKey> joints;    ///< other joints are unconstrained
   Vec3 root_shift = Vec3::Zero();  ///< metres, world space
 };
 

@@ -24,7 +24,7 @@ struct StyleComponents {
   MotionCurves neutral;
   Eigen::RowVectorXd mean;           ///< of both motions together
   Eigen::MatrixXd neutral_series;    ///< frames × components, unit variance over both motions
-  Eigen::MatrixXd styled_series;     ///< likewise, in the neutral motion's time
+  Eigen::MatrixXd styled_series;     ///< of the styled motion, in the neutral motion's time
   Eigen::MatrixXd mixing;            ///< components × curve_count
   Eigen::MatrixXd neutral_residual;  ///< frames × curve_count: what the components leave
   Eigen::VectorXd energy;            ///< squared norm of each mixing row, descending
@@ -44,7 +44,7 @@ struct StyleComponents {
 StyleComponents style_components(const Clip& neutral, const Clip& styled,
                                  const StyleComponentOptions& options = {});
 
-/// What the options swap: the named components or the most different ones.
+/// Indices of the components that the options swap: the named ones or the most different ones.
 std::vector<int> swapped_components(const StyleComponents& components,
                                     const StyleComponentOptions& options);
 

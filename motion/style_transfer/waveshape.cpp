@@ -35,7 +35,7 @@ void require_shape(const JointWaveshape& joint) {
   }
 }
 
-/// What goes beyond a limit by `excess` ≥ 0 is let to.
+/// Softly limited excess beyond a limit, for `excess` ≥ 0.
 double softened(double excess, double softness) {
   if (softness <= 0.0) return 0.0;
   return -softness * std::expm1(-excess / softness);

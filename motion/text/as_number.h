@@ -19,7 +19,7 @@ std::optional<Number> as_number(std::string_view text) {
   return number;
 }
 
-/// The same; nothing for infinities and NaN, too.
+/// As `as_number`, but nothing for infinities and NaN.
 inline std::optional<double> as_finite_number(std::string_view text) {
   const std::optional<double> number = as_number<double>(text);
   return number && std::isfinite(*number) ? number : std::nullopt;

@@ -120,9 +120,9 @@ std::string first_of(std::span<const std::string> names, std::size_t most,
 
 std::string listed(std::span<const std::string> names) {
   std::string text;
-  for (const std::string& name : names.first(std::min(most_listed, names.size())))
+  for (const std::string& name : names.first(std::min(max_listed_names, names.size())))
     text += (text.empty() ? "" : ", ") + excerpt(name);
-  if (names.size() <= most_listed) return text;
+  if (names.size() <= max_listed_names) return text;
   return text + ", … (" + std::to_string(names.size()) + " in all)";
 }
 

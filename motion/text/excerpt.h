@@ -7,15 +7,15 @@
 
 namespace mien::motion {
 
-// Text that somebody else wrote (a file, a request, the name of a file) as a message shows it. What
-// a terminal would obey, or what hides or reorders text, is written out: a control character as
+// Untrusted text (a file, a request, the name of a file) for messages. Terminal control and
+// characters that hide or reorder text are escaped: a control character as
 // "\n" or "\x1b", one beyond ASCII as "\u202e", a byte that is not UTF-8 as "\xff".
 
-/// Most characters that a message shows of one such text, the "…" of a cut included.
-inline constexpr std::size_t most_quoted = 80;
+/// Largest number of characters of such a text in a message, including the "…" of a cut.
+inline constexpr std::size_t max_quoted_characters = 80;
 
-/// Most entries that a message lists.
-inline constexpr std::size_t most_listed = 12;
+/// Largest number of entries in a message.
+inline constexpr std::size_t max_listed_names = 12;
 
 enum class LineEnds { escaped, kept };
 
@@ -25,10 +25,10 @@ std::string printable(std::string_view text, LineEnds line_ends = LineEnds::esca
 
 /// At most `most` characters of the text, cut between characters with "…". Looks at no more of a
 /// long text than it shows.
-std::string excerpt(std::string_view text, std::size_t most = most_quoted,
+std::string excerpt(std::string_view text, std::size_t most = max_quoted_characters,
                     LineEnds line_ends = LineEnds::escaped);
 
-/// The same in double quotes.
+/// The excerpt in double quotes.
 std::string in_quotes(std::string_view text);
 
 /// The first of many names, and how many more there are: "a, b, c and 9 more".

@@ -34,7 +34,7 @@ std::string unreadable(int error) {
   return "cannot be read (" + std::generic_category().message(error) + ")";
 }
 
-std::string hindrance_in(const struct stat& status, std::uintmax_t most_bytes) {
+std::string status_error(const struct stat& status, std::uintmax_t most_bytes) {
   switch (status.st_mode & S_IFMT) {
     case S_IFREG:
       break;
@@ -69,7 +69,7 @@ class OpenFile {
   int number_;
 };
 
-FileReading hindered(std::string hindrance) { return {std::nullopt, std::move(hindrance)}; }
+FileReading failed_reading(std::string problem) { return {std::nullopt, std::move(problem)}; }
 
 /// A file may grow while it is read, or not know its size.
 FileReading read_to_end(int file, std::uintmax_t size, std::uintmax_t most_bytes) {
@@ -80,42 +80,43 @@ FileReading read_to_end(int file, std::uintmax_t size, std::uintmax_t most_bytes
     const std::size_t before = bytes.size();
     bytes.resize(before + step);
     const ssize_t count = ::read(file, bytes.data() + before, step);
-    if (count < 0 && errno != EINTR) return hindered(unreadable(errno));
+    if (count < 0 && errno != EINTR) return failed_reading(unreadable(errno));
     bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (bytes.size() > most_bytes)
-      return hindered("has more than the " + size_text(most_bytes) + " that are read");
+      return failed_reading("has more than the " + size_text(most_bytes) + " that are read");
     if (count == 0) return {std::move(bytes), ""};
   }
 }
 
 }  // namespace
 
-std::string hindrance_of(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+std::string read_error(const std::filesystem::path& path, std::uintmax_t most_bytes) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return unreadable(errno);
-  return hindrance_in(status, most_bytes);
+  return status_error(status, most_bytes);
 }
 
 FileReading bytes_of_file(const std::filesystem::path& path, std::uintmax_t most_bytes) {
   // Looked at before it is opened, because opening a device may do something.
-  if (std::string hindrance = hindrance_of(path, most_bytes); !hindrance.empty())
-    return hindered(std::move(hindrance));
+  if (std::string problem = read_error(path, most_bytes); !problem.empty())
+    return failed_reading(std::move(problem));
   const OpenFile file(path);
   struct stat status {};
-  if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return hindered(unreadable(errno));
-  if (std::string hindrance = hindrance_in(status, most_bytes); !hindrance.empty())
-    return hindered(std::move(hindrance));
+  if (file.number() < 0 || ::fstat(file.number(), &status) != 0)
+    return failed_reading(unreadable(errno));
+  if (std::string problem = status_error(status, most_bytes); !problem.empty())
+    return failed_reading(std::move(problem));
   return read_to_end(file.number(), static_cast<std::uintmax_t>(status.st_size), most_bytes);
 }
 
 std::string read_contents(const std::filesystem::path& path) {
-  FileReading reading = bytes_of_file(path, most_of_recording);
+  FileReading reading = bytes_of_file(path, max_recording_bytes);
   if (reading.bytes && is_lfs_pointer(*reading.bytes))
     throw Error({path.string()},
                 "is a pointer of git LFS: it stands for the file, which is not here",
                 "run: git lfs pull");
   if (reading.bytes) return *std::move(reading.bytes);
-  throw Error({path.string()}, reading.hindrance, "give the path of a motion file");
+  throw Error({path.string()}, reading.error, "give the path of a motion file");
 }
 
 void write_contents(const std::filesystem::path& path, std::string_view bytes) {

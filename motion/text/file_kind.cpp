@@ -17,7 +17,7 @@ constexpr std::string_view export_again = "export the motion as BVH or glTF, and
 constexpr std::string_view download_again =
     "download the file itself, not the page that shows or offers it";
 
-/// What begins a file of a kind.
+/// Magic bytes of a kind of file.
 struct Signature {
   std::string_view bytes;
   std::string_view is;

@@ -5,13 +5,13 @@
 
 namespace mien::motion {
 
-/// Whether the brackets and braces of a JSON text nest deeper than that. To be asked before it is
-/// parsed: what is made of it is copied, written and taken apart by functions that call themselves.
-/// (A parser with a callback could tell too, but the library's then takes the square of a list's
-/// length.) Text that is no JSON is left to the parser.
+/// Whether the brackets and braces of a JSON text nest deeper than `most`. Check this before
+/// parsing, because documents are copied, written and destroyed recursively. (The library's parser
+/// callback could check it too, but takes quadratic time in a list's length.) Invalid JSON is left
+/// to the parser.
 bool is_nested_deeper(std::string_view json, std::size_t most);
 
-/// Deeper than any document of ours is.
-inline constexpr std::size_t deepest_document = 64;
+/// Nesting limit, deeper than any of our documents.
+inline constexpr std::size_t max_json_depth = 64;
 
 }  // namespace mien::motion

@@ -97,10 +97,11 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
   if (const auto near = nearest_word(word, candidates))
     return "did you mean " + in_quotes(*near) + "?";
   std::string list;
-  for (const std::string& candidate : candidates.first(std::min(most_listed, candidates.size()))) {
+  for (const std::string& candidate :
+       candidates.first(std::min(max_listed_names, candidates.size()))) {
     list += (list.empty() ? "use one of " : ", ") + in_quotes(candidate);
   }
-  if (candidates.size() <= most_listed) return list;
+  if (candidates.size() <= max_listed_names) return list;
   return list + ", … (" + std::to_string(candidates.size()) + " in all)";
 }
 

@@ -75,7 +75,7 @@ class OpenForWriting {
   int number_;
 };
 
-/// What a chain of links leads to, whether it is there or not.
+/// The end of a chain of links, whether it exists or not.
 fs::path end_of_links(const fs::path& target) {
   constexpr int most_links = 40;
   fs::path place = target;
@@ -143,10 +143,10 @@ void flush_folder(const fs::path& folder) {
   ::close(number);
 }
 
-void write_to(const fs::path& file, const fs::path& told_as, int flags, std::string_view bytes) {
+void write_to(const fs::path& file, const fs::path& shown_as, int flags, std::string_view bytes) {
   OpenForWriting stream(file, flags);
   if (!stream.is_open() || !write_all(stream.number(), bytes) || !stream.close())
-    throw cannot_be_written(told_as, last_error());
+    throw cannot_be_written(shown_as, last_error());
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ ResultFile::~ResultFile() {
   forget(draft_);
 }
 
-std::string ResultFile::told(std::string message) const {
+std::string ResultFile::with_target_name(std::string message) const {
   const std::string draft = draft_.string();
   for (std::size_t at = message.find(draft); is_own_ && at != std::string::npos;
        at = message.find(draft, at + target_.string().size()))

@@ -8,15 +8,14 @@
 
 namespace mien {
 
-/// A file or folder of ours could not be written: no fault of what the user wrote, and perhaps gone
-/// the next time (a disk that was full, a server that was away). The command line turns it into
-/// exit code 1.
+/// An output file or folder could not be written: not an error of the user's input, and perhaps
+/// temporary (a full disk, an unreachable server). The command line turns it into exit code 1.
 class WriteFailure : public std::runtime_error {
  public:
   explicit WriteFailure(const std::string& text, std::error_code code = {})
       : runtime_error(text), code_(code) {}
 
-  /// Why, if the system has said so.
+  /// The system's error code, if there is one.
   const std::error_code& code() const { return code_; }
 
  private:
@@ -29,12 +28,12 @@ WriteFailure cannot_be_written(const std::filesystem::path& file, std::error_cod
 
 namespace motion {
 
-/// A file that people are given, while it is made: all of it takes its place at once, or nothing
-/// does and the older file of that name stays. It is written beside its place, in the same folder,
-/// and removed unless it is published, also when the program is interrupted.
+/// An output file that is written atomically: it replaces the older file of that name completely,
+/// or not at all. It is written as a draft in the same folder, which is removed unless it is
+/// published, also when the program is interrupted.
 ///
-/// A link keeps pointing where it does, and the older file's permissions are kept. What is no file
-/// (/dev/null, a pipe) is written where it is.
+/// A link keeps its target, and the older file's permissions are kept. Special files (/dev/null, a
+/// pipe) are written directly.
 class ResultFile {
  public:
   /// Makes an empty file beside the place. Throws WriteFailure, also when a folder lies there.
@@ -48,8 +47,8 @@ class ResultFile {
   /// Where to write; its name ends with that of the target, or with its ending.
   const std::filesystem::path& draft() const { return draft_; }
 
-  /// A message that names the draft as one that names the target.
-  std::string told(std::string message) const;
+  /// The message with the draft's name replaced by the target's.
+  std::string with_target_name(std::string message) const;
 
   /// Waits until the bytes are on the disk and puts them in their place. To be called once.
   /// Throws WriteFailure.
@@ -69,7 +68,7 @@ void write_result(const std::filesystem::path& target, std::string_view bytes);
 /// other means, such as a store's artifacts. Throws WriteFailure.
 void write_in_place(const std::filesystem::path& file, std::string_view bytes);
 
-/// Removes the drafts of all results that are being written: for a program that ends at once.
+/// Removes the drafts of all unfinished results, for a program that exits immediately.
 void remove_unfinished_results() noexcept;
 
 }  // namespace motion

@@ -17,8 +17,8 @@ namespace mien::motion {
 /// or space at the end, and more than 255 bytes.
 std::string fault_of_name(std::string_view name);
 
-/// The same of a path of such names with '/' between them: "frames/walk/00012.png". Absolute paths
-/// are refused, and so is an empty path.
+/// As fault_of_name, for a path of such names separated by '/': "frames/walk/00012.png". Absolute
+/// paths are refused, and so is an empty path.
 std::string fault_of_names(std::string_view path);
 
 /// Why a path leads out of its folder as it is written, or is none: empty, absolute, with "..",
@@ -30,7 +30,7 @@ std::string fault_of_relative(std::string_view path);
 /// it, what is wrong and how to mend it.
 std::string safe_component(std::string_view name, const Place& place);
 
-/// The same of a path of names.
+/// As safe_component, for a path of names.
 std::string safe_names(std::string_view path, const Place& place);
 
 /// `folder / relative`, where that lies in the folder however it is written and whatever links lead

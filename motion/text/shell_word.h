@@ -13,8 +13,8 @@ std::string in_single_quotes(std::string_view text);
 /// (POSIX 2024), bash and zsh read, so that it can be shown and copied.
 std::string shell_word(std::string_view text);
 
-/// The same of a path: one that begins with '-' would be taken for an option, and gets "./" before
-/// it.
+/// As shell_word, for a path: one that begins with '-' would be read as an option and gets the
+/// prefix "./".
 std::string shell_path(std::string_view path);
 
 }  // namespace mien::motion

@@ -96,7 +96,7 @@ void skip_line(TextCursor& cursor) {
   if (!at_end(cursor)) ++cursor.at;
 }
 
-std::string_view take_word(TextCursor& cursor) {
+std::string_view next_word(TextCursor& cursor) {
   skip_space(cursor);
   if (at_end(cursor)) return {};
   const std::string_view word =
@@ -105,14 +105,14 @@ std::string_view take_word(TextCursor& cursor) {
   return word;
 }
 
-std::string_view take_word_on_line(TextCursor& cursor) {
+std::string_view next_word_on_line(TextCursor& cursor) {
   skip_blanks(cursor);
   const size_t start = cursor.at;
   while (!at_end(cursor) && !is_space(cursor.text[cursor.at])) ++cursor.at;
   return cursor.text.substr(start, cursor.at - start);
 }
 
-double take_number(TextCursor& cursor, std::string_view meaning) {
+double parse_number(TextCursor& cursor, std::string_view meaning) {
   skip_space(cursor);
   const char* const end = cursor.text.data() + cursor.text.size();
   const char* start = cursor.text.data() + cursor.at;
@@ -130,7 +130,7 @@ double take_number(TextCursor& cursor, std::string_view meaning) {
   return value;
 }
 
-long take_count(TextCursor& cursor, std::string_view meaning) {
+long parse_count(TextCursor& cursor, std::string_view meaning) {
   skip_space(cursor);
   const std::string_view word = word_at(cursor);
   std::int32_t value = -1;

@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// A place in a text that is being read from its start to its end. Lines end with LF, CR LF or CR.
+/// A parsing position in a text. Lines end with LF, CR LF or CR.
 struct TextCursor {
   std::string_view text;
   std::string file;    ///< name for error messages
@@ -16,7 +16,7 @@ struct TextCursor {
   int first_line = 1;  ///< number of the line that the text begins with
 };
 
-/// A cursor at the start of the text; a UTF-8 byte order mark is left out.
+/// A cursor at the start of the text, after a UTF-8 byte order mark.
 TextCursor start_of(std::string_view text, std::string file);
 
 /// Line and column (in characters, not bytes) of an index.
@@ -35,17 +35,17 @@ void skip_blanks(TextCursor& cursor);  ///< within the line
 void skip_space(TextCursor& cursor);   ///< over line ends too
 void skip_line(TextCursor& cursor);    ///< to the next line's start
 
-/// The next word, wherever it is; a brace is a word of its own. Empty at the end.
-std::string_view take_word(TextCursor& cursor);
+/// The next word, on any line; a brace is a separate word. Empty at the end.
+std::string_view next_word(TextCursor& cursor);
 
 /// The next word of this line, without regard to braces; empty when there is none.
-std::string_view take_word_on_line(TextCursor& cursor);
+std::string_view next_word_on_line(TextCursor& cursor);
 
 /// The next word, which must be a finite number below 1e12; `meaning` says what it is for ("a
 /// channel of frame 3"). Throws mien::Error.
-double take_number(TextCursor& cursor, std::string_view meaning);
+double parse_number(TextCursor& cursor, std::string_view meaning);
 
 /// The next word, which must be a whole number from 0 to 2^31 − 1. Throws mien::Error.
-long take_count(TextCursor& cursor, std::string_view meaning);
+long parse_count(TextCursor& cursor, std::string_view meaning);
 
 }  // namespace mien::motion

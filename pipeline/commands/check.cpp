@@ -92,7 +92,7 @@ class JsonFindings {
 };
 
 DocumentKind kind_of_file(const std::string& file) {
-  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::max_document_bytes);
   return text.bytes ? kind_of_document(*text.bytes, file) : DocumentKind::manifest;
 }
 

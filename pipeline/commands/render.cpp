@@ -62,7 +62,7 @@ std::string name_among(std::set<std::string>& names, const std::string& wanted) 
 /// What a file shows; says what is doubtful about its rig.
 motion::Clip clip_in(const std::string& file, const std::string& take, const Console& console) {
   const motion::Recording recording = read_take(file, take);
-  for (const std::string& warning : motion::sketch(recording).warnings)
+  for (const std::string& warning : motion::analyse_rig(recording).warnings)
     console.err << "warning: " << file << ": " << warning << '\n';
   motion::Clip clip = clip_of(recording);
   if (const std::optional<motion::Finding> pose = motion::calibration_pose(clip))
@@ -166,7 +166,7 @@ std::string make_file(const RenderOptions& options, const RenderPlan& plan,
       found = (is_picture(plan.out) ? write_contact_sheet : write_video)(work, result.draft());
     }
   } catch (const render::Error& wrong) {
-    throw render::Error(result.told(wrong.what()));
+    throw render::Error(result.with_target_name(wrong.what()));
   }
   result.publish();
   return found;

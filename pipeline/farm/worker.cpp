@@ -103,7 +103,7 @@ const TaskOutcome* cause_of(const TaskGraph& graph, const std::vector<TaskOutcom
 }
 
 int attempts_before(const fs::path& file) {
-  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::max_document_bytes);
   const ordered_json told =
       text.bytes ? ordered_json::parse(*text.bytes, nullptr, false) : ordered_json::object();
   const bool is_told = told.is_object() && told.contains("attempts");

@@ -29,7 +29,7 @@ const Hash& FileKeys::of_character(const std::filesystem::path& file) {
   if (known != characters_.end()) return known->second;
   KeyBuilder key;
   key.add("file", of(file));
-  for (const std::filesystem::path& part : scenes::parts_of_character(file))
+  for (const std::filesystem::path& part : scenes::files_of_character(file))
     key.add("part", of(part));
   return characters_.emplace(file, key.key()).first->second;
 }

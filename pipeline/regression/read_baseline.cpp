@@ -46,11 +46,11 @@ constexpr char keep_remedy[] =
 /// Reads one document of a baseline and makes something of it.
 template <class Make>
 auto from_document(const fs::path& file, const Make& make) {
-  const std::string hindrance = motion::hindrance_of(file, motion::most_of_document);
-  if (!hindrance.empty()) throw Error({file.string()}, hindrance, keep_remedy);
+  const std::string problem = motion::read_error(file, motion::max_document_bytes);
+  if (!problem.empty()) throw Error({file.string()}, problem, keep_remedy);
   const std::string text = read_file(file);
   refuse_text(file, text);
-  if (motion::is_nested_deeper(text, motion::deepest_document))
+  if (motion::is_nested_deeper(text, motion::max_json_depth))
     throw Error({file.string()}, "holds something else than a baseline does", keep_remedy);
   try {
     return make(Json::parse(text), text);

@@ -54,11 +54,11 @@ Output output_of(const FrameSources& sources, const std::string& id) {
 }
 
 /// The light that a display gives.
-render::Film as_light(const render::Image8& picture) {
+render::Framebuffer as_light(const render::Image8& picture) {
   std::array<float, 256> light{};
   for (std::size_t level = 0; level < light.size(); ++level)
     light[level] = static_cast<float>(render::linear_from_srgb(static_cast<double>(level) / 255.0));
-  render::Film film(picture.width, picture.height);
+  render::Framebuffer film(picture.width, picture.height);
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       for (std::size_t c = 0; c < 3; ++c) film.at(x, y)[c] = light[picture.at(x, y)[c]];
@@ -135,8 +135,8 @@ std::vector<render::Image8> drawn(const StagedFilm& film, const std::vector<int>
 std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::vector<int>& frames,
                                              const std::stop_token& stop) {
   if (frames.empty()) return {};
-  std::vector<std::vector<render::Film>> patterns(frames.size());
-  for (std::vector<render::Film>& of_frame : patterns) of_frame.resize(noise_patterns);
+  std::vector<std::vector<render::Framebuffer>> patterns(frames.size());
+  for (std::vector<render::Framebuffer>& of_frame : patterns) of_frame.resize(noise_patterns);
   // One thread a pattern: small pictures leave more of them little to do.
   for_each_of(noise_patterns, film.settings.threads, stop, [&](std::size_t k) {
     StagedFilm pattern{film.shot, film.settings};
@@ -146,7 +146,7 @@ std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::
     for (std::size_t i = 0; i < frames.size(); ++i) patterns[i][k] = as_light(pictures[i]);
   });
   std::vector<BlockStatistics> blocks;
-  for (const std::vector<render::Film>& of_frame : patterns)
+  for (const std::vector<render::Framebuffer>& of_frame : patterns)
     blocks.push_back(block_statistics(of_frame));
   return blocks;
 }

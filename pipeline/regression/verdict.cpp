@@ -76,7 +76,7 @@ std::string excess_text(const motion::MotionDifference& motion, const motion::Ex
 /// A part of the body that is farther off than it may be.
 struct PartExcess {
   const motion::JointDifference* joint = nullptr;
-  motion::Peak peak;
+  motion::CurvePeak peak;
   double limit_mm = 0.0;
 
   /// So that of several the one with a limit of its own stands for all that it carries along.
@@ -90,7 +90,7 @@ std::vector<PartExcess> part_excesses(const motion::MotionDifference& motion,
     const auto own =
         std::ranges::find(limits.parts_mm, joint.part, &std::pair<std::string, double>::first);
     const double limit_mm = own == limits.parts_mm.end() ? limits.position_mm : own->second;
-    const motion::Peak peak = motion::peak_of(joint.point_m);
+    const motion::CurvePeak peak = motion::peak_of(joint.point_m);
     if (1000.0 * peak.value > limit_mm) excesses.push_back({&joint, peak, limit_mm});
   }
   std::ranges::stable_sort(excesses, std::greater{}, &PartExcess::times_too_far);

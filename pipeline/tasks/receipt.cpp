@@ -108,7 +108,7 @@ fs::path receipt_path(const fs::path& folder, const std::string& path) {
 std::optional<Receipt> read_receipt(const fs::path& folder, const std::string& path) {
   const fs::path file = receipt_path(folder, path);
   if (!is_file(file)) return std::nullopt;
-  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::max_document_bytes);
   return text.bytes ? receipt_from_json(*text.bytes) : std::nullopt;
 }
 

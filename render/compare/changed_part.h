@@ -9,9 +9,9 @@ struct PicturePart {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// What of `part` depends on pixels that differ, when each depends on those up to `reach` pixels
-/// about it: the rectangle around all that differ there, and as far about it. Within `part`; of no
-/// height when nothing differs. The pictures have one size.
+/// The rectangle within `part` whose results can differ if each depends on the pixels up to `reach`
+/// around it: the bounding box of the differing pixels, grown by `reach`. Its height is 0 when
+/// nothing differs. Both pictures have one size.
 PicturePart changed_part(const Image8& a, const Image8& b, const PicturePart& part, int reach);
 
 }  // namespace mien::render

@@ -30,8 +30,8 @@ struct LabColor {
 /// Rows of a matrix from linear light to X/Xn, Y/Yn, Z/Zn, or back.
 using ColorMatrix = std::array<std::array<float, 3>, 3>;
 
-/// Of the primaries of IEC 61966-2-1 and a white of chromaticity (0.31271, 0.32902): CIE's D65, the
-/// one that the authors' own program has. White becomes (1, 1, 1).
+/// Matrix for the primaries of IEC 61966-2-1 and a white of chromaticity (0.31271, 0.32902), CIE's
+/// D65, as in the authors' own program. White becomes (1, 1, 1).
 const ColorMatrix& white_relative_xyz();
 const ColorMatrix& linear_from_white_relative_xyz();
 
@@ -48,20 +48,20 @@ inline LinearColor linear_from_opponent(const ColorMatrix& m, const OpponentColo
           m[2][0] * x + m[2][1] * c.y + m[2][2] * z};
 }
 
-/// To the cube of colours that a display can show.
+/// Clamps a colour to the cube of colours that a display can show.
 inline LinearColor within_cube(const LinearColor& c) {
   const auto unit = [](float v) { return v < 0.0f ? 0.0f : (v > 1.0f ? 1.0f : v); };
   return {unit(c.r), unit(c.g), unit(c.b)};
 }
 
-/// CIE 15, equation 8.6.
+/// The cube root with a linear toe of CIELAB (CIE 15, equation 8.6).
 inline float lab_curve(float t) {
   constexpr float knee = 216.0f / 24389.0f;  // (6/29)³
   const float root = cube_root(t < 0.0f ? 0.0f : t);
   return t > knee ? root : t * (841.0f / 108.0f) + 4.0f / 29.0f;
 }
 
-/// With Hunt's effect.
+/// CIELAB of linear light, with Hunt's effect.
 inline LabColor hunt_lab_from_linear(const ColorMatrix& m, const LinearColor& c) {
   const OpponentColor o = opponent_from_linear(m, c);
   const float fx = lab_curve(o.y + o.cx), fy = lab_curve(o.y), fz = lab_curve(o.y - o.cz);

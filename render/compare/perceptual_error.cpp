@@ -48,7 +48,7 @@ struct Measure {
   std::array<float, 256> linear{};
 };
 
-/// What a viewer makes of a tile of one picture.
+/// Perceptual features of a tile of one picture.
 struct Percept {
   Plane l, a, b, edge, point;
 
@@ -123,7 +123,7 @@ class TilePercepts {
 
   int width() const { return width_; }
 
-  /// Of the picture's pixels from (x, y) on.
+  /// Computes the features of the tile of the picture that begins at (x, y).
   void look(const Image8& picture, int x, int y, Percept& percept) {
     load(picture, x, y);
     filter_rows();
@@ -253,7 +253,7 @@ double Viewing::pixels_per_degree() const {
 }
 
 PixelMap perceptual_error(const Image8& a, const Image8& b, const Viewing& viewing, int threads) {
-  expect_one_size(a, b);
+  require_same_size(a, b);
   const double pixels_per_degree = viewing.pixels_per_degree();
   if (!(pixels_per_degree >= 1.0 && pixels_per_degree <= 1000.0))
     throw std::invalid_argument("perceptual_error: there are not 1 to 1,000 pixels a degree");

@@ -5,8 +5,8 @@
 
 namespace mien::render {
 
-/// How a picture is looked at. By default as in the paper: a screen of 3,840 pixels and 0.7 m, at
-/// 0.7 m, which makes 67.02 pixels a degree.
+/// Viewing conditions of a picture, by default those of the paper: a screen of 3,840 pixels and 0.7
+/// m, at 0.7 m, which makes 67.02 pixels a degree.
 struct Viewing {
   double distance_metres = 0.7;  ///< from the eye to the screen
   double screen_metres = 0.7;    ///< width of the screen
@@ -27,15 +27,15 @@ struct Viewing {
 /// 0.32902). Errors are not quantised. `threads` 0 takes one a core.
 ///
 /// No published figure could be compared with: those known are of pictures that were not at hand.
-/// The tests hold it against formulas worked out a second time, in two dimensions and in double
-/// precision.
+/// The tests compare it with an independent implementation of the formulas, in two dimensions and
+/// in double precision.
 ///
 /// Throws Error when sizes differ, std::invalid_argument when there are not between 1 and 1,000
 /// pixels a degree.
 PixelMap perceptual_error(const Image8& a, const Image8& b, const Viewing& viewing = {},
                           int threads = 0);
 
-/// What is told of a map of errors between 0 and 1.
+/// Statistics of a map of errors between 0 and 1.
 struct ErrorSummary {
   double mean = 0.0;
   double least = 0.0;

@@ -7,14 +7,14 @@
 namespace mien::render {
 namespace {
 
-/// Of exp(−π² d² / b), in pixels.
+/// Standard deviation of exp(−π² d² / b), in pixels.
 double deviation_of(double b, double pixels_per_degree) {
   return std::sqrt(b / 2.0) / std::numbers::pi * pixels_per_degree;
 }
 
 int three_deviations(double deviation) { return static_cast<int>(std::ceil(3.0 * deviation)); }
 
-/// Of a Gaussian along both axes, the two-dimensional sum of what is not scaled to 1.
+/// Two-dimensional sum of an unnormalised Gaussian.
 double whole_sum(double deviation, int reach) {
   double line = 1.0;
   for (int k = 1; k <= reach; ++k) line += 2.0 * std::exp(-0.5 * k * k / (deviation * deviation));

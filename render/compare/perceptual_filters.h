@@ -15,7 +15,8 @@ struct ContrastFilters {
   float wide_share = 1.0f;        ///< of the wide part in the sum; the rest is the other's
 };
 
-/// Reaching three standard deviations of the widest, in whole pixels: so the authors have it.
+/// The filters for a resolution, cut off at three standard deviations of the widest, in whole
+/// pixels, as the authors do.
 ContrastFilters contrast_filters(double pixels_per_degree);
 
 /// Detectors of edges and points (section 4.2): first and second derivative of a Gaussian whose
@@ -28,7 +29,7 @@ struct FeatureFilters {
   HalfKernel point;   ///< even
 };
 
-/// Reaching three standard deviations, in whole pixels.
+/// The detectors for a resolution, cut off at three standard deviations, in whole pixels.
 FeatureFilters feature_filters(double pixels_per_degree);
 
 }  // namespace mien::render

@@ -29,7 +29,7 @@ void include(Window& window, int x, int y) {
 }  // namespace
 
 PictureDifference picture_difference(const Image8& a, const Image8& b, double limit) {
-  expect_one_size(a, b);
+  require_same_size(a, b);
   PictureDifference found;
   double sum = 0.0, squares = 0.0;
   std::size_t at = 0;
@@ -63,7 +63,7 @@ PictureDifference picture_difference(const Image8& a, const Image8& b, double li
 }
 
 LibraryDifference library_difference(const Image8& a, const Image8& b, double limit) {
-  expect_one_size(a, b);
+  require_same_size(a, b);
   const ImageComparison found = image_files().compare(
       {a.width, a.height, ChannelKind::byte, a.channels.data()},
       {b.width, b.height, ChannelKind::byte, b.channels.data()}, static_cast<float>(limit));

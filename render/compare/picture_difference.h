@@ -26,7 +26,7 @@ struct PictureDifference {
 /// Throws Error, with both sizes, when they differ. `limit` is a share of full scale.
 PictureDifference picture_difference(const Image8& a, const Image8& b, double limit = 0.0);
 
-/// What OpenImageIO's ImageBufAlgo::compare says of them: a second voice, by other hands.
+/// The result of OpenImageIO's ImageBufAlgo::compare: an independent second measurement.
 struct LibraryDifference {
   double mean = 0.0;
   double rms = 0.0;

@@ -54,7 +54,7 @@ double inner_mean(const PixelMap& map) {
 }  // namespace
 
 StructuralSimilarity structural_similarity(const Image8& a, const Image8& b) {
-  expect_one_size(a, b);
+  require_same_size(a, b);
   const HalfKernel window = gaussian_kernel(1.5, window_reach);
   const int width = (a.width + filter_block - 1) / filter_block * filter_block;
   const auto stride = static_cast<std::size_t>(width);

@@ -28,7 +28,7 @@ struct Box {
   Eigen::Array3f upper;
 };
 
-Box box_of(const RoundCone& cone) {
+Box box_of(const PreparedCone& cone) {
   const Eigen::Array3f a = cone.a.array(), b = cone.b().array();
   return {(a - cone.radius_a).min(b - cone.radius_b), (a + cone.radius_a).max(b + cone.radius_b)};
 }

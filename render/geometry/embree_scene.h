@@ -38,7 +38,7 @@ struct RayPacket {
   alignas(32) float direction_x[packet_size] = {};
   alignas(32) float direction_y[packet_size] = {};
   alignas(32) float direction_z[packet_size] = {};
-  alignas(32) float reach[packet_size] = {};  ///< nothing further than this counts, metres
+  alignas(32) float reach[packet_size] = {};  ///< hits farther than this do not count, metres
   alignas(32) float time[packet_size] = {};   ///< 0 when the shutter opens … 1 when it closes
   alignas(32) std::uint32_t present[packet_size] = {};  ///< bit f: figure f is there
   int count = 0;
@@ -67,10 +67,10 @@ class EmbreeScene {
 
   const Shapes& shapes() const { return shapes_; }
 
-  /// Primary rays: neighbours that go about the same way.
+  /// The nearest hit of each ray. For coherent rays: neighbouring primary rays.
   Hits intersect(const RayPacket& rays) const;
 
-  /// Bit i is set when something lies on ray i before its reach.
+  /// Bit i is set when something occludes ray i before its reach.
   std::uint32_t occluded(const RayPacket& rays) const;
 
  private:

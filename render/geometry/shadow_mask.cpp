@@ -71,7 +71,7 @@ bool overlap(const FloorArea& a, const FloorArea& b) {
 
 }  // namespace
 
-bool is_behind(const AreaLight& light, const RoundCone& solid) {
+bool is_behind(const AreaLight& light, const PreparedCone& solid) {
   constexpr float nearest = 1e-3f;  // metres
   const Vec3 front = light.half_u.cross(light.half_v).normalized();
   return front.dot(solid.a - light.centre) + solid.radius_a < -nearest &&

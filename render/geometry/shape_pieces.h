@@ -8,20 +8,20 @@
 
 namespace mien::render {
 
-/// A ball of which a piece of a shape is made.
+/// One of the balls whose convex hull bounds a piece of a shape.
 struct Ball {
   Vec3 centre;
   float radius;
 };
 
-/// A solid as pieces, each within the hull of a few balls. A round cone becomes a chain whose
-/// pieces are about as long as they are thick: boxes around those are tighter than one box around
-/// the whole. What moves fills the hull of where it comes from and where it goes to.
+/// Calls `visit` with the pieces of a shape, each as balls whose convex hull bounds it. A round
+/// cone becomes a chain of pieces about as long as they are thick, whose boxes are tighter than one
+/// box around the whole. A moving shape is bounded by the hull of its two positions.
 template <class Visit>
-void visit_pieces(const RoundCone& cone, const RoundCone* closing, Visit visit) {
+void visit_pieces(const PreparedCone& cone, const PreparedCone* closing, Visit visit) {
   const float thickness = 2.0f * std::max(std::max(cone.radius_a, cone.radius_b), 1e-3f);
   const int pieces = std::clamp(static_cast<int>(std::ceil(cone.axis.norm() / thickness)), 1, 16);
-  const auto ball = [&](const RoundCone& of, int i) {
+  const auto ball = [&](const PreparedCone& of, int i) {
     const float t = static_cast<float>(i) / static_cast<float>(pieces);
     return Ball{of.a + t * of.axis, of.radius_a + t * (of.radius_b - of.radius_a)};
   };

@@ -25,7 +25,7 @@ int part_of(const Mesh& mesh, int triangle) {
 /// Without their figures.
 Shapes bare_shapes(const Solids& solids) {
   Shapes shapes;
-  shapes.cones = round_cones(solids);
+  shapes.cones = prepared_cones(solids);
   for (std::size_t m = 0; m < solids.meshes.size(); ++m) {
     add_triangles(solids.meshes[m], shapes.triangles);
     for (std::size_t t = 0; t < solids.meshes[m].triangles.size(); ++t)
@@ -35,7 +35,7 @@ Shapes bare_shapes(const Solids& solids) {
 }
 
 bool alike(const Solids& a, const Solids& b) {
-  if (a.spheres.size() != b.spheres.size() || a.capsules.size() != b.capsules.size() ||
+  if (a.spheres.size() != b.spheres.size() || a.round_cones.size() != b.round_cones.size() ||
       a.meshes.size() != b.meshes.size())
     return false;
   for (std::size_t i = 0; i < a.meshes.size(); ++i) {
@@ -48,18 +48,18 @@ bool alike(const Solids& a, const Solids& b) {
 
 }  // namespace
 
-RoundCone Shapes::cone_at(std::size_t index, float time) const {
-  const RoundCone& from = cones[index];
+PreparedCone Shapes::cone_at(std::size_t index, float time) const {
+  const PreparedCone& from = cones[index];
   if (closing_cones.empty()) return from;
-  const RoundCone& to = closing_cones[index];
-  Capsule moved;
+  const PreparedCone& to = closing_cones[index];
+  RoundCone moved;
   moved.start = between(from.a, to.a, time);
   moved.end = between(from.b(), to.b(), time);
   moved.start_radius = from.radius_a + time * (to.radius_a - from.radius_a);
   moved.end_radius = from.radius_b + time * (to.radius_b - from.radius_b);
   moved.material = from.material;
   moved.part = from.part;
-  return round_cone(moved);
+  return prepared_cone(moved);
 }
 
 Triangle Shapes::triangle_at(std::size_t index, float time) const {
@@ -71,7 +71,8 @@ Triangle Shapes::triangle_at(std::size_t index, float time) const {
 
 Shapes figure_shapes(const Scene& scene) {
   Shapes shapes = bare_shapes(scene.solids);
-  for (const RoundCone& cone : shapes.cones) shapes.figures.push_back(figure_of(cone.part, scene));
+  for (const PreparedCone& cone : shapes.cones)
+    shapes.figures.push_back(figure_of(cone.part, scene));
   for (const TriangleSource& source : shapes.sources) {
     const Mesh& mesh = scene.solids.meshes[static_cast<std::size_t>(source.mesh)];
     shapes.figures.push_back(figure_of(part_of(mesh, source.triangle), scene));
@@ -81,8 +82,8 @@ Shapes figure_shapes(const Scene& scene) {
   return shapes;
 }
 
-Shapes standing_shapes(const Scene& scene) {
-  Shapes shapes = bare_shapes(scene.standing);
+Shapes static_shapes(const Scene& scene) {
+  Shapes shapes = bare_shapes(scene.static_solids);
   shapes.figures.assign(shapes.cones.size() + shapes.triangles.size(), 0);
   return shapes;
 }
@@ -91,7 +92,7 @@ Shapes shapes_between(const Scene& opening, const Scene& closing) {
   if (!alike(opening.solids, closing.solids))
     throw std::invalid_argument("closing: holds other solids than the opening scene");
   Shapes shapes = figure_shapes(opening);
-  shapes.closing_cones = round_cones(closing.solids);
+  shapes.closing_cones = prepared_cones(closing.solids);
   for (const Mesh& mesh : closing.solids.meshes) add_triangles(mesh, shapes.closing_triangles);
   return shapes;
 }

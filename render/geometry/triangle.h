@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/geometry/round_cone.h"
+#include "render/geometry/prepared_cone.h"
 #include "render/math/vector.h"
 
 namespace mien::render {
@@ -20,7 +20,7 @@ struct Triangle {
 void intersect_triangle(const Triangle& triangle, const RayLanes& rays, unsigned count,
                         float* distance);
 
-/// Weights of b and c at a point of the triangle's plane.
+/// Barycentric weights of b and c at a point of the triangle's plane.
 struct Barycentric {
   float b;
   float c;

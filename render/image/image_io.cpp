@@ -62,19 +62,19 @@ void write_png(const std::filesystem::path& path, const Image16& image) {
   write_png_of(path, image);
 }
 
-void write_png(const std::filesystem::path& path, const Exposure& exposure, const Tone& tone) {
-  Film straight = exposure.film;
-  for (std::size_t i = 0; i < exposure.alpha.size(); ++i) {
-    const float scale = exposure.alpha[i] > 0.0f ? 1.0f / exposure.alpha[i] : 0.0f;
+void write_png(const std::filesystem::path& path, const RenderTarget& target, const Tone& tone) {
+  Framebuffer straight = target.color;
+  for (std::size_t i = 0; i < target.alpha.size(); ++i) {
+    const float scale = target.alpha[i] > 0.0f ? 1.0f / target.alpha[i] : 0.0f;
     for (std::size_t c = 0; c < 3; ++c) straight.channels[3 * i + c] *= scale;
   }
   const Image8 colours = to_srgb8(straight, tone);
   std::vector<std::uint8_t> channels;
-  channels.reserve(4 * exposure.alpha.size());
-  for (std::size_t i = 0; i < exposure.alpha.size(); ++i) {
+  channels.reserve(4 * target.alpha.size());
+  for (std::size_t i = 0; i < target.alpha.size(); ++i) {
     channels.insert(channels.end(), {colours.channels[3 * i], colours.channels[3 * i + 1],
                                      colours.channels[3 * i + 2],
-                                     static_cast<std::uint8_t>(255.0f * exposure.alpha[i] + 0.5f)});
+                                     static_cast<std::uint8_t>(255.0f * target.alpha[i] + 0.5f)});
   }
   write(path, {.width = colours.width,
                .height = colours.height,
@@ -85,29 +85,29 @@ void write_png(const std::filesystem::path& path, const Exposure& exposure, cons
                .values = channels.data()});
 }
 
-void write_exr(const std::filesystem::path& path, const Film& film, ExrDepth depth) {
+void write_exr(const std::filesystem::path& path, const Framebuffer& framebuffer, ExrDepth depth) {
   // Without a date, OpenImageIO writes the time at which the file is made.
   write(path,
-        {.width = film.width,
-         .height = film.height,
+        {.width = framebuffer.width,
+         .height = framebuffer.height,
          .stored = depth == ExrDepth::Half ? ChannelKind::half : ChannelKind::single,
          .attributes = {{"oiio:ColorSpace", "Linear"}, {"compression", "zip"}, {"DateTime", ""}},
          .given = ChannelKind::single,
-         .values = film.channels.data()});
+         .values = framebuffer.channels.data()});
 }
 
 Image8 read_png8(const std::filesystem::path& path) { return read_png_of<std::uint8_t>(path); }
 
 Image16 read_png16(const std::filesystem::path& path) { return read_png_of<std::uint16_t>(path); }
 
-Film read_exr(const std::filesystem::path& path) {
+Framebuffer read_exr(const std::filesystem::path& path) {
   const std::unique_ptr<ImageFile> file = opened(path, "openexr");
   const ImageLayout& layout = file->layout();
   if (layout.channels.size() != 3) fail(path, "does not have three channels");
   require_readable_size(path.string(), layout.width, layout.height, 3);
-  Film film(layout.width, layout.height);
-  if (!file->read(ChannelKind::single, film.channels.data())) fail(path, file->error());
-  return film;
+  Framebuffer framebuffer(layout.width, layout.height);
+  if (!file->read(ChannelKind::single, framebuffer.channels.data())) fail(path, file->error());
+  return framebuffer;
 }
 
 ImageSummary check_image(const std::filesystem::path& path) {

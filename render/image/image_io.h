@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "render/image/film.h"
+#include "render/image/framebuffer.h"
 #include "render/image/image.h"
 #include "render/image/layers.h"
 #include "render/image/tone.h"
@@ -17,13 +17,13 @@ void write_png(const std::filesystem::path& path, const Image16& image);
 
 /// PNG with alpha, 8 bits a channel, from light multiplied by alpha: colours are divided by it, as
 /// PNG has them. `exposure.alpha` is not empty.
-void write_png(const std::filesystem::path& path, const Exposure& exposure, const Tone& tone);
+void write_png(const std::filesystem::path& path, const RenderTarget& target, const Tone& tone);
 
 enum class ExrDepth { Half, Float };
 
 /// OpenEXR, linear Rec.709, zip-compressed; no date and no software name. The file's name must end
 /// in ".exr". Throws Error.
-void write_exr(const std::filesystem::path& path, const Film& film,
+void write_exr(const std::filesystem::path& path, const Framebuffer& framebuffer,
                ExrDepth depth = ExrDepth::Half);
 
 /// All layers as the parts of one OpenEXR: "beauty" (R, G, B), "albedo" (R, G, B), "normal" (X, Y,
@@ -36,7 +36,7 @@ void write_layers(const std::filesystem::path& path, const Layers& layers);
 /// is cut short or does not decode.
 Image8 read_png8(const std::filesystem::path& path);
 Image16 read_png16(const std::filesystem::path& path);
-Film read_exr(const std::filesystem::path& path);
+Framebuffer read_exr(const std::filesystem::path& path);
 
 /// What a picture file holds. All of it is decoded: one that is cut short throws Error.
 struct ImageSummary {

@@ -37,15 +37,15 @@ std::uint32_t layer_id(const std::string& name) {
   return exponent == 0u || exponent == 255u ? hash ^ (1u << 23) : hash;
 }
 
-Layers cut_out(Layers layers, const Window& window) {
+Layers crop(Layers layers, const Window& window) {
   const int width = layers.albedo.width;
-  for (Film* film : {&layers.albedo, &layers.normal, &layers.position})
-    *film = cut_out(*film, window);
+  for (Framebuffer* framebuffer : {&layers.albedo, &layers.normal, &layers.position})
+    *framebuffer = crop(*framebuffer, window);
   for (std::vector<float>* values : {&layers.depth, &layers.samples, &layers.variance})
-    *values = cut_out(*values, width, window);
-  layers.motion = cut_out(layers.motion, width, window, 2);
+    *values = crop(*values, width, window);
+  layers.motion = crop(layers.motion, width, window, 2);
   for (CoverageLayer* layer : {&layers.figures, &layers.parts})
-    layer->ranks = cut_out(layer->ranks, width, window, covered_ranks);
+    layer->ranks = crop(layer->ranks, width, window, covered_ranks);
   return layers;
 }
 

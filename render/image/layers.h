@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/image/film.h"
+#include "render/image/framebuffer.h"
 
 namespace mien::render {
 
@@ -22,25 +22,25 @@ struct CoverageLayer {
   std::vector<Coverage> ranks;     ///< covered_ranks a pixel
 };
 
-/// A picture and what is known of it besides light. Means over a pixel's samples, under the same
-/// filter as the picture: albedo, normal, ids. Of the ray through its centre alone, as a mean of
-/// them would be nowhere: depth, position, motion. The backdrop has albedo 0, normal 0, position 0
-/// and an infinite depth.
+/// A picture with its arbitrary output variables (AOVs). Means over a pixel's samples, under the
+/// same filter as the picture: albedo, normal, ids. Taken from the ray through the pixel's centre,
+/// because a mean would be meaningless: depth, position, motion. The backdrop has albedo 0, normal
+/// 0, position 0 and an infinite depth.
 struct Layers {
-  Film beauty;
-  Film albedo;
-  Film normal;                  ///< world space, on the side that is seen
-  Film position;                ///< world space, metres
+  Framebuffer beauty;
+  Framebuffer albedo;
+  Framebuffer normal;           ///< world space, on the side that is seen
+  Framebuffer position;         ///< world space, metres
   std::vector<float> depth;     ///< along the optical axis, metres
   std::vector<float> motion;    ///< two a pixel: to where it is in the next picture, pixels
   std::vector<float> samples;   ///< primary rays that were traced; 0: known in closed form
-  std::vector<float> variance;  ///< of the pixel's luminance from one noise pattern to another
+  std::vector<float> variance;  ///< of the pixel's luminance between noise patterns
   CoverageLayer figures;
   CoverageLayer parts;  ///< "figure/part"
 };
 
-/// The pixels of a window, in all layers that are of the size of `layers.albedo`.
-Layers cut_out(Layers layers, const Window& window);
+/// Crops all layers of the size of `layers.albedo` to a window.
+Layers crop(Layers layers, const Window& window);
 
 /// The id that Cryptomatte gives a name: MurmurHash3 (32 bits, seed 0), with the exponent kept off
 /// the values that are no finite number (Friedman & Jones 2015).

@@ -50,13 +50,14 @@ Luminance luminance_of(const Image8& picture) {
   return {mean / steps, std::sqrt(std::max(0.0, square - mean * mean)) / steps};
 }
 
-double mean_luminance(const Film& film, const Tone& tone) {
+double mean_luminance(const Framebuffer& framebuffer, const Tone& tone) {
   const auto gain = static_cast<float>(std::exp2(static_cast<double>(tone.exposure_stops)));
   double sum = 0.0;
-  for (std::size_t i = 0; i < film.channels.size(); ++i) {
-    sum += weights[i % 3] * static_cast<double>(tone_curve(gain * film.channels[i], tone.shoulder));
+  for (std::size_t i = 0; i < framebuffer.channels.size(); ++i) {
+    sum += weights[i % 3] *
+           static_cast<double>(tone_curve(gain * framebuffer.channels[i], tone.shoulder));
   }
-  return 3.0 * sum / static_cast<double>(std::max<std::size_t>(1, film.channels.size()));
+  return 3.0 * sum / static_cast<double>(std::max<std::size_t>(1, framebuffer.channels.size()));
 }
 
 void ClipLuminance::add(const Luminance& frame) {

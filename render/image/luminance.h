@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/film.h"
+#include "render/image/framebuffer.h"
 #include "render/image/image.h"
 #include "render/image/tone.h"
 #include "render/math/vector.h"
@@ -17,14 +17,15 @@ struct Luminance {
   double rms_contrast() const { return mean > 0.0 ? deviation / mean : 0.0; }
 };
 
-/// Of linear light with Rec.709 primaries, weighted by BT.709.
+/// Luminance of linear light with Rec.709 primaries, by the weights of BT.709.
 float relative_luminance(const Color& light);
 
-/// Sums are of whole numbers (light in steps of 2⁻²⁰), so the result is the same everywhere.
+/// Mean and deviation of a picture. Summed in whole numbers (steps of 2⁻²⁰), so the result is the
+/// same on every machine.
 Luminance luminance_of(const Image8& picture);
 
-/// The mean that the film has when a display shows it with this tone, not rounded to codes.
-double mean_luminance(const Film& film, const Tone& tone);
+/// Mean luminance of the framebuffer as a display shows it with this tone, not rounded to codes.
+double mean_luminance(const Framebuffer& framebuffer, const Tone& tone);
 
 /// Luminance of the frames of a clip.
 struct ClipLuminance {

@@ -17,7 +17,7 @@ struct PngPixels {
   const void* values = nullptr;
 };
 
-/// Writes the very bytes that OpenImageIO 2.4 writes for the same pixels. Throws Error.
+/// Writes exactly the bytes that OpenImageIO 2.4 writes for the same pixels. Throws Error.
 void write_png_file(const std::filesystem::path& path, const PngPixels& pixels);
 
 /// A PNG of which the head has been read.

@@ -149,7 +149,7 @@ void NearestTable::codes(const float* light, int count, std::uint8_t* codes) con
   look_up(words_.data(), lowest_, light, count, codes);
 }
 
-/// Of a picture's pixel.
+/// Position of a pixel.
 struct Place {
   int x;
   int y;
@@ -158,21 +158,22 @@ struct Place {
 /// Calls to_codes(light, place, codes) for each row of a part, the tone curve applied: `light` has
 /// three channels a pixel, `place` is the picture's first pixel.
 template <class Channel, class ToCodes>
-void develop_rows(const Film& film, const Window& part, const Tone& tone, Image<Channel>& picture,
-                  const Place& corner, const ToCodes& to_codes) {
+void develop_rows(const Framebuffer& framebuffer, const Window& part, const Tone& tone,
+                  Image<Channel>& picture, const Place& corner, const ToCodes& to_codes) {
   const float factor = exposure(tone);
   std::vector<float> shown(3 * static_cast<std::size_t>(part.width));
   for (int row = 0; row < part.height; ++row) {
-    tone_row(film.at(part.x, part.y + row), 3 * part.width, factor, tone.shoulder, shown.data());
+    tone_row(framebuffer.at(part.x, part.y + row), 3 * part.width, factor, tone.shoulder,
+             shown.data());
     const Place first{corner.x, corner.y + row};
     to_codes(shown, first, picture.at(first.x, first.y));
   }
 }
 
 template <class Picture>
-Picture developed(const Film& film, const Tone& tone) {
-  Picture picture(film.width, film.height);
-  develop(film, {0, 0, film.width, film.height}, tone, picture, 0, 0);
+Picture developed(const Framebuffer& framebuffer, const Tone& tone) {
+  Picture picture(framebuffer.width, framebuffer.height);
+  develop(framebuffer, {0, 0, framebuffer.width, framebuffer.height}, tone, picture, 0, 0);
   return picture;
 }
 
@@ -193,11 +194,11 @@ Color linear_from_srgb8(int red, int green, int blue) {
   return {linear(red), linear(green), linear(blue)};
 }
 
-void develop(const Film& film, const Window& part, const Tone& tone, Image8& picture, int x,
-             int y) {
+void develop(const Framebuffer& framebuffer, const Window& part, const Tone& tone, Image8& picture,
+             int x, int y) {
   if (!tone.dither) {
     static const NearestTable nearest(Quantiser(255, 0.5, bits_for_8));
-    return develop_rows(film, part, tone, picture, {x, y},
+    return develop_rows(framebuffer, part, tone, picture, {x, y},
                         [](const std::vector<float>& light, Place, std::uint8_t* codes) {
                           nearest.codes(light.data(), static_cast<int>(light.size()), codes);
                         });
@@ -207,7 +208,7 @@ void develop(const Film& film, const Window& part, const Tone& tone, Image8& pic
     for (int rank = 0; rank < 64; ++rank) all.emplace_back(255, (rank + 0.5) / 64.0, bits_for_8);
     return all;
   }();
-  develop_rows(film, part, tone, picture, {x, y},
+  develop_rows(framebuffer, part, tone, picture, {x, y},
                [](const std::vector<float>& light, Place first, std::uint8_t* codes) {
                  for (std::size_t i = 0; i < light.size(); ++i) {
                    const int column = first.x + static_cast<int>(i / 3);
@@ -217,18 +218,22 @@ void develop(const Film& film, const Window& part, const Tone& tone, Image8& pic
                });
 }
 
-void develop(const Film& film, const Window& part, const Tone& tone, Image16& picture, int x,
-             int y) {
+void develop(const Framebuffer& framebuffer, const Window& part, const Tone& tone, Image16& picture,
+             int x, int y) {
   static const Quantiser nearest(65535, 0.5, bits_for_16);
-  develop_rows(film, part, tone, picture, {x, y},
+  develop_rows(framebuffer, part, tone, picture, {x, y},
                [](const std::vector<float>& light, Place, std::uint16_t* codes) {
                  for (std::size_t i = 0; i < light.size(); ++i)
                    codes[i] = static_cast<std::uint16_t>(nearest.code(light[i]));
                });
 }
 
-Image8 to_srgb8(const Film& film, const Tone& tone) { return developed<Image8>(film, tone); }
+Image8 to_srgb8(const Framebuffer& framebuffer, const Tone& tone) {
+  return developed<Image8>(framebuffer, tone);
+}
 
-Image16 to_srgb16(const Film& film, const Tone& tone) { return developed<Image16>(film, tone); }
+Image16 to_srgb16(const Framebuffer& framebuffer, const Tone& tone) {
+  return developed<Image16>(framebuffer, tone);
+}
 
 }  // namespace mien::render

@@ -2,7 +2,7 @@
 
 namespace mien::render {
 
-/// Pixels [x, x + width) × [y, y + height) of a film.
+/// Pixels [x, x + width) × [y, y + height) of a picture.
 struct Window {
   int x = 0;
   int y = 0;

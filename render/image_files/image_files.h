@@ -31,7 +31,7 @@ struct ImageLayout {
   ChannelKind stored = ChannelKind::other;
   int bits = 0;             ///< a channel, as stored
   std::string format;       ///< "png", "openexr", …
-  std::string color_space;  ///< "sRGB", "Linear"; empty when it is not told
+  std::string color_space;  ///< "sRGB", "Linear"; empty if not stated
 };
 
 /// A file that is open for reading, at one of its pictures: at first, the first.
@@ -85,18 +85,19 @@ class ImageFiles {
  public:
   virtual ~ImageFiles() = default;
 
-  /// Nothing, and why, when it cannot be opened.
+  /// Opens a picture file; null, with the reason in `error`, when that fails.
   virtual std::unique_ptr<ImageFile> open(const std::string& path, std::string& error) const = 0;
 
-  /// The same of bytes that outlive the result; the ending of `name` tells the format.
+  /// Opens a picture file in memory, whose bytes outlive the result; the extension of `name`
+  /// selects the format.
   virtual std::unique_ptr<ImageFile> open(std::span<const unsigned char> bytes,
                                           const std::string& name, std::string& error) const = 0;
 
-  /// A file of these pictures. False, and why, when that failed.
+  /// Writes a file of these pictures; false, with the reason in `error`, when that fails.
   virtual bool write(const std::string& path, const std::vector<ImagePart>& parts,
                      std::string& error) const = 0;
 
-  /// The file of one picture, in memory; the ending of `name` tells the format.
+  /// Encodes a picture file in memory; the extension of `name` selects the format.
   virtual bool encode(const std::string& name, const ImagePart& part, std::string& bytes,
                       std::string& error) const = 0;
 
@@ -109,10 +110,10 @@ class ImageFiles {
 /// The library, loaded when this is first called. Throws Error when it is not there.
 const ImageFiles& image_files();
 
-/// Its version without loading it, from its file's name; by asking it where that does not tell.
+/// The library's version, from its file's name without loading it where possible.
 std::string image_files_version();
 
-/// Of the types above (loaded_part.h).
+/// Version of the types above (load_part.h).
 inline constexpr int image_files_edition = 3;
 
 }  // namespace mien::render

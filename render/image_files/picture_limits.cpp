@@ -4,22 +4,22 @@
 
 namespace mien::render {
 
-std::string picture_hindrance(std::int64_t width, std::int64_t height, std::size_t channels) {
+std::string picture_read_error(std::int64_t width, std::int64_t height, std::size_t channels) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width < 1 || height < 1 || channels < 1) return "has " + size + ", and so shows nothing";
   const auto columns = static_cast<std::uint64_t>(width);
   const auto rows = static_cast<std::uint64_t>(height);
-  const bool is_readable = channels <= most_picture_values &&
-                           columns <= most_picture_values / channels &&
-                           rows <= most_picture_values / channels / columns;
+  const bool is_readable = channels <= max_picture_values &&
+                           columns <= max_picture_values / channels &&
+                           rows <= max_picture_values / channels / columns;
   if (is_readable) return "";
   return "has " + size + ", more than are read: 8192 x 8192, or as many otherwise";
 }
 
 void require_readable_size(const std::string& name, std::int64_t width, std::int64_t height,
                            std::size_t channels) {
-  const std::string hindrance = picture_hindrance(width, height, channels);
-  if (!hindrance.empty()) throw Error(name + ": " + hindrance);
+  const std::string error = picture_read_error(width, height, channels);
+  if (!error.empty()) throw Error(name + ": " + error);
 }
 
 }  // namespace mien::render

@@ -73,9 +73,10 @@ Color unshadowed_floor(const Scene& scene, const Vec3& point) {
   return scene.ground.albedo * inverse_pi * irradiance_on_floor(scene, point);
 }
 
-SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, const EyeRay& ray) {
+BackgroundPixel background_pixel(const Scene& scene, const CameraFrame& camera,
+                                 const CameraRay& ray) {
   const Vec3& direction = ray.direction;
-  SetPixel pixel;
+  BackgroundPixel pixel;
   pixel.radiance = backdrop_radiance(scene.sky, direction);
   if (!scene.has_ground) return pixel;
   const std::optional<float> distance = distance_to_floor(ray.origin, direction);

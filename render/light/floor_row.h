@@ -11,9 +11,9 @@ struct FloorPlace {
   float z;
 };
 
-/// The floor through the middles of a row of pixels, where they show it: a straight line. With u
-/// pixels right of the optical axis it is seen s = height / (drop + u·drop_step) times what it is
-/// at distance 1 from the camera.
+/// The points of the floor at the centres of a row of pixels, where they show it: a straight line.
+/// With u pixels right of the optical axis it is seen s = height / (drop + u·drop_step) times what
+/// it is at distance 1 from the camera.
 struct FloorRow {
   float x = 0.0f;  ///< below the camera, or wherever a parallel camera's are counted from
   float z = 0.0f;
@@ -24,7 +24,7 @@ struct FloorRow {
   float height = 1.0f;
   float drop = 1.0f;
   float drop_step = 0.0f;
-  float centre = 0.0f;  ///< film x of the optical axis
+  float centre = 0.0f;  ///< image x of the optical axis
 
   FloorRow() = default;
   FloorRow(const CameraFrame& camera, int y) : centre(camera.centre_x) {
@@ -54,7 +54,8 @@ struct FloorRow {
     step_z = right.z() - right.y() * lean_z;
   }
 
-  /// Of the pixel in that column; of no meaning where it does not show the floor.
+  /// The floor at the centre of the pixel in that column; meaningless where the pixel does not show
+  /// the floor.
   FloorPlace at(int column) const {
     const float u = static_cast<float>(column) + 0.5f - centre;
     const float s = height / (drop + u * drop_step);

@@ -44,9 +44,9 @@ FloorSky::FloorSky(const Shapes& shapes, const BoundingSphere& bounds, const Qua
   divide(0, {origin_x_, origin_z_, root_side});
 }
 
-// Of a ball of radius r the floor sees r² h / d³ of the sky. Twice differentiated along the floor
-// that is at most 12 / d² of it, and bilinear interpolation is off by an eighth of that times the
-// side squared.
+// A sphere of radius r at height h and distance d occludes r² h / d³ of the sky. Its second
+// derivative along the floor is at most 12 / d² of that, and bilinear interpolation errs by an
+// eighth of it times the side squared.
 float FloorSky::interpolation_error(const Square& square) const {
   const float side = metres(square.side);
   const Vec3 centre{metres(square.x) + 0.5f * side, 0.0f, metres(square.z) + 0.5f * side};
@@ -68,7 +68,7 @@ float FloorSky::interpolation_error(const Square& square) const {
 
 // Within a sphere nothing is gained by division: what a long wall is bounded by would be divided
 // into millions of cells of which none is known.
-bool FloorSky::is_hopeless(const Square& square) const {
+bool FloorSky::is_within_sphere(const Square& square) const {
   const float side = metres(square.side);
   const Vec3 centre{metres(square.x) + 0.5f * side, 0.0f, metres(square.z) + 0.5f * side};
   return std::any_of(spheres_.begin(), spheres_.end(), [&](const BoundingSphere& sphere) {
@@ -98,7 +98,7 @@ void FloorSky::divide(std::size_t branch, const Square& square) {
   if (interpolation_error(square) > tolerance) {
     const int half = square.side / 2;
     const bool divides = half >= 1 && metres(half) >= quality_.floor_sky_cell && tolerance > 0.0f;
-    if (divides && !is_hopeless(square)) {
+    if (divides && !is_within_sphere(square)) {
       const std::size_t first = branches_.size();
       branches_[branch].children = static_cast<int>(first);
       branches_.resize(first + 4);
@@ -129,8 +129,8 @@ int FloorSky::corner_of(int x, int z) {
   return place->second;
 }
 
-// So many that the noise, which falls a little slower than in proportion for points so well spread,
-// stays below what the quality asks for.
+// Enough rays for the noise limit of the quality; with a low-discrepancy sequence noise falls
+// slightly slower than in proportion to their number.
 int FloorSky::rays_from(const Corner& corner) const {
   const std::optional<Cone> cone = cone_of(bounds_, {corner.x, 0.0f, corner.z});
   const float share = cone ? std::min(cone->solid_angle() / pi, 1.0f) : 1.0f;
@@ -140,8 +140,8 @@ int FloorSky::rays_from(const Corner& corner) const {
   return static_cast<int>(std::bit_ceil(rays));
 }
 
-void FloorSky::look(std::size_t number, const EmbreeScene& figure,
-                    const std::vector<float>& opacities) {
+void FloorSky::sample_corner(std::size_t number, const EmbreeScene& figure,
+                             const std::vector<float>& opacities) {
   Corner& corner = corners_[number];
   const Vec3 point{corner.x, 0.0f, corner.z};
   const PixelSampler sampler(quality_.seed, static_cast<int>(corner.x / unit),
@@ -199,7 +199,7 @@ const FloorSky::Cell& FloorSky::cell_at(float x, float z) const {
   return cells_[static_cast<std::size_t>(branch->cell)];
 }
 
-void FloorSky::settle(const Sky& sky) {
+void FloorSky::finish(const Sky& sky) {
   for (Cell& cell : cells_) {
     if (!cell.known || cell.inverse_side == 0.0f) continue;
     const auto light = [&](int k) -> Color {

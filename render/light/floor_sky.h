@@ -5,20 +5,21 @@
 #include <unordered_map>
 #include <vector>
 
+#include "render/geometry/bounding_volumes.h"
 #include "render/geometry/embree_scene.h"
-#include "render/geometry/reach.h"
 #include "render/scene/camera.h"
 #include "render/scene/quality.h"
 #include "render/scene/scene.h"
 
 namespace mien::render {
 
-/// How much light of the sky a figure hides from the floor: known, from many rays each, at the
-/// corners of square cells, and in between by bilinear interpolation. Cells are so small that
-/// interpolation is off by no more than `Quality::floor_sky_tolerance` of the sky's light; where
-/// that would take cells smaller than `Quality::floor_sky_cell`, as under the feet, it may be off
-/// by more with `Quality::floor_sky_smooth`; without, nothing is known here and each pixel needs
-/// rays of its own. Further than 32 m from the figure nothing is hidden.
+/// Occlusion of the sky by a figure, as seen from the floor: an irradiance cache on an adaptive
+/// grid. Occlusion is sampled with many rays at the corners of square cells and interpolated
+/// bilinearly in between. Cells are small enough for an interpolation error of at most
+/// `Quality::floor_sky_tolerance` of the sky's light. Where that would take cells smaller than
+/// `Quality::floor_sky_cell`, as under the feet, the error may be larger with
+/// `Quality::floor_sky_smooth`; without, the cell is not known and each pixel casts its own rays.
+/// Farther than 32 m from the figure there is no occlusion.
 ///
 /// Corners lie at the same places of the floor for every picture, and so do their rays' directions.
 class FloorSky {
@@ -47,19 +48,19 @@ class FloorSky {
     }
   };
 
-  /// Without solids of its own (`shapes` empty) nothing is hidden.
-  /// Of the floor outside `view` nothing is known.
+  /// Without `shapes` nothing is occluded. Outside of `view` nothing is known.
   FloorSky(const Shapes& shapes, const BoundingSphere& bounds, const Quality& quality,
            const std::array<HalfSpace, 4>& view);
 
-  /// Corners whose sky is to be looked at, in a fixed order.
+  /// Number of corners to be sampled, in a fixed order.
   std::size_t corner_count() const { return corners_.size(); }
 
-  /// Looks at one; different corners may be looked at at the same time.
-  void look(std::size_t corner, const EmbreeScene& figure, const std::vector<float>& opacities);
+  /// Samples a corner. Different corners may be sampled at the same time.
+  void sample_corner(std::size_t corner, const EmbreeScene& figure,
+                     const std::vector<float>& opacities);
 
-  /// Once all corners have been looked at.
-  void settle(const Sky& sky);
+  /// Computes the cells; call it after all corners have been sampled.
+  void finish(const Sky& sky);
 
   /// The cell that a point of the floor lies in.
   const Cell& cell_at(float x, float z) const;
@@ -83,7 +84,7 @@ class FloorSky {
 
   void divide(std::size_t branch, const Square& square);
   float interpolation_error(const Square& square) const;
-  bool is_hopeless(const Square& square) const;
+  bool is_within_sphere(const Square& square) const;
   bool is_in_view(const Square& square) const;
   int corner_of(int x, int z);
   int rays_from(const Corner& corner) const;

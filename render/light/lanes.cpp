@@ -76,8 +76,9 @@ MIEN_FOR_AVX2_TOO LanePoints sample_points(const LaneWords& index, const LaneWor
   return points;
 }
 
-MIEN_FOR_AVX2_TOO void eye_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y,
-                                LaneVectors& origin, LaneVectors& direction) {
+MIEN_FOR_AVX2_TOO void camera_rays(const CameraFrame& camera, const LaneFloats& x,
+                                   const LaneFloats& y, LaneVectors& origin,
+                                   LaneVectors& direction) {
   const bool parallel = camera.parallel;
   // What a camera's rays have in common, and what of it grows from the middle of the film.
   const float all = parallel ? 0.0f : 1.0f, some = parallel ? 1.0f : 0.0f;

@@ -46,22 +46,22 @@ struct LanePoints {
   LaneFloats v;
 };
 
-/// sample_point of indices and seeds.
+/// `sample_point` (sampler.h) of eight indices and seeds.
 LanePoints sample_points(const LaneWords& index, const LaneWords& seed);
 
-/// Directions of rays through film points (the filter's offset added to each) of a camera without a
-/// lens. For a parallel camera the origins differ, else they are the camera's position.
-void eye_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y,
-              LaneVectors& origin, LaneVectors& direction);
+/// Camera rays through eight points of the image plane (the filter's offset already added), of a
+/// pinhole or orthographic camera. The origins are the camera's position unless it is orthographic.
+void camera_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y,
+                 LaneVectors& origin, LaneVectors& direction);
 
-/// cosine_direction about each normal.
+/// `cosine_direction` (directions.h) about eight normals.
 LaneVectors cosine_directions(const LaneVectors& normal, const LanePoints& u);
 
-/// cone_direction about one axis.
+/// `cone_direction` (directions.h) about one axis, for eight random points.
 LaneVectors cone_directions(const Vec3& axis, float cosine_of_half_angle, const LanePoints& u);
 
-/// `sample` of a light from each point; `share` times the light's radiance is what `perpendicular`
-/// is there.
+/// `sample` (light.h) of one light from eight points; `share` times the light's radiance is
+/// LightSample::perpendicular.
 struct LaneLights {
   LaneVectors towards;
   LaneFloats distance;
@@ -69,8 +69,8 @@ struct LaneLights {
 };
 LaneLights sample_lights(const AreaLight& light, const LaneVectors& point, const LanePoints& u);
 
-/// What of a light is above the floor: five corners at most, in the order in which `irradiance`
-/// goes round them.
+/// The part of a light above the floor: a polygon of five corners at most, in the order in which
+/// `irradiance` traverses them.
 class FloorLight {
  public:
   explicit FloorLight(const AreaLight& light);
@@ -89,12 +89,12 @@ class FloorLight {
   Vec3 centre_;
 };
 
-/// `irradiance` of a light of radiance 1 on points of the floor, which face up.
+/// `irradiance` (light.h) from a light of radiance 1 on eight points of the floor.
 LaneFloats light_on_floor(const FloorLight& light, const LaneVectors& point);
 
-/// Rays that look from points of the floor for what is in a ball before the sky: cone_direction in
-/// the cone round it (cone_of), or cosine_direction where it fills too much of the sky. `share` is
-/// how much of an even sky's light each stands for.
+/// Rays from eight points of the floor that sample the occlusion of the sky within a bounding
+/// sphere: uniform in the cone around it (cone_of), or cosine-distributed where it fills too much
+/// of the sky. `share` is the share of a uniform sky's light that each represents.
 struct LaneSkyRays {
   LaneVectors towards;
   LaneFloats share;

@@ -9,13 +9,14 @@ namespace mien::render {
 struct LightSample {
   Vec3 towards;         ///< unit
   float distance;       ///< metres
-  Color perpendicular;  ///< irradiance it stands for on a surface that faces it; black: see none
+  Color perpendicular;  ///< irradiance that it represents on a surface that faces it; black: the
+                        ///< light is not visible
 };
 
-/// Even over the light's area: E[perpendicular · cos θ] is the irradiance.
+/// Samples the light uniformly by area: E[perpendicular · cos θ] is the irradiance.
 LightSample sample(const AreaLight& light, const Vec3& point, Point2 u);
 
-/// Irradiance from the whole light, nothing in the way, at a point with that unit normal: Lambert's
+/// Irradiance from the whole, unoccluded light at a point with that unit normal: Lambert's
 /// formula for polygons, the part below the surface's horizon cut off.
 Color irradiance(const AreaLight& light, const Vec3& point, const Vec3& normal);
 

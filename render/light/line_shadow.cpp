@@ -28,7 +28,7 @@ MIEN_LANES Choice all(bool chosen) { return Choice{} - (chosen ? 1 : 0); }
 MIEN_LANES Eight greater(Eight a, Eight b) { return a > b ? a : b; }
 MIEN_LANES Eight less(Eight a, Eight b) { return a < b ? a : b; }
 
-/// Of what is not below zero, zero elsewhere.
+/// Square root of eight numbers; zero for negative ones.
 MIEN_LANES Eight root(Eight square) {
   LaneFloats roots;
   square = greater(square, Eight{});
@@ -112,7 +112,7 @@ MIEN_LANES Span crossing_of(const Triple& normal, const Triple& a, const Triple&
 
 /// Whether a direction, from outside the solid, meets its side: the ball on the axis that hides the
 /// most of it, the least of |c(s) × d|² − r(s)²|d|², lies between the ends and hides it.
-MIEN_LANES Choice side_hides(const RoundCone& solid, const Triple& a, const Triple& direction) {
+MIEN_LANES Choice side_hides(const PreparedCone& solid, const Triple& a, const Triple& direction) {
   const Triple axis = triple(solid.axis);
   const Triple from = cross(a, direction), step = cross(axis, direction);
   const Eight squared = dot(direction, direction);
@@ -127,7 +127,7 @@ MIEN_LANES Choice side_hides(const RoundCone& solid, const Triple& a, const Trip
 }
 
 /// Whether the origin lies between the spheres, within the ball whose surface is nearest.
-MIEN_LANES Choice is_within_side(const RoundCone& solid, const Triple& a) {
+MIEN_LANES Choice is_within_side(const PreparedCone& solid, const Triple& a) {
   const Triple axis = triple(solid.axis);
   const bool is_long = solid.side_squared > 0.0f;
   const Eight share =
@@ -140,7 +140,7 @@ MIEN_LANES Choice is_within_side(const RoundCone& solid, const Triple& a) {
 
 /// Where the planes cross the line that pass through the origin at distance ra of a and rb of b:
 /// their normals n, with n·a = ra, n·b = rb, |n| = 1, here times |a × b|².
-MIEN_LANES Span hidden_by_side(const RoundCone& solid, const Triple& a, const Triple& b,
+MIEN_LANES Span hidden_by_side(const PreparedCone& solid, const Triple& a, const Triple& b,
                                const Triple& start, const Triple& along) {
   const Triple axis = triple(solid.axis);
   const Triple across = cross(a, axis);
@@ -183,7 +183,7 @@ MIEN_FOR_AVX2_TOO void find_sides(LightLines& lines) {
 
 /// Whether a solid lies beyond none of the sides of what point and line span: where it does, it
 /// hides nothing. All bits of a lane or none.
-MIEN_FOR_AVX2_TOO bool find_met(const RoundCone& solid, const LaneVectors& points,
+MIEN_FOR_AVX2_TOO bool find_met(const PreparedCone& solid, const LaneVectors& points,
                                 const LightLines& lines, LaneWords& met) {
   const Triple from = triple(points);
   const Triple a = sum(triple(solid.a), from, eight(-1.0f));
@@ -206,9 +206,9 @@ MIEN_FOR_AVX2_TOO bool find_met(const RoundCone& solid, const LaneVectors& point
   return any != 0;
 }
 
-MIEN_FOR_AVX2_TOO void find_outline(const RoundCone& solid, const LaneVectors& points,
+MIEN_FOR_AVX2_TOO void find_outline(const PreparedCone& solid, const LaneVectors& points,
                                     const LightLines& lines, const LaneWords& met,
-                                    LineParts& parts) {
+                                    LineIntervals& parts) {
   const Triple from = triple(points), start = triple(lines.start), along = triple(lines.along);
   const Triple a = sum(triple(solid.a), from, eight(-1.0f));
   Span hidden = hidden_by_ball(a, solid.radius_a, start, along);
@@ -230,8 +230,8 @@ MIEN_FOR_AVX2_TOO void find_outline(const RoundCone& solid, const LaneVectors& p
 
 // Ends of lines that the side hides. Elsewhere the hidden part is bounded by the spheres' outlines
 // or the tangent planes, of which one is missed only where the line's direction itself is hidden.
-MIEN_FOR_AVX2_TOO void hide_ends(const RoundCone& solid, const LaneVectors& points,
-                                 const LightLines& lines, LineParts& parts) {
+MIEN_FOR_AVX2_TOO void hide_ends(const PreparedCone& solid, const LaneVectors& points,
+                                 const LightLines& lines, LineIntervals& parts) {
   const Triple from = triple(points), start = triple(lines.start), along = triple(lines.along);
   const Triple a = sum(triple(solid.a), from, eight(-1.0f));
   const Choice from_start = side_hides(solid, a, start);
@@ -246,12 +246,12 @@ MIEN_FOR_AVX2_TOO void hide_ends(const RoundCone& solid, const LaneVectors& poin
 
 }  // namespace
 
-bool has_line_shadows(const AreaLight& light, std::span<const RoundCone> solids) {
+bool has_line_shadows(const AreaLight& light, std::span<const PreparedCone> solids) {
   constexpr float nearest = 1e-3f;  // metres
   const float half_height = std::abs(light.half_u.y()) + std::abs(light.half_v.y());
   if (light.centre.y() - half_height < nearest) return false;
   const Vec3 front = light.half_u.cross(light.half_v).normalized();
-  return std::ranges::all_of(solids, [&](const RoundCone& solid) {
+  return std::ranges::all_of(solids, [&](const PreparedCone& solid) {
     return is_behind(light, solid) ||
            (front.dot(solid.a - light.centre) - solid.radius_a > nearest &&
             front.dot(solid.b() - light.centre) - solid.radius_b > nearest);
@@ -269,11 +269,11 @@ LightLines lines_across(const AreaLight& light, const LaneVectors& points, const
   return lines;
 }
 
-std::optional<LineParts> hidden_by(const RoundCone& solid, const LaneVectors& points,
-                                   const LightLines& lines) {
+std::optional<LineIntervals> hidden_part(const PreparedCone& solid, const LaneVectors& points,
+                                         const LightLines& lines) {
   LaneWords met;
   if (!find_met(solid, points, lines, met)) return std::nullopt;
-  LineParts parts;
+  LineIntervals parts;
   find_outline(solid, points, lines, met, parts);
   const float lowest = std::min(solid.a.y() - solid.radius_a, solid.b().y() - solid.radius_b);
   if (solid.side_squared > 0.0f && (lines.along.y() != 0.0f || lowest <= 0.0f))
@@ -283,7 +283,7 @@ std::optional<LineParts> hidden_by(const RoundCone& solid, const LaneVectors& po
 
 // With the line's nearest point to the floor's at t = m and distance h, and x = (t − m)|along|/h,
 // the integral of cos θ · facing / distance² is one of (y + x·rise) / (1 + x²)².
-float light_of(const LightLines& lines, int lane, LinePart part) {
+float irradiance_of(const LightLines& lines, int lane, LineInterval part) {
   const Vec3 start = lines.start.at(lane);
   const float facing = -lines.normal.dot(start);
   if (facing <= 0.0f || part.first >= part.last) return 0.0f;
@@ -301,19 +301,19 @@ float light_of(const LightLines& lines, int lane, LinePart part) {
   return 0.5f * facing * (even + rising) / (pi * length * height_squared * height);
 }
 
-float light_of_all(const LightLines& lines, int lane, std::vector<LinePart>& parts) {
+float irradiance_of_union(const LightLines& lines, int lane, std::vector<LineInterval>& parts) {
   if (parts.empty()) return 0.0f;
-  std::ranges::sort(parts, {}, &LinePart::first);
+  std::ranges::sort(parts, {}, &LineInterval::first);
   float light = 0.0f;
-  LinePart joined = parts.front();
-  for (const LinePart& part : parts) {
+  LineInterval joined = parts.front();
+  for (const LineInterval& part : parts) {
     if (part.first > joined.last) {
-      light += light_of(lines, lane, joined);
+      light += irradiance_of(lines, lane, joined);
       joined = part;
     }
     joined.last = std::max(joined.last, part.last);
   }
-  return light + light_of(lines, lane, joined);
+  return light + irradiance_of(lines, lane, joined);
 }
 
 }  // namespace mien::render

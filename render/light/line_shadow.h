@@ -4,16 +4,16 @@
 #include <span>
 #include <vector>
 
-#include "render/geometry/round_cone.h"
+#include "render/geometry/prepared_cone.h"
 #include "render/light/lanes.h"
 
 namespace mien::render {
 
-// Soft shadows by lines instead of points of a light: which part of a line a round cone hides is
-// known in closed form, and so is the light of the rest. What is left to chance is where on the
-// light the line lies (line sampling: Billen & Dutré 2016).
+// Soft shadows by line sampling (Billen & Dutré 2016) instead of shadow rays: which part of a line
+// across a light a round cone hides is known in closed form, and so is the light of the rest. Only
+// the position of the line on the light is random.
 
-/// Lines across a light, one a lane, each seen from a point of its own on the floor (y = 0).
+/// Lines across a light, one a lane, each seen from its own point of the floor (y = 0).
 struct LightLines {
   LaneVectors start;           ///< from the point to the line's start
   Vec3 along = Vec3::Zero();   ///< from there to its end
@@ -26,38 +26,38 @@ struct LightLines {
   LaneVectors end_side;
 };
 
-/// Whether all of these hide what `hidden_by` says from every point of the floor, or nothing where
-/// they lie behind the light: none of them meets its plane, and all of it lies above the floor.
-bool has_line_shadows(const AreaLight& light, std::span<const RoundCone> solids);
+/// Whether line sampling is exact for this light and these solids: no solid intersects the light's
+/// plane, and all of the light lies above the floor. Solids behind the light hide nothing.
+bool has_line_shadows(const AreaLight& light, std::span<const PreparedCone> solids);
 
 /// Lines along `half_u` whose places along `half_v` are the random numbers `v`.
 LightLines lines_across(const AreaLight& light, const LaneVectors& points, const LaneFloats& v);
 
-/// A part of a line, as shares from start to end in [0, 1].
-struct LinePart {
+/// An interval of a line, as fractions from start to end in [0, 1].
+struct LineInterval {
   float first;
   float last;
 };
 
-/// One a lane; none where first ≥ last.
-struct LineParts {
+/// Eight intervals, one a lane; empty where first ≥ last.
+struct LineIntervals {
   LaneFloats first;
   LaneFloats last;
 };
 
-/// What a solid hides of each line. From a point inside the solid all is hidden.
+/// The interval of each line that a solid hides. From a point inside the solid all is hidden.
 ///
 /// Seen from a point the solid is convex: its outline are two circles' arcs and the two tangent
 /// planes that both spheres share, so the hidden part lies between the extreme crossings of these.
-/// Nothing when it hides nothing of any line, which is soon told of most.
-std::optional<LineParts> hidden_by(const RoundCone& solid, const LaneVectors& points,
-                                   const LightLines& lines);
+/// Returns nothing when it hides nothing of any line, which is quickly decided for most solids.
+std::optional<LineIntervals> hidden_part(const PreparedCone& solid, const LaneVectors& points,
+                                         const LightLines& lines);
 
-/// Irradiance over π that a part of a lane's line gives a floor that faces up, if the whole light
-/// (of radiance 1) were as that line is: E[light_of({0, 1})] over `v` is that of the light.
-float light_of(const LightLines& lines, int lane, LinePart part);
+/// Irradiance over π on the floor from an interval of a lane's line, as an estimator for the whole
+/// light (of radiance 1): E[irradiance_of({0, 1})] over `v` is that of the light.
+float irradiance_of(const LightLines& lines, int lane, LineInterval part);
 
-/// The same of all that lies in any of some parts, which are put in order.
-float light_of_all(const LightLines& lines, int lane, std::vector<LinePart>& parts);
+/// As `irradiance_of`, for the union of some intervals, which are sorted.
+float irradiance_of_union(const LightLines& lines, int lane, std::vector<LineInterval>& parts);
 
 }  // namespace mien::render

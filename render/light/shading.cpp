@@ -21,13 +21,13 @@ float ggx(const Surface& surface, const Vec3& towards) {
   const float masking = (in * (1.0f - k) + k) * (out * (1.0f - k) + k);
   const float away = 1.0f - std::clamp(towards.dot(half), 0.0f, 1.0f);
   const float fifth = away * away * away * away * away;
-  const float fresnel = material.sheen + (1.0f - material.sheen) * fifth;
+  const float fresnel = material.specular_f0 + (1.0f - material.specular_f0) * fifth;
   return density * fresnel / (4.0f * masking);
 }
 
 float off_surface(const Vec3& point) { return 1e-4f * std::max(1.0f, point.cwiseAbs().maxCoeff()); }
 
-Surface cone_surface(const RoundCone& cone, const Vec3& point) {
+Surface cone_surface(const PreparedCone& cone, const Vec3& point) {
   Surface surface;
   surface.point = point;
   surface.normal = normal_at(cone, point);
@@ -125,7 +125,7 @@ Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closi
                    float time) {
   const auto index = static_cast<std::size_t>(shape);
   if (index < shapes.cones.size()) {
-    const RoundCone cone = shapes.cone_at(index, time);
+    const PreparedCone cone = shapes.cone_at(index, time);
     Surface surface = cone_surface(cone, point);
     surface.towards_eye = -direction;
     surface.material = &scene.materials[static_cast<std::size_t>(cone.material)];
@@ -188,7 +188,7 @@ Color texel_at(const Texture& texture, float u, float v) {
 
 Color reflectance(const Surface& surface, const Vec3& towards) {
   const Color diffuse = surface.albedo * std::numbers::inv_pi_v<float>;
-  if (surface.material->sheen <= 0.0f) return diffuse;
+  if (surface.material->specular_f0 <= 0.0f) return diffuse;
   return diffuse + ggx(surface, towards);
 }
 

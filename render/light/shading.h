@@ -28,7 +28,7 @@ Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closi
 Color texel_at(const Texture& texture, float u, float v);
 
 /// Radiance to the eye per irradiance from the unit direction `towards`: Lambert, plus a GGX lobe
-/// when the material has sheen (Walter et al. 2007, Schlick's Fresnel term and shadowing).
+/// when the material has a specular_f0 (Walter et al. 2007, Schlick's Fresnel term and shadowing).
 Color reflectance(const Surface& surface, const Vec3& towards);
 
 }  // namespace mien::render

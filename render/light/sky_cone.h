@@ -2,13 +2,13 @@
 
 #include <optional>
 
-#include "render/geometry/reach.h"
+#include "render/geometry/bounding_volumes.h"
 #include "render/math/sampler.h"
 #include "render/math/vector.h"
 
 namespace mien::render {
 
-// How rays are spent on the sky that a figure hides from a surface.
+// Sampling of the sky's occlusion by a figure.
 
 /// The directions from a point that may meet the figure, where they are few.
 struct Cone {
@@ -18,20 +18,22 @@ struct Cone {
   float solid_angle() const;
 };
 
-/// Square of the sine of the half angle that such a cone has at most.
+/// Upper bound of the squared sine of the half angle of a Cone.
 inline constexpr float greatest_cone_sine_squared = 0.6f;
 
-/// Around a bounding sphere; nothing when that fills half of what the point sees or more.
+/// The cone around a bounding sphere; nothing when that fills half of the point's hemisphere or
+/// more.
 std::optional<Cone> cone_of(const BoundingSphere& bounds, const Vec3& point);
 
-/// The first `rays` of a pixel's samples look at the sky, and each stands for `samples`.
+/// How many of a pixel's samples, the first ones, cast a ray at the sky, and how many samples each
+/// represents.
 struct SkyRays {
   int rays = 0;
   float samples = 0.0f;
 };
 
-/// So many as a pixel of `samples` is worth that shows a surface at `point`. Where that is less
-/// than one ray, there is one by chance.
+/// Rays for a pixel of `samples` that shows a surface at `point`, in proportion to the solid angle
+/// of the figure; an expectation below one ray is met by Russian roulette.
 SkyRays sky_rays_of(const BoundingSphere& bounds, const Vec3& point, const Vec3& normal,
                     int samples, const PixelSampler& sampler);
 

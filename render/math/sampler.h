@@ -13,7 +13,7 @@ struct Point2 {
   float v;
 };
 
-/// Well mixed 32 bits that depend on every bit of both words.
+/// A 32-bit hash of two words.
 constexpr std::uint32_t mixed(std::uint32_t a, std::uint32_t b) {
   std::uint32_t x = a ^ (b * 0x9e3779b9u + 0x85ebca6bu);
   x = (x ^ (x >> 16)) * 0x21f0aaadu;
@@ -59,9 +59,9 @@ constexpr float unit_float(std::uint32_t fraction) {
   return static_cast<float>(fraction >> 8) * 0x1p-24f;
 }
 
-/// Point `index` of an Owen-scrambled Sobol sequence in an order of its own; another seed gives an
-/// independent sequence, so pairs of dimensions are padded with seeds of their own (Burley 2020).
-/// Every aligned block of 2^k indices is a (0, k, 2)-net.
+/// Point `index` of an Owen-scrambled, shuffled Sobol sequence; each seed gives an independent
+/// sequence, so pairs of dimensions are padded by different seeds (Burley 2020). Every aligned
+/// block of 2^k indices is a (0, k, 2)-net.
 constexpr Point2 sample_point(std::uint32_t index, std::uint32_t seed) {
   const std::uint32_t shuffled =
       reversed_bits(scrambled_reversed(reversed_bits(index), mixed(seed, 0)));
@@ -70,9 +70,9 @@ constexpr Point2 sample_point(std::uint32_t index, std::uint32_t seed) {
           unit_float(reversed_bits(scrambled_reversed(reversed_bits(point[1]), mixed(seed, 2))))};
 }
 
-/// What a pair of random numbers is for; lights count on from the last.
+/// The purpose of a pair of random numbers; further lights count on from FirstLight.
 enum class Dimension : std::uint32_t {
-  FilmPosition,
+  PixelPosition,
   FigureSky,
   FloorSky,
   FloorSkyChoice,
@@ -85,7 +85,7 @@ enum class Dimension : std::uint32_t {
   FirstFigure = 1u << 16  ///< one a figure, the first number alone: whether it is there
 };
 
-/// Of bits 0 … 15 to even places.
+/// Spreads bits 0 … 15 to the even positions (Morton code).
 constexpr std::uint32_t spread_bits(std::uint32_t x) {
   x &= 0xffffu;
   x = (x | (x << 8)) & 0x00ff00ffu;
@@ -99,48 +99,49 @@ class PixelSampler {
  public:
   PixelSampler() = default;
 
-  /// Of a pixel that takes so many samples: one sequence serves all pixels, block by block along
-  /// the Morton curve, so that what neighbours find wrong cancels (Ahmed & Wonka 2020): the noise
-  /// of a pixel is as it would be alone, that of areas is less.
-  static PixelSampler among_neighbours(std::uint64_t seed, int x, int y, int samples) {
+  /// Sampler of a pixel with that many samples. All pixels share one sequence, block by block along
+  /// the Morton curve, so that the errors of neighbours cancel (Ahmed & Wonka 2020): a pixel is as
+  /// noisy as alone, areas are less noisy.
+  static PixelSampler for_picture(std::uint64_t seed, int x, int y, int samples) {
     PixelSampler sampler(seed, 0, 0);
     sampler.samples_ = static_cast<std::uint32_t>(samples);
-    return sampler.of_neighbour(x, y);
+    return sampler.for_pixel(x, y);
   }
 
-  /// Of another pixel among them.
-  PixelSampler of_neighbour(int x, int y) const {
+  /// Sampler of another pixel of the same picture.
+  PixelSampler for_pixel(int x, int y) const {
     PixelSampler sampler = *this;
     sampler.place_ = spread_bits(static_cast<std::uint32_t>(x)) |
                      (spread_bits(static_cast<std::uint32_t>(y)) << 1);
     return sampler;
   }
 
-  /// Of a pixel, a corner … that has nothing to do with its neighbours.
+  /// Sampler that is independent of its neighbours, of a pixel, a grid corner …
   PixelSampler(std::uint64_t seed, int x, int y)
       : seed_(mixed(
             mixed(mixed(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)),
                   static_cast<std::uint32_t>(x)),
             static_cast<std::uint32_t>(y))) {}
 
-  /// Of a pair of numbers, for sample_point; `which` counts lights or figures.
+  /// Seed of a pair of dimensions, for sample_point; `which` counts lights or figures.
   std::uint32_t seed(Dimension dimension, int which = 0) const {
     return mixed(seed_, static_cast<std::uint32_t>(dimension) + static_cast<std::uint32_t>(which));
   }
 
-  /// Of one of `times` points for each sample, for sample_point.
+  /// Index of one of `times` points for each sample, for sample_point.
   std::uint32_t index(int point, int times = 1) const {
     return index_of(point, static_cast<std::uint32_t>(times) * samples_);
   }
 
-  /// Of one of the points of which a pixel has one for each `samples` samples or fewer.
+  /// Index of a point shared by a group of `samples` samples of the pixel (the last group may be
+  /// smaller).
   std::uint32_t index_of_group(int group, int samples) const {
     const auto size = static_cast<std::uint32_t>(samples);
     return index_of(group, (samples_ + size - 1) / size);
   }
 
-  /// Of a point that so many pixels, a power of two, have in common: neighbours on the curve.
-  std::uint32_t index_of_neighbours(int pixels) const {
+  /// Index of a point shared by `pixels` neighbours on the Morton curve, a power of two.
+  std::uint32_t index_of_block(int pixels) const {
     return place_ / static_cast<std::uint32_t>(pixels);
   }
 
@@ -149,12 +150,12 @@ class PixelSampler {
     return sample_point(this->index(index), seed(dimension, which));
   }
 
-  /// One number for one of the pixel's points, quick and as it comes.
-  float dice(int point) const {
+  /// A fast, unstratified random number for one of the pixel's points.
+  float fast_random(int point) const {
     return unit_float(mixed(seed_ ^ place_, index(point) + (1u << 31)));
   }
 
-  /// One number for the whole pixel.
+  /// A random number for the pixel as a whole.
   float choice(Dimension dimension) const { return sample_point(place_, seed(dimension)).u; }
 
  private:
@@ -167,7 +168,7 @@ class PixelSampler {
   std::uint32_t samples_ = 1;
 };
 
-/// Which of the figures of those opacities are there for a sample: a bit each.
+/// Stochastic transparency: which figures are present for a sample, a bit each.
 inline std::uint32_t present_figures(const PixelSampler& sampler, std::span<const float> opacities,
                                      int index) {
   std::uint32_t present = ~0u;

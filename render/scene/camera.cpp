@@ -67,8 +67,8 @@ std::array<HalfSpace, 4> view_of(const CameraFrame& frame, int width, int height
       {left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}};
   std::array<HalfSpace, 4> view;
   for (std::size_t i = 0; i < 4; ++i) {
-    const EyeRay from = frame.ray(corners[i][0], corners[i][1]);
-    const EyeRay to = frame.ray(corners[i + 1][0], corners[i + 1][1]);
+    const CameraRay from = frame.ray(corners[i][0], corners[i][1]);
+    const CameraRay to = frame.ray(corners[i + 1][0], corners[i + 1][1]);
     const Vec3 along = frame.parallel ? Vec3(to.origin - from.origin) : to.direction;
     const Vec3 normal = from.direction.cross(along).normalized();
     view[i] = {normal, normal.dot(from.origin)};
@@ -76,8 +76,8 @@ std::array<HalfSpace, 4> view_of(const CameraFrame& frame, int width, int height
   return view;
 }
 
-EyeRay CameraFrame::ray(float x, float y, float lens_x, float lens_y) const {
-  const EyeRay sharp = ray(x, y);
+CameraRay CameraFrame::ray(float x, float y, float lens_x, float lens_y) const {
+  const CameraRay sharp = ray(x, y);
   const Vec3 focus =
       sharp.origin + (focus_distance / sharp.direction.dot(forward)) * sharp.direction;
   const Vec3 origin = sharp.origin + lens_x * lens_right + lens_y * lens_down;

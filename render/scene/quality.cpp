@@ -6,9 +6,9 @@ Quality draft_quality() {
   Quality quality;
   quality.samples_per_pixel = 2;
   quality.sky_rays = 2;
-  quality.lit_as_one = 2;
-  quality.lit_in_pairs = true;
-  quality.standing_samples = 16;
+  quality.samples_shaded_together = 2;
+  quality.shades_pixel_pairs = true;
+  quality.static_samples = 16;
   quality.floor_sky_noise = 0.032f;
   quality.floor_sky_tolerance = 0.032f;
   quality.floor_sky_cell = 0.06f;
@@ -20,7 +20,7 @@ Quality standard_quality() { return {}; }
 Quality final_quality() {
   Quality quality;
   quality.samples_per_pixel = 128;
-  quality.standing_samples = 256;
+  quality.static_samples = 256;
   quality.floor_sky_noise = 0.001f;
   quality.floor_sky_tolerance = 0.002f;
   quality.floor_sky_cell = 0.015f;

@@ -29,7 +29,8 @@ bool is_radius(float radius) { return std::isfinite(radius) && radius >= 0.0f; }
 
 void validate(const Material& material, const std::string& where) {
   require(is_reflectance(material.albedo), where + ".albedo", "not within 0 … 1");
-  require(material.sheen >= 0.0f && material.sheen <= 0.1f, where + ".sheen", "not within 0 … 0.1");
+  require(material.specular_f0 >= 0.0f && material.specular_f0 <= 0.1f, where + ".specular_f0",
+          "not within 0 … 0.1");
   require(material.roughness >= 0.2f && material.roughness <= 1.0f, where + ".roughness",
           "not within 0.2 … 1");
 }
@@ -109,14 +110,15 @@ void validate(const Solids& solids, const Counts& counts, const std::string& pre
     require_index(sphere.material, counts.materials, where + ".material");
     require_index(sphere.part, counts.parts, where + ".part");
   }
-  for (std::size_t i = 0; i < solids.capsules.size(); ++i) {
-    const Capsule& capsule = solids.capsules[i];
-    const std::string where = prefix + indexed("capsules", i);
-    require(capsule.start.allFinite() && capsule.end.allFinite(), where, "an end is not finite");
-    require(is_radius(capsule.start_radius) && is_radius(capsule.end_radius), where,
+  for (std::size_t i = 0; i < solids.round_cones.size(); ++i) {
+    const RoundCone& round_cone = solids.round_cones[i];
+    const std::string where = prefix + indexed("round_cones", i);
+    require(round_cone.start.allFinite() && round_cone.end.allFinite(), where,
+            "an end is not finite");
+    require(is_radius(round_cone.start_radius) && is_radius(round_cone.end_radius), where,
             "a radius is negative or not finite");
-    require_index(capsule.material, counts.materials, where + ".material");
-    require_index(capsule.part, counts.parts, where + ".part");
+    require_index(round_cone.material, counts.materials, where + ".material");
+    require_index(round_cone.part, counts.parts, where + ".part");
   }
   for (std::size_t i = 0; i < solids.meshes.size(); ++i)
     validate(solids.meshes[i], counts, prefix + indexed("meshes", i));
@@ -161,7 +163,7 @@ Color sky_radiance(const Sky& sky, const Vec3& towards) {
   return sky.horizon + elevation_sine(towards) * (sky.zenith - sky.horizon);
 }
 
-Color open_sky_light(const Sky& sky, const Vec3& normal) {
+Color unoccluded_sky_light(const Sky& sky, const Vec3& normal) {
   // With the angle β between the normal and the zenith,
   // ∫ max(ω·up, 0) max(ω·n, 0) dω = ⅔ (sin β + (π − β) cos β), over the sphere.
   const float cosine = std::clamp(normal.y(), -1.0f, 1.0f);
@@ -200,7 +202,7 @@ void validate(const Scene& scene) {
             "not finite");
   }
   validate(scene.solids, counts, "");
-  validate(scene.standing, counts, "standing.");
+  validate(scene.static_solids, counts, "static_solids.");
   require(scene.lights.size() <= 32, "lights", "more than 32");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     validate(scene.lights[i], indexed("lights", i));

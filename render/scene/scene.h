@@ -8,14 +8,14 @@
 
 namespace mien::render {
 
-/// Diffuse surface with an optional soft sheen from the lights, or one that shines by itself.
+/// A diffuse surface with an optional glossy specular lobe, or one that emits light.
 struct Material {
   Color albedo{0.5f, 0.5f, 0.5f};  ///< diffuse reflectance, 0…1
-  float sheen = 0.0f;      ///< reflectance at normal incidence of a GGX lobe, 0 (none) … 0.1
-  float roughness = 0.5f;  ///< of that lobe, 0.2 … 1 (alpha = roughness²)
+  float specular_f0 = 0.0f;  ///< reflectance at normal incidence (F0) of a GGX lobe, 0 (none) … 0.1
+  float roughness = 0.5f;    ///< of that lobe, 0.2 … 1 (alpha = roughness²)
 
-  /// Radiance that it gives off to the eye, evenly; it lights nothing else. With a black albedo the
-  /// surface shows this colour exactly, whatever the light.
+  /// Radiance emitted towards the camera in all directions; it lights nothing else. With a black
+  /// albedo the surface shows exactly this colour.
   Color emission{0.0f, 0.0f, 0.0f};
   int texture = -1;  ///< index into Scene::textures that multiplies the albedo of meshes; −1: none
 
@@ -26,7 +26,7 @@ struct Material {
   float normal_scale = 1.0f;  ///< of the first two of these
 };
 
-/// Reflectances, or other shares, over the unit square; it repeats beyond.
+/// Reflectances, or other fractions, over the unit square; it repeats beyond.
 struct Texture {
   int width = 0;
   int height = 0;
@@ -40,9 +40,9 @@ struct Sphere {
   int part = 0;      ///< index into Scene::parts
 };
 
-/// A round cone: the convex hull of two spheres. Equal radii make a capsule. When one sphere holds
-/// the other, the shape is that sphere.
-struct Capsule {
+/// A round cone (tapered capsule): the convex hull of two spheres. With equal radii it is a
+/// capsule. When one sphere contains the other, the shape is that sphere.
+struct RoundCone {
   Vec3 start = Vec3::Zero();
   Vec3 end = Vec3::UnitY();
   float start_radius = 0.05f;
@@ -62,18 +62,17 @@ struct Mesh {
   int part = 0;                               ///< index into Scene::parts
 };
 
-/// Solid things: what the rays can meet.
+/// The shapes that rays can hit.
 struct Solids {
   std::vector<Sphere> spheres;
-  std::vector<Capsule> capsules;
+  std::vector<RoundCone> round_cones;
   std::vector<Mesh> meshes;
 
-  bool empty() const { return spheres.empty() && capsules.empty() && meshes.empty(); }
+  bool empty() const { return spheres.empty() && round_cones.empty() && meshes.empty(); }
 };
 
-/// A figure as a whole. With an opacity below 1 it is there to that share: what it shows is its
-/// outer surface mixed with what is behind it, and its shadow is as much lighter. Its own inside
-/// never shows.
+/// A figure as a whole. With an opacity below 1 its outer surface is blended with what is behind
+/// it, and its shadow is lighter in proportion. Its inside never shows.
 struct Figure {
   std::string name = "figure";
   float opacity = 1.0f;  ///< 0 … 1
@@ -95,9 +94,9 @@ struct Ground {
   Color line_albedo{0.4f, 0.4f, 0.4f};
   float line_spacing = 1.0f;  ///< metres; 0 draws no grid
   float line_width = 0.012f;  ///< metres
-  int major_every = 0;        ///< every so many lines one is `major_albedo`, twice as wide; 0: none
+  int major_every = 0;        ///< every n-th line has `major_albedo` and twice the width; 0: none
   Color major_albedo{0.3f, 0.3f, 0.3f};
-  float offset_x = 0.0f;  ///< the lines are shifted by so much, metres: ground that moves
+  float offset_x = 0.0f;  ///< shift of the lines, metres: a moving ground
   float offset_z = 0.0f;
   float fade_start = 8.0f;  ///< metres
   float fade_end = 30.0f;   ///< metres, more than fade_start
@@ -112,16 +111,16 @@ struct AreaLight {
   Color radiance{10.0f, 10.0f, 10.0f};
 };
 
-/// A light of that size, upright, whose axis goes from `centre` through `target`.
+/// An upright light of that size, metres, whose axis points from `centre` to `target`.
 AreaLight softbox(const Vec3& centre, const Vec3& target, float width, float height,
                   const Color& radiance);
 
 /// Light from all around, and what the camera sees where there is nothing.
 ///
 /// From above the horizon, radiance goes from `horizon` to `zenith` in proportion to the sine of
-/// the elevation. From below comes `below`, the light that the floor is taken to give back:
-/// constant, and hidden only by spheres and capsules, never by the floor. A floor that gives
-/// nothing back is `below` = 0.
+/// the elevation. From below comes `below`, an approximation of the light that the floor reflects:
+/// constant, and occluded by solids only, never by the floor. For a floor that reflects nothing it
+/// is 0.
 struct Sky {
   Color zenith{0.6f, 0.6f, 0.6f};
   Color horizon{0.6f, 0.6f, 0.6f};
@@ -132,15 +131,15 @@ struct Sky {
 
 /// Everything that a picture shows. `has_ground` false leaves the backdrop alone.
 ///
-/// `solids` may move from picture to picture, `standing` solids belong to the set like the ground:
-/// a tracer works out once what they look like and keeps it as long as set and camera stay.
+/// `solids` may move from picture to picture; `static_solids` belong to the set like the ground,
+/// and a tracer renders them once for each set and camera.
 struct Scene {
   std::vector<Material> materials;
   std::vector<const Texture*> textures;   ///< outlive the scene
   std::vector<Figure> figures{Figure{}};  ///< at most 32
   std::vector<Part> parts{Part{}};
   Solids solids;
-  Solids standing;                ///< their parts and figures are not looked at
+  Solids static_solids;           ///< their parts and figures are ignored
   std::vector<AreaLight> lights;  ///< at most 32
   Sky sky;
   Ground ground;
@@ -150,13 +149,13 @@ struct Scene {
 /// Radiance of the sky's light that arrives from the unit direction `towards`.
 Color sky_radiance(const Sky& sky, const Vec3& towards);
 
-/// Irradiance over π on a surface of that unit normal under the whole sky, nothing in the way.
-Color open_sky_light(const Sky& sky, const Vec3& normal);
+/// Irradiance over π on a surface of that unit normal under the whole, unoccluded sky.
+Color unoccluded_sky_light(const Sky& sky, const Vec3& normal);
 
 /// What the camera sees in the unit direction `towards` where there is nothing.
 Color backdrop_radiance(const Sky& sky, const Vec3& towards);
 
-/// Irradiance on an upward-facing floor under the whole sky, nothing in the way.
+/// Irradiance on an upward-facing floor under the whole, unoccluded sky.
 Color sky_irradiance_on_floor(const Sky& sky);
 
 /// Throws std::invalid_argument, naming the member, when a number is not finite, a radius is

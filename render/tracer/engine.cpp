@@ -12,7 +12,8 @@ namespace mien::render {
 
 namespace {
 
-/// Of what is worked out once, metres: closer points than of pictures (floor_sky_cell).
+/// floor_sky_cell of static backgrounds, metres: smaller than that of pictures, because they are
+/// rendered once.
 constexpr float closest_points = 0.015f;
 
 std::vector<float> opacities_of(const Scene& scene) {
@@ -32,7 +33,7 @@ std::uint32_t lights_for_lines(const std::vector<AreaLight>& lights, const Shape
 }
 
 std::vector<std::vector<int>> casters_of(const std::vector<AreaLight>& lights,
-                                         const std::vector<RoundCone>& cones) {
+                                         const std::vector<PreparedCone>& cones) {
   std::vector<std::vector<int>> casters(lights.size());
   for (std::size_t k = 0; k < lights.size(); ++k)
     for (std::size_t cone = 0; cone < cones.size(); ++cone)
@@ -42,19 +43,19 @@ std::vector<std::vector<int>> casters_of(const std::vector<AreaLight>& lights,
 
 }  // namespace
 
-std::shared_ptr<const StandingSet> SetRooms::lend(StandingSet set) {
-  const auto give_back = [this](StandingSet* used) {
-    const std::unique_ptr<StandingSet> owned(used);
+std::shared_ptr<const StaticBackground> BackgroundPool::wrap(StaticBackground background) {
+  const auto give_back = [this](StaticBackground* used) {
+    const std::unique_ptr<StaticBackground> owned(used);
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(*owned));
   };
-  return {new StandingSet(std::move(set)), give_back};
+  return {new StaticBackground(std::move(background)), give_back};
 }
 
-StandingSet SetRooms::take() {
+StaticBackground BackgroundPool::acquire() {
   const std::lock_guard lock(mutex_);
   if (free_.empty()) return {};
-  StandingSet room = std::move(free_.back());
+  StaticBackground room = std::move(free_.back());
   free_.pop_back();
   return room;
 }
@@ -63,37 +64,39 @@ Engine::Engine(const TracerOptions& options)
     : device_(options.instruction_set),
       arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
       stop_(options.stop),
-      sets_(options.sets),
-      keep_light_(options.keep_light) {}
+      backgrounds_(options.backgrounds),
+      light_cache_(options.light_cache) {}
 
-void Engine::look_at_sky(Picture& picture) {
-  if (picture.piecemeal()) return;
+void Engine::sample_floor_sky(PreparedScene& prepared) {
+  if (prepared.is_per_sample()) return;
   run_alone([&] {
-    tbb::parallel_for(std::size_t{0}, picture.floor_sky.corner_count(), [&](std::size_t corner) {
-      picture.floor_sky.look(corner, picture.figure, picture.opacities);
+    tbb::parallel_for(std::size_t{0}, prepared.floor_sky.corner_count(), [&](std::size_t corner) {
+      prepared.floor_sky.sample_corner(corner, prepared.figure, prepared.opacities);
     });
   });
-  picture.floor_sky.settle(picture.scene.sky);
+  prepared.floor_sky.finish(prepared.scene.sky);
 }
 
-SetBehind Engine::set_behind(const Scene& scene, const Camera& camera, const Quality& quality) {
-  std::vector<float> wanted = standing_key(scene, camera, quality);
-  if (wanted == kept_[0].key) return kept_[0].behind;
-  std::swap(kept_[0], kept_[1]);
-  auto& [key, behind] = kept_[0];
-  if (wanted == key) return behind;
+SceneBackground Engine::background_for(const Scene& scene, const Camera& camera,
+                                       const Quality& quality) {
+  std::vector<float> wanted = static_background_key(scene, camera, quality);
+  if (wanted == cached_[0].key) return cached_[0].background;
+  std::swap(cached_[0], cached_[1]);
+  auto& [key, background] = cached_[0];
+  if (wanted == key) return background;
   key.clear();
-  behind = {};
-  const std::string name = standing_name(wanted);
-  const auto make = [&] { return made_set(scene, camera, quality, name, rooms_.take()); };
-  behind.set = sets_ != nullptr ? sets_->lend(name, make) : rooms_.lend(make());
-  if (!scene.standing.empty())
-    behind.solids = std::make_shared<const EmbreeScene>(device_, standing_shapes(scene));
+  background = {};
+  const std::string name = static_background_name(wanted);
+  const auto make = [&] { return make_background(scene, camera, quality, name, pool_.acquire()); };
+  background.image =
+      backgrounds_ != nullptr ? backgrounds_->get_or_make(name, make) : pool_.wrap(make());
+  if (!scene.static_solids.empty())
+    background.solids = std::make_shared<const EmbreeScene>(device_, static_shapes(scene));
   key = std::move(wanted);
-  return behind;
+  return background;
 }
 
-void Engine::for_frames(const FrameWork& work, int in_flight) {
+void Engine::for_frames(const FrameCallbacks& work, int in_flight) {
   std::size_t next = 0;
   const auto begin = [&](tbb::flow_control& control) {
     // Embree's threads, too, are not to draw another frame while this one begins (run_alone).
@@ -112,76 +115,80 @@ void Engine::for_frames(const FrameWork& work, int in_flight) {
   arena_.execute([&] { tbb::parallel_pipeline(static_cast<std::size_t>(in_flight), stages); });
 }
 
-StandingSet Engine::made_set(const Scene& scene, const Camera& camera, const Quality& quality,
-                             const std::string& name, StandingSet room) {
+StaticBackground Engine::make_background(const Scene& scene, const Camera& camera,
+                                         const Quality& quality, const std::string& name,
+                                         StaticBackground room) {
   const CameraFrame frame = frame_of(camera);
-  StandingSet set = room_for(camera.width, camera.height, frame, std::move(room));
-  const OpenSet open(scene, frame);
-  run_alone(
-      [&] { tbb::parallel_for(0, camera.height, [&](int y) { expose_open_row(open, y, set); }); });
-  if (scene.standing.empty()) return set;
+  StaticBackground background =
+      blank_background(camera.width, camera.height, frame, std::move(room));
+  const UnshadowedBackground open(scene, frame);
+  run_alone([&] {
+    tbb::parallel_for(0, camera.height, [&](int y) { render_unshadowed_row(open, y, background); });
+  });
+  if (scene.static_solids.empty()) return background;
   Camera sharp = camera;
   sharp.aperture_radius = 0.0f;
-  const FilmMask mask(sharp, standing_shapes(scene), 0.5f * quality.filter_width);
-  const auto draw = [&] { return light_with_solids(scene, sharp, quality, set); };
-  Film light = keep_light_ ? keep_light_(name, draw) : draw();
-  set.solid.resize(set.floor.size());
+  const PixelMask mask(sharp, static_shapes(scene), 0.5f * quality.filter_width);
+  const auto draw = [&] { return render_static_solids(scene, sharp, quality, background); };
+  Framebuffer light = light_cache_ ? light_cache_(name, draw) : draw();
+  background.solid.resize(background.floor.size());
   for (int y = 0; y < camera.height; ++y)
     for (int x = 0; x < camera.width; ++x)
-      set.solid[set.place_of(x, y)] = mask.may_meet(x, y) ? 1 : 0;
-  set.radiance = std::move(light);
-  return set;
+      background.solid[background.place_of(x, y)] = mask.may_intersect(x, y) ? 1 : 0;
+  background.radiance = std::move(light);
+  return background;
 }
 
-// What stands is drawn like a figure in the open set, once.
-Film Engine::light_with_solids(const Scene& scene, const Camera& camera, const Quality& quality,
-                               const StandingSet& open) {
+// Static solids are rendered like a figure on the unshadowed background, once.
+Framebuffer Engine::render_static_solids(const Scene& scene, const Camera& camera,
+                                         const Quality& quality, const StaticBackground& open) {
   Quality thorough = quality;
-  thorough.samples_per_pixel = quality.standing_samples;
-  thorough.lit_in_pairs = thorough.floor_sky_smooth = false;
+  thorough.samples_per_pixel = quality.static_samples;
+  thorough.shades_pixel_pairs = thorough.floor_sky_smooth = false;
   thorough.floor_sky_cell = std::min(quality.floor_sky_cell, closest_points);
   thorough.background = Background::shown;
-  Exposure exposure{Film(camera.width, camera.height), {}};
-  Picture picture =
-      prepare(scene, camera, thorough, open, nullptr, standing_shapes(scene), scene.standing);
-  look_at_sky(picture);
+  RenderTarget target{Framebuffer(camera.width, camera.height), {}};
+  PreparedScene prepared =
+      prepare(scene, camera, thorough, open, nullptr, static_shapes(scene), scene.static_solids);
+  sample_floor_sky(prepared);
   run_alone([&] {
     loop_over_parts(camera.width, camera.height, {0, 0, camera.width, camera.height},
-                    [&](const Tile& part) { draw(picture, part, {exposure}); });
+                    [&](const Tile& part) { draw(prepared, part, {target}); });
   });
   if (stop_.stop_requested()) throw Stopped{};
-  return std::move(exposure.film);
+  return std::move(target.color);
 }
 
-Picture Engine::prepare(const Scene& scene, const Camera& camera, const Quality& quality,
-                        const StandingSet& set, const EmbreeScene* walls, Shapes shapes,
-                        const Solids& solids) {
+PreparedScene Engine::prepare(const Scene& scene, const Camera& camera, const Quality& quality,
+                              const StaticBackground& background, const EmbreeScene* static_solids,
+                              Shapes shapes, const Solids& solids) {
   const Shapes nothing;
   const Shapes& above_floor = scene.has_ground ? shapes : nothing;
-  const std::uint32_t line_lights = lights_for_lines(scene.lights, shapes, walls != nullptr);
+  const std::uint32_t line_lights =
+      lights_for_lines(scene.lights, shapes, static_solids != nullptr);
   std::vector<ShadowMask> shadow_masks;
   for (const AreaLight& light : scene.lights) shadow_masks.emplace_back(light, above_floor);
   std::vector<std::vector<int>> casters = casters_of(scene.lights, shapes.cones);
   const BoundingSphere bounds = bounding_sphere(shapes);
-  FilmMask film_mask(camera, shapes, 0.5f * quality.filter_width);
-  // Behind standing solids the sky changes too fast for interpolation.
+  PixelMask pixel_mask(camera, shapes, 0.5f * quality.filter_width);
+  // Behind static solids the sky changes too fast for interpolation.
   Quality floor_quality = quality;
-  if (walls != nullptr) floor_quality.floor_sky_tolerance = 0.0f;
+  if (static_solids != nullptr) floor_quality.floor_sky_tolerance = 0.0f;
   FloorSky floor_sky(above_floor, bounds, floor_quality,
                      view_of(frame_of(camera), camera.width, camera.height, 1.0f));
   return {.scene = scene,
           .solids = solids,
           .closing_solids = nullptr,
           .quality = quality,
-          .sampler = PixelSampler::among_neighbours(quality.seed, 0, 0, quality.samples_per_pixel),
+          .sampler = PixelSampler::for_picture(quality.seed, 0, 0, quality.samples_per_pixel),
           .camera = frame_of(camera),
           .closing_camera = std::nullopt,
           .filter = filters_.try_emplace(quality.filter_width, quality.filter_width).first->second,
           .figure = EmbreeScene(device_, std::move(shapes)),
-          .set = set,
-          .walls = walls,
+          .background = background,
+          .static_solids = static_solids,
           .bounds = bounds,
-          .film_mask = std::move(film_mask),
+          .pixel_mask = std::move(pixel_mask),
           .shadow_masks = std::move(shadow_masks),
           .line_lights = line_lights,
           .casters = std::move(casters),

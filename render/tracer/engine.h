@@ -15,77 +15,81 @@
 
 #include "render/geometry/embree_scene.h"
 #include "render/math/filter.h"
-#include "render/tracer/picture.h"
-#include "render/tracer/standing_sets.h"
+#include "render/tracer/prepared_scene.h"
+#include "render/tracer/static_background_cache.h"
 #include "render/tracer/tile.h"
 #include "render/tracer/tracer.h"
 
 namespace mien::render {
 
-/// The set behind a picture's figures.
-struct SetBehind {
-  StandingSets::Lent set;
-  std::shared_ptr<const EmbreeScene> solids;  ///< the standing ones; null without
+/// The background of a scene: its rendered image, and its static solids for shadow rays and depth.
+struct SceneBackground {
+  StaticBackgroundCache::Handle image;
+  std::shared_ptr<const EmbreeScene> solids;  ///< the static solids; null if there are none
 };
 
-/// Memory of sets that no picture shows any more: sets that are seen once would else take new
-/// memory for every picture.
-class SetRooms {
+/// Recycles the memory of backgrounds that are no longer in use: without it backgrounds that are
+/// seen once would allocate anew for every picture.
+class BackgroundPool {
  public:
-  /// A set whose memory comes back here, from whatever thread. Does not outlive the rooms.
-  std::shared_ptr<const StandingSet> lend(StandingSet set);
+  /// Shares a background whose memory returns to the pool, from any thread. Must not outlive the
+  /// pool.
+  std::shared_ptr<const StaticBackground> wrap(StaticBackground background);
 
-  /// That of a set that came back, or an empty one.
-  StandingSet take();
+  /// A returned background, for its memory, or an empty one.
+  StaticBackground acquire();
 
  private:
   std::mutex mutex_;
-  std::vector<StandingSet> free_;
+  std::vector<StaticBackground> free_;
 };
 
-/// What a tracer works with: its threads, Embree, and what it knows from picture to picture.
+/// The implementation of a tracer: its threads, Embree, and what is cached from picture to picture.
 class Engine {
  public:
   explicit Engine(const TracerOptions& options);
 
-  /// Made, unless it was behind one of the last two cameras.
-  SetBehind set_behind(const Scene& scene, const Camera& camera, const Quality& quality);
+  /// The background for a camera: one of the last two, or a new one.
+  SceneBackground background_for(const Scene& scene, const Camera& camera, const Quality& quality);
 
-  /// What the solids can touch of what is behind them; the set and its solids, if any, outlive it.
-  Picture prepare(const Scene& scene, const Camera& camera, const Quality& quality,
-                  const StandingSet& set, const EmbreeScene* walls, Shapes shapes,
-                  const Solids& solids);
+  /// Builds the acceleration structures and culling masks of a picture. The background and its
+  /// solids, if any, outlive the result.
+  PreparedScene prepare(const Scene& scene, const Camera& camera, const Quality& quality,
+                        const StaticBackground& background, const EmbreeScene* static_solids,
+                        Shapes shapes, const Solids& solids);
 
-  /// Finds what the picture's figures hide of the sky from the floor.
-  void look_at_sky(Picture& picture);
+  /// Samples how much of the sky the figures hide from the floor.
+  void sample_floor_sky(PreparedScene& prepared);
 
-  /// Calls work for parts of a film, whole tiles each, that together hold the window. Who waits for
-  /// others to end helps with other frames. Throws Stopped when a stop was requested.
+  /// Calls `work` for parts of the picture, each of whole tiles, that together cover the window. A
+  /// thread that waits for the others helps with other frames. Throws Stopped when a stop was
+  /// requested.
   template <class Work>
   void for_all_parts(int width, int height, const Window& window, const Work& work) {
     arena_.execute([&] { loop_over_parts(width, height, window, work); });
     if (stop_.stop_requested()) throw Stopped{};
   }
 
-  /// As Tracer::for_frames.
-  void for_frames(const FrameWork& work, int in_flight);
+  /// See Tracer::for_frames.
+  void for_frames(const FrameCallbacks& work, int in_flight);
 
   const EmbreeDevice& device() const { return device_; }
   tbb::task_arena& arena() { return arena_; }
 
  private:
-  struct KeptSet {
+  struct CachedBackground {
     std::vector<float> key;
-    SetBehind behind;
+    SceneBackground background;
   };
 
-  /// `room`: a set that is no longer wanted, whose memory serves again, or an empty one.
-  StandingSet made_set(const Scene& scene, const Camera& camera, const Quality& quality,
-                       const std::string& name, StandingSet room);
+  /// Renders a background. `room`: one whose memory is reused, or an empty one.
+  StaticBackground make_background(const Scene& scene, const Camera& camera, const Quality& quality,
+                                   const std::string& name, StaticBackground room);
 
-  /// Runs a loop with the tracer's threads; who waits for others to end helps with nothing else:
-  /// what is made ready would else wait for whole frames. In the arena's own context: where a frame
-  /// fails, the loops of its context end early, and a set would be lent that is half made.
+  /// Runs a loop with the tracer's threads. A thread that waits for the others helps with nothing
+  /// else, because preparations would otherwise wait for whole frames. It runs in the arena's own
+  /// context: when a frame fails, loops in its context end early and would leave a background half
+  /// rendered.
   template <class Loop>
   void run_alone(const Loop& loop) {
     arena_.execute([&] { tbb::this_task_arena::isolate(loop); });
@@ -106,17 +110,17 @@ class Engine {
     });
   }
 
-  Film light_with_solids(const Scene& scene, const Camera& camera, const Quality& quality,
-                         const StandingSet& open);
+  Framebuffer render_static_solids(const Scene& scene, const Camera& camera, const Quality& quality,
+                                   const StaticBackground& open);
 
   EmbreeDevice device_;
   tbb::task_arena arena_;
   std::stop_token stop_;
-  StandingSets* sets_;
-  KeepLight keep_light_;
-  SetRooms rooms_;                   // of sets that no other tracer may have
-  std::array<KeptSet, 2> kept_;      // two, for a pair of cameras; the one used last comes first
-  std::map<float, Filter> filters_;  // by width
+  StaticBackgroundCache* backgrounds_;
+  LightCache light_cache_;
+  BackgroundPool pool_;  // for backgrounds that are not shared with other tracers
+  std::array<CachedBackground, 2> cached_;  // for a pair of cameras; last used first
+  std::map<float, Filter> filters_;         // by width
 };
 
 }  // namespace mien::render

@@ -13,7 +13,7 @@
 namespace mien::render {
 namespace {
 
-/// What a ray from the eye meets.
+/// The hit of a primary ray.
 struct Seen {
   Color albedo = Color::Zero();
   Vec3 normal = Vec3::Zero();
@@ -26,8 +26,8 @@ struct Seen {
 
 class LayerPainter {
  public:
-  LayerPainter(const Picture& picture, const NextPicture* next, Layers& layers)
-      : picture_(picture), next_(next), layers_(layers) {}
+  LayerPainter(const PreparedScene& prepared, const NextScene* next, Layers& layers)
+      : prepared_(prepared), next_(next), layers_(layers) {}
 
   void draw(int x, int y);
 
@@ -36,37 +36,38 @@ class LayerPainter {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(layers_.albedo.width) +
            static_cast<std::size_t>(x);
   }
-  Seen look(const EyeRay& ray, float time, std::uint32_t present) const;
+  Seen look(const CameraRay& ray, float time, std::uint32_t present) const;
   void take_samples(int x, int y);
   void take_centre(int x, int y);
   std::optional<Vec3> next_place(const Seen& seen) const;
 
-  const Picture& picture_;
-  const NextPicture* next_;
+  const PreparedScene& prepared_;
+  const NextScene* next_;
   Layers& layers_;
 };
 
-Seen LayerPainter::look(const EyeRay& ray, float time, std::uint32_t present) const {
-  const Scene& scene = picture_.scene;
+Seen LayerPainter::look(const CameraRay& ray, float time, std::uint32_t present) const {
+  const Scene& scene = prepared_.scene;
   const std::optional<float> floor =
       scene.has_ground ? distance_to_floor(ray.origin, ray.direction) : std::nullopt;
   RayPacket packet;
   packet.push(ray.origin, ray.direction, floor.value_or(infinity), time, present);
-  const Hits figure = picture_.figure.intersect(packet);
-  Hits standing;
-  standing.shape[0] = -1;
-  if (picture_.walls) standing = picture_.walls->intersect(packet);
+  const Hits figure = prepared_.figure.intersect(packet);
+  Hits static_hits;
+  static_hits.shape[0] = -1;
+  if (prepared_.static_solids) static_hits = prepared_.static_solids->intersect(packet);
   Seen seen;
-  const bool of_figure =
-      figure.shape[0] >= 0 && (standing.shape[0] < 0 || figure.distance[0] <= standing.distance[0]);
-  if (of_figure || standing.shape[0] >= 0) {
-    const Hits& hits = of_figure ? figure : standing;
+  const bool of_figure = figure.shape[0] >= 0 && (static_hits.shape[0] < 0 ||
+                                                  figure.distance[0] <= static_hits.distance[0]);
+  if (of_figure || static_hits.shape[0] >= 0) {
+    const Hits& hits = of_figure ? figure : static_hits;
     const Vec3 point = ray.origin + hits.distance[0] * ray.direction;
     const Surface surface =
-        of_figure ? surface_at(scene, picture_.solids, picture_.closing_solids,
-                               picture_.figure.shapes(), hits.shape[0], point, ray.direction, time)
-                  : surface_at(scene, scene.standing, nullptr, picture_.walls->shapes(),
-                               hits.shape[0], point, ray.direction, 0.0f);
+        of_figure
+            ? surface_at(scene, prepared_.solids, prepared_.closing_solids,
+                         prepared_.figure.shapes(), hits.shape[0], point, ray.direction, time)
+            : surface_at(scene, scene.static_solids, nullptr, prepared_.static_solids->shapes(),
+                         hits.shape[0], point, ray.direction, 0.0f);
     seen = {surface.albedo, surface.normal, point, true};
     if (of_figure) {
       seen.shape = hits.shape[0];
@@ -75,8 +76,9 @@ Seen LayerPainter::look(const EyeRay& ray, float time, std::uint32_t present) co
     return seen;
   }
   if (!floor) return seen;
-  const SetPixel set = set_pixel(scene, picture_.camera, ray);
-  if (set.shows_floor) seen = {set.visible_albedo, Vec3::UnitY(), set.point, true, true};
+  const BackgroundPixel background = background_pixel(scene, prepared_.camera, ray);
+  if (background.shows_floor)
+    seen = {background.visible_albedo, Vec3::UnitY(), background.point, true, true};
   return seen;
 }
 
@@ -91,23 +93,23 @@ void put_ranks(const std::map<int, float>& shares, const std::vector<std::string
 }
 
 void LayerPainter::take_samples(int x, int y) {
-  const int spp = picture_.quality.samples_per_pixel;
+  const int spp = prepared_.quality.samples_per_pixel;
   const float share = 1.0f / static_cast<float>(spp);
-  const PixelSampler sampler = picture_.sampler.of_neighbour(x, y);
+  const PixelSampler sampler = prepared_.sampler.for_pixel(x, y);
   Color albedo = Color::Zero();
   Vec3 normal = Vec3::Zero();
   std::map<int, float> parts, figures;
   for (int i = 0; i < spp; ++i) {
-    const Point2 u = sampler.point(Dimension::FilmPosition, i);
-    const EyeRay ray =
-        picture_.camera.ray(static_cast<float>(x) + 0.5f + picture_.filter.offset(u.u),
-                            static_cast<float>(y) + 0.5f + picture_.filter.offset(u.v));
-    const Seen seen = look(ray, 0.0f, present_figures(sampler, picture_.opacities, i));
+    const Point2 u = sampler.point(Dimension::PixelPosition, i);
+    const CameraRay ray =
+        prepared_.camera.ray(static_cast<float>(x) + 0.5f + prepared_.filter.offset(u.u),
+                             static_cast<float>(y) + 0.5f + prepared_.filter.offset(u.v));
+    const Seen seen = look(ray, 0.0f, present_figures(sampler, prepared_.opacities, i));
     albedo += share * seen.albedo;
     normal += share * seen.normal;
     if (seen.part < 0) continue;
     parts[seen.part] += share;
-    figures[picture_.scene.parts[static_cast<std::size_t>(seen.part)].figure] += share;
+    figures[prepared_.scene.parts[static_cast<std::size_t>(seen.part)].figure] += share;
   }
   std::copy_n(albedo.data(), 3, layers_.albedo.at(x, y));
   std::copy_n(normal.data(), 3, layers_.normal.at(x, y));
@@ -128,7 +130,7 @@ Eigen::Quaternionf turn_between(const Vec3& from, const Vec3& to) {
 }
 
 /// A point of a round cone carried along as the cone turns and stretches.
-Vec3 carried(const RoundCone& from, const RoundCone& to, const Vec3& point) {
+Vec3 carried(const PreparedCone& from, const PreparedCone& to, const Vec3& point) {
   if (from.axis_squared == 0.0f || to.axis_squared == 0.0f) return to.a + (point - from.a);
   const Vec3 offset = point - from.a;
   const float along = offset.dot(from.axis) / from.axis_squared;
@@ -141,12 +143,12 @@ std::optional<Vec3> LayerPainter::next_place(const Seen& seen) const {
   if (!seen.something) return std::nullopt;
   if (next_->scene == nullptr) return seen.position;
   if (seen.ground) {
-    const Ground &from = picture_.scene.ground, &to = next_->scene->ground;
+    const Ground &from = prepared_.scene.ground, &to = next_->scene->ground;
     return seen.position + Vec3(to.offset_x - from.offset_x, 0.0f, to.offset_z - from.offset_z);
   }
   if (seen.shape < 0) return seen.position;
-  const Shapes& shapes = picture_.figure.shapes();
-  const Shapes& later = *picture_.next_shapes;
+  const Shapes& shapes = prepared_.figure.shapes();
+  const Shapes& later = *prepared_.next_shapes;
   const auto index = static_cast<std::size_t>(seen.shape);
   if (index < shapes.cones.size())
     return carried(shapes.cones[index], later.cones[index], seen.position);
@@ -158,30 +160,31 @@ std::optional<Vec3> LayerPainter::next_place(const Seen& seen) const {
 
 void LayerPainter::take_centre(int x, int y) {
   const auto centre_x = static_cast<float>(x) + 0.5f, centre_y = static_cast<float>(y) + 0.5f;
-  const EyeRay ray = picture_.camera.ray(centre_x, centre_y);
+  const CameraRay ray = prepared_.camera.ray(centre_x, centre_y);
   const Seen seen = look(ray, 0.0f, ~0u);
   std::copy_n(seen.position.data(), 3, layers_.position.at(x, y));
   layers_.depth[place(x, y)] =
-      seen.something ? (seen.position - picture_.camera.position).dot(picture_.camera.forward)
+      seen.something ? (seen.position - prepared_.camera.position).dot(prepared_.camera.forward)
                      : infinity;
   if (next_ == nullptr) return;
   const std::optional<Vec3> later = next_place(seen);
   // The backdrop is so far off that only turns of the camera move it.
   const Vec3 there = later ? *later : next_->camera.position + 1e4f * ray.direction;
-  if (const auto film = project(next_->camera, there)) {
-    layers_.motion[2 * place(x, y)] = film->x() - centre_x;
-    layers_.motion[2 * place(x, y) + 1] = film->y() - centre_y;
+  if (const auto image_point = project(next_->camera, there)) {
+    layers_.motion[2 * place(x, y)] = image_point->x() - centre_x;
+    layers_.motion[2 * place(x, y) + 1] = image_point->y() - centre_y;
   }
 }
 
 void LayerPainter::draw(int x, int y) {
-  const bool solid = picture_.film_mask.may_meet(x, y) || picture_.set.may_show_solid(x, y);
+  const bool solid =
+      prepared_.pixel_mask.may_intersect(x, y) || prepared_.background.may_show_solid(x, y);
   take_centre(x, y);
   if (solid) return take_samples(x, y);
   // The floor or backdrop of the whole pixel.
-  const Color albedo = picture_.set.floor_albedo(x, y);
+  const Color albedo = prepared_.background.floor_albedo(x, y);
   std::copy_n(albedo.data(), 3, layers_.albedo.at(x, y));
-  if (picture_.set.shows_floor(x, y)) layers_.normal.at(x, y)[1] = 1.0f;
+  if (prepared_.background.shows_floor(x, y)) layers_.normal.at(x, y)[1] = 1.0f;
 }
 
 }  // namespace
@@ -189,7 +192,7 @@ void LayerPainter::draw(int x, int y) {
 Layers empty_layers(const Scene& scene, int width, int height) {
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   Layers layers;
-  layers.albedo = layers.normal = layers.position = Film(width, height);
+  layers.albedo = layers.normal = layers.position = Framebuffer(width, height);
   layers.depth.assign(pixels, infinity);
   layers.motion.assign(2 * pixels, 0.0f);
   layers.samples.assign(pixels, 0.0f);
@@ -203,9 +206,9 @@ Layers empty_layers(const Scene& scene, int width, int height) {
   return layers;
 }
 
-void draw_layers(const Picture& picture, const NextPicture* next, const Tile& tile,
+void draw_layers(const PreparedScene& prepared, const NextScene* next, const Tile& tile,
                  Layers& layers) {
-  LayerPainter painter(picture, next, layers);
+  LayerPainter painter(prepared, next, layers);
   for (int y = tile.y_begin; y < tile.y_end; ++y)
     for (int x = tile.x_begin; x < tile.x_end; ++x) painter.draw(x, y);
 }

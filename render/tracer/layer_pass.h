@@ -1,21 +1,22 @@
 #pragma once
 
 #include "render/image/layers.h"
-#include "render/tracer/picture.h"
+#include "render/tracer/prepared_scene.h"
 #include "render/tracer/tile.h"
 
 namespace mien::render {
 
-/// The next picture, for motion.
-struct NextPicture {
+/// The next picture's scene and camera, for motion vectors.
+struct NextScene {
   const Scene* scene = nullptr;  ///< same solids in the same order
   Camera camera;
 };
 
-/// Room for all layers but the beauty, and the names of what the scene holds.
+/// Allocates all layers but the beauty and fills in the names of figures and parts.
 Layers empty_layers(const Scene& scene, int width, int height);
 
-/// Fills the pixels of a part of the film, all layers but beauty and variance.
-void draw_layers(const Picture& picture, const NextPicture* next, const Tile& tile, Layers& layers);
+/// Renders the pixels of a tile in all layers but beauty and variance.
+void draw_layers(const PreparedScene& prepared, const NextScene* next, const Tile& tile,
+                 Layers& layers);
 
 }  // namespace mien::render

@@ -3,53 +3,54 @@
 #include <array>
 
 #include "render/light/shading.h"
-#include "render/tracer/line_queries.h"
-#include "render/tracer/picture.h"
+#include "render/tracer/line_shadow_queue.h"
 #include "render/tracer/pixel.h"
+#include "render/tracer/prepared_scene.h"
 
 namespace mien::render {
 
-/// What becomes of the light that a query stands for.
-enum class Effect {
-  arrives_at_figure,         ///< unless something blocks the ray
-  arrives_at_set,            ///< unless something blocks the ray
-  taken_from_figure,         ///< when something blocks the ray, of what arrives without
-  taken_from_set,            ///< likewise
-  taken_when_figure_blocks,  ///< from what the set shows with nobody in it
-  taken_when_blocked         ///< from what the open set shows, without its solids
+/// How a shadow ray's light contributes to its pixel.
+enum class Contribution {
+  figure_if_unoccluded,          ///< added to the figure
+  background_if_unoccluded,      ///< added to the background
+  minus_figure_if_occluded,      ///< subtracted from the figure
+  minus_background_if_occluded,  ///< subtracted from the background
+  shadow_if_figure_occludes,     ///< subtracted from the static background
+  shadow_if_occluded             ///< subtracted from the unshadowed background
 };
 
-/// Rays that ask whether light gets through, gathered and traced eight at a time. What they find is
-/// added to the pixels, which have to stay where they are until `trace`.
-class LightQueries {
+/// Shadow rays, collected and traced eight at a time. Their contributions are added to the pixels,
+/// which must not move before `trace`.
+class ShadowRayQueue {
  public:
-  explicit LightQueries(const Picture& picture) : picture_(picture) {}
+  explicit ShadowRayQueue(const PreparedScene& prepared) : prepared_(prepared) {}
 
-  /// `light`: of each sample that this one stands for.
-  void ask(const Sample& sample, const Vec3& origin, const Vec3& direction, float distance,
-           const Color& light, Effect effect) {
+  /// Queues a shadow ray. `light`: the radiance that it carries, for each sample that this one
+  /// represents.
+  void enqueue(const Sample& sample, const Vec3& origin, const Vec3& direction, float distance,
+               const Color& light, Contribution contribution) {
     if ((light == 0.0f).all()) return;
-    queries_[static_cast<std::size_t>(rays_.count)] = {sample, light, effect};
+    queries_[static_cast<std::size_t>(rays_.count)] = {sample, light, contribution};
     rays_.push(origin, direction, distance, sample.time, sample.present);
     if (rays_.count == packet_size) trace();
   }
 
-  /// Those that are still waiting.
+  /// Traces the rays that are still queued.
   void trace();
 
  private:
   struct Query {
     Sample sample;
     Color light = Color::Zero();
-    Effect effect = Effect::arrives_at_figure;
+    Contribution contribution = Contribution::figure_if_unoccluded;
   };
 
-  const Picture& picture_;
+  const PreparedScene& prepared_;
   RayPacket rays_;
   std::array<Query, packet_size> queries_;
 };
 
-/// Up to eight samples and the surfaces that they show.
+/// Up to eight samples and the surfaces that they hit.
 struct SurfaceSamples {
   Samples samples;
   std::array<Surface, lanes> surfaces;
@@ -71,22 +72,23 @@ struct FloorSamples {
   }
 };
 
-/// All the light that surfaces send to the eye, from the lights and the sky.
-void light_surfaces(const Picture& picture, const SurfaceSamples& batch, bool of_figure,
-                    LightQueries& queries);
+/// Shades surfaces: all the light that they reflect to the camera, from the lights and the sky.
+void shade_surfaces(const PreparedScene& prepared, const SurfaceSamples& batch, bool of_figure,
+                    ShadowRayQueue& shadow_rays);
 
-/// What the figure hides of the lights and the sky from a standing solid.
-void darken_wall(const Picture& picture, const Sample& sample, const Surface& surface,
-                 LightQueries& queries);
+/// Subtracts what the figure hides of the lights and the sky from a static solid.
+void shadow_static_solid(const PreparedScene& prepared, const Sample& sample,
+                         const Surface& surface, ShadowRayQueue& shadow_rays);
 
-/// What the figure hides of the lights from the floor, and of the sky as far as the pixels are
-/// planned to look for themselves.
-void darken_floor(const Picture& picture, const FloorSamples& batch, LightQueries& queries,
-                  LineQueries& lines);
+/// Subtracts what the figure hides of the lights from the floor, and of the sky for pixels that
+/// cast their own sky rays.
+void shadow_floor(const PreparedScene& prepared, const FloorSamples& batch,
+                  ShadowRayQueue& shadow_rays, LineShadowQueue& line_shadows);
 
-/// The backdrop or floor at the end of a ray, with the shadows of everything: adds to the set of
-/// the sample's pixel.
-void show_open_set(const Picture& picture, const Sample& sample, const CameraFrame& camera,
-                   const EyeRay& ray, LightQueries& queries);
+/// Adds the backdrop or floor that a ray shows to the pixel's background, and queues shadow rays
+/// for everything that shadows it.
+void add_unshadowed_background(const PreparedScene& prepared, const Sample& sample,
+                               const CameraFrame& camera, const CameraRay& ray,
+                               ShadowRayQueue& shadow_rays);
 
 }  // namespace mien::render

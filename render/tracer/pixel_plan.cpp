@@ -13,31 +13,31 @@
 namespace mien::render {
 namespace {
 
-struct FilmArea {
+struct ImageArea {
   float x_min;
   float x_max;
   float y_min;
   float y_max;
 };
 
-/// Whether a part of the film shows no floor: how steep rays fall is linear on it, so the corners
-/// tell.
-bool is_above_horizon(const CameraFrame& camera, const FilmArea& film) {
-  for (const float x : {film.x_min, film.x_max}) {
-    for (const float y : {film.y_min, film.y_max}) {
-      const EyeRay ray = camera.line_through(x, y);
+/// Whether a part of the image shows no floor: the slope of rays is linear on it, so the corners
+/// suffice.
+bool is_above_horizon(const CameraFrame& camera, const ImageArea& image) {
+  for (const float x : {image.x_min, image.x_max}) {
+    for (const float y : {image.y_min, image.y_max}) {
+      const CameraRay ray = camera.unnormalised_ray(x, y);
       if (distance_to_floor(ray.origin, ray.direction)) return false;
     }
   }
   return true;
 }
 
-// Box around the floor that a part of the film shows; nothing when that goes on to the horizon.
-std::optional<FloorArea> floor_under(const CameraFrame& camera, const FilmArea& film) {
+// Bounding box of the floor that a part of the image shows; nothing when it extends to the horizon.
+std::optional<FloorArea> floor_under(const CameraFrame& camera, const ImageArea& image) {
   FloorArea area{infinity, -infinity, infinity, -infinity};
-  for (const float x : {film.x_min, film.x_max}) {
-    for (const float y : {film.y_min, film.y_max}) {
-      const EyeRay ray = camera.line_through(x, y);
+  for (const float x : {image.x_min, image.x_max}) {
+    for (const float y : {image.y_min, image.y_max}) {
+      const CameraRay ray = camera.unnormalised_ray(x, y);
       const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
       if (!distance) return std::nullopt;
       const Vec3 point = ray.origin + *distance * ray.direction;
@@ -50,17 +50,17 @@ std::optional<FloorArea> floor_under(const CameraFrame& camera, const FilmArea& 
   return area;
 }
 
-/// How far the floor that samples of a pixel show can be from what its middle shows, for all pixels
-/// of a part of the film; `reach` pixels is how far samples go. Nothing where that goes on to the
-/// horizon. Floor is seen at o + t·d with t = −o.y / d.y, and o and d are linear on the film, so
-/// the derivatives of that are bounded by what the corners show.
-std::optional<FloorReach> floor_reach(const CameraFrame& camera, const FilmArea& film,
+/// Largest distance of the floor shown by a pixel's samples, which lie within `reach` pixels, from
+/// that at its centre, for all pixels of a part of the image. Nothing when it extends to the
+/// horizon. The floor is at o + t·d with t = −o.y / d.y, and o and d are linear on the image, so
+/// the derivatives are bounded by those at the corners.
+std::optional<FloorReach> floor_reach(const CameraFrame& camera, const ImageArea& image,
                                       float reach) {
   float steepest = -infinity;
   Vec3 widest = Vec3::Zero();
-  for (const float x : {film.x_min, film.x_max}) {
-    for (const float y : {film.y_min, film.y_max}) {
-      const EyeRay ray = camera.line_through(x, y);
+  for (const float x : {image.x_min, image.x_max}) {
+    for (const float y : {image.y_min, image.y_max}) {
+      const CameraRay ray = camera.unnormalised_ray(x, y);
       if (!distance_to_floor(ray.origin, ray.direction)) return std::nullopt;
       steepest = std::max(steepest, ray.direction.y());
       widest = widest.cwiseMax(ray.direction.cwiseAbs());
@@ -77,7 +77,7 @@ std::optional<FloorReach> floor_reach(const CameraFrame& camera, const FilmArea&
   return floor;
 }
 
-/// Eight numbers of the compiler's, with which it needs no gathering.
+/// Eight floats as a vector of the compiler's, loaded without gathering.
 using Octet = float __attribute__((vector_size(32), aligned(4)));
 using Places = int __attribute__((vector_size(32)));
 
@@ -94,17 +94,17 @@ struct CellLight {
   Octet along_both[3];
 };
 
-/// Some pixels of a row of the set whose floor lies in one cell.
+/// Consecutive pixels of a row whose floor lies in one cell.
 struct CellPixels {
   const FloorRow& row;
   int column;  // of the first
   std::size_t count;
   const float* radiance;  // of the first pixel on
   const float* albedo;    // likewise; null: the floor is of one colour
-  Color even_albedo;
+  Color uniform_albedo;
 };
 
-/// Shows them less the sky that is hidden there.
+/// Writes their radiance less the occluded sky light.
 template <bool even>
 [[gnu::always_inline]] inline void show_lit(const CellPixels& pixels, const FloorSky::Cell& cell,
                                             float* out) {
@@ -121,7 +121,7 @@ template <bool even>
       light.along_x[part][i] = cell.along_x[c];
       light.along_z[part][i] = cell.along_z[c];
       light.along_both[part][i] = cell.along_both[c];
-      of_colour[part][i] = pixels.even_albedo[c];
+      of_colour[part][i] = pixels.uniform_albedo[c];
     }
   }
   std::size_t i = 0;
@@ -151,7 +151,7 @@ template <bool even>
     const float u = (place.x - x) * inverse_side, v = (place.z - z) * inverse_side;
     for (int c = 0; c < 3; ++c) {
       const std::size_t k = 3 * i + static_cast<std::size_t>(c);
-      out[k] = radiance[k] - (even ? pixels.even_albedo[c] : albedo[k]) *
+      out[k] = radiance[k] - (even ? pixels.uniform_albedo[c] : albedo[k]) *
                                  (cell.at_corner[c] + u * cell.along_x[c] +
                                   v * (cell.along_z[c] + u * cell.along_both[c]));
     }
@@ -166,11 +166,11 @@ MIEN_FOR_AVX2_TOO void show_cell(const CellPixels& pixels, const FloorSky::Cell&
 /// Where the pixels of a row end that lie in the cell of the first, at column `end` at the latest.
 /// A row shows a straight line of the floor, and cells are convex, as is the floor: where two
 /// pixels lie in a cell so do all between.
-int end_of_cell(const StandingSet& set, const FloorRow& row, const FloorSky::Cell& cell, int first,
-                int y, int end) {
+int end_of_cell(const StaticBackground& background, const FloorRow& row, const FloorSky::Cell& cell,
+                int first, int y, int end) {
   const auto inside = [&](int column) {
     const FloorPlace place = row.at(column);
-    return cell.holds(place.x, place.z) && set.shows_floor(column, y);
+    return cell.holds(place.x, place.z) && background.shows_floor(column, y);
   };
   int last = first;
   if (!row.is_in_order()) {
@@ -187,16 +187,16 @@ int end_of_cell(const StandingSet& set, const FloorRow& row, const FloorSky::Cel
   return last + 1;
 }
 
-constexpr int together = 8;  // pixels of a row
+constexpr int run_pixels = 8;  // planned at once
 
-/// Metres of floor that a pixel of a tile shows, at most.
+/// Largest extent of the floor that a pixel of a tile shows, metres.
 float pixel_step(const FloorArea& area, const Tile& tile) {
   const int side = std::max(std::min(tile.x_end - tile.x_begin, tile.y_end - tile.y_begin), 1);
   return std::max(area.x_max - area.x_min, area.z_max - area.z_min) / static_cast<float>(side);
 }
 
-/// How wide the half shadow is, metres, that an edge at a height casts on the floor, at least.
-float half_shadow(const AreaLight& light, float height) {
+/// Least width of the penumbra, metres, that an edge at a height casts on the floor.
+float penumbra(const AreaLight& light, float height) {
   if (height >= light.centre.y()) return infinity;
   const float width = 2.0f * std::min(light.half_u.norm(), light.half_v.norm());
   return width * height / (light.centre.y() - height);
@@ -204,79 +204,82 @@ float half_shadow(const AreaLight& light, float height) {
 
 }  // namespace
 
-void PixelPlanner::turn_to(const Tile& tile) {
-  const bool whole = picture_.quality.exhaustive;
-  const float margin = picture_.filter.half_width();
-  const FilmArea film{
+void PixelPlanner::begin_tile(const Tile& tile) {
+  const bool whole = prepared_.quality.exhaustive;
+  const float margin = prepared_.filter.half_width();
+  const ImageArea image{
       static_cast<float>(tile.x_begin) - margin, static_cast<float>(tile.x_end) + margin,
       static_cast<float>(tile.y_begin) - margin, static_cast<float>(tile.y_end) + margin};
-  const std::optional<FloorArea> area = floor_under(picture_.camera, film);
-  const bool no_floor = !area && is_above_horizon(picture_.camera, film);
+  const std::optional<FloorArea> area = floor_under(prepared_.camera, image);
+  const bool no_floor = !area && is_above_horizon(prepared_.camera, image);
   tile_lights_ = 0;
   shaded_everywhere_ = true;
-  for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i) {
-    const ShadowMask& mask = picture_.shadow_masks[i];
+  for (std::size_t i = 0; i < prepared_.shadow_masks.size(); ++i) {
+    const ShadowMask& mask = prepared_.shadow_masks[i];
     if (!whole && (area ? !mask.may_shade(*area) : no_floor)) continue;
     tile_lights_ |= 1u << i;
     shaded_everywhere_ &= area && mask.may_shade_all(*area);
   }
   find_casters(tile, area);
-  // What a pixel's neighbour shows may stand for what it shows itself.
-  stretch_ = {};
-  const PixelBlock block = block_of(shared_line(lines_, picture_.quality.samples_per_pixel));
+  // Pixels that share lines may use a neighbour's.
+  span_ = {};
+  const PixelBlock block = block_of(shared_line(lines_, prepared_.quality.samples_per_pixel));
   if (tile_lights_ != 0)
-    floor_reach_ = floor_reach(picture_.camera, film, margin + static_cast<float>(block.width - 1));
+    floor_reach_ =
+        floor_reach(prepared_.camera, image, margin + static_cast<float>(block.width - 1));
   first_row_ = tile.y_begin;
   figure_rows_ = 0;
   for (int y = tile.y_begin; y < tile.y_end; ++y)
-    if (whole || picture_.film_mask.may_meet_row(tile.x_begin, tile.x_end, y))
+    if (whole || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y))
       figure_rows_ |= 1u << (y - first_row_);
   end_ = tile.x_end;
-  is_alone_ = tile_lights_ == 0 && figure_rows_ == 0 && !piecemeal_ && !picture_.walls;
+  shows_background_only_ =
+      tile_lights_ == 0 && figure_rows_ == 0 && !per_sample_ && !prepared_.static_solids;
 }
 
 void PixelPlanner::find_casters(const Tile& tile, const std::optional<FloorArea>& area) {
-  lines_.casters.resize(picture_.shadow_masks.size());
-  lines_.lights = picture_.line_lights;
-  lines_.half_shadow = area ? infinity : 0.0f;
+  lines_.casters.resize(prepared_.shadow_masks.size());
+  lines_.lights = prepared_.line_lights;
+  lines_.penumbra = area ? infinity : 0.0f;
   const float step = area ? pixel_step(*area, tile) : 0.0f;
   for (std::size_t i = 0; i < lines_.casters.size(); ++i) {
     std::vector<int>& casters = lines_.casters[i];
     casters.clear();
-    if (((picture_.line_lights >> i) & 1u) == 0) continue;
+    if (((prepared_.line_lights >> i) & 1u) == 0) continue;
     if (area && ((tile_lights_ >> i) & 1u) != 0) {
-      const float height = picture_.shadow_masks[i].add_casters(*area, casters);
-      lines_.half_shadow =
-          std::min(lines_.half_shadow, half_shadow(picture_.scene.lights[i], height) / step);
+      const float height = prepared_.shadow_masks[i].add_casters(*area, casters);
+      lines_.penumbra =
+          std::min(lines_.penumbra, penumbra(prepared_.scene.lights[i], height) / step);
     }
-    if (!area || picture_.quality.exhaustive) casters = picture_.casters[i];
+    if (!area || prepared_.quality.exhaustive) casters = prepared_.casters[i];
   }
 }
 
-void PixelPlanner::show_set(const Tile& band, const Canvas& canvas,
-                            std::vector<std::uint8_t>& open) {
-  const StandingSet& set = picture_.set;
+void PixelPlanner::write_background(const Tile& band, const Canvas& canvas,
+                                    std::vector<std::uint8_t>& open) {
+  const StaticBackground& background = prepared_.background;
   for (int y = band.y_begin; y < band.y_end; ++y) {
     const FloorRow& row = floor_row(y);
-    const std::optional<Color>& even = set.even_albedo[static_cast<std::size_t>(y)];
+    const std::optional<Color>& even = background.uniform_albedo[static_cast<std::size_t>(y)];
     for (int x = band.x_begin; x < band.x_end;) {
       const int first = x;
-      const bool floor = set.shows_floor(first, y);
+      const bool floor = background.shows_floor(first, y);
       const FloorPlace place = row.at(first);
       if (floor && !cell_->holds(place.x, place.z))
-        cell_ = &picture_.floor_sky.cell_at(place.x, place.z);
+        cell_ = &prepared_.floor_sky.cell_at(place.x, place.z);
       if (!floor || (cell_->known && cell_->inverse_side == 0.0f)) {
         do ++x;
-        while (x < band.x_end && !set.shows_floor(x, y));
-        std::copy_n(set.radiance.at(first, y), 3 * (x - first), canvas.film(first, y));
+        while (x < band.x_end && !background.shows_floor(x, y));
+        std::copy_n(background.radiance.at(first, y), 3 * (x - first), canvas.color(first, y));
       } else if (!cell_->known) {
         open[static_cast<std::size_t>((first - band.x_begin) / tile_size)] = 1;
         ++x;
       } else {
-        x = end_of_cell(set, row, *cell_, first, y, band.x_end);
-        show_cell({row, first, static_cast<std::size_t>(x - first), set.radiance.at(first, y),
-                   even ? nullptr : set.albedo.at(first, y), even ? *even : Color(Color::Zero())},
-                  *cell_, canvas.film(first, y));
+        x = end_of_cell(background, row, *cell_, first, y, band.x_end);
+        show_cell(
+            {row, first, static_cast<std::size_t>(x - first), background.radiance.at(first, y),
+             even ? nullptr : background.albedo.at(first, y), even ? *even : Color(Color::Zero())},
+            *cell_, canvas.color(first, y));
       }
     }
   }
@@ -284,70 +287,73 @@ void PixelPlanner::show_set(const Tile& band, const Canvas& canvas,
 
 const FloorRow& PixelPlanner::floor_row(int y) {
   if (y != row_number_) {
-    row_ = FloorRow(picture_.set.camera, y);
+    row_ = FloorRow(prepared_.background.camera, y);
     row_number_ = y;
   }
   return row_;
 }
 
-SetLight PixelPlanner::set_at(int x, int y) {
-  const StandingSet& set = picture_.set;
-  const Color radiance = Eigen::Map<const Color>(set.radiance.at(x, y));
-  if (!set.shows_floor(x, y)) return {radiance, true};
+BackgroundLight PixelPlanner::background_at(int x, int y) {
+  const StaticBackground& background = prepared_.background;
+  const Color radiance = Eigen::Map<const Color>(background.radiance.at(x, y));
+  if (!background.shows_floor(x, y)) return {radiance, true};
   const FloorPlace place = floor_row(y).at(x);
-  if (!cell_->holds(place.x, place.z)) cell_ = &picture_.floor_sky.cell_at(place.x, place.z);
+  if (!cell_->holds(place.x, place.z)) cell_ = &prepared_.floor_sky.cell_at(place.x, place.z);
   if (!cell_->known || cell_->inverse_side == 0.0f) return {radiance, cell_->known};
-  return {radiance - set.floor_albedo(x, y) * cell_->hidden(place.x, place.z), true};
+  return {radiance - background.floor_albedo(x, y) * cell_->hidden(place.x, place.z), true};
 }
 
 PixelPlan PixelPlanner::plan(int x, int y) {
-  const bool somebody = picture_.bounds.radius >= 0.0f;
-  const bool solid = picture_.walls != nullptr && picture_.set.may_show_solid(x, y);
+  const bool somebody = prepared_.bounds.radius >= 0.0f;
+  const bool solid =
+      prepared_.static_solids != nullptr && prepared_.background.may_show_solid(x, y);
   const bool figure = ((figure_rows_ >> (y - first_row_)) & 1u) != 0 &&
-                      (picture_.quality.exhaustive || picture_.film_mask.may_meet(x, y));
+                      (prepared_.quality.exhaustive || prepared_.pixel_mask.may_intersect(x, y));
   PixelPlan plan;
-  if (piecemeal_ || (figure && solid)) {
-    plan.kind = PixelKind::piecemeal;
+  if (per_sample_ || (figure && solid)) {
+    plan.kind = PixelKind::per_sample;
     return plan;
   }
   if (figure) {
     plan.kind = PixelKind::figure;
   } else if (solid && somebody) {
-    plan.kind = PixelKind::wall;
+    plan.kind = PixelKind::static_solid;
   }
-  if (picture_.set.shows_floor(x, y) && somebody) plan.shadow_lights = shadow_lights(x, y);
-  if (plan.kind == PixelKind::untouched && plan.shadow_lights != 0) plan.kind = PixelKind::floor;
+  if (prepared_.background.shows_floor(x, y) && somebody) plan.shadow_lights = shadow_lights(x, y);
+  if (plan.kind == PixelKind::background && plan.shadow_lights != 0)
+    plan.kind = PixelKind::shadowed_floor;
   return plan;
 }
 
-std::optional<PixelPlanner::Alike> PixelPlanner::alike_from(int x, int y) {
-  if (piecemeal_ || picture_.walls != nullptr || picture_.quality.exhaustive) return std::nullopt;
+std::optional<PixelPlanner::UniformRun> PixelPlanner::uniform_run_from(int x, int y) {
+  if (per_sample_ || prepared_.static_solids != nullptr || prepared_.quality.exhaustive)
+    return std::nullopt;
   const bool figure = ((figure_rows_ >> (y - first_row_)) & 1u) != 0;
-  if (!figure && tile_lights_ == 0) return Alike{end_, 0};
-  if (x % together != 0) return std::nullopt;
-  const int end = std::min(x + together, end_);
-  if (figure && picture_.film_mask.may_meet_row(x, end, y)) return std::nullopt;
-  if (tile_lights_ == 0) return Alike{end, 0};
-  const StandingSet& set = picture_.set;
-  if (!set.shows_floor(x, y) || !set.shows_floor(end - 1, y)) return std::nullopt;
-  return Alike{end, picture_.bounds.radius >= 0.0f ? shadow_lights(x, y) : 0};
+  if (!figure && tile_lights_ == 0) return UniformRun{end_, 0};
+  if (x % run_pixels != 0) return std::nullopt;
+  const int end = std::min(x + run_pixels, end_);
+  if (figure && prepared_.pixel_mask.may_intersect_row(x, end, y)) return std::nullopt;
+  if (tile_lights_ == 0) return UniformRun{end, 0};
+  const StaticBackground& background = prepared_.background;
+  if (!background.shows_floor(x, y) || !background.shows_floor(end - 1, y)) return std::nullopt;
+  return UniformRun{end, prepared_.bounds.radius >= 0.0f ? shadow_lights(x, y) : 0};
 }
 
-// Looked up for eight pixels at once where both ends show the floor: a row shows a straight line of
-// it.
+// Looked up for eight pixels at once if both ends show the floor, because a row shows a straight
+// line of it.
 std::uint32_t PixelPlanner::shadow_lights(int x, int y) {
-  if (shaded_everywhere_ || picture_.quality.exhaustive || !floor_reach_) return tile_lights_;
-  const StandingSet& set = picture_.set;
-  if (y == stretch_.row && x >= stretch_.first && x <= stretch_.last) return stretch_.lights;
-  const int begin = x / together * together;
-  stretch_ = {y, begin, std::min(begin + together, end_) - 1, 0};
-  if (!set.shows_floor(stretch_.first, y) || !set.shows_floor(stretch_.last, y))
-    stretch_.first = stretch_.last = x;
-  stretch_.lights = lights_hidden_in(stretch_);
-  return stretch_.lights;
+  if (shaded_everywhere_ || prepared_.quality.exhaustive || !floor_reach_) return tile_lights_;
+  const StaticBackground& background = prepared_.background;
+  if (y == span_.row && x >= span_.first && x <= span_.last) return span_.lights;
+  const int begin = x / run_pixels * run_pixels;
+  span_ = {y, begin, std::min(begin + run_pixels, end_) - 1, 0};
+  if (!background.shows_floor(span_.first, y) || !background.shows_floor(span_.last, y))
+    span_.first = span_.last = x;
+  span_.lights = lights_hidden_in(span_);
+  return span_.lights;
 }
 
-std::uint32_t PixelPlanner::lights_hidden_in(const Stretch& stretch) {
+std::uint32_t PixelPlanner::lights_hidden_in(const PixelSpan& stretch) {
   const FloorRow& row = floor_row(stretch.row);
   const FloorPlace first = row.at(stretch.first), last = row.at(stretch.last);
   const auto [x_min, x_max] = std::minmax(first.x, last.x);
@@ -355,35 +361,36 @@ std::uint32_t PixelPlanner::lights_hidden_in(const Stretch& stretch) {
   const FloorArea area{x_min - floor_reach_->x, x_max + floor_reach_->x, z_min - floor_reach_->z,
                        z_max + floor_reach_->z};
   std::uint32_t hidden = 0;
-  for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
-    if (((tile_lights_ >> i) & 1u) != 0 && picture_.shadow_masks[i].may_shade(area))
+  for (std::size_t i = 0; i < prepared_.shadow_masks.size(); ++i)
+    if (((tile_lights_ >> i) & 1u) != 0 && prepared_.shadow_masks[i].may_shade(area))
       hidden |= 1u << i;
   return hidden;
 }
 
-void PixelPlanner::set_out(FloorPixel& pixel, int x, int y, const PixelPlan& plan,
-                           const Color& radiance) const {
+void PixelPlanner::init(FloorPixel& pixel, int x, int y, const PixelPlan& plan,
+                        const Color& radiance) const {
   pixel.x = x;
   pixel.y = y;
   pixel.shadow_lights = plan.shadow_lights;
   pixel.radiance = radiance;
-  pixel.floor_albedo = picture_.set.floor_albedo(x, y);
+  pixel.floor_albedo = prepared_.background.floor_albedo(x, y);
 }
 
-void PixelPlanner::set_out(Pixel& pixel, int x, int y, const PixelPlan& plan,
-                           const SetLight& set_light) {
-  const StandingSet& set = picture_.set;
-  set_out(static_cast<FloorPixel&>(pixel), x, y, plan, set_light.radiance);
+void PixelPlanner::init(Pixel& pixel, int x, int y, const PixelPlan& plan,
+                        const BackgroundLight& background_light) {
+  const StaticBackground& background = prepared_.background;
+  init(static_cast<FloorPixel&>(pixel), x, y, plan, background_light.radiance);
   pixel.kind = plan.kind;
-  pixel.sampler = picture_.sampler.of_neighbour(x, y);
-  pixel.shows_floor = set.shows_floor(x, y);
-  const bool open = plan.kind == PixelKind::untouched || plan.kind == PixelKind::floor;
-  if (open) pixel.set_samples = picture_.quality.samples_per_pixel;
-  if (set_light.complete || plan.kind == PixelKind::piecemeal || picture_.bounds.radius < 0.0f)
+  pixel.sampler = prepared_.sampler.for_pixel(x, y);
+  pixel.shows_floor = background.shows_floor(x, y);
+  const bool open = plan.kind == PixelKind::background || plan.kind == PixelKind::shadowed_floor;
+  if (open) pixel.background_samples = prepared_.quality.samples_per_pixel;
+  if (background_light.complete || plan.kind == PixelKind::per_sample ||
+      prepared_.bounds.radius < 0.0f)
     return;
   const FloorPlace place = floor_row(y).at(x);
-  const SkyRays sky = sky_rays_of(picture_.bounds, {place.x, 0.0f, place.z}, Vec3::UnitY(),
-                                  picture_.quality.samples_per_pixel, pixel.sampler);
+  const SkyRays sky = sky_rays_of(prepared_.bounds, {place.x, 0.0f, place.z}, Vec3::UnitY(),
+                                  prepared_.quality.samples_per_pixel, pixel.sampler);
   pixel.floor_sky_rays = sky.rays;
   pixel.floor_sky_samples = sky.samples;
 }

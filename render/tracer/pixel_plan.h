@@ -5,73 +5,73 @@
 #include <vector>
 
 #include "render/light/floor_row.h"
-#include "render/tracer/line_queries.h"
-#include "render/tracer/picture.h"
+#include "render/tracer/line_shadow_queue.h"
 #include "render/tracer/pixel.h"
+#include "render/tracer/prepared_scene.h"
 #include "render/tracer/tile.h"
 
 namespace mien::render {
 
-/// What a pixel gets from the set.
-struct SetLight {
-  Color radiance;  ///< less what the figure hides of the sky, where that is known
-  bool complete;   ///< false: what the figure hides of the sky is not known, rays are to find it
+/// The background of a pixel.
+struct BackgroundLight {
+  Color radiance;  ///< less the figure's occlusion of the sky, where that is known
+  bool complete;   ///< false: the occlusion of the sky is not known and needs rays
 };
 
-/// What a pixel may show other than the set.
+/// What a pixel may show besides the background.
 struct PixelPlan {
-  PixelKind kind = PixelKind::untouched;
+  PixelKind kind = PixelKind::background;
   std::uint32_t shadow_lights = 0;  ///< bit i: the figure may hide light i from its floor
 };
 
-/// How far from a point of the floor, along its axes, metres.
+/// A distance on the floor, along each axis, metres.
 struct FloorReach {
   float x;
   float z;
 };
 
-/// Decides what of a picture need not be traced. Each thread has its own.
+/// Decides what needs to be traced for each pixel. Each thread has its own.
 class PixelPlanner {
  public:
-  explicit PixelPlanner(const Picture& picture)
-      : picture_(picture),
-        piecemeal_(picture.piecemeal()),
-        cell_(&picture.floor_sky.cell_at(0.0f, 0.0f)) {}
+  explicit PixelPlanner(const PreparedScene& prepared)
+      : prepared_(prepared),
+        per_sample_(prepared.is_per_sample()),
+        cell_(&prepared.floor_sky.cell_at(0.0f, 0.0f)) {}
 
-  /// Turns to a tile, which the pixels that are planned from now on lie in.
-  void turn_to(const Tile& tile);
+  /// Begins a tile: the pixels planned from now on lie in it.
+  void begin_tile(const Tile& tile);
 
-  /// Whether it shows no figure and no shadow of it from a light.
-  bool is_alone() const { return is_alone_; }
+  /// Whether the tile shows neither the figure nor its shadow from a light.
+  bool shows_background_only() const { return shows_background_only_; }
 
-  /// What lines of the lights are asked for on floor in the tile.
-  const TileLines& lines() const { return lines_; }
+  /// Line shadows on the floor of the tile.
+  const TileLineShadows& lines() const { return lines_; }
 
-  /// Shows what each pixel gets from the set, but where what the figure hides of the sky is not
-  /// known: `open` is set to 1 for tiles (from the left, tile_size pixels each) with such pixels.
-  void show_set(const Tile& band, const Canvas& canvas, std::vector<std::uint8_t>& open);
+  /// Writes the background of each pixel, except where the occlusion of the sky is not known:
+  /// `open` is set to 1 for tiles (from the left, tile_size pixels each) with such pixels.
+  void write_background(const Tile& band, const Canvas& canvas, std::vector<std::uint8_t>& open);
 
-  SetLight set_at(int x, int y);
+  BackgroundLight background_at(int x, int y);
 
-  /// Makes a pixel ready that shows floor, of which only what lines find is not known.
-  void set_out(FloorPixel& pixel, int x, int y, const PixelPlan& plan, const Color& radiance) const;
+  /// Initialises a pixel that shows floor and needs line shadows only.
+  void init(FloorPixel& pixel, int x, int y, const PixelPlan& plan, const Color& radiance) const;
 
   PixelPlan plan(int x, int y);
 
-  /// Pixels of the tile's row y, from x on, of which is soon told that they show no figure, and
-  /// which lights they may lack; none where nothing is.
-  struct Alike {
+  /// A run of pixels of a row, known at once to show no figure and to be shadowed from the same
+  /// lights at most.
+  struct UniformRun {
     int end;
-    std::uint32_t lights;  ///< that some may lack; 0, or all of them show the floor
+    std::uint32_t lights;  ///< that may be hidden; if not 0, all of the pixels show the floor
   };
-  std::optional<Alike> alike_from(int x, int y);
+  std::optional<UniformRun> uniform_run_from(int x, int y);
 
-  /// Makes a pixel ready to be drawn so; `set` is what set_at told of it last.
-  void set_out(Pixel& pixel, int x, int y, const PixelPlan& plan, const SetLight& set);
+  /// Initialises a pixel; `background` is the result of background_at for it.
+  void init(Pixel& pixel, int x, int y, const PixelPlan& plan, const BackgroundLight& background);
 
  private:
-  /// Pixels of a row, and what they may lack.
-  struct Stretch {
+  /// A span of a row, and the lights that may be hidden from it.
+  struct PixelSpan {
     int row = -1;
     int first = 0;
     int last = -1;
@@ -79,25 +79,25 @@ class PixelPlanner {
   };
 
   std::uint32_t shadow_lights(int x, int y);
-  std::uint32_t lights_hidden_in(const Stretch& stretch);
+  std::uint32_t lights_hidden_in(const PixelSpan& stretch);
   const FloorRow& floor_row(int y);
   void find_casters(const Tile& tile, const std::optional<FloorArea>& area);
 
-  const Picture& picture_;
-  const bool piecemeal_;
-  const FloorSky::Cell* cell_;      // of the floor, that was looked at last
+  const PreparedScene& prepared_;
+  const bool per_sample_;
+  const FloorSky::Cell* cell_;      // cell of the floor that was used last
   std::uint32_t tile_lights_ = 0;   // bit i: the figure may hide light i somewhere in the tile
-  bool shaded_everywhere_ = false;  // by all of tile_lights_, as far as is known
+  bool shaded_everywhere_ = false;  // every pixel may be shadowed from all of tile_lights_
   int end_ = 0;                     // of the tile's columns
   std::optional<FloorReach> floor_reach_;  // where tile_lights_ are; none at the horizon
   std::uint32_t figure_rows_ = 0;          // bit i: row i of the tile may show the figure
   int first_row_ = 0;                      // of the tile
-  bool is_alone_ = false;
+  bool shows_background_only_ = false;
 
-  Stretch stretch_;  // that was looked at last, in the tile
-  FloorRow row_;     // likewise
+  PixelSpan span_;  // that was used last, in the tile
+  FloorRow row_;    // that was used last
   int row_number_ = -1;
-  TileLines lines_;
+  TileLineShadows lines_;
 };
 
 }  // namespace mien::render

@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <functional>
 
-#include "render/image/film.h"
-#include "render/tracer/picture.h"
+#include "render/image/framebuffer.h"
+#include "render/tracer/prepared_scene.h"
 
 namespace mien::render {
 
-/// Pixels [x_begin, x_end) × [y_begin, y_end): of a tile, or of several.
+/// Pixels [x_begin, x_end) × [y_begin, y_end): one tile or several adjacent ones.
 struct Tile {
   int x_begin;
   int x_end;
@@ -18,32 +18,35 @@ struct Tile {
 
 inline constexpr int tile_size = 16;
 
-/// What a part of a picture is drawn on: pixel (x, y) of the picture is pixel (x − left, y − top)
-/// of the exposure.
+/// Where a part of a picture is written: pixel (x, y) of the picture is pixel (x − left, y − top)
+/// of the target.
 struct Canvas {
-  Exposure& exposure;
+  RenderTarget& target;
   int left = 0;
   int top = 0;
 
-  float* film(int x, int y) const { return exposure.film.at(x - left, y - top); }
+  float* color(int x, int y) const { return target.color.at(x - left, y - top); }
   float& alpha(int x, int y) const {
-    return exposure
-        .alpha[static_cast<std::size_t>(y - top) * static_cast<std::size_t>(exposure.film.width) +
+    return target
+        .alpha[static_cast<std::size_t>(y - top) * static_cast<std::size_t>(target.color.width) +
                static_cast<std::size_t>(x - left)];
   }
 };
 
-/// Draws a part of a picture, whose upper left corner is that of a tile of tile_size. A pixel
-/// depends on the picture alone, not on the part it is drawn with.
+/// Renders the pixels of `part`, whose upper left corner lies on the grid of tiles. A pixel depends
+/// on the prepared scene alone, not on the part that it is rendered with.
 ///
-/// The set (floor and backdrop) is known in closed form. Primary rays are traced where they may
-/// meet the figure; what meets it is lit by rays to the lights and to the sky. From the floor is
-/// taken away what the figure hides of the lights and of the sky, found by rays too.
-void draw(const Picture& picture, const Tile& part, const Canvas& canvas);
+/// The background (floor, backdrop and static solids) is known beforehand. Primary rays are traced
+/// where they may hit the figure or, in front of it, static solids; surfaces that they hit are lit
+/// by rays to the lights and to the sky. What the figure hides from the floor is subtracted: of a
+/// light by lines across it (line_shadow.h) or, where lines do not apply, by shadow rays; of the
+/// sky by interpolation (floor_sky.h) or, where that is too coarse, by rays.
+void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas);
 
-/// Likewise of a picture whose background is shown, piece by piece, each on a film of its own that
-/// stays in the processor's caches: `drawn` is told of each at once.
-void draw_pieces(const Picture& picture, const Tile& part,
-                 const std::function<void(const Tile& piece, const Film& film)>& drawn);
+/// As `draw`, for a picture whose background is shown, in small pieces: `drawn` is called with each
+/// piece as soon as it is rendered, while its framebuffer is still in the processor's caches.
+void draw_pieces(
+    const PreparedScene& prepared, const Tile& part,
+    const std::function<void(const Tile& piece, const Framebuffer& framebuffer)>& drawn);
 
 }  // namespace mien::render

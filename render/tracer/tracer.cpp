@@ -13,7 +13,7 @@ namespace mien::render {
 namespace {
 
 void check(const Quality& quality) {
-  if (quality.samples_per_pixel < 1 || quality.sky_rays < 1 || quality.standing_samples < 1 ||
+  if (quality.samples_per_pixel < 1 || quality.sky_rays < 1 || quality.static_samples < 1 ||
       !(quality.filter_width > 0.0f))
     throw std::invalid_argument("quality: samples, sky rays and filter width must be positive");
   if (!(quality.shutter >= 0.0f && quality.shutter <= 1.0f))
@@ -34,70 +34,69 @@ Shapes shapes_of(const View& view) {
 }  // namespace
 
 // The picture refers to the rest.
-struct ReadyPicture::Contents {
+struct PreparedView::Contents {
   View view;
-  SetBehind behind;
-  Picture picture;
+  SceneBackground background;
+  PreparedScene prepared;
 
   Contents(Engine& engine, View shown)
       : view(std::move(shown)),
-        behind(engine.set_behind(view.scene, view.camera, view.quality)),
-        picture(engine.prepare(view.scene, view.camera, view.quality, *behind.set,
-                               behind.solids.get(), shapes_of(view), view.scene.solids)) {
-    if (view.closing) picture.closing_solids = &view.closing->solids;
-    if (view.closing_camera) picture.closing_camera = frame_of(*view.closing_camera);
-    engine.look_at_sky(picture);
+        background(engine.background_for(view.scene, view.camera, view.quality)),
+        prepared(engine.prepare(view.scene, view.camera, view.quality, *background.image,
+                                background.solids.get(), shapes_of(view), view.scene.solids)) {
+    if (view.closing) prepared.closing_solids = &view.closing->solids;
+    if (view.closing_camera) prepared.closing_camera = frame_of(*view.closing_camera);
+    engine.sample_floor_sky(prepared);
   }
 };
 
-const ReadyPicture::Contents& Tracer::contents_of(const ReadyPicture& ready) {
+const PreparedView::Contents& Tracer::contents_of(const PreparedView& ready) {
   if (ready.contents_ == nullptr) throw std::logic_error("no picture is ready to be drawn");
   return *ready.contents_;
 }
 
-ReadyPicture::ReadyPicture() = default;
-ReadyPicture::~ReadyPicture() = default;
-ReadyPicture::ReadyPicture(ReadyPicture&&) noexcept = default;
-ReadyPicture& ReadyPicture::operator=(ReadyPicture&&) noexcept = default;
+PreparedView::PreparedView() = default;
+PreparedView::~PreparedView() = default;
+PreparedView::PreparedView(PreparedView&&) noexcept = default;
+PreparedView& PreparedView::operator=(PreparedView&&) noexcept = default;
 
 Tracer::Tracer(const TracerOptions& options) : engine_(std::make_unique<Engine>(options)) {}
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
-ReadyPicture Tracer::prepare(View view) {
+PreparedView Tracer::prepare(View view) {
   validate(view.scene);
   check(view.quality);
   if (view.closing) validate(*view.closing);
-  ReadyPicture ready;
-  ready.contents_ = std::make_unique<ReadyPicture::Contents>(*engine_, std::move(view));
+  PreparedView ready;
+  ready.contents_ = std::make_unique<PreparedView::Contents>(*engine_, std::move(view));
   return ready;
 }
 
-Exposure Tracer::draw(ReadyPicture ready) {
-  const auto& [view, behind, picture] = contents_of(ready);
+RenderTarget Tracer::draw(PreparedView ready) {
+  const auto& [view, background, prepared] = contents_of(ready);
   const Camera& camera = view.camera;
-  Exposure exposure{Film(camera.width, camera.height), {}};
-  if (picture.quality.background != Background::shown)
-    exposure.alpha.resize(exposure.film.channels.size() / 3);
+  RenderTarget target{Framebuffer(camera.width, camera.height), {}};
+  if (prepared.quality.background != Background::shown)
+    target.alpha.resize(target.color.channels.size() / 3);
   engine_->for_all_parts(camera.width, camera.height, window_of(camera),
-                         [&](const Tile& part) { render::draw(picture, part, {exposure}); });
-  if (!camera.window) return exposure;
-  exposure.film = cut_out(exposure.film, *camera.window);
-  if (!exposure.alpha.empty())
-    exposure.alpha = cut_out(exposure.alpha, camera.width, *camera.window);
-  return exposure;
+                         [&](const Tile& part) { render::draw(prepared, part, {target}); });
+  if (!camera.window) return target;
+  target.color = crop(target.color, *camera.window);
+  if (!target.alpha.empty()) target.alpha = crop(target.alpha, camera.width, *camera.window);
+  return target;
 }
 
-void Tracer::draw(ReadyPicture ready, const TakePart& take) {
-  const auto& [view, behind, picture] = contents_of(ready);
-  if (picture.quality.background != Background::shown)
+void Tracer::draw(PreparedView ready, const OnRegion& take) {
+  const auto& [view, background, prepared] = contents_of(ready);
+  if (prepared.quality.background != Background::shown)
     throw std::logic_error("only a picture whose background is shown is drawn part by part");
   const Window window = window_of(view.camera);
   engine_->for_all_parts(view.camera.width, view.camera.height, window, [&](const Tile& part) {
-    draw_pieces(picture, part, [&](const Tile& piece, const Film& film) {
+    draw_pieces(prepared, part, [&](const Tile& piece, const Framebuffer& framebuffer) {
       const Window shown = part_within(window, piece);
-      take({film,
+      take({framebuffer,
             {shown.x - piece.x_begin, shown.y - piece.y_begin, shown.width, shown.height},
             shown.x - window.x,
             shown.y - window.y});
@@ -105,17 +104,17 @@ void Tracer::draw(ReadyPicture ready, const TakePart& take) {
   });
 }
 
-void Tracer::for_frames(const FrameWork& work, int in_flight) {
+void Tracer::for_frames(const FrameCallbacks& work, int in_flight) {
   engine_->for_frames(work, in_flight);
 }
 
-Film Tracer::trace(Scene scene, const Camera& camera, const Quality& quality) {
+Framebuffer Tracer::trace(Scene scene, const Camera& camera, const Quality& quality) {
   View view{std::move(scene), camera, quality};
   view.quality.background = Background::shown;
-  return draw(prepare(std::move(view))).film;
+  return draw(prepare(std::move(view))).color;
 }
 
-Exposure Tracer::expose(View view) { return draw(prepare(std::move(view))); }
+RenderTarget Tracer::render_view(View view) { return draw(prepare(std::move(view))); }
 
 Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& quality,
                       const Scene* next, const Camera* next_camera) {
@@ -125,20 +124,21 @@ Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& q
   Camera sharp = camera;
   sharp.aperture_radius = 0.0f;
   Layers layers = empty_layers(scene, camera.width, camera.height);
-  const SetBehind behind = engine_->set_behind(scene, sharp, quality);
-  Picture picture = engine_->prepare(scene, sharp, quality, *behind.set, behind.solids.get(),
-                                     figure_shapes(scene), scene.solids);
+  const SceneBackground background = engine_->background_for(scene, sharp, quality);
+  PreparedScene prepared =
+      engine_->prepare(scene, sharp, quality, *background.image, background.solids.get(),
+                       figure_shapes(scene), scene.solids);
   const Shapes later = next != nullptr ? figure_shapes(*next) : Shapes{};
   if (next != nullptr) {
     shapes_between(scene, *next);  // throws when they do not match
-    picture.next_shapes = &later;
+    prepared.next_shapes = &later;
   }
-  const NextPicture following{next, next_camera != nullptr ? *next_camera : sharp};
+  const NextScene following{next, next_camera != nullptr ? *next_camera : sharp};
   const bool moves = next != nullptr || next_camera != nullptr;
   engine_->for_all_parts(sharp.width, sharp.height, window_of(sharp), [&](const Tile& part) {
-    draw_layers(picture, moves ? &following : nullptr, part, layers);
+    draw_layers(prepared, moves ? &following : nullptr, part, layers);
   });
-  if (sharp.window) layers = cut_out(std::move(layers), *sharp.window);
+  if (sharp.window) layers = crop(std::move(layers), *sharp.window);
   layers.beauty = trace(scene, sharp, quality);
   add_variance(scene, sharp, quality, layers);
   return layers;
@@ -151,9 +151,9 @@ void Tracer::add_variance(const Scene& scene, const Camera& camera, Quality qual
   const std::uint64_t seed = quality.seed;
   for (int k = 0; k < pictures; ++k) {
     quality.seed = seed ^ (0x9e3779b97f4a7c15u * static_cast<std::uint64_t>(k + 1));
-    const Film film = trace(scene, camera, quality);
+    const Framebuffer framebuffer = trace(scene, camera, quality);
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      const Color pixel = Eigen::Map<const Color>(film.channels.data() + 3 * i);
+      const Color pixel = Eigen::Map<const Color>(framebuffer.channels.data() + 3 * i);
       const auto light = static_cast<double>(relative_luminance(pixel));
       sum[i] += light;
       squares[i] += light * light;

@@ -7,13 +7,13 @@
 #include <stop_token>
 #include <string>
 
-#include "render/image/film.h"
+#include "render/image/framebuffer.h"
 #include "render/image/layers.h"
 #include "render/image/window.h"
 #include "render/scene/camera.h"
 #include "render/scene/quality.h"
 #include "render/scene/scene.h"
-#include "render/tracer/standing_sets.h"
+#include "render/tracer/static_background_cache.h"
 
 namespace mien::render {
 
@@ -25,19 +25,20 @@ struct TracerOptions {
   /// candidates, the intersections are our own.
   std::string instruction_set;
 
-  /// Once a stop is requested, what is being drawn is given up within a fraction of a second.
+  /// Once a stop is requested, rendering is aborted within a fraction of a second.
   std::stop_token stop = {};
 
-  /// Where standing sets are shared with other tracers, and kept for later ones. No influence on
-  /// the picture. None for sets that are seen once: where camera or ground move with every frame.
-  StandingSets* sets = nullptr;
-  KeepLight keep_light = {};
+  /// Where static backgrounds are shared with other tracers, and stored for later ones. No
+  /// influence on the picture. Leave empty if a background is seen only once, because camera or
+  /// ground move with every frame.
+  StaticBackgroundCache* backgrounds = nullptr;
+  LightCache light_cache = {};
 };
 
-/// Thrown when a picture was given up because a stop was requested.
+/// Thrown when rendering was aborted because a stop was requested.
 struct Stopped {};
 
-class Engine;  // what a tracer works with (engine.h)
+class Engine;  // the implementation (engine.h)
 
 /// What a picture shows.
 struct View {
@@ -45,38 +46,38 @@ struct View {
   Camera camera;
   Quality quality;
 
-  /// Where solids are and from where they are seen when a shutter closes that was open from
-  /// `scene` and `camera` on: they go straight there. The set stays as it is in `scene`.
+  /// Motion blur: the solids and the camera when the shutter closes. They move there in straight
+  /// lines from `scene` and `camera`, where it opens. The set stays as in `scene`.
   std::optional<Scene> closing;
   std::optional<Camera> closing_camera;
 };
 
-/// A view made ready: where its figures and their shadows can be is known, and rays find their way.
-/// Drawn once, by the tracer that made it ready and outlives it.
-class ReadyPicture {
+/// A view prepared for rendering: acceleration structures and culling masks. It is rendered once,
+/// by the tracer that prepared it and outlives it.
+class PreparedView {
  public:
-  ReadyPicture();
-  ~ReadyPicture();
-  ReadyPicture(ReadyPicture&&) noexcept;
-  ReadyPicture& operator=(ReadyPicture&&) noexcept;
+  PreparedView();
+  ~PreparedView();
+  PreparedView(PreparedView&&) noexcept;
+  PreparedView& operator=(PreparedView&&) noexcept;
 
  private:
   friend class Tracer;
   struct Contents;
-  std::unique_ptr<Contents> contents_;  // null: nothing is ready
+  std::unique_ptr<Contents> contents_;  // null: nothing is prepared
 };
 
-/// Pixels of a picture that have their light.
-struct DrawnPart {
-  const Film& film;  ///< holds them, and may hold others
-  Window pixels;     ///< which of that film's
-  int x = 0;         ///< where the first of them is in what the camera shows
+/// A rectangle of finished pixels.
+struct RenderedRegion {
+  const Framebuffer& framebuffer;  ///< contains them, and perhaps others
+  Window pixels;                   ///< which pixels of the framebuffer
+  int x = 0;                       ///< where the first of them lies in the camera's picture
   int y = 0;
 };
-using TakePart = std::function<void(const DrawnPart& part)>;
+using OnRegion = std::function<void(const RenderedRegion& part)>;
 
-/// What is done for the frames of a film, which are numbered from 0 on.
-struct FrameWork {
+/// Callbacks for the frames of a clip, numbered from 0.
+struct FrameCallbacks {
   /// In order, one at a time; false: there is no such frame, and no further one.
   std::function<bool(std::size_t frame)> begin;
 
@@ -91,9 +92,9 @@ struct FrameWork {
 /// shadows, filtered by a Blackman–Harris filter.
 ///
 /// A picture depends on the scene, camera and quality alone: not on threads, on what was traced
-/// before, nor on the machine. Several pictures that are ready may be drawn by a Tracer at a time,
-/// and one made ready meanwhile, as `trace`, `expose` and `layers` do themselves; several Tracers
-/// may work side by side. Whatever draws throws Stopped when it was asked to stop.
+/// before, nor on the machine. A Tracer may render several prepared views at a time while another
+/// is being prepared (`trace`, `render_view` and `layers` prepare their own); several Tracers may
+/// work concurrently. All rendering functions throw Stopped when a stop was requested.
 class Tracer {
  public:
   /// Throws Error when the machine cannot run Embree with that instruction set.
@@ -104,31 +105,31 @@ class Tracer {
 
   /// Throws std::invalid_argument when a scene or camera is degenerate (validate, frame_of), or
   /// `closing` holds other solids than the scene.
-  ReadyPicture prepare(View view);
+  PreparedView prepare(View view);
 
-  /// With the alpha that the quality's background asks for. Throws std::logic_error when nothing is
-  /// ready.
-  Exposure draw(ReadyPicture ready);
+  /// Renders a picture, with alpha if the quality's background asks for it. Throws std::logic_error
+  /// when nothing is prepared.
+  RenderTarget draw(PreparedView ready);
 
-  /// A picture whose background is shown, part by part, several at a time: what takes the light of
-  /// each as soon as it is there needs no film of the whole. Throws likewise, and what `take`
-  /// throws.
-  void draw(ReadyPicture ready, const TakePart& take);
+  /// Renders a picture whose background is shown and passes each region on as soon as it is
+  /// finished, several at a time, so that no framebuffer of the whole is needed. Throws
+  /// std::logic_error when nothing is prepared, and what `take` throws.
+  void draw(PreparedView ready, const OnRegion& take);
 
-  /// Works on a film with the tracer's threads: so many frames at most have begun and not ended.
-  /// While one is made ready or its last parts are drawn, threads draw the next one. Throws what
-  /// the work throws, and then some frames may have begun that do not end.
-  void for_frames(const FrameWork& work, int in_flight);
+  /// Renders the frames of a clip with the tracer's threads, at most `in_flight` at a time. While
+  /// one is prepared or its last parts are rendered, threads render the next one. Throws what the
+  /// callbacks throw; some frames may then have begun that do not end.
+  void for_frames(const FrameCallbacks& work, int in_flight);
 
-  /// A picture without more ado, its background shown. Throws as prepare.
-  Film trace(Scene scene, const Camera& camera, const Quality& quality);
+  /// Prepares and renders a picture with its background shown. Throws as `prepare`.
+  Framebuffer trace(Scene scene, const Camera& camera, const Quality& quality);
 
-  /// Likewise as its quality has it.
-  Exposure expose(View view);
+  /// Prepares and renders a view, its background as its quality has it. Throws as `prepare`.
+  RenderTarget render_view(View view);
 
-  /// A picture with all its layers: as `trace`, without blur by lens or shutter. With `next`,
-  /// motion tells where each point is in that scene, which holds the same solids, through
-  /// `next_camera`. The variance comes from eight pictures with noise patterns of their own.
+  /// A picture with all its layers: as `trace`, without depth of field or motion blur. With `next`,
+  /// a scene of the same solids, motion vectors point to where each point is in it as seen by
+  /// `next_camera`. The variance is that of eight pictures with different noise patterns.
   Layers layers(const Scene& scene, const Camera& camera, const Quality& quality,
                 const Scene* next = nullptr, const Camera* next_camera = nullptr);
 
@@ -138,7 +139,7 @@ class Tracer {
   int threads() const;
 
  private:
-  static const ReadyPicture::Contents& contents_of(const ReadyPicture& ready);
+  static const PreparedView::Contents& contents_of(const PreparedView& ready);
   void add_variance(const Scene& scene, const Camera& camera, Quality quality, Layers& layers);
 
   std::unique_ptr<Engine> engine_;

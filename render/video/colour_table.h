@@ -8,7 +8,7 @@
 
 namespace mien::render {
 
-/// How often colours occur in a film: 64 × 64 × 64 cells of the sRGB cube, with the sum of the
+/// Histogram of the colours of a film: 64 × 64 × 64 cells of the sRGB cube, with the sum of the
 /// colours in each.
 class ColourHistogram {
  public:
@@ -33,7 +33,7 @@ class ColourTable {
  public:
   explicit ColourTable(const ColourHistogram& histogram);
 
-  /// 256 entries, 0xAARRGGBB.
+  /// Writes 256 entries, 0xAARRGGBB.
   void copy_entries(std::uint32_t* entries) const;
 
   /// The colours' numbers for a frame, with ordered dither (Bayer 8 × 8): the same pixel in another
@@ -48,7 +48,7 @@ class ColourTable {
 
   std::vector<std::array<double, 3>> colours_;
   std::array<std::array<int, 8>, 8> offsets_{};  ///< of the dither
-  std::vector<std::uint8_t> nearest_;  ///< by the channels' upper 7 bits, as far as asked for
+  std::vector<std::uint8_t> nearest_;            ///< cache by the channels' upper 7 bits
 };
 
 }  // namespace mien::render

@@ -29,7 +29,7 @@ constexpr int decoder_threads = 2;  // no influence on the pictures
 
 /// Decoders look at the beginning, and take memory for pictures of the size that the file names.
 void find_streams(AVFormatContext& input, const std::string& path) {
-  const std::string most = std::to_string(most_picture_values);
+  const std::string most = std::to_string(max_picture_values);
   std::vector<AVDictionary*> options(input.nb_streams, nullptr);
   for (AVDictionary*& one : options) av_dict_set(&one, "max_pixels", most.c_str(), 0);
   const int code = avformat_find_stream_info(&input, options.data());
@@ -55,7 +55,7 @@ CodecContext open_decoder(const AVStream* stream, const std::string& path, int t
   checked(avcodec_parameters_to_context(codec.get(), stream->codecpar), path);
   codec->err_recognition = AV_EF_EXPLODE;
   codec->thread_count = threads;
-  codec->max_pixels = static_cast<std::int64_t>(most_picture_values);
+  codec->max_pixels = static_cast<std::int64_t>(max_picture_values);
   checked(avcodec_open2(codec.get(), decoder, nullptr), path + ": opening the decoder");
   return codec;
 }
@@ -137,7 +137,7 @@ std::string size_text(const Sized& sized) {
 struct Decoding {
   const std::string& path;
   const AVStream* stream;
-  const std::function<void(const ShownPicture&)>& on_picture;
+  const std::function<void(const TimedPicture&)>& on_picture;
   VideoSummary& summary;
   int row_step = 1;
   Scaler scaler = nullptr;
@@ -220,12 +220,12 @@ struct OpenVideo {
     return facts;
   }
 
-  void note_coded(const AVPacket& packet, VideoSummary& summary) const {
+  void record_packet(const AVPacket& packet, VideoSummary& summary) const {
     const AVCodecParameters& how = *stream->codecpar;
     const bool has_lengths = how.extradata_size > 0 && how.extradata[0] == 1;  // its version
     const std::span bytes(packet.data, static_cast<std::size_t>(packet.size));
-    summary.coded.push_back(
-        hash_of_coded(named(avcodec_get_name(how.codec_id)), bytes, has_lengths));
+    summary.packet_hashes.push_back(
+        packet_hash(named(avcodec_get_name(how.codec_id)), bytes, has_lengths));
   }
 
   /// The next packet of the video, or none.
@@ -246,7 +246,7 @@ struct OpenVideo {
     for (; most > 0; --most) {
       const Packet packet = read();
       if (packet == nullptr) break;
-      note_coded(*packet, decoding.summary);
+      record_packet(*packet, decoding.summary);
       checked(avcodec_send_packet(codec.get(), packet.get()), name + ": decoding");
       receive_all(*codec, *frame, decoding);
     }
@@ -268,7 +268,7 @@ struct Stretch {
 /// Reads a video in stretches, which are decoded side by side.
 class StretchReader {
  public:
-  StretchReader(const OpenVideo& video, const std::function<void(const ShownPicture&)>& on_picture,
+  StretchReader(const OpenVideo& video, const std::function<void(const TimedPicture&)>& on_picture,
                 int row_step)
       : video_(video), on_picture_(on_picture), row_step_(row_step) {}
 
@@ -295,7 +295,7 @@ class StretchReader {
     return stretch;
   }
 
-  /// By several threads at a time.
+  /// Called by several threads concurrently.
   void decode(Stretch& stretch) {
     try {
       CodecContext codec = take_decoder();
@@ -303,7 +303,7 @@ class StretchReader {
       Decoding decoding{video_.name, video_.stream, on_picture_, stretch.found, row_step_};
       const Frame frame(av_frame_alloc());
       for (const Packet& packet : stretch.packets) {
-        video_.note_coded(*packet, stretch.found);
+        video_.record_packet(*packet, stretch.found);
         checked(avcodec_send_packet(codec.get(), packet.get()), video_.name + ": decoding");
         receive_all(*codec, *frame, decoding);
       }
@@ -345,7 +345,7 @@ class StretchReader {
   }
 
   const OpenVideo& video_;
-  const std::function<void(const ShownPicture&)>& on_picture_;
+  const std::function<void(const TimedPicture&)>& on_picture_;
   int row_step_;
   int read_ = 0;        // packets, but for the one that waits
   bool ended_ = false;  // there is nothing more to read
@@ -359,7 +359,8 @@ void append(VideoSummary& summary, const VideoSummary& next) {
   if (summary.frames == 0) summary.starts_with_key_frame = next.starts_with_key_frame;
   summary.frames += next.frames;
   summary.times.insert(summary.times.end(), next.times.begin(), next.times.end());
-  summary.coded.insert(summary.coded.end(), next.coded.begin(), next.coded.end());
+  summary.packet_hashes.insert(summary.packet_hashes.end(), next.packet_hashes.begin(),
+                               next.packet_hashes.end());
   summary.duration_seconds = next.duration_seconds;
 }
 
@@ -374,7 +375,7 @@ bool are_steady(const VideoSummary& video) {
 }  // namespace
 
 VideoSummary libav_probe(const std::filesystem::path& path,
-                         const std::function<void(const ShownPicture&)>& on_picture, int row_step) {
+                         const std::function<void(const TimedPicture&)>& on_picture, int row_step) {
   OpenVideo video(path);
   VideoSummary summary = video.facts();
   Decoding decoding{video.name, video.stream, on_picture, summary, row_step};
@@ -384,9 +385,9 @@ VideoSummary libav_probe(const std::filesystem::path& path,
   return summary;
 }
 
-VideoSummary libav_probe_side_by_side(const std::filesystem::path& path,
-                                      const std::function<void(const ShownPicture&)>& on_picture,
-                                      int row_step, int threads) {
+VideoSummary libav_probe_in_parallel(const std::filesystem::path& path,
+                                     const std::function<void(const TimedPicture&)>& on_picture,
+                                     int row_step, int threads) {
   const OpenVideo video(path);
   VideoSummary summary = video.facts();
   StretchReader reader(video, on_picture, row_step);
@@ -416,11 +417,11 @@ VideoSummary libav_probe_side_by_side(const std::filesystem::path& path,
   return summary;
 }
 
-Image8 libav_first_picture(const std::filesystem::path& path) {
+Image8 libav_decode_first_picture(const std::filesystem::path& path) {
   OpenVideo video(path);
   VideoSummary summary;
   Image8 first;
-  const std::function<void(const ShownPicture&)> keep = [&](const ShownPicture& shown) {
+  const std::function<void(const TimedPicture&)> keep = [&](const TimedPicture& shown) {
     if (shown.index == 0) first = shown.picture;
   };
   Decoding decoding{video.name, video.stream, keep, summary};

@@ -7,15 +7,15 @@
 
 namespace mien::render {
 
-// As the functions of video.h, of what FFmpeg reads: everything but WebP.
+// The functions of video.h for files that FFmpeg reads: all kinds but WebP.
 
 VideoSummary libav_probe(const std::filesystem::path& path,
-                         const std::function<void(const ShownPicture&)>& on_picture, int row_step);
+                         const std::function<void(const TimedPicture&)>& on_picture, int row_step);
 
-VideoSummary libav_probe_side_by_side(const std::filesystem::path& path,
-                                      const std::function<void(const ShownPicture&)>& on_picture,
-                                      int row_step, int threads);
+VideoSummary libav_probe_in_parallel(const std::filesystem::path& path,
+                                     const std::function<void(const TimedPicture&)>& on_picture,
+                                     int row_step, int threads);
 
-Image8 libav_first_picture(const std::filesystem::path& path);
+Image8 libav_decode_first_picture(const std::filesystem::path& path);
 
 }  // namespace mien::render

@@ -196,13 +196,13 @@ void StreamEncoder::open_file() {
   checked(code, path_ + ": writing the header");
 }
 
-void StreamEncoder::note_coded() {
-  if (packet_->pts != static_cast<std::int64_t>(coded_.size())) {
+void StreamEncoder::record_packet() {
+  if (packet_->pts != static_cast<std::int64_t>(packet_hashes_.size())) {
     throw Error(path_ + ": the encoder gives frame " + std::to_string(packet_->pts) +
-                " where frame " + std::to_string(coded_.size()) + " comes next");
+                " where frame " + std::to_string(packet_hashes_.size()) + " comes next");
   }
   const std::span bytes(packet_->data, static_cast<std::size_t>(packet_->size));
-  coded_.push_back(hash_of_coded(traits_of(format_.kind).codec, bytes, false));
+  packet_hashes_.push_back(packet_hash(traits_of(format_.kind).codec, bytes, false));
 }
 
 void StreamEncoder::drain() {
@@ -210,7 +210,7 @@ void StreamEncoder::drain() {
     const int code = avcodec_receive_packet(codec_.get(), packet_.get());
     if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
     checked(code, path_ + ": encoding");
-    if (codes_apart(format_.kind)) note_coded();
+    if (has_packet_per_frame(format_.kind)) record_packet();
     packet_->duration = 1;
     packet_->stream_index = stream_->index;
     av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
@@ -229,7 +229,7 @@ void StreamEncoder::send() {
   drain();
 }
 
-void StreamEncoder::end_on_time() {
+void StreamEncoder::set_last_duration() {
   const std::int64_t last = av_rescale_q(frames_ - 1, codec_->time_base, stream_->time_base);
   const std::int64_t end = av_rescale_q(frames_, codec_->time_base, stream_->time_base);
   checked(av_opt_set_int(file_->priv_data, "final_delay", end - last, 0),
@@ -240,11 +240,12 @@ void StreamEncoder::finish() {
   if (frames_ == 0) throw Error(path_ + ": a video without frames");
   checked(avcodec_send_frame(codec_.get(), nullptr), path_ + ": encoding");
   drain();
-  if (codes_apart(format_.kind) && static_cast<std::int64_t>(coded_.size()) != frames_) {
-    throw Error(path_ + ": the encoder gave " + std::to_string(coded_.size()) + " of " +
+  if (has_packet_per_frame(format_.kind) &&
+      static_cast<std::int64_t>(packet_hashes_.size()) != frames_) {
+    throw Error(path_ + ": the encoder gave " + std::to_string(packet_hashes_.size()) + " of " +
                 std::to_string(frames_) + " frames");
   }
-  if (format_.kind == VideoKind::gif) end_on_time();
+  if (format_.kind == VideoKind::gif) set_last_duration();
   checked(av_write_trailer(file_.get()), path_ + ": writing the index");
   checked(avio_closep(&file_->pb), path_ + ": closing");
 }

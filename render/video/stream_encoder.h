@@ -11,7 +11,7 @@
 
 namespace mien::render {
 
-/// The form in which a kind's encoder takes its pictures.
+/// The pixel format in which a kind's encoder takes its pictures.
 AVPixelFormat pixel_format_of(VideoKind kind);
 
 /// One encoder with its container: pictures in, a file out. Its settings are those of the kind;
@@ -25,24 +25,25 @@ class StreamEncoder {
   /// The picture to be filled for the next `send`.
   AVFrame& picture();
 
-  /// Encodes the picture as the next frame. Throws Error when what the encoder gives is not the
-  /// frame that comes next, where frames are coded apart.
+  /// Encodes the picture as the next frame. Throws Error when the encoder returns another packet
+  /// than that of the next frame, for kinds with a packet per frame.
   void send();
 
   /// Completes the file. Throws Error when no frame was sent, or one did not come out.
   void finish();
 
-  /// hash_of_coded each frame so far; empty unless they are coded apart.
-  const std::vector<std::uint64_t>& coded() const { return coded_; }
+  /// The packet_hash of each frame so far; empty for kinds without a packet per frame.
+  const std::vector<std::uint64_t>& packet_hashes() const { return packet_hashes_; }
 
  private:
   void open_codec();
   void open_file();
   void drain();
-  void note_coded();
+  void record_packet();
 
-  /// A GIF's last frame would last as long as the one before, which is rounded otherwise.
-  void end_on_time();
+  /// Sets the duration of a GIF's last frame, which would otherwise be the rounded one of the frame
+  /// before.
+  void set_last_duration();
 
   std::string path_;
   VideoFormat format_;
@@ -52,7 +53,7 @@ class StreamEncoder {
   Packet packet_;
   AVStream* stream_ = nullptr;
   std::int64_t frames_ = 0;
-  std::vector<std::uint64_t> coded_;
+  std::vector<std::uint64_t> packet_hashes_;
 };
 
 }  // namespace mien::render

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "render/parts/loaded_part.h"
+#include "render/parts/load_part.h"
 #include "render/video/video_files.h"
 #include "render/video/webp_probe.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 const VideoFiles& video_files() {
   static const auto* const files = static_cast<const VideoFiles*>(
-      loaded_part("mien-video-files.so", "reads and writes videos", video_files_edition));
+      load_part("mien-video-files.so", "reads and writes videos", video_files_edition));
   return *files;
 }
 
@@ -31,27 +31,27 @@ void VideoWriter::finish() { encoder_->finish(); }
 const VideoReceipt& VideoWriter::receipt() const { return encoder_->receipt(); }
 
 VideoSummary probe_timed(const std::filesystem::path& path,
-                         const std::function<void(const ShownPicture&)>& on_picture, int row_step) {
+                         const std::function<void(const TimedPicture&)>& on_picture, int row_step) {
   if (is_webp(path)) return probe_webp(path, on_picture);
   return video_files().probe(path, on_picture, row_step);
 }
 
-VideoSummary probe_side_by_side(const std::filesystem::path& path,
-                                const std::function<void(const ShownPicture&)>& on_picture,
-                                int row_step, int threads) {
+VideoSummary probe_in_parallel(const std::filesystem::path& path,
+                               const std::function<void(const TimedPicture&)>& on_picture,
+                               int row_step, int threads) {
   if (is_webp(path)) return probe_webp(path, on_picture);
-  return video_files().probe_side_by_side(path, on_picture, row_step, threads);
+  return video_files().probe_in_parallel(path, on_picture, row_step, threads);
 }
 
 VideoSummary probe(const std::filesystem::path& path,
                    const std::function<void(int, const Image8&)>& on_frame) {
   if (!on_frame) return probe_timed(path, {});
   return probe_timed(path,
-                     [&](const ShownPicture& shown) { on_frame(shown.index, shown.picture); });
+                     [&](const TimedPicture& shown) { on_frame(shown.index, shown.picture); });
 }
 
-Image8 first_picture_alone(const std::filesystem::path& path) {
-  return is_webp(path) ? first_webp_picture(path) : video_files().first_picture_alone(path);
+Image8 decode_first_picture(const std::filesystem::path& path) {
+  return is_webp(path) ? decode_first_webp_picture(path) : video_files().decode_first_picture(path);
 }
 
 std::string video_libraries() {

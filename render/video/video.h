@@ -25,7 +25,7 @@ struct FrameRate {
 /// 1000). Throws std::invalid_argument when it is not positive.
 FrameRate frame_rate(double per_second);
 
-/// How much work an encoder takes for small files: `fast` keeps up with drafts.
+/// How hard an encoder tries to make files small: `fast` keeps up with drafts.
 enum class VideoEffort { fast, thorough };
 
 struct VideoFormat {
@@ -67,7 +67,7 @@ class VideoWriter {
   /// Completes the file. Throws Error: no frame was written, encoder or disk failed.
   void finish();
 
-  /// What went into the file; whole once it is complete.
+  /// The receipt of what went into the file; complete after finish().
   const VideoReceipt& receipt() const;
 
  private:
@@ -82,10 +82,10 @@ struct VideoSummary {
   int width = 0;
   int height = 0;
   FrameRate rate;
-  int frames = 0;                      ///< that decode
-  std::vector<std::uint64_t> coded;    ///< hash_of_coded each packet, in the file's order
-  std::vector<double> times;           ///< when each frame is shown, seconds
-  double tick_seconds = 0.0;           ///< the container's unit of time
+  int frames = 0;                            ///< that decode
+  std::vector<std::uint64_t> packet_hashes;  ///< packet_hash each packet, in the file's order
+  std::vector<double> times;                 ///< when each frame is shown, seconds
+  double tick_seconds = 0.0;                 ///< the container's unit of time
   double duration_seconds = 0.0;       ///< from the first frame's time to the last frame's end
   std::string primaries;               ///< "bt709"
   std::string transfer;                ///< "bt709"
@@ -97,7 +97,7 @@ struct VideoSummary {
 };
 
 /// A decoded picture, sRGB, and when it is shown.
-struct ShownPicture {
+struct TimedPicture {
   int index = 0;
   double seconds = 0.0;   ///< from the start of the file
   double duration = 0.0;  ///< as the container has it, seconds
@@ -110,21 +110,23 @@ struct ShownPicture {
 VideoSummary probe(const std::filesystem::path& path,
                    const std::function<void(int index, const Image8& frame)>& on_frame = {});
 
-/// With a step, pictures are their rows 0, step, 2 · step … and no others; not of a WebP.
+/// As `probe`, with the times of the pictures. With a step, pictures consist of the rows 0, step, 2
+/// · step … only; not for WebP.
 VideoSummary probe_timed(const std::filesystem::path& path,
-                         const std::function<void(const ShownPicture&)>& on_picture,
+                         const std::function<void(const TimedPicture&)>& on_picture,
                          int row_step = 1);
 
-/// Likewise by so many threads, stretches from key frame to key frame side by side: pictures are
-/// handed on several at a time, and of several errors, also of `on_picture`, that of the earliest
-/// frame is thrown. Of a video each of whose packets is a frame (codes_apart): throws Error where
-/// one is not. Of a WebP as probe_timed.
-VideoSummary probe_side_by_side(const std::filesystem::path& path,
-                                const std::function<void(const ShownPicture&)>& on_picture,
-                                int row_step, int threads);
+/// As probe_timed with several threads, which decode from key frame to key frame in parallel:
+/// `on_picture` is called concurrently, and of several errors, also of `on_picture`, that of the
+/// earliest frame is thrown. The video has a packet per frame (has_packet_per_frame); throws Error
+/// where a packet is not a frame. A WebP is decoded as by probe_timed.
+VideoSummary probe_in_parallel(const std::filesystem::path& path,
+                               const std::function<void(const TimedPicture&)>& on_picture,
+                               int row_step, int threads);
 
-/// The first picture, decoded from its own bytes and no others. Throws Error when that fails.
-Image8 first_picture_alone(const std::filesystem::path& path);
+/// Decodes the first picture from its own bytes alone, which proves that it is a key frame. Throws
+/// Error when that fails.
+Image8 decode_first_picture(const std::filesystem::path& path);
 
 /// For the provenance: "libavcodec 59.37.100, libavformat 59.27.100, libswscale 6.7.100".
 std::string video_libraries();

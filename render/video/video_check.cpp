@@ -21,8 +21,8 @@ constexpr double neighbour_margin = 4.0;         ///< of squared errors
 constexpr int rows_of_a_block = 4;               ///< of what codecs code as one, at the least
 constexpr std::int64_t small_picture = 100'000;  ///< pixels
 
-/// By how much a mean square that is estimated from so few tiles may be too large; one estimate in
-/// a million is more so. (Chi-square with a degree of freedom a tile: Wilson and Hilferty 1931.)
+/// Upper bound of the relative error of a mean square estimated from few tiles, exceeded once in a
+/// million. (Chi-square with a degree of freedom a tile: Wilson and Hilferty 1931.)
 double largest_excess(int tiles) {
   constexpr double deviations = 4.75;
   const double part = 2.0 / (9.0 * tiles);
@@ -38,8 +38,8 @@ std::string fixed(double value, int digits) {
 /// Compares decoded frames with the film.
 class Comparison {
  public:
-  Comparison(const std::string& name, const VideoFormat& format, const FilmSketch& written)
-      : name_(name), format_(format), written_(written), likenesses_(written.frames.size()) {}
+  Comparison(const std::string& name, const VideoFormat& format, const VideoSketch& written)
+      : name_(name), format_(format), written_(written), similarities_(written.frames.size()) {}
 
   /// A decoded picture, shown for the frames first … last; several at a time, of other frames.
   void take(int first, int last, const Image8& picture) {
@@ -61,9 +61,9 @@ class Comparison {
   /// How like the frames that were shown are.
   void sum_up(VideoCheck& check) const {
     check.worst_psnr_db = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < likenesses_.size(); ++i) {
-      if (!likenesses_[i]) continue;
-      const Likeness& like = *likenesses_[i];
+    for (std::size_t i = 0; i < similarities_.size(); ++i) {
+      if (!similarities_[i]) continue;
+      const FrameSimilarity& like = *similarities_[i];
       check.identical = check.identical && like.identical;
       if (like.psnr_db < check.worst_psnr_db) {
         check.worst_psnr_db = like.psnr_db;
@@ -101,8 +101,8 @@ class Comparison {
 
  private:
   void compare(int frame, const FrameSketch& sketch) {
-    const Likeness like =
-        written_.sketcher.likeness(sketch, written_.frames[static_cast<std::size_t>(frame)]);
+    const FrameSimilarity like =
+        written_.sketcher.similarity(sketch, written_.frames[static_cast<std::size_t>(frame)]);
     if (!like.identical && traits_of(format_.kind).lossless) {
       throw Error(name_ + ": frame " + std::to_string(frame) +
                   " is not the frame that was drawn, though the format is lossless");
@@ -116,14 +116,15 @@ class Comparison {
       refuse_neighbour(frame, frame - 1, sketch, like);
       refuse_neighbour(frame, frame + 1, sketch, like);
     }
-    likenesses_[static_cast<std::size_t>(frame)] = like;
+    similarities_[static_cast<std::size_t>(frame)] = like;
   }
 
   /// One frame in the place of the next, in a movement so slow that nothing else tells them apart.
-  void refuse_neighbour(int frame, int other, const FrameSketch& sketch, const Likeness& like) {
+  void refuse_neighbour(int frame, int other, const FrameSketch& sketch,
+                        const FrameSimilarity& like) {
     if (other < 0 || other >= static_cast<int>(written_.frames.size())) return;
-    const Likeness likelier =
-        written_.sketcher.likeness(sketch, written_.frames[static_cast<std::size_t>(other)]);
+    const FrameSimilarity likelier =
+        written_.sketcher.similarity(sketch, written_.frames[static_cast<std::size_t>(other)]);
     if (neighbour_margin * likelier.parts_square >= like.parts_square) return;
     throw Error(name_ + ": frame " + std::to_string(frame) + " shows what was drawn for frame " +
                 std::to_string(other));
@@ -131,8 +132,8 @@ class Comparison {
 
   const std::string& name_;
   const VideoFormat& format_;
-  const FilmSketch& written_;
-  std::vector<std::optional<Likeness>> likenesses_;  // of the frames that were shown
+  const VideoSketch& written_;
+  std::vector<std::optional<FrameSimilarity>> similarities_;  // of the frames that were shown
 };
 
 void require(const std::string& name, const std::string& what, const std::string& found,
@@ -143,17 +144,17 @@ void require(const std::string& name, const std::string& what, const std::string
 }
 
 /// That the film's frames went into the video, and that what came of them is in the file.
-void check_receipt(const std::string& name, const VideoReceipt& receipt, const FilmSketch& film,
+void check_receipt(const std::string& name, const VideoReceipt& receipt, const VideoSketch& sketch,
                    const VideoSummary& video) {
   const auto first_other = [](const auto& found, const auto& wanted) {
     return std::to_string(std::ranges::mismatch(found, wanted).in1 - found.begin());
   };
-  if (receipt.frames != film.hashes) {
-    throw Error(name + ": frame " + first_other(receipt.frames, film.hashes) +
+  if (receipt.frames != sketch.hashes) {
+    throw Error(name + ": frame " + first_other(receipt.frames, sketch.hashes) +
                 " that was encoded is not the one that was drawn");
   }
-  if (!receipt.coded.empty() && video.coded != receipt.coded) {
-    throw Error(name + ": frame " + first_other(video.coded, receipt.coded) +
+  if (!receipt.packet_hashes.empty() && video.packet_hashes != receipt.packet_hashes) {
+    throw Error(name + ": frame " + first_other(video.packet_hashes, receipt.packet_hashes) +
                 " is not in the bytes that it was encoded in");
   }
 }
@@ -164,9 +165,9 @@ bool is_still(const VideoFormat& format, int pictures) {
 }
 
 /// A film without movement, of which FFmpeg's WebP encoder keeps one picture.
-bool stands_still(const FilmSketch& film) {
+bool stands_still(const VideoSketch& sketch) {
   return std::ranges::all_of(
-      film.frames, [&](const FrameSketch& frame) { return frame.hash == film.frames[0].hash; });
+      sketch.frames, [&](const FrameSketch& frame) { return frame.hash == sketch.frames[0].hash; });
 }
 
 void check_tags(const std::string& name, const VideoSummary& video, const VideoFormat& format) {
@@ -212,7 +213,7 @@ void check_times(const std::string& name, const VideoSummary& video, const Video
 }  // namespace
 
 VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
-                       const FilmSketch& written, const VideoReceipt* receipt, int threads) {
+                       const VideoSketch& written, const VideoReceipt* receipt, int threads) {
   if (receipt == nullptr && written.sketcher.row_step() > 1)
     throw std::invalid_argument("check_video: a few rows do not tell frames apart");
   const std::string name = path.string();
@@ -223,17 +224,17 @@ VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& for
   const int frames = static_cast<int>(written.frames.size());
   FrameSketch first;
   int shown = 0;  // frames that pictures stood for
-  const auto take = [&](const ShownPicture& shot, int from, int last) {
+  const auto take = [&](const TimedPicture& shot, int from, int last) {
     if (shot.index == 0 && comparison.has_size(shot.picture))
       first = written.sketcher.sketch_of_rows(shot.picture);
     comparison.take(from, last, shot.picture);
   };
-  if (codes_apart(format.kind)) {
-    const auto take_one = [&](const ShownPicture& shot) { take(shot, shot.index, shot.index); };
-    check.summary = probe_side_by_side(path, take_one, step, threads);
+  if (has_packet_per_frame(format.kind)) {
+    const auto take_one = [&](const TimedPicture& shot) { take(shot, shot.index, shot.index); };
+    check.summary = probe_in_parallel(path, take_one, step, threads);
     shown = check.summary.frames;
   } else {
-    const auto take_next = [&](const ShownPicture& shot) {
+    const auto take_next = [&](const TimedPicture& shot) {
       const bool lasts = format.kind == VideoKind::webp && shot.duration > 0.0;
       const int last =
           lasts ? static_cast<int>(std::lround((shot.seconds + shot.duration) * rate)) - 1 : shown;
@@ -254,7 +255,7 @@ VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& for
   if (receipt != nullptr) check_receipt(name, *receipt, written, check.summary);
   check_times(name, check.summary, format, frames);
   comparison.require_least(check);
-  if (written.sketcher.sketch(first_picture_alone(path)).hash != first.hash) {
+  if (written.sketcher.sketch(decode_first_picture(path)).hash != first.hash) {
     throw Error(name + ": the first frame does not decode alone");
   }
   return check;
@@ -267,7 +268,7 @@ int checked_row_step(const VideoFormat& format) {
   return format.effort == VideoEffort::fast && in_blocks && !is_small ? rows_of_a_block : 1;
 }
 
-std::string likeness_text(const VideoCheck& check) {
+std::string similarity_text(const VideoCheck& check) {
   if (check.identical) return "identical to the frames";
   return "worst PSNR " + fixed(check.worst_psnr_db, 1) + " dB (frame " +
          std::to_string(check.worst_psnr_frame) + "), worst SSIM " + fixed(check.worst_ssim, 3) +

@@ -33,21 +33,21 @@ struct VideoCheck {
 /// - no frame's parts are twice as near to those of the one before or after it as to its own,
 ///   unless all are within 1 of 255;
 /// - with a receipt: the frames that the encoder was given are those of the film, every one once
-///   and in its place, and the file holds of each the very bytes that the encoder made of it.
+///   and in its place, and the file contains exactly the bytes that the encoder made of each.
 ///
 /// The receipt finds every frame that is lost, doubled, swapped or damaged, however little they
-/// differ; what is left to likeness is whether the encoder did its work, and a sketch need not look
-/// at every row for that. Throws std::invalid_argument for one that does not, without a receipt.
-/// What it finds does not depend on the number of threads.
+/// differ; similarity only has to tell whether the encoder worked, for which a sketch of some rows
+/// is enough. Throws std::invalid_argument for a sketch of some rows without a receipt. What it
+/// finds does not depend on the number of threads.
 VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
-                       const FilmSketch& written, const VideoReceipt* receipt = nullptr,
+                       const VideoSketch& written, const VideoReceipt* receipt = nullptr,
                        int threads = 2);
 
-/// Between the rows that the check of a draft looks at: of videos whose pictures are coded in
-/// blocks, of four rows at the least, every fourth; of others and of small ones every row.
+/// Step between the rows that the check of a draft looks at: every fourth row of videos that are
+/// coded in blocks of four rows or more; every row of others and of small ones.
 int checked_row_step(const VideoFormat& format);
 
 /// "identical to the frames", or "worst PSNR 44.1 dB (frame 3), worst SSIM 0.995 (frame 7)".
-std::string likeness_text(const VideoCheck& check);
+std::string similarity_text(const VideoCheck& check);
 
 }  // namespace mien::render

@@ -52,7 +52,7 @@ class LibavWriter final : public VideoEncoder {
     if (finished_) return;
     require(!receipt_.frames.empty(), path_.string(), "a video without frames");
     stream_.finish();
-    if (!colours_) receipt_.coded = stream_.coded();
+    if (!colours_) receipt_.packet_hashes = stream_.packet_hashes();
     if (colours_) write_indexed(ColourTable(*colours_));
     finished_ = true;
   }
@@ -81,7 +81,7 @@ class LibavWriter final : public VideoEncoder {
   /// A second pass over the frames, now that their colours are known.
   void write_indexed(ColourTable table) {
     StreamEncoder gif(path_, format_);
-    const auto index = [&](const ShownPicture& shown) {
+    const auto index = [&](const TimedPicture& shown) {
       AVFrame& picture = gif.picture();
       table.copy_entries(reinterpret_cast<std::uint32_t*>(picture.data[1]));
       table.index(shown.picture, picture.data[0], picture.linesize[0]);
@@ -118,17 +118,17 @@ class LibavFiles final : public VideoFiles {
     return std::make_unique<LibavWriter>(path, format);
   }
   VideoSummary probe(const std::filesystem::path& path,
-                     const std::function<void(const ShownPicture&)>& on_picture,
+                     const std::function<void(const TimedPicture&)>& on_picture,
                      int row_step) const override {
     return libav_probe(path, on_picture, row_step);
   }
-  VideoSummary probe_side_by_side(const std::filesystem::path& path,
-                                  const std::function<void(const ShownPicture&)>& on_picture,
-                                  int row_step, int threads) const override {
-    return libav_probe_side_by_side(path, on_picture, row_step, threads);
+  VideoSummary probe_in_parallel(const std::filesystem::path& path,
+                                 const std::function<void(const TimedPicture&)>& on_picture,
+                                 int row_step, int threads) const override {
+    return libav_probe_in_parallel(path, on_picture, row_step, threads);
   }
-  Image8 first_picture_alone(const std::filesystem::path& path) const override {
-    return libav_first_picture(path);
+  Image8 decode_first_picture(const std::filesystem::path& path) const override {
+    return libav_decode_first_picture(path);
   }
   std::string libavcodec() const override { return version_text(avcodec_version()); }
   std::string libavformat() const override { return version_text(avformat_version()); }

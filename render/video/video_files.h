@@ -13,7 +13,7 @@ namespace mien::render {
 // than all else that mien is linked to: they lie in a part of the program that is loaded when the
 // first video is read or written. These types and those of video.h are all that both sides know.
 
-/// As VideoWriter.
+/// Implementation of VideoWriter.
 class VideoEncoder {
  public:
   virtual ~VideoEncoder() = default;
@@ -22,19 +22,19 @@ class VideoEncoder {
   virtual const VideoReceipt& receipt() const = 0;
 };
 
-/// As the functions of video.h, of everything but WebP where they read.
+/// Implementation of the functions of video.h; its readers take all kinds but WebP.
 class VideoFiles {
  public:
   virtual ~VideoFiles() = default;
   virtual std::unique_ptr<VideoEncoder> writer(const std::filesystem::path& path,
                                                const VideoFormat& format) const = 0;
   virtual VideoSummary probe(const std::filesystem::path& path,
-                             const std::function<void(const ShownPicture&)>& on_picture,
+                             const std::function<void(const TimedPicture&)>& on_picture,
                              int row_step) const = 0;
-  virtual VideoSummary probe_side_by_side(
-      const std::filesystem::path& path, const std::function<void(const ShownPicture&)>& on_picture,
-      int row_step, int threads) const = 0;
-  virtual Image8 first_picture_alone(const std::filesystem::path& path) const = 0;
+  virtual VideoSummary probe_in_parallel(const std::filesystem::path& path,
+                                         const std::function<void(const TimedPicture&)>& on_picture,
+                                         int row_step, int threads) const = 0;
+  virtual Image8 decode_first_picture(const std::filesystem::path& path) const = 0;
 
   /// Versions, "59.37.100".
   virtual std::string libavcodec() const = 0;
@@ -42,7 +42,7 @@ class VideoFiles {
   virtual std::string libswscale() const = 0;
 };
 
-/// Of the types above (loaded_part.h).
+/// Version of the types above (load_part.h).
 inline constexpr int video_files_edition = 1;
 
 }  // namespace mien::render

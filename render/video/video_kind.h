@@ -10,8 +10,8 @@ namespace mien::render {
 /// Containers and codecs that a film can be written as.
 enum class VideoKind { mp4, mp4_lossless, webm, webm_av1, mkv, webp, gif, apng };
 
-/// What is known of a kind. Measures of likeness are against the frames written, for the worst
-/// decoded frame.
+/// Properties of a kind. Similarity is that of the worst decoded frame to the frame that was
+/// written.
 struct VideoTraits {
   VideoKind kind;
   std::string_view name;         ///< in manifests: "mp4-lossless"
@@ -19,13 +19,13 @@ struct VideoTraits {
   std::string_view description;  ///< "H.264, lossless RGB"
   std::string_view codec;        ///< as FFmpeg names it: "h264"
   bool even_size = false;        ///< width and height must be even
-  bool lossless = false;         ///< decodes to the very frames
+  bool lossless = false;         ///< decodes to exactly the frames written
   bool picture = false;          ///< an animated picture: it has a number of repetitions
   /// Frames a second that players show at their true speed: browsers show pictures of animations
   /// that should last 10 ms or less for 100.
   double most_fps = 240.0;
   double least_psnr_db = 0.0;  ///< of the worst frame that passes the check; lossy kinds
-  double least_ssim = 0.0;     ///< likewise
+  double least_ssim = 0.0;     ///< of the worst frame that passes the check; lossy kinds
 };
 
 /// All kinds, in the order of the enumeration.
@@ -37,7 +37,7 @@ const VideoTraits& traits_of(VideoKind kind);
 /// mp4_lossless, "x.mp4" is mp4; "x.png" is none.
 std::optional<VideoKind> video_kind_of(const std::filesystem::path& file);
 
-/// A stem with the ending of a kind.
+/// A path with the extension of a kind.
 std::filesystem::path with_ending(std::filesystem::path stem, VideoKind kind);
 
 }  // namespace mien::render

@@ -72,13 +72,13 @@ Bytes without_av1_mark(Bytes bytes) {
 
 }  // namespace
 
-bool codes_apart(VideoKind kind) { return !traits_of(kind).picture; }
+bool has_packet_per_frame(VideoKind kind) { return !traits_of(kind).picture; }
 
 std::uint64_t hash_of(const Image8& picture) {
   return XXH3_64bits(picture.channels.data(), picture.channels.size());
 }
 
-std::uint64_t hash_of_coded(std::string_view codec, Bytes bytes, bool has_lengths) {
+std::uint64_t packet_hash(std::string_view codec, Bytes bytes, bool has_lengths) {
   if (codec == "h264") return has_lengths ? hash_by_lengths(bytes) : hash_by_marks(bytes);
   if (codec == "av1") bytes = without_av1_mark(bytes);
   return XXH3_64bits(bytes.data(), bytes.size());

@@ -76,7 +76,7 @@ struct Sums {
   }
 };
 
-/// Of a tile's pixels in one row; three colours and signs a pixel.
+/// Sums over a tile's pixels in one row; three colours and signs a pixel.
 MIEN_FOR_AVX2_TOO Sums sums_of(const std::uint8_t* luma, const std::int8_t* luma_signs,
                                const std::uint8_t* colors, const std::int8_t* color_signs,
                                int pixels) {
@@ -187,7 +187,7 @@ FrameSketch FrameSketcher::sketch_from(const std::uint8_t* rows_begin,
   return result;
 }
 
-Likeness FrameSketcher::likeness(const FrameSketch& a, const FrameSketch& b) const {
+FrameSimilarity FrameSketcher::similarity(const FrameSketch& a, const FrameSketch& b) const {
   if (a.hash == b.hash) return {true, std::numeric_limits<double>::infinity(), 1.0, 0.0, 0.0};
   double worst_part = 0.0;
   double parts_square = 0.0;

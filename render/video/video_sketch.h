@@ -14,10 +14,10 @@ namespace mien::render {
 /// What is kept of a frame to compare a decoded one with it: four kilobytes, so that no frame has
 /// to be held or drawn again, and ten thousand take some 40 MB.
 struct FrameSketch {
-  /// Of one square of the picture. Projections are sums of its values with fixed random signs: the
-  /// square of the difference of two frames' projections is, in the mean over all signs, the sum of
-  /// squares of their differences (Alon, Matias and Szegedy 1996). They are divided by the root of
-  /// the number of values.
+  /// Statistics of one square of the picture. Projections are sums of its values with fixed random
+  /// signs: the square of the difference of two frames' projections is, in the mean over all signs,
+  /// the sum of squares of their differences (Alon, Matias and Szegedy 1996). They are divided by
+  /// the root of the number of values.
   struct Tile {
     std::uint16_t mean = 0;          ///< of luma, in 256ths of a code
     std::uint16_t deviation = 0;     ///< of luma, in 512ths
@@ -29,8 +29,8 @@ struct FrameSketch {
   std::vector<Tile> tiles;
 };
 
-/// How like two frames are.
-struct Likeness {
+/// Similarity of two frames.
+struct FrameSimilarity {
   bool identical = false;     ///< by hash
   double psnr_db = 0.0;       ///< over the three channels of 8 bits; infinite when identical
   double ssim = 0.0;          ///< of luma (Wang et al. 2004), uniform windows without overlap
@@ -47,20 +47,22 @@ struct Likeness {
 /// What is wrong in one part alone shows in `worst_part`.
 class FrameSketcher {
  public:
-  /// With a step, only the rows 0, step, 2 · step … are looked at.
+  /// With a step, only the rows 0, step, 2 · step … are sampled.
   FrameSketcher(int width, int height, int row_step = 1);
 
   /// Throws std::invalid_argument for a frame of another size.
   FrameSketch sketch(const Image8& frame) const;
 
-  /// Of a picture of nothing but the rows that are looked at.
+  /// As `sketch`, for a picture that consists of the sampled rows only.
   FrameSketch sketch_of_rows(const Image8& rows) const;
 
   int row_step() const { return row_step_; }
 
-  Likeness likeness(const FrameSketch& a, const FrameSketch& b) const;
+  FrameSimilarity similarity(const FrameSketch& a, const FrameSketch& b) const;
 
-  int tile_edge() const { return edge_; }  ///< pixels, and rows that are looked at; SSIM's windows
+  int tile_edge() const {
+    return edge_;
+  }  ///< pixels, and sampled rows; also the size of SSIM's windows
   int tile_count() const { return across_ * down_; }
 
  private:
@@ -78,12 +80,12 @@ class FrameSketcher {
 };
 
 /// Sketches of all frames of a film, collected while it is written.
-struct FilmSketch {
+struct VideoSketch {
   FrameSketcher sketcher;
   std::vector<FrameSketch> frames;
   std::vector<std::uint64_t> hashes;  ///< hash_of each frame, whatever the sketches look at
 
-  FilmSketch(int width, int height, int row_step = 1) : sketcher(width, height, row_step) {}
+  VideoSketch(int width, int height, int row_step = 1) : sketcher(width, height, row_step) {}
   void add(const Image8& frame) {
     frames.push_back(sketcher.sketch(frame));
     hashes.push_back(hash_of(frame));

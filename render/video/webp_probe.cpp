@@ -84,7 +84,7 @@ bool is_webp(const std::filesystem::path& path) {
 }
 
 VideoSummary probe_webp(const std::filesystem::path& path,
-                        const std::function<void(const ShownPicture&)>& on_picture) {
+                        const std::function<void(const TimedPicture&)>& on_picture) {
   const std::vector<int> durations = durations_of(path);
   const Reader reader = opened(path);
   VideoSummary summary;
@@ -108,7 +108,7 @@ VideoSummary probe_webp(const std::filesystem::path& path,
   return summary;
 }
 
-Image8 first_webp_picture(const std::filesystem::path& path) {
+Image8 decode_first_webp_picture(const std::filesystem::path& path) {
   return picture_of(*opened(path), 0, path);
 }
 

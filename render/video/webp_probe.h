@@ -12,11 +12,11 @@ namespace mien::render {
 /// Whether a file begins like a WebP.
 bool is_webp(const std::filesystem::path& path);
 
-/// As probe_timed. Throws Error when the file is not whole or a picture does not decode.
+/// See probe_timed. Throws Error when the file is cut short or a picture does not decode.
 VideoSummary probe_webp(const std::filesystem::path& path,
-                        const std::function<void(const ShownPicture&)>& on_picture);
+                        const std::function<void(const TimedPicture&)>& on_picture);
 
-/// As first_picture_alone: the bytes of the first picture are its chunk's.
-Image8 first_webp_picture(const std::filesystem::path& path);
+/// See decode_first_picture: the bytes of the first picture are those of its chunk.
+Image8 decode_first_webp_picture(const std::filesystem::path& path);
 
 }  // namespace mien::render

@@ -125,7 +125,7 @@ class RowSums {
   std::vector<std::uint16_t> channels_[3];
 };
 
-/// Of sums that begin one pixel before the row.
+/// Colour differences of a row from sums that begin one pixel before it.
 MIEN_FOR_AVX2_TOO void differences_of_row(const std::uint16_t* reds, const std::uint16_t* greens,
                                           const std::uint16_t* blues, int count, std::uint8_t* us,
                                           std::uint8_t* vs) {

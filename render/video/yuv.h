@@ -15,8 +15,8 @@ struct Yuv420 {
   int strides[3] = {};  ///< bytes from row to row
 };
 
-/// As sRGB codes. Colour differences are interpolated linearly. Whole numbers only, so the same
-/// everywhere; within one code of the definition for a flat colour.
+/// Converts to sRGB codes. Colour differences are interpolated linearly. Whole numbers only, so the
+/// same everywhere; within one code of the definition for a flat colour.
 ///
 /// With a step, only of the rows 0, step, 2 · step …
 Image8 rgb_from_yuv(const Yuv420& picture, int row_step = 1);
@@ -27,9 +27,9 @@ struct Yuv420Planes {
   int strides[3] = {};  ///< bytes from row to row
 };
 
-/// A picture of an even size in that form: each code is the nearest to the definition's value, of
-/// colour differences that is the mean of two rows, weighted 1 2 1 along them. Whole numbers only,
-/// so the same everywhere.
+/// Converts a picture of an even size to 4:2:0: each code is rounded to the nearest; a colour
+/// difference is the mean of two rows, weighted 1 2 1 along them. Whole numbers only, so the same
+/// everywhere.
 void yuv_from_rgb(const Image8& picture, const Yuv420Planes& out);
 
 }  // namespace mien::render

@@ -6,8 +6,8 @@
 
 namespace mien::scenes {
 
-/// Where a camera on a path is at a moment: through the keys, smoothly (cubic Hermite with the
-/// tangents of Catmull & Rom 1974 for uneven times), at rest before the first and after the last.
+/// The position and target of a camera path at a time: a cubic Hermite spline through the keys
+/// (Catmull & Rom 1974, tangents for uneven times), constant before the first and after the last.
 /// The keys ascend in time; there is at least one.
 CameraKey camera_on_path(const std::vector<CameraKey>& path, double seconds);
 

@@ -143,7 +143,7 @@ Vec3 at(const Action& action, const Vec3& point) {
 }
 
 CameraRig standing(const Vec3& position, const Vec3& target, const Lens& lens) {
-  return {{camera_between(position, target, lens)}};
+  return {{look_at_camera(position, target, lens)}};
 }
 
 CameraRig on_path(const CameraSettings& settings, const Action& action, const Lens& lens) {
@@ -151,7 +151,7 @@ CameraRig on_path(const CameraSettings& settings, const Action& action, const Le
   for (std::size_t f = 0; f < action.points.size(); ++f) {
     const double seconds = static_cast<double>(f) / action.frames_per_second;
     const CameraKey key = camera_on_path(settings.path, seconds);
-    rig.cameras.push_back(camera_between(at(action, key.position), at(action, key.target), lens));
+    rig.cameras.push_back(look_at_camera(at(action, key.position), at(action, key.target), lens));
   }
   return rig;
 }

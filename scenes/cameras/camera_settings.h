@@ -8,7 +8,7 @@
 
 namespace mien::scenes {
 
-/// Where a camera on a path is at a moment. Points as in CameraSettings.
+/// A key of a camera path. Points as in CameraSettings.
 struct CameraKey {
   double seconds = 0.0;
   motion::Vec3 position = motion::Vec3::Zero();
@@ -17,7 +17,7 @@ struct CameraKey {
   friend bool operator==(const CameraKey&, const CameraKey&) = default;
 };
 
-/// The display on which the video will be watched, filled by the picture from side to side.
+/// The display on which the video will be watched; the picture fills its width.
 struct ScreenSettings {
   double distance_cm = 60.0;      ///< from the eye
   double width_cm = 52.0;         ///< of the picture
@@ -26,27 +26,26 @@ struct ScreenSettings {
   friend bool operator==(const ScreenSettings&, const ScreenSettings&) = default;
 };
 
-/// A lens that is sharp at one distance only.
+/// Depth of field: a lens that is in focus at one distance only.
 struct DepthOfField {
-  double aperture_m = 0.02;       ///< the diameter of its opening: the wider, the more blur
-  std::optional<double> focus_m;  ///< along the optical axis; on the figure at each moment without
+  double aperture_m = 0.02;       ///< diameter of the aperture
+  std::optional<double> focus_m;  ///< along the optical axis; follows the figure if not given
 
   friend bool operator==(const DepthOfField&, const DepthOfField&) = default;
 };
 
-/// How the action is looked at. Points are in metres from the middle of the action on the floor: x
-/// to the figure's left, y up, z to its front.
+/// The camera. Points are in metres from the centre of the action on the floor: x to the figure's
+/// left, y up, z to its front.
 struct CameraSettings {
   std::string view = "three-quarter";    ///< one of `camera_names`
-  bool orthographic = false;             ///< parallel rays: no nearer part is larger
+  bool orthographic = false;             ///< orthographic projection
   std::optional<double> fov_degrees;     ///< from the top to the bottom edge; 26 unless given
   std::optional<motion::Vec3> position;  ///< with `target`: fixed by numbers, whatever the view
   std::optional<motion::Vec3> target;
   std::vector<CameraKey> path;                ///< at least two, in time; instead of a view
   std::optional<double> stereo_separation_m;  ///< two pictures side by side, left eye left
   std::optional<ScreenSettings> screen;
-  std::optional<double> figure_px;  ///< of a view: nearer or further until the standing figure is
-                                    ///< so tall
+  std::optional<double> figure_px;             ///< height of the standing figure; sets the distance
   std::optional<DepthOfField> depth_of_field;  ///< everything is sharp without it
 
   friend bool operator==(const CameraSettings&, const CameraSettings&) = default;

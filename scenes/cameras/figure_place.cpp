@@ -4,12 +4,13 @@ namespace mien::scenes {
 
 namespace {
 
-/// Of a point, from the picture's middle; nothing where it is not before the camera.
+/// Image position of a point relative to the picture's centre; nothing when it is not in front of
+/// the camera.
 std::optional<Eigen::Vector2d> from_middle(const render::Camera& camera,
                                            const motion::Vec3& point) {
-  const auto film = render::project(camera, point.cast<float>());
-  if (!film) return std::nullopt;
-  return film->cast<double>() - 0.5 * Eigen::Vector2d(camera.width, camera.height);
+  const auto image_point = render::project(camera, point.cast<float>());
+  if (!image_point) return std::nullopt;
+  return image_point->cast<double>() - 0.5 * Eigen::Vector2d(camera.width, camera.height);
 }
 
 }  // namespace
@@ -20,7 +21,7 @@ std::optional<std::array<double, 2>> figure_place(const CameraRig& rig) {
   return std::array<double, 2>{place->x(), place->y()};
 }
 
-Eigen::AlignedBox2d taken_part(const CameraRig& rig, const Action& action) {
+Eigen::AlignedBox2d action_bounds(const CameraRig& rig, const Action& action) {
   Eigen::AlignedBox2d part;
   for (std::size_t f = 0; f < action.points.size(); ++f) {
     for (const motion::Vec3& point : action.points[f]) {
@@ -31,7 +32,7 @@ Eigen::AlignedBox2d taken_part(const CameraRig& rig, const Action& action) {
   return {part.min().array() - margin_px, part.max().array() + margin_px};
 }
 
-void stand_at(CameraRig& rig, std::array<double, 2> place) {
+void place_figure_at(CameraRig& rig, std::array<double, 2> place) {
   const auto [right, below] = figure_place(rig).value();
   for (render::Camera& camera : rig.cameras) {
     camera.shift_x += static_cast<float>(place[0] - right);

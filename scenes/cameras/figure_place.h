@@ -9,18 +9,17 @@
 
 namespace mien::scenes {
 
-/// Where the figure stands in the picture: the point on the floor under the middle of what it does,
-/// or under the figure itself where the cameras go with it; pixels right of and below the picture's
-/// middle (of a stereo pair: of each eye's picture between the two). Nothing where the first camera
-/// has it behind itself.
+/// Where the figure stands in the picture: the point on the floor under the centre of the action,
+/// or under the figure if the cameras follow it; pixels right of and below the picture's centre (of
+/// a stereo pair: the mean of both). Nothing if it is behind the first camera.
 std::optional<std::array<double, 2>> figure_place(const CameraRig& rig);
 
-/// The part of the picture that the action takes at any time, flesh and all, pixels from the
-/// picture's middle as above.
-Eigen::AlignedBox2d taken_part(const CameraRig& rig, const Action& action);
+/// Bounding box of the action over all frames, pixels from the picture's centre as above, the
+/// body's thickness included.
+Eigen::AlignedBox2d action_bounds(const CameraRig& rig, const Action& action);
 
-/// Shifts the pictures until the figure, which is before the camera, stands there. Nothing is seen
-/// from elsewhere: the middle of the film moves, as with a shift lens.
-void stand_at(CameraRig& rig, std::array<double, 2> place);
+/// Shifts the pictures so that the figure, which is in front of the camera, stands there. The
+/// perspective stays: the image plane moves, as with a shift lens.
+void place_figure_at(CameraRig& rig, std::array<double, 2> place);
 
 }  // namespace mien::scenes

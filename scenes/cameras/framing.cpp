@@ -39,14 +39,14 @@ render::Camera framing_in_parallel(const std::vector<Vec3>& points, double margi
   const double height = std::max(upwards.size(), wide) / filled_share;
   const Vec3 target = across.middle() * right + upwards.middle() * up + depth.middle() * towards;
   const double far = std::max(0.5 * height / std::tan(0.5 * lens.fov_radians), depth.size());
-  render::Camera camera = camera_between(target + far * towards, target, lens);
+  render::Camera camera = look_at_camera(target + far * towards, target, lens);
   camera.parallel_height = static_cast<float>(height);
   return camera;
 }
 
 }  // namespace
 
-render::Camera camera_between(const Vec3& position, const Vec3& target, const Lens& lens) {
+render::Camera look_at_camera(const Vec3& position, const Vec3& target, const Lens& lens) {
   render::Camera camera;
   camera.position = position.cast<float>();
   camera.target = target.cast<float>();
@@ -85,7 +85,7 @@ render::Camera framing(const std::vector<Vec3>& points, double margin, const Vec
                                 (most_up + most_down) / (2.0 * tan_up));
   const Vec3 position =
       0.5 * (most_right - most_left) * right + 0.5 * (most_up - most_down) * up + along * towards;
-  return camera_between(position, position - towards, lens);
+  return look_at_camera(position, position - towards, lens);
 }
 
 }  // namespace mien::scenes

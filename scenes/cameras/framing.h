@@ -8,21 +8,21 @@
 
 namespace mien::scenes {
 
-/// What a camera that frames something is like.
+/// Projection and size of a camera.
 struct Lens {
   double fov_radians = 26.0 * motion::radians_per_degree;  ///< from the top to the bottom edge
   bool orthographic = false;
   std::array<int, 2> size{960, 540};  ///< pixels
 };
 
-/// A camera that looks from `position` at `target`. An orthographic one sees as much of what is at
-/// the target's distance as one with that angle of view would.
-render::Camera camera_between(const motion::Vec3& position, const motion::Vec3& target,
+/// A camera at `position` that looks at `target`. An orthographic one has the height of the view at
+/// the target's distance.
+render::Camera look_at_camera(const motion::Vec3& position, const motion::Vec3& target,
                               const Lens& lens);
 
 /// The camera in the direction `towards` (unit) from which all points, as spheres of `margin`
-/// metres, fill the picture but for 12 % of air. Each side plane of the view pyramid touches the
-/// outermost sphere, so distance and shift follow from the extremes without a search.
+/// metres, fill the picture except for a margin of 12 %. Each side plane of the view pyramid
+/// touches the outermost sphere, so distance and shift follow from the extremes without a search.
 render::Camera framing(const std::vector<motion::Vec3>& points, double margin,
                        const motion::Vec3& towards, const Lens& lens);
 

@@ -7,8 +7,7 @@
 namespace mien::scenes {
 
 /// The left and the right eye of a camera: parallel axes, `separation_m` metres apart, and pictures
-/// shifted (off-axis projection) so that what is `convergence_m` before the camera is at the same
-/// place in both.
+/// shifted (off-axis projection) so that points at the distance `convergence_m` have zero parallax.
 std::array<render::Camera, 2> stereo_pair(const render::Camera& camera, double separation_m,
                                           double convergence_m);
 

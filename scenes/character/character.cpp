@@ -25,7 +25,7 @@ using motion::Vec3;
 constexpr double assumed_extent = 1.7;  // metres: of the joints, while the figure is recognised
 
 /// The bind pose as a motion of one frame.
-motion::Recording bind_recording(const BoundRig& rig, const std::string& name) {
+motion::Recording bind_recording(const BindPoseRig& rig, const std::string& name) {
   motion::Recording recording;
   recording.name = name;
   recording.format = "bind pose";  // in which glTF promises neither metres nor an up axis
@@ -156,10 +156,10 @@ void check_meshes(const CharacterFile& file, const Character& character) {
 Character character_of(const CharacterFile& file) {
   Character character;
   character.name = std::filesystem::path(file.gltf.name).stem().string();
-  const BoundRig rig = bound_rig(file, character.warnings);
+  const BindPoseRig rig = bind_pose_rig(file, character.warnings);
   character.rig = rig.skeleton;
   character.meshes = character_meshes(file, rig, character.warnings);
-  CharacterPaint paint = character_paint(file, character.warnings);
+  CharacterMaterials paint = character_materials(file, character.warnings);
   character.materials = std::move(paint.materials);
   character.textures = std::move(paint.textures);
   const double extent = extent_of(character.rig);
@@ -199,7 +199,7 @@ Character read_character(const std::filesystem::path& path) {
   return character_of(read_file(path));
 }
 
-std::vector<std::filesystem::path> parts_of_character(const std::filesystem::path& path) {
+std::vector<std::filesystem::path> files_of_character(const std::filesystem::path& path) {
   const CharacterFile file = read_file(path);
   std::vector<std::filesystem::path> parts;
   for (const char* list : {"buffers", "images"}) {
@@ -214,7 +214,7 @@ std::vector<std::filesystem::path> parts_of_character(const std::filesystem::pat
   return parts;
 }
 
-Character fitted(Character character, const motion::Skeleton& body) {
+Character scaled_to_body(Character character, const motion::Skeleton& body) {
   const double scale = motion::leg_length(body) / motion::leg_length(character.body);
   transform(character, Quat::Identity(), scale);
   for (motion::Joint& joint : character.body.joints) {
@@ -225,7 +225,7 @@ Character fitted(Character character, const motion::Skeleton& body) {
   return character;
 }
 
-motion::Clip worn_by(const Character& character, const motion::Clip& clip) {
+motion::Clip retargeted_to(const Character& character, const motion::Clip& clip) {
   motion::Clip worn = motion::retarget(clip, character.body);
   for (motion::Pose& pose : worn.poses) pose.root_position.y() += character.sole_depth;
   return worn;
@@ -239,17 +239,17 @@ Quat turn_from_bind(const Character& character, const motion::JointTransforms& b
   const auto turn = [&](BodyJoint j) -> Quat {
     return (body.rotations[j] * character.bind_rotations[j].conjugate()).normalized();
   };
-  const double most = most_twist_of(joint);
+  const double most = max_twist(joint);
   if (most >= motion::pi) return turn(joint);
   const Quat above = turn(BodyJoint(motion::body_parents[joint]));
   const Vec3 bone = character.bind_rotations[joint] * motion::rest_direction(joint);
-  return above * with_twist_within(above.conjugate() * turn(joint), bone, most);
+  return above * clamped_twist(above.conjugate() * turn(joint), bone, most);
 }
 
 }  // namespace
 
 /// `zero_pose` would put the root at the origin.
-motion::JointTransforms rig_at_rest(const Character& character) {
+motion::JointTransforms rig_bind_pose(const Character& character) {
   motion::JointTransforms rest = motion::zero_pose(character.rig);
   for (Vec3& position : rest.positions) position += character.rig.joints.front().offset;
   return rest;
@@ -269,9 +269,9 @@ std::vector<int> body_joint_of(const Character& character) {
   return owner;
 }
 
-motion::JointTransforms rig_in(const Character& character, const motion::Pose& pose) {
+motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose) {
   const motion::JointTransforms body = motion::world_transforms(character.body, pose);
-  const motion::JointTransforms bind = rig_at_rest(character);
+  const motion::JointTransforms bind = rig_bind_pose(character);
   std::vector<int> turned_by(character.rig.joints.size(), -1);
   for (int b = 0; b < motion::body_joint_count; ++b) {
     const motion::MappedJoint& mapped = character.joints[static_cast<size_t>(b)];
@@ -300,10 +300,10 @@ motion::JointTransforms rig_in(const Character& character, const motion::Pose& p
 }
 
 std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose) {
-  const JointMotions motions = joint_motions(rig_at_rest(character), rig_in(character, pose));
+  const JointMotions motions = joint_motions(rig_bind_pose(character), rig_pose(character, pose));
   std::vector<render::Mesh> meshes;
   for (const SkinnedMesh& mesh : character.meshes) {
-    meshes.push_back(skinned_linearly(mesh, motions));
+    meshes.push_back(linear_blend_skinned(mesh, motions));
   }
   return meshes;
 }

@@ -13,13 +13,13 @@
 
 namespace mien::scenes {
 
-/// A skinned figure out of a glTF file, ready to be driven by motions of the canonical body.
+/// A skinned character from a glTF file, driven by motions of the canonical body.
 ///
 /// Everything is in its bind pose: +Y up, joint frames parallel to the world's.
 struct Character {
   std::string name;
   motion::Skeleton rig;             ///< its own joints; joint 0 sits at its offset
-  motion::MappedJoints joints;      ///< which of them stand for each joint of the body
+  motion::MappedJoints joints;      ///< the rig joints that correspond to each joint of the body
   motion::Skeleton body;            ///< the canonical body with its bone lengths, metres
   std::vector<SkinnedMesh> meshes;  ///< influences are the rig's joints
   std::vector<render::Material> materials;
@@ -32,7 +32,7 @@ struct Character {
   /// at rest.
   double sole_depth = 0.0;
 
-  std::vector<std::string> warnings;  ///< what of the file is not drawn; plain sentences
+  std::vector<std::string> warnings;  ///< parts of the file that are not rendered, as sentences
 };
 
 /// Reads a text or binary glTF 2.0 file (.gltf, .glb, .vrm) with its buffers and pictures.
@@ -51,37 +51,38 @@ struct Character {
 /// figure, indices out of range, numbers that are not finite, circles, pictures that are missing.
 Character read_character(const std::filesystem::path& path);
 
-/// As above, of a file in memory that holds all of its buffers and pictures.
+/// As `read_character`, from a file in memory with all buffers and pictures embedded.
 Character parse_character(std::string_view bytes, const std::string& file_name);
 
-/// The files that a glTF file refers to, buffers and pictures, in its order, whether they are there
-/// or not. Throws mien::Error when it cannot be read.
-std::vector<std::filesystem::path> parts_of_character(const std::filesystem::path& path);
+/// The external files of a glTF file, buffers and pictures, in its order, whether they exist or
+/// not. Throws mien::Error when it cannot be read.
+std::vector<std::filesystem::path> files_of_character(const std::filesystem::path& path);
 
-/// The character scaled as a whole so that its legs are as long as those of `body`: the motion's
-/// steps are then its own.
-Character fitted(Character character, const motion::Skeleton& body);
+/// The character, scaled uniformly to the leg length of `body`, so that steps keep their length.
+Character scaled_to_body(Character character, const motion::Skeleton& body);
 
-/// The motion on the character's body: same rotations, soles on the floor.
-motion::Clip worn_by(const Character& character, const motion::Clip& clip);
+/// The motion retargeted to the character's body: same rotations, soles on the floor.
+motion::Clip retargeted_to(const Character& character, const motion::Clip& clip);
 
-/// Where the rig's joints are in a pose of the character's body. Rotations are from the bind pose.
-/// Rig joints that stand for a joint of the body turn as it does, all others go with their parent.
-motion::JointTransforms rig_in(const Character& character, const motion::Pose& pose);
+/// World transforms of the rig's joints in a pose of the character's body; rotations are relative
+/// to the bind pose. Rig joints that correspond to a joint of the body turn with it, all others
+/// follow their parent.
+motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose);
 
-/// The rig's joints in the bind pose, rotations as `rig_in` has them: none.
-motion::JointTransforms rig_at_rest(const Character& character);
+/// World transforms of the rig's joints in the bind pose, as `rig_pose` has them: identity
+/// rotations.
+motion::JointTransforms rig_bind_pose(const Character& character);
 
-/// Which joint of the body each joint of the rig goes with: the one that it stands for, or that a
-/// joint above it does.
+/// The joint of the body that each joint of the rig follows: its own, or that of its nearest
+/// ancestor that has one.
 std::vector<int> body_joint_of(const Character& character);
 
 /// The meshes in a pose of the character's body (linear blend skinning); materials are the
 /// character's.
 std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose);
 
-/// Appends them to a scene with their materials and textures, belonging to the scene's last figure;
-/// parts are called like the body's joints. The character has to outlive the scene.
+/// Appends the posed character to a scene, with its materials and textures, as part of the scene's
+/// last figure; parts are named like the body's joints. The character must outlive the scene.
 void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose);
 
 }  // namespace mien::scenes

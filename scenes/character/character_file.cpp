@@ -19,7 +19,7 @@ CharacterFile parse_character_file(std::string_view bytes, const std::string& na
       motion::refuse(file.gltf, "its meshes are compressed by Draco", "export it uncompressed");
     }
   }
-  file.nodes = motion::take_nodes(file.gltf);
+  file.nodes = motion::parse_nodes(file.gltf);
   return file;
 }
 

@@ -16,7 +16,7 @@
 
 namespace mien::scenes {
 
-/// A glTF file with everything that a character is made of. Indices are the file's own, unchecked.
+/// A parsed glTF file. Its indices are not yet checked.
 struct CharacterFile {
   motion::GltfFile gltf;
   motion::GltfNodes nodes;
@@ -27,17 +27,17 @@ struct CharacterFile {
 CharacterFile parse_character_file(std::string_view bytes, const std::string& name,
                                    const std::optional<std::filesystem::path>& folder);
 
-/// A mesh of the file where it stands.
+/// An instance of a mesh in the file.
 struct PlacedMesh {
   int node = -1;
   int mesh = -1;
-  int skin = -1;   ///< that it follows; −1: it hangs on a joint
-  int joint = -1;  ///< of the rig, that a mesh without a skin hangs on
+  int skin = -1;   ///< that deforms it; −1: it is attached to a joint
+  int joint = -1;  ///< of the rig, that a mesh without a skin is attached to
   Eigen::Affine3d to_world = Eigen::Affine3d::Identity();  ///< then: mesh space → bind pose
 };
 
-/// The joints of all skins in use, in their bind pose, and what is between them.
-struct BoundRig {
+/// The joints of all skins in use and the nodes between them, in their bind pose.
+struct BindPoseRig {
   std::vector<PlacedMesh> meshes;
   std::vector<int> nodes;             ///< of each joint of `skeleton`
   std::vector<int> joint_of_node;     ///< −1 for nodes that are no joints
@@ -50,25 +50,26 @@ struct BoundRig {
 };
 
 /// Throws mien::Error when there is no skin, a joint does not exist or the numbers make no pose.
-BoundRig bound_rig(const CharacterFile& file, std::vector<std::string>& warnings);
+BindPoseRig bind_pose_rig(const CharacterFile& file, std::vector<std::string>& warnings);
 
-/// All primitives in the bind pose, in the file's world. Material 0 is a plain one, the file's own
-/// follow. Throws mien::Error.
-std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BoundRig& rig,
+/// All primitives in the bind pose, in the file's world space. Material 0 is a default, the file's
+/// own follow. Throws mien::Error.
+std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BindPoseRig& rig,
                                           std::vector<std::string>& warnings);
 
-/// Materials (the first is plain) and the textures that they use. Throws mien::Error when a picture
-/// is missing or does not decode.
-struct CharacterPaint {
+/// The materials of a file (the first is a default) and the textures that they use. Throws
+/// mien::Error when a picture is missing or does not decode.
+struct CharacterMaterials {
   std::vector<render::Material> materials;
   std::vector<render::Texture> textures;
 };
-CharacterPaint character_paint(const CharacterFile& file, std::vector<std::string>& warnings);
+CharacterMaterials character_materials(const CharacterFile& file,
+                                       std::vector<std::string>& warnings);
 
-/// A list that stands in the JSON under `key`; empty when there is none.
+/// The JSON list under `key`; empty when there is none.
 const nlohmann::json& list_in(const nlohmann::json& object, const char* key);
 
-/// The index that stands under `key`, −1 when there is none. Throws mien::Error when it is no whole
+/// The index under `key`, −1 when there is none. Throws mien::Error when it is no whole
 /// number from 0 to below `count`; `use` says what it is: "mesh 3, material".
 int index_in(const CharacterFile& file, const nlohmann::json& object, const char* key, size_t count,
              const std::string& use);

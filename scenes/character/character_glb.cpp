@@ -5,7 +5,7 @@
 namespace mien::scenes {
 
 std::string to_glb(const Character& character) {
-  SkinnedFigure figure{.bind = rig_at_rest(character),
+  SkinnedFigure figure{.bind = rig_bind_pose(character),
                        .body_joints = body_joint_of(character),
                        .meshes = character.meshes,
                        .materials = character.materials};

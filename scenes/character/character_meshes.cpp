@@ -133,7 +133,7 @@ Vec3 turned(const Mat3& linear, const Vec3& normal) {
 }
 
 /// From mesh space into the bind pose, by the same blend as skinning; then joints are the rig's.
-void place(const BoundRig& rig, const std::vector<int>& skin_joints,
+void place(const BindPoseRig& rig, const std::vector<int>& skin_joints,
            const std::vector<Eigen::Affine3d>& to_world, SkinnedMesh& mesh) {
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     Eigen::Matrix<double, 3, 4> blend = Eigen::Matrix<double, 3, 4>::Zero();
@@ -166,13 +166,13 @@ void put_uv(const Primitive& primitive, size_t vertices, SkinnedMesh& mesh) {
 }
 
 /// What is told once of all primitives.
-struct Oddities {
+struct UnsupportedFeatures {
   bool has_lines = false;
   bool has_unweighted = false;
   bool has_targets = false;
   bool has_colours = false;
 
-  void tell(std::vector<std::string>& warnings) const {
+  void add_warnings(std::vector<std::string>& warnings) const {
     if (has_lines) warnings.push_back("Lines and points are not drawn.");
     if (has_unweighted) {
       warnings.push_back("Some vertices have no weights; they follow the skin's first joint.");
@@ -182,8 +182,8 @@ struct Oddities {
   }
 };
 
-SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const BoundRig& rig,
-                    int mode, Oddities& oddities) {
+SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const BindPoseRig& rig,
+                    int mode, UnsupportedFeatures& unsupported) {
   const int accessor = primitive.accessor("POSITION");
   if (accessor < 0) primitive.refuse("it has no positions");
   SkinnedMesh mesh;
@@ -197,7 +197,7 @@ SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const 
   if (placed.skin >= 0) {
     const auto skin = static_cast<size_t>(placed.skin);
     const std::vector<int>& joints = primitive.file.gltf.model.skins[skin].joints;
-    mesh.influences = influences_of(primitive, vertices, joints.size(), oddities.has_unweighted);
+    mesh.influences = influences_of(primitive, vertices, joints.size(), unsupported.has_unweighted);
     place(rig, joints, rig.skin_to_world[skin], mesh);
   } else {
     mesh.influences.assign(vertices, {{0, 1.0f}});
@@ -212,11 +212,11 @@ SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const 
 
 }  // namespace
 
-std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BoundRig& rig,
+std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BindPoseRig& rig,
                                           std::vector<std::string>& warnings) {
   std::vector<SkinnedMesh> meshes;
   std::size_t vertices = 0;
-  Oddities oddities;
+  UnsupportedFeatures unsupported;
   for (const PlacedMesh& placed : rig.meshes) {
     const json& given = list_in(file.json, "meshes")[static_cast<size_t>(placed.mesh)];
     const json& primitives = list_in(given, "primitives");
@@ -226,11 +226,11 @@ std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const Bound
           "mesh " + std::to_string(placed.mesh) + ", primitive " + std::to_string(p)};
       const int stated = index_in(file, primitives[p], "mode", 7, primitive.use);
       const int mode = stated < 0 ? triangles_mode : stated;
-      oddities.has_lines |= mode < triangles_mode;
-      oddities.has_targets |= !list_in(primitives[p], "targets").empty();
-      oddities.has_colours |= primitive.accessor("COLOR_0") >= 0;
+      unsupported.has_lines |= mode < triangles_mode;
+      unsupported.has_targets |= !list_in(primitives[p], "targets").empty();
+      unsupported.has_colours |= primitive.accessor("COLOR_0") >= 0;
       if (mode >= triangles_mode) {
-        meshes.push_back(mesh_of(primitive, placed, rig, mode, oddities));
+        meshes.push_back(mesh_of(primitive, placed, rig, mode, unsupported));
         vertices += meshes.back().positions.size();
         if (vertices > most_vertices)
           primitive.refuse("there are more vertices than any figure has");
@@ -239,7 +239,7 @@ std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const Bound
   }
   std::erase_if(meshes, [](const SkinnedMesh& mesh) { return mesh.triangles.empty(); });
   if (meshes.empty()) motion::refuse(file.gltf, "holds no triangles", "export the figure's meshes");
-  oddities.tell(warnings);
+  unsupported.add_warnings(warnings);
   return meshes;
 }
 

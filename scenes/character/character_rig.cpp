@@ -276,7 +276,7 @@ std::map<int, std::string> humanoid_bones(const CharacterFile& file) {
 }
 
 /// The joints with their names and places.
-motion::Skeleton skeleton_of(const CharacterFile& file, const BoundRig& rig) {
+motion::Skeleton skeleton_of(const CharacterFile& file, const BindPoseRig& rig) {
   const std::map<int, std::string> humanoid = humanoid_bones(file);
   motion::Skeleton skeleton;
   for (size_t j = 0; j < rig.nodes.size(); ++j) {
@@ -303,7 +303,7 @@ motion::Skeleton skeleton_of(const CharacterFile& file, const BoundRig& rig) {
 
 /// Hangs meshes without a skin on the joint above them, as they are posed in the file.
 void hang_meshes(const CharacterFile& file, const std::vector<Eigen::Affine3d>& rest,
-                 BoundRig& rig) {
+                 BindPoseRig& rig) {
   for (PlacedMesh& mesh : rig.meshes) {
     if (mesh.skin >= 0) continue;
     mesh.joint = joint_above(file, rig.joint_of_node, mesh.node);
@@ -315,7 +315,7 @@ void hang_meshes(const CharacterFile& file, const std::vector<Eigen::Affine3d>& 
 }
 
 /// Leaves out meshes that nothing would move.
-void drop_loose_meshes(BoundRig& rig, std::vector<std::string>& warnings) {
+void drop_loose_meshes(BindPoseRig& rig, std::vector<std::string>& warnings) {
   const size_t before = rig.meshes.size();
   std::erase_if(rig.meshes, [](const PlacedMesh& mesh) { return mesh.skin < 0 && mesh.joint < 0; });
   if (rig.meshes.size() == before) return;
@@ -325,8 +325,8 @@ void drop_loose_meshes(BoundRig& rig, std::vector<std::string>& warnings) {
 
 }  // namespace
 
-BoundRig bound_rig(const CharacterFile& file, std::vector<std::string>& warnings) {
-  BoundRig rig;
+BindPoseRig bind_pose_rig(const CharacterFile& file, std::vector<std::string>& warnings) {
+  BindPoseRig rig;
   rig.meshes = placed_meshes(file);
   if (file.gltf.model.skins.empty()) motion::refuse(file.gltf, "holds no skin", with_armature);
   Binder binder{file, at_rest(file), {}, {}, std::nullopt};

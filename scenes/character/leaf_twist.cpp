@@ -6,7 +6,7 @@
 
 namespace mien::scenes {
 
-double most_twist_of(motion::BodyJoint joint) {
+double max_twist(motion::BodyJoint joint) {
   constexpr double degree = motion::radians_per_degree;
   switch (joint) {
     case motion::LeftToe:
@@ -21,8 +21,7 @@ double most_twist_of(motion::BodyJoint joint) {
   }
 }
 
-motion::Quat with_twist_within(const motion::Quat& rotation, const motion::Vec3& axis,
-                               double most) {
+motion::Quat clamped_twist(const motion::Quat& rotation, const motion::Vec3& axis, double most) {
   const motion::Quat twist = motion::twist_about(rotation, axis);
   const double angle = motion::log(twist).dot(axis);
   const double less = std::clamp(angle, -most, most);

@@ -11,16 +11,16 @@
 
 namespace mien::scenes {
 
-/// How tall the figure is drawn, metres: the body's stature, or how far any other skeleton reaches
-/// from its root at first, and at least 0.2.
+/// Height at which the figure is drawn, metres: the body's stature; of another skeleton its extent
+/// from the root in the first frame, at least 0.2.
 double figure_height(const motion::Clip& clip);
 
-/// A round cone a bone and a sphere a joint.
+/// A stick figure: a round cone for each bone and a sphere for each joint.
 struct StickOptions {
   friend bool operator==(const StickOptions&, const StickOptions&) = default;
 };
 
-/// A smooth body, made from the clip's own proportions.
+/// A smooth body with the proportions of the clip's skeleton.
 struct MannequinOptions {
   double build = 0.5;  ///< 0 slim … 1 heavy
   double sex = 0.5;    ///< 0 female … 1 male
@@ -28,25 +28,25 @@ struct MannequinOptions {
   friend bool operator==(const MannequinOptions&, const MannequinOptions&) = default;
 };
 
-/// A skinned character out of a glTF file.
+/// A skinned character from a glTF file.
 struct CharacterOptions {
   std::filesystem::path file;
 
   friend bool operator==(const CharacterOptions&, const CharacterOptions&) = default;
 };
 
-/// What has a surface and can be shown in several poses at once.
+/// Figures with a surface, which can be shown in several poses at once.
 using BodyFigure = std::variant<StickOptions, MannequinOptions, CharacterOptions>;
 
 /// Several poses of one clip in one picture.
 struct TrailOptions {
   BodyFigure figure;
 
-  /// Poses left behind, evenly spread over the clip, each from its moment on; the last picture
-  /// shows them all. 0 leaves none.
+  /// Number of poses left behind, evenly spread over the clip, each visible from its time on; the
+  /// last picture shows them all.
   int poses = 6;
 
-  int before = 0;                   ///< onion skin: poses before the present one
+  int before = 0;                   ///< onion skin: number of poses before the present one
   int after = 0;                    ///< and after it
   double every_s = 0.2;             ///< seconds from one to the next
   double faintest = 0.15;           ///< opacity of the pose farthest from the present, 0 … 1
@@ -56,14 +56,14 @@ struct TrailOptions {
   friend bool operator==(const TrailOptions&, const TrailOptions&) = default;
 };
 
-/// What stands for the moving body, with everything that can be said of it.
+/// What represents the moving body, with its options.
 using Figure =
     std::variant<StickOptions, MannequinOptions, CharacterOptions, PointLightOptions, TrailOptions>;
 
-/// The key that a manifest has for it: "stick", "mannequin", "character", "point-light", "trail".
+/// The key of a figure in a manifest: "stick", "mannequin", "character", "point-light", "trail".
 std::string_view name_of(const Figure& figure);
 
-/// The character that a figure, or a trail's figure, is; null for others.
+/// The character options of a figure, or of a trail's figure; null for other kinds.
 const CharacterOptions* character_in(const Figure& figure);
 
 }  // namespace mien::scenes

@@ -12,11 +12,11 @@ bool is_hex_colour(std::string_view text);
 /// The linear colour of "#rrggbb" (sRGB).
 render::Color colour_from_hex(std::string_view hex);
 
-/// What a figure stands for; its hue says it on every picture and sheet.
+/// The role of a figure, which its hue shows in all pictures and sheets.
 enum class Role { target, created, reference, neutral };
 
-/// A figure's colours, linear Rec.709 albedo. Left limbs are lighter than right ones, so that legs
-/// and arms can be told apart when they cross.
+/// A figure's colours, linear Rec.709 albedo. Left limbs are lighter than right ones, so that
+/// crossing limbs can be distinguished.
 struct FigureColours {
   render::Color middle;
   render::Color left;

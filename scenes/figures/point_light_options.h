@@ -7,8 +7,8 @@
 
 namespace mien::scenes {
 
-/// A point-light figure: dots on the joints of a body that is not seen itself (Johansson 1973), and
-/// the transformations by which studies take form, motion or order away from it.
+/// A point-light figure: dots on the joints of an invisible body (Johansson 1973), and the
+/// manipulations by which studies remove form, motion or order from it.
 struct PointLightOptions {
   /// "standard": head, shoulders, elbows, wrists, hips, knees and ankles, the 13 of Cutting 1978;
   /// "all": every joint; empty: those of `joints`.
@@ -22,30 +22,30 @@ struct PointLightOptions {
   /// Michelson contrast of dots and background, 0 … 1; the lighter of the two is white.
   double contrast = 1.0;
   std::string colour;      ///< "#rrggbb" of the dots; empty: by polarity and contrast
-  std::string background;  ///< likewise of the background
+  std::string background;  ///< of the background; empty: by polarity and contrast
 
-  /// Frames that a dot stays in its place on the body before it takes another one, at random on any
-  /// limb (Beintema & Lappe 2002); the dots change one after the other, not all at once. 0: for
-  /// ever on its joint. Noise and mask dots live for ever.
+  /// Limited lifetime: frames that a dot keeps its position on the body before it moves to a random
+  /// position on any limb (Beintema & Lappe 2002); dots change asynchronously. 0: unlimited, on the
+  /// joint. Noise and mask dots have unlimited lifetimes.
   int lifetime = 0;
 
   bool inverted = false;         ///< upside down
   bool mirrored = false;         ///< left and right exchanged, as seen by the camera
   double rotated_degrees = 0.0;  ///< about the vertical, counter-clockwise seen from above
-  bool scrambled = false;        ///< each dot's motion at a random place within the figure's extent
+  bool scrambled = false;        ///< each dot's motion at a random position in the extent
 
   bool reversed = false;         ///< last frame first
-  bool constant_speed = false;   ///< each dot goes its own path evenly
+  bool constant_speed = false;   ///< each dot follows its own path at constant speed
   bool phase_scrambled = false;  ///< each dot's motion starts at a random moment of it
 
-  /// Dots that go straight in the plane of the picture, as fast as the figure's dots do there, and
-  /// turn back at the ends of the figure's extent.
+  /// Number of noise dots, which move in straight lines in the picture plane, as fast as the
+  /// figure's dots, and reverse at the ends of the figure's extent.
   int noise = 0;
-  /// Dots of scrambled figures: each has a joint's motion, somewhere else and begun at another
-  /// moment.
+  /// Number of mask dots of scrambled figures: each has a joint's motion at another position and
+  /// with another phase.
   int mask = 0;
 
-  std::optional<std::uint64_t> seed;  ///< of all that is random; the production's own otherwise
+  std::optional<std::uint64_t> seed;  ///< default: derived from the production's
 
   friend bool operator==(const PointLightOptions&, const PointLightOptions&) = default;
 };

@@ -83,9 +83,9 @@ render::Vec3 to_render(const motion::Vec3& point) { return point.cast<float>(); 
 
 void add_capsule(render::Scene& scene, const motion::Vec3& start, const motion::Vec3& end,
                  double start_radius, double end_radius, int material, int part) {
-  scene.solids.capsules.push_back({to_render(start), to_render(end),
-                                   static_cast<float>(start_radius), static_cast<float>(end_radius),
-                                   material, part});
+  scene.solids.round_cones.push_back({to_render(start), to_render(end),
+                                      static_cast<float>(start_radius),
+                                      static_cast<float>(end_radius), material, part});
 }
 
 void add_sphere(render::Scene& scene, const motion::Vec3& centre, double radius, int material,

@@ -6,12 +6,12 @@
 
 namespace mien::scenes {
 
-/// Appends a stick figure to a scene: a round cone a bone and a sphere a joint, as thick as the
-/// limbs are long, for a body of `height_m` metres; a visor says where the head looks.
+/// Appends a stick figure to a scene: a round cone for each bone and a sphere for each joint, with
+/// thickness in proportion to a body of `height_m` metres; a visor shows the facing direction.
 ///
 /// `skeleton` is usually the canonical body, whose left and right limbs get their own shades; any
-/// other skeleton, in metres, is drawn in one shade with even thickness. Each joint is a part of
-/// the scene's last figure, with the bones that it turns.
+/// other skeleton, in metres, is drawn in one shade with even thickness. Each joint, with the bones
+/// that it rotates, is a part of the scene's last figure.
 void add_stick_figure(render::Scene& scene, const motion::Skeleton& skeleton,
                       const motion::Pose& pose, const FigureColours& colours, double height_m);
 

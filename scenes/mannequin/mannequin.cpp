@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "scenes/mannequin/largest_piece.h"
+#include "scenes/mannequin/largest_component.h"
 #include "scenes/mannequin/mannequin_paint.h"
 #include "scenes/mannequin/mannequin_weights.h"
 #include "scenes/mannequin/surface_nets.h"
@@ -47,15 +47,15 @@ Eigen::AlignedBox3d box_of(const Flesh& flesh) {
   Eigen::AlignedBox3d box;
   for (const auto* part :
        {&flesh.trunk, &flesh.left_arm, &flesh.right_arm, &flesh.left_leg, &flesh.right_leg}) {
-    for (const Lump& lump : *part) {
-      const bool is_cone = lump.shape == Lump::Shape::round_cone;
-      const double radius =
-          is_cone ? std::max(lump.start_radius, lump.end_radius) : lump.radii.maxCoeff();
-      box.extend(lump.start + Vec3::Constant(radius));
-      box.extend(lump.start - Vec3::Constant(radius));
+    for (const SdfPrimitive& primitive : *part) {
+      const bool is_cone = primitive.shape == SdfPrimitive::Shape::round_cone;
+      const double radius = is_cone ? std::max(primitive.start_radius, primitive.end_radius)
+                                    : primitive.radii.maxCoeff();
+      box.extend(primitive.start + Vec3::Constant(radius));
+      box.extend(primitive.start - Vec3::Constant(radius));
       if (!is_cone) continue;
-      box.extend(lump.end + Vec3::Constant(radius));
-      box.extend(lump.end - Vec3::Constant(radius));
+      box.extend(primitive.end + Vec3::Constant(radius));
+      box.extend(primitive.end - Vec3::Constant(radius));
     }
   }
   return box;
@@ -109,9 +109,9 @@ Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& o
   Mannequin mannequin;
   mannequin.bind = motion::world_transforms(body, modelling_pose(body));
   const Flesh flesh = flesh_of(body, mannequin.bind, options);
-  Surface surface =
-      largest_piece(surface_nets([&](const Vec3& point) { return signed_distance(flesh, point); },
-                                 grid_for(flesh, mannequin.bind, scale)));
+  Surface surface = largest_component(
+      surface_nets([&](const Vec3& point) { return signed_distance(flesh, point); },
+                   grid_for(flesh, mannequin.bind, scale)));
   SkinnedMesh& mesh = mannequin.mesh;
   mesh.positions = std::move(surface.positions);
   mesh.normals = std::move(surface.normals);
@@ -123,7 +123,7 @@ Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& o
   for (const auto& triangle : mesh.triangles)
     mesh.triangle_parts.push_back(part_of(mesh, triangle));
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
-    mesh.uv.push_back(place_in_paint(body, mannequin.bind, mesh.positions[v], mesh.influences[v]));
+    mesh.uv.push_back(paint_uv(body, mannequin.bind, mesh.positions[v], mesh.influences[v]));
   }
   mannequin.paint = mannequin_paint(colours);
   return mannequin;
@@ -137,8 +137,8 @@ render::Material mannequin_skin(int texture) {
 
 render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose) {
-  return skinned_rigidly(mannequin.mesh,
-                         joint_motions(mannequin.bind, motion::world_transforms(body, pose)));
+  return dual_quaternion_skinned(
+      mannequin.mesh, joint_motions(mannequin.bind, motion::world_transforms(body, pose)));
 }
 
 void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motion::Skeleton& body,

@@ -13,33 +13,34 @@ namespace mien::scenes {
 
 /// A smooth body on the bones of one skeleton.
 struct Mannequin {
-  SkinnedMesh mesh;  ///< uv: the place in `paint`; triangle_parts: joints of the body
+  SkinnedMesh mesh;  ///< uv: coordinates in `paint`; triangle_parts: joints of the body
   motion::JointTransforms bind;
   render::Texture paint;
 };
 
-/// Makes a mannequin on the canonical body (`is_body`) with its own bone lengths, once a shot.
+/// Makes a mannequin for the canonical body (`is_body`) with its own bone lengths; takes long, so
+/// do it once for a shot.
 ///
-/// Its colours are those of the stick figure: left limbs lighter, right ones darker, but less so;
-/// the face stands out, so that one can read where it looks.
+/// Its colours are those of the stick figure, with less difference between left and right limbs;
+/// the face contrasts, so that its direction can be seen.
 Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
                          const FigureColours& colours);
 
-/// What its surface is made of; `texture` is where its paint stands among textures.
+/// The material of its surface; `texture` is the index of its paint among the scene's textures.
 render::Material mannequin_skin(int texture);
 
 /// Appends the mannequin in a pose of the body that it was made for (dual quaternion skinning), its
-/// parts called like the body's joints and belonging to the scene's last figure. The mannequin has
-/// to outlive the scene.
+/// parts named like the body's joints, as parts of the scene's last figure. The mannequin must
+/// outlive the scene.
 void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose);
 
-/// As above, as a mesh: material 0, parts the joints of the body.
+/// The mannequin in a pose, as a mesh: material 0, parts are the joints of the body.
 render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose);
 
 /// A mannequin that was made for that body as a GLB file (skinned_glb.h); its joints are the
-/// body's. Readers of glTF skin it linearly, so that wrists and shoulders that twist get a little
+/// body's. glTF viewers use linear blend skinning, so twisting wrists and shoulders are a little
 /// thinner than in films. Throws Error.
 std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body);
 

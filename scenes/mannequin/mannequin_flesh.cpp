@@ -21,8 +21,8 @@ constexpr double limb_blend = 0.05;
 
 double mixed(double low, double high, double t) { return low + (high - low) * t; }
 
-/// Puts lumps on one body.
-struct Sculptor {
+/// Adds primitives to the parts of one body.
+struct FleshBuilder {
   const motion::Skeleton& body;
   const motion::JointTransforms& pose;
   const Trunk trunk;
@@ -31,7 +31,7 @@ struct Sculptor {
   double girth;  ///< of limbs
   double belly;  ///< depth of the belly
   double male;   ///< 0 … 1
-  std::vector<Lump>* part = nullptr;
+  std::vector<SdfPrimitive>* part = nullptr;
 
   Vec3 offset(BodyJoint joint) const { return body.joints[joint].offset; }
 
@@ -42,21 +42,21 @@ struct Sculptor {
 
   void ellipsoid(BodyJoint joint, const Vec3& centre, const Vec3& radii, double blend,
                  const Quat& turn = Quat::Identity()) const {
-    Lump lump;
-    lump.start = at(joint, centre);
-    lump.axes = (pose.rotations[joint] * turn).toRotationMatrix();
-    lump.radii = scale * radii;
-    lump.blend = scale * blend;
-    part->push_back(lump);
+    SdfPrimitive primitive;
+    primitive.start = at(joint, centre);
+    primitive.axes = (pose.rotations[joint] * turn).toRotationMatrix();
+    primitive.radii = scale * radii;
+    primitive.blend = scale * blend;
+    part->push_back(primitive);
   }
 
   /// At (left, level, forward); its height stretches with the trunk.
   void trunk_ellipsoid(const Vec3& place, const Vec3& radii, double blend) const {
-    Lump lump;
-    lump.start = trunk.at(place);
-    lump.radii = scale * Vec3(radii.x(), radii.y() * trunk.stretch(), radii.z());
-    lump.blend = scale * blend;
-    part->push_back(lump);
+    SdfPrimitive primitive;
+    primitive.start = trunk.at(place);
+    primitive.radii = scale * Vec3(radii.x(), radii.y() * trunk.stretch(), radii.z());
+    primitive.blend = scale * blend;
+    part->push_back(primitive);
   }
 
   /// World position of a point of the standard head, in the frame of its joint.
@@ -66,21 +66,21 @@ struct Sculptor {
 
   void cone(const Vec3& start, const Vec3& end, double start_radius, double end_radius,
             double blend) const {
-    Lump lump;
-    lump.shape = Lump::Shape::round_cone;
-    lump.start = start;
-    lump.end = end;
-    lump.start_radius = scale * start_radius;
-    lump.end_radius = scale * end_radius;
-    lump.blend = scale * blend;
-    part->push_back(lump);
+    SdfPrimitive primitive;
+    primitive.shape = SdfPrimitive::Shape::round_cone;
+    primitive.start = start;
+    primitive.end = end;
+    primitive.start_radius = scale * start_radius;
+    primitive.end_radius = scale * end_radius;
+    primitive.blend = scale * blend;
+    part->push_back(primitive);
   }
 };
 
 /// The other side's: mirrored at the sagittal plane.
 Vec3 sided(const Vec3& left, double side) { return {side * left.x(), left.y(), left.z()}; }
 
-void model_hips(const Sculptor& s) {
+void model_hips(const FleshBuilder& s) {
   const double wide = mixed(1.06, 0.97, s.male);
   s.trunk_ellipsoid({0, 0.055, -0.004},
                     {(s.trunk.half_hips + 0.068 * s.girth) * wide, 0.125, 0.100 * s.girth}, 0.04);
@@ -90,7 +90,7 @@ void model_hips(const Sculptor& s) {
   }
 }
 
-void model_chest(const Sculptor& s) {
+void model_chest(const FleshBuilder& s) {
   constexpr double top = Trunk::shoulder_level;
   const double breadth = s.trunk.breadth();
   const double sturdy = mixed(0.93, 1.03, s.male) * mixed(1.0, s.girth, 0.7);
@@ -113,7 +113,7 @@ void model_chest(const Sculptor& s) {
 }
 
 /// From between the shoulders to the skull, wherever the joint of the neck lies.
-void model_neck(const Sculptor& s) {
+void model_neck(const FleshBuilder& s) {
   const double thick = mixed(0.86, 1.06, s.male) * mixed(1.0, s.girth, 0.6);
   const Vec3 base = s.trunk.shoulders + s.scale * Vec3(0.0, 0.030, -0.016);
   s.cone(base, s.in_head({0, 0.020, 0}), 0.056 * thick, 0.051 * thick, 0.035);
@@ -127,21 +127,21 @@ void model_neck(const Sculptor& s) {
 }
 
 /// A skull, a face before it, and what tells where it looks: brow, nose and chin.
-void model_head(const Sculptor& s) {
+void model_head(const FleshBuilder& s) {
   const double size = s.head.size;
-  const auto lump = [&](const Vec3& centre, const Vec3& radii, double blend) {
+  const auto primitive = [&](const Vec3& centre, const Vec3& radii, double blend) {
     s.ellipsoid(motion::Head, s.head.raise / s.scale + centre * size, radii * size, blend);
   };
   const double jaw = mixed(0.92, 1.0, s.male);
-  lump({0, 0.082, -0.008}, {0.074, 0.088, 0.090}, 0.030);
-  lump({0, 0.024, 0.026}, {0.060 * jaw, 0.084, 0.062}, 0.050);
-  lump({0, 0.072, 0.060}, {0.046, 0.022, 0.026}, 0.040);
+  primitive({0, 0.082, -0.008}, {0.074, 0.088, 0.090}, 0.030);
+  primitive({0, 0.024, 0.026}, {0.060 * jaw, 0.084, 0.062}, 0.050);
+  primitive({0, 0.072, 0.060}, {0.046, 0.022, 0.026}, 0.040);
   s.cone(s.in_head({0, 0.062, 0.082}), s.in_head({0, 0.026, 0.098}), 0.008 * size, 0.012 * size,
          0.022);
-  lump({0, -0.040, 0.064}, {0.026 * jaw, 0.018, 0.020}, 0.040);
+  primitive({0, -0.040, 0.064}, {0.026 * jaw, 0.018, 0.020}, 0.040);
 }
 
-void model_hand(const Sculptor& s, BodyJoint wrist, double side) {
+void model_hand(const FleshBuilder& s, BodyJoint wrist, double side) {
   const Vec3 tip = s.body.joints[wrist].tip.value_or(Vec3(0.17 * s.scale, 0, 0)) / s.scale;
   const double h = std::clamp(tip.norm() / 0.17, 0.85, 1.15) * mixed(0.94, 1.02, s.male);
   const auto place = [&](const Vec3& left) { return sided(left * h, side); };
@@ -154,7 +154,7 @@ void model_hand(const Sculptor& s, BodyJoint wrist, double side) {
          0.0135 * h, 0.0115 * h, 0.010);
 }
 
-void model_arm(const Sculptor& s, BodyJoint shoulder, double side) {
+void model_arm(const FleshBuilder& s, BodyJoint shoulder, double side) {
   const auto elbow = BodyJoint(shoulder + 1);
   const auto wrist = BodyJoint(shoulder + 2);
   const double upper = s.offset(elbow).norm() / s.scale;
@@ -177,7 +177,7 @@ void model_arm(const Sculptor& s, BodyJoint shoulder, double side) {
 }
 
 /// A shoe with a flat sole.
-void model_foot(const Sculptor& s, BodyJoint ankle, double side) {
+void model_foot(const FleshBuilder& s, BodyJoint ankle, double side) {
   const auto toe = BodyJoint(ankle + 1);
   const Vec3 ball = s.offset(toe) / s.scale;
   const double end = s.body.joints[toe].tip.value_or(Vec3(0, 0, 0.06 * s.scale)).norm() / s.scale;
@@ -197,7 +197,7 @@ void model_foot(const Sculptor& s, BodyJoint ankle, double side) {
   }
 }
 
-void model_leg(const Sculptor& s, BodyJoint hip, double side) {
+void model_leg(const FleshBuilder& s, BodyJoint hip, double side) {
   const auto knee = BodyJoint(hip + 1);
   const auto ankle = BodyJoint(hip + 2);
   const double thigh = s.offset(knee).norm() / s.scale;
@@ -269,14 +269,14 @@ Flesh flesh_of(const motion::Skeleton& body, const motion::JointTransforms& pose
                const MannequinOptions& options) {
   Flesh flesh;
   const double fat = options.build - 0.5;
-  Sculptor sculptor{body,
-                    pose,
-                    trunk_of(body, pose),
-                    head_shape(body),
-                    motion::relative_stature(body),
-                    1.0 + 0.42 * fat,
-                    1.0 + (fat > 0 ? 1.1 : 0.45) * fat,
-                    options.sex};
+  FleshBuilder sculptor{body,
+                        pose,
+                        trunk_of(body, pose),
+                        head_shape(body),
+                        motion::relative_stature(body),
+                        1.0 + 0.42 * fat,
+                        1.0 + (fat > 0 ? 1.1 : 0.45) * fat,
+                        options.sex};
   sculptor.part = &flesh.trunk;
   model_hips(sculptor);
   model_chest(sculptor);

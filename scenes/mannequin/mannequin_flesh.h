@@ -6,34 +6,34 @@
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/pose.h"
 #include "scenes/figures/figure.h"
-#include "scenes/mannequin/lump.h"
+#include "scenes/mannequin/sdf_primitive.h"
 
 namespace mien::scenes {
 
-/// The flesh on a body's bones, limb by limb. Limbs flow into the trunk, not into each other.
+/// The implicit surface of a body as SDF primitives, limb by limb. Limbs blend with the trunk, not
+/// with each other.
 struct Flesh {
-  std::vector<Lump> trunk;  ///< with the head
-  std::vector<Lump> left_arm;
-  std::vector<Lump> right_arm;
-  std::vector<Lump> left_leg;
-  std::vector<Lump> right_leg;
+  std::vector<SdfPrimitive> trunk;  ///< with the head
+  std::vector<SdfPrimitive> left_arm;
+  std::vector<SdfPrimitive> right_arm;
+  std::vector<SdfPrimitive> left_leg;
+  std::vector<SdfPrimitive> right_leg;
 };
 
-/// Distances to the five parts of the flesh, as they are listed there.
+/// Signed distances to the five parts of Flesh, in their order.
 using LimbDistances = std::array<double, 5>;
 LimbDistances limb_distances(const Flesh& flesh, const motion::Vec3& point);
 
-/// Signed distance, nearly, to all of it: negative inside.
+/// Approximate signed distance to the whole body: negative inside.
 double signed_distance(const Flesh& flesh, const motion::Vec3& point);
 
-/// The pose in which a mannequin is modelled: arms hang away from the body at 50° below the
-/// horizontal and legs are slightly apart, so that limbs are free of each other and neither walking
-/// nor raised arms are far away. Collar bones lie as they are carried (`collar_lift`). The pelvis
-/// stands where the soles touch y = 0.
+/// The bind pose of a mannequin (an A-pose): arms 50° below the horizontal and legs slightly apart,
+/// so that limbs do not touch and both walking and raised arms are near. Clavicles are raised by
+/// `collar_lift`. The soles touch y = 0.
 motion::Pose modelling_pose(const motion::Skeleton& body);
 
-/// Flesh for a body in that pose: breadths and bulges of an adult, modelled by eye, at the body's
-/// own stature and on its own bones. The soles lie where motion/skeleton/sole.h has them.
+/// The implicit surface of a body in that pose: widths and shapes of an adult, modelled by eye,
+/// scaled to the body's stature and bones. The soles are those of motion/skeleton/sole.h.
 Flesh flesh_of(const motion::Skeleton& body, const motion::JointTransforms& pose,
                const MannequinOptions& options);
 

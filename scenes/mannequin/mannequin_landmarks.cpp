@@ -15,7 +15,7 @@ constexpr double most_sunk = 0.03;  // metres at 1.75 m: of the head below the r
 constexpr double most_lift = 20.0 * motion::radians_per_degree;
 constexpr double least_stretch = 0.4;  // so that there is a trunk even where hips touch shoulders
 
-// Of the standard body, metres at 1.75 m.
+// Dimensions of the standard body, metres at 1.75 m.
 constexpr double crown = 0.17;                 // above the joint of the head
 constexpr double shoulders_below_head = 0.16;  // that joint
 

@@ -5,11 +5,11 @@
 
 namespace mien::scenes {
 
-/// Where the flesh of the trunk hangs: between the hips and the shoulders, wherever the rig has the
-/// joints of its spine (some lie all on the pelvis, some at the neck).
+/// Frame of the trunk between hips and shoulders, independent of where the rig places its spine
+/// joints (in some all at the pelvis, in some at the neck).
 ///
-/// Levels are heights above the hips as on the standard body, whose shoulders lie at
-/// `shoulder_level`; on others they stretch. Metres at a stature of 1.75 m unless said otherwise.
+/// Levels are heights above the hips on the standard body, whose shoulders lie at `shoulder_level`;
+/// they are scaled to other bodies. Metres at a stature of 1.75 m unless said otherwise.
 struct Trunk {
   static constexpr double shoulder_level = 0.49;
 
@@ -19,29 +19,31 @@ struct Trunk {
   double half_hips;        ///< from the middle to a hip joint
   double half_shoulders;   ///< from the middle to a shoulder joint
 
-  double stretch() const;  ///< height of the trunk by that of the standard body's
-  double breadth() const;  ///< of the chest, likewise; within what chests have
-  double waist() const;    ///< breadth of the waist, likewise: between chest and hips
+  double stretch() const;  ///< height of the trunk relative to the standard body's
+  double breadth()
+      const;  ///< breadth of the chest relative to the standard body's, clamped to the human range
+  double waist()
+      const;  ///< breadth of the waist relative to the standard body's: between chest and hips
 
   /// World position of (left, level, forward).
   motion::Vec3 at(const motion::Vec3& place) const;
 };
 
-/// For a body that stands upright as it is modelled (`modelling_pose`).
+/// The trunk of a body in its `modelling_pose`.
 Trunk trunk_of(const motion::Skeleton& body, const motion::JointTransforms& pose);
 
-/// How large the head is, and where: rigs have the joint of the head anywhere from the nape to the
-/// eyes, and some an end of the head that is not the crown, but heads differ by little.
+/// Size and position of the head. Rigs place the head joint anywhere from the nape to the eyes, and
+/// some end the head below the crown; real heads differ little.
 struct HeadShape {
-  double size;         ///< by that of the standard body's head
+  double size;         ///< relative to the standard body's head
   motion::Vec3 raise;  ///< from the joint to where the standard head has it, in the joint's frame
 };
 
 HeadShape head_shape(const motion::Skeleton& body);
 
-/// How far collar bones are turned upward, radians, for the shoulders to lie as far below the head
-/// as they do on the standard body. Rigs whose collar bones begin at the throat have them level in
-/// the rest pose, and turned by about this much whenever somebody moves.
+/// Elevation of the clavicles, radians, at which the shoulders are as far below the head as on the
+/// standard body. Rigs whose clavicles begin at the throat have them level in the rest pose and
+/// raised by about this angle in captured motions.
 double collar_lift(const motion::Skeleton& body);
 
 }  // namespace mien::scenes

@@ -59,9 +59,8 @@ render::Texture mannequin_paint(const FigureColours& colours) {
   return texture;
 }
 
-std::array<float, 2> place_in_paint(const motion::Skeleton& body,
-                                    const motion::JointTransforms& pose, const Vec3& point,
-                                    const std::vector<Influence>& influences) {
+std::array<float, 2> paint_uv(const motion::Skeleton& body, const motion::JointTransforms& pose,
+                              const Vec3& point, const std::vector<Influence>& influences) {
   float side = 0.0f;
   for (const Influence& influence : influences) {
     const auto joint = motion::BodyJoint(influence.joint);

@@ -9,12 +9,12 @@
 
 namespace mien::scenes {
 
-/// Which joints of the body a point of the mannequin's surface follows, as modelled in `pose`.
+/// Skinning weights of a point of the mannequin's surface, in the bind pose `pose`.
 ///
-/// A point belongs to the limb whose flesh is nearest, softly to the trunk as well where both are
-/// about as near; along a limb each joint takes over from the one before across a soft zone about
-/// as long as the limb is thick. Points where two legs or arms are equally near belong to the
-/// trunk, so that limbs which only happen to be close have no influence on each other.
+/// A point belongs to the nearest limb, blended with the trunk where both are about as near; along
+/// a limb the weights pass from joint to joint over a zone about as long as the limb is thick.
+/// Points where two legs or arms are equally near belong to the trunk, so that limbs that happen to
+/// be close do not influence each other.
 std::vector<Influence> mannequin_weights(const motion::Skeleton& body,
                                          const motion::JointTransforms& pose, const Flesh& flesh,
                                          const motion::Vec3& point);

@@ -13,7 +13,7 @@ namespace {
 /// A regular polygon of so many corners has the area of its circle to 0.2 %.
 constexpr int corners = 64;
 
-/// Of the same area as the circle of that radius.
+/// Adds a polygon with the area of the circle of that radius.
 void add_disc(render::Mesh& mesh, const render::Vec3& centre, float radius,
               const render::Vec3& right, const render::Vec3& down) {
   const auto first = static_cast<int>(mesh.positions.size());
@@ -46,10 +46,10 @@ void add_dots(render::Scene& scene, const std::vector<Dot>& dots, int frame,
   const auto material = static_cast<int>(scene.materials.size());
   scene.materials.push_back(
       {.albedo = render::Color::Zero(), .emission = dot_colours(options).dots});
-  const render::CameraFrame film = render::frame_of(camera);
-  const float pixel = film.step_right.norm();
-  const render::Vec3 right = film.step_right.normalized();
-  const render::Vec3 down = film.step_down.normalized();
+  const render::CameraFrame camera_frame = render::frame_of(camera);
+  const float pixel = camera_frame.step_right.norm();
+  const render::Vec3 right = camera_frame.step_right.normalized();
+  const render::Vec3 down = camera_frame.step_down.normalized();
   render::Mesh discs;
   discs.material = material;
   for (const Dot& dot : dots) {
@@ -58,9 +58,9 @@ void add_dots(render::Scene& scene, const std::vector<Dot>& dots, int frame,
       scene.solids.spheres.push_back({centre, static_cast<float>(0.5 * *options.size_m), material});
       continue;
     }
-    const float depth = (centre - film.position).dot(film.forward);
-    if (!film.parallel && depth <= 0.0f) continue;
-    const float scale = film.parallel ? pixel : pixel * depth;
+    const float depth = (centre - camera_frame.position).dot(camera_frame.forward);
+    if (!camera_frame.parallel && depth <= 0.0f) continue;
+    const float scale = camera_frame.parallel ? pixel : pixel * depth;
     add_disc(discs, centre, static_cast<float>(0.5 * options.size_px) * scale, right, down);
   }
   if (!discs.positions.empty()) scene.solids.meshes.push_back(std::move(discs));

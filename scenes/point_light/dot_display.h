@@ -8,18 +8,18 @@
 
 namespace mien::scenes {
 
-/// What a point-light display shows, linear.
+/// The colours of a point-light display, linear.
 struct DotColours {
   render::Color dots;
   render::Color background;
 };
 
-/// By colour and background where they are given, else by polarity and contrast.
+/// The colours that the options give, or those of polarity and contrast.
 DotColours dot_colours(const PointLightOptions& options);
 
 /// Appends the dots at a frame, in exactly their colour whatever the light: discs that face the
-/// film and have the stated diameter there, or balls where a diameter in metres is given. Dots
-/// behind the camera are left out.
+/// image plane and have the stated diameter there, or balls where a diameter in metres is given.
+/// Dots behind the camera are left out.
 void add_dots(render::Scene& scene, const std::vector<Dot>& dots, int frame,
               const PointLightOptions& options, const render::Camera& camera);
 

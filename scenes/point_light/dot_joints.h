@@ -8,19 +8,19 @@
 
 namespace mien::scenes {
 
-/// A joint that carries a dot, and the one up the body towards which its limb goes.
+/// A joint with a dot, and the proximal end of its limb.
 struct DotJoint {
   std::string name;
   int joint = 0;
-  double along = 0.0;  ///< share of the way from the joint to its tip
+  double along = 0.0;  ///< position between the joint (0) and its tip (1)
   int limb = -1;       ///< index of the dot at the other end of its limb; −1: none
 };
 
-/// The joints that carry dots. Throws Error for one that the skeleton does not have.
+/// The joints that have dots. Throws Error for one that the skeleton does not have.
 std::vector<DotJoint> dot_joints(const motion::Skeleton& skeleton,
                                  const PointLightOptions& options);
 
-/// Names that `joints` can have: the skeleton's, and "HeadTop" of a body.
+/// Names that PointLightOptions::joints may contain: the skeleton's, and "HeadTop" of a body.
 std::vector<std::string> dot_joint_names(const motion::Skeleton& skeleton);
 
 }  // namespace mien::scenes

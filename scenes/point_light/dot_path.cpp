@@ -43,7 +43,7 @@ DotPath at_constant_speed(const DotPath& path) {
   return even;
 }
 
-DotPath begun_later(const DotPath& path, int frames) {
+DotPath delayed(const DotPath& path, int frames) {
   DotPath later = path;
   if (path.empty()) return later;
   const auto count = static_cast<int>(path.size());

@@ -9,34 +9,34 @@ namespace mien::scenes {
 /// Where a dot is, frame by frame; metres.
 using DotPath = std::vector<motion::Vec3>;
 
-// What studies do to the motion of single dots.
+// Manipulations of the motion of single dots.
 
 /// Last frame first.
 DotPath reversed(const DotPath& path);
 
-/// The same way, gone evenly: the same arc length from frame to frame. Ends stay.
+/// The same path at constant speed: equal arc length from frame to frame. The ends stay.
 DotPath at_constant_speed(const DotPath& path);
 
-/// Begun `frames` later, what is missing at the end taken from the beginning.
-DotPath begun_later(const DotPath& path, int frames);
+/// Shifted cyclically: begins `frames` later, and the beginning follows the end.
+DotPath delayed(const DotPath& path, int frames);
 
-/// Without, or with, a way of `step` metres a frame.
+/// Removes, or adds, a translation of `step` metres a frame.
 DotPath without_travel(const DotPath& path, const motion::Vec3& step);
 DotPath with_travel(const DotPath& path, const motion::Vec3& step);
 
-/// Shifted as a whole.
+/// Translated as a whole.
 DotPath shifted(const DotPath& path, const motion::Vec3& shift);
 
-/// In the upright mirror through `centre` whose normal is the unit vector `across`.
+/// Mirrored in the vertical plane through `centre` with the unit normal `across`.
 DotPath mirrored(const DotPath& path, const motion::Vec3& centre, const motion::Vec3& across);
 
-/// Upside down about the level `height`.
+/// Inverted (upside down) about the horizontal plane at `height`.
 DotPath inverted(const DotPath& path, double height);
 
-/// Turned about the vertical through `centre`, counter-clockwise seen from above.
+/// Rotated about the vertical axis through `centre`, counter-clockwise seen from above.
 DotPath rotated(const DotPath& path, const motion::Vec3& centre, double degrees);
 
-/// Length of the way, metres.
+/// Arc length of the path, metres.
 double length_of(const DotPath& path);
 
 }  // namespace mien::scenes

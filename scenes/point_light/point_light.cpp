@@ -123,7 +123,7 @@ DotPath begun_at_random(const DotPath& path, const Vec3& step, std::uint64_t see
                         const std::string& name, std::size_t index) {
   const auto count = static_cast<double>(path.size());
   const int later = static_cast<int>(uniform(seed, name, index) * count);
-  return with_travel(begun_later(closed(without_travel(path, step)), later), step);
+  return with_travel(delayed(closed(without_travel(path, step)), later), step);
 }
 
 void change_timing(std::vector<Dot>& dots, const PointLightOptions& options, const DotStage& stage,
@@ -151,8 +151,9 @@ void change_places(std::vector<Dot>& dots, const PointLightOptions& options,
 
 /// The dots with limited lifetimes. The display has as many dots as before; each life is spent at a
 /// random place of a random limb, and the lives of the dots begin one after the other.
-std::vector<Dot> mortal(const std::vector<Dot>& dots, const std::vector<DotJoint>& joints,
-                        int lifetime, std::uint64_t seed) {
+std::vector<Dot> with_limited_lifetime(const std::vector<Dot>& dots,
+                                       const std::vector<DotJoint>& joints, int lifetime,
+                                       std::uint64_t seed) {
   std::vector<std::size_t> limbs;
   for (std::size_t d = 0; d < joints.size(); ++d) {
     if (joints[d].limb >= 0) limbs.push_back(d);
@@ -218,7 +219,7 @@ double mean_speed(const std::vector<Dot>& dots, const Vec3& step, const Vec3& de
 
 }  // namespace
 
-DotPath changed_way(DotPath way, const PointLightOptions& options, const DotStage& stage) {
+DotPath changed_path(DotPath way, const PointLightOptions& options, const DotStage& stage) {
   if (options.reversed) way = reversed(way);
   if (options.rotated_degrees != 0.0) way = rotated(way, stage.centre, options.rotated_degrees);
   if (options.mirrored) way = mirrored(way, stage.centre, stage.across);
@@ -226,7 +227,7 @@ DotPath changed_way(DotPath way, const PointLightOptions& options, const DotStag
 }
 
 Vec3 changed_step(const PointLightOptions& options, const DotStage& stage) {
-  const DotPath way = changed_way({Vec3::Zero(), stage.step}, options, stage);
+  const DotPath way = changed_path({Vec3::Zero(), stage.step}, options, stage);
   return way[1] - way[0];
 }
 
@@ -246,7 +247,7 @@ std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& 
   const Extent extent = extent_of(dots, changed);
   const std::vector<Dot> figure = dots;
   if (options.scrambled) scatter(dots, extent, changed.step, seed);
-  if (options.lifetime > 0) dots = mortal(dots, joints, options.lifetime, seed);
+  if (options.lifetime > 0) dots = with_limited_lifetime(dots, joints, options.lifetime, seed);
   const double speed = mean_speed(figure, changed.step, extent.axes.col(2));
   for (std::size_t n = 0; n < static_cast<std::size_t>(options.noise); ++n) {
     dots.push_back(noise_dot(extent, changed.step, speed, clip.poses.size(), seed, n));

@@ -120,24 +120,24 @@ Vec3 Place::at(const Vec3& point) const {
   return centre + point.x() * left + point.y() * Vec3::UnitY() + point.z() * forward;
 }
 
-render::Scene standing_set(const SetPlan& plan, const Place& place) {
+render::Scene static_scene(const SetPlan& plan, const Place& place) {
   render::Scene scene;
   for (const KeyLight& light : plan.lights) scene.lights.push_back(area_light(light, place));
   scene.sky = plan.sky;
   scene.has_ground = plan.ground.has_value();
   if (plan.ground) scene.ground = *plan.ground;
-  for (const Box& box : plan.boxes) add_box(scene, scene.standing, box, place);
+  for (const Box& box : plan.boxes) add_box(scene, scene.static_solids, box, place);
   if (plan.belt) {
     const Vec3 size(plan.belt->width_m, belt_height_m, plan.belt->length_m);
     const Vec3 centre(0.0, 0.5 * belt_height_m, 0.0);
-    add_box(scene, scene.standing, {centre, size, plan.belt->albedo}, place);
+    add_box(scene, scene.static_solids, {centre, size, plan.belt->albedo}, place);
   }
   return scene;
 }
 
 void add_walls(render::Scene& scene, const SetPlan& plan, const Place& place, const Vec3& eye) {
   for (const Wall& wall : plan.walls) {
-    if (is_before(wall, place, eye)) add_box(scene, scene.standing, box_of(wall), place);
+    if (is_before(wall, place, eye)) add_box(scene, scene.static_solids, box_of(wall), place);
   }
 }
 

@@ -9,23 +9,23 @@
 
 namespace mien::scenes {
 
-/// A far, large, square light: it lights a walk of ten metres alike, and its shadows are as soft at
-/// the far end as at the near one.
+/// A large, distant, square light: over a walk of ten metres its irradiance and the softness of its
+/// shadows hardly change.
 struct KeyLight {
   double azimuth_degrees = -28.0;  ///< from the figure's front, positive to its right
   double elevation_degrees = 52.0;
   double distance_m = 40.0;
   double side_m = 8.5;  ///< the larger, the softer the shadows
-  /// What a white floor under this light alone gives back, 1 being the white of the display.
+  /// Radiance of a white floor under this light alone; 1 is the white of the display.
   double strength = 0.58;
   render::Color colour{1.0f, 1.0f, 1.0f};
 };
 
-/// Where something stands, seen from the figure.
+/// A side of the figure.
 enum class Side { left, right, front, back };
 
-/// An upright wall that the figure faces with one side. It is left out of pictures whose camera
-/// stands behind it.
+/// An upright wall that the figure faces with one side. It is omitted from pictures whose camera is
+/// behind it.
 struct Wall {
   Side side = Side::left;
   double distance_m = 1.4;  ///< from the middle of the action
@@ -42,8 +42,8 @@ struct Box {
   render::Color albedo{0.6f, 0.6f, 0.6f};
 };
 
-/// The belt of a treadmill: it lies on the floor in the middle of the action and goes backwards
-/// under the figure, stripes across it.
+/// The belt of a treadmill: it lies on the floor at the centre of the action and moves backwards
+/// under the figure, with stripes across it.
 struct Belt {
   double width_m = 0.6;
   double length_m = 2.0;
@@ -53,7 +53,7 @@ struct Belt {
   double stripe_width_m = 0.02;
 };
 
-/// A set as it is written down, before it is put round an action.
+/// A set as described in its file, before it is placed around an action.
 struct SetPlan {
   std::string name;
   std::optional<render::Ground> ground;  ///< nothing but the backdrop without it
@@ -62,30 +62,30 @@ struct SetPlan {
   std::vector<Wall> walls;
   std::vector<Box> boxes;
   std::optional<Belt> belt;
-  /// The figure walks on the spot, and the lines of the ground and the belt go under it as fast as
-  /// it would have travelled.
+  /// The figure walks in place, and the lines of the ground and the belt move under it at its
+  /// walking speed.
   bool in_place = false;
 };
 
-/// Where a set stands: round the middle of the action, turned the way the figure goes.
+/// Placement of a set: at the centre of the action, facing the direction of travel.
 struct Place {
   motion::Vec3 centre = motion::Vec3::Zero();    ///< on the floor, metres
   motion::Vec3 forward = motion::Vec3::UnitZ();  ///< unit, horizontal
 
-  /// A point of the figure's x (left), y (up), z (front) in world space.
+  /// World position of a point given as x (left), y (up), z (front).
   motion::Vec3 at(const motion::Vec3& point) const;
 };
 
-/// What stands still: ground, sky, lights, boxes.
-render::Scene standing_set(const SetPlan& plan, const Place& place);
+/// The static part of a set: ground, sky, lights, boxes.
+render::Scene static_scene(const SetPlan& plan, const Place& place);
 
-/// Adds the walls that a camera at `eye` sees from their front.
+/// Adds the walls whose front faces a camera at `eye`.
 void add_walls(render::Scene& scene, const SetPlan& plan, const Place& place,
                const motion::Vec3& eye);
 
-/// Moves what goes under the figure by `way` metres, world space: the lines of the ground, and the
-/// belt, whose stripes are added. Which stripes, and in which order, depends on `counted_at` alone,
-/// a way nearby.
+/// Moves the ground under the figure by `way`, metres in world space: the lines of the ground, and
+/// the belt, whose stripes are added. The number and order of the stripes depend on `counted_at`
+/// alone, a displacement near `way`, so that shapes correspond between the two.
 void add_moving_ground(render::Scene& scene, const SetPlan& plan, const Place& place,
                        const motion::Vec3& way, const motion::Vec3& counted_at);
 

@@ -78,7 +78,7 @@ JointMotions joint_motions(const motion::JointTransforms& bind,
   return motions;
 }
 
-render::Mesh skinned_linearly(const SkinnedMesh& mesh, const JointMotions& motions) {
+render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions) {
   render::Mesh result = unmoved(mesh);
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     Eigen::Matrix<double, 3, 4> blend = Eigen::Matrix<double, 3, 4>::Zero();
@@ -93,7 +93,7 @@ render::Mesh skinned_linearly(const SkinnedMesh& mesh, const JointMotions& motio
   return result;
 }
 
-render::Mesh skinned_rigidly(const SkinnedMesh& mesh, const JointMotions& motions) {
+render::Mesh dual_quaternion_skinned(const SkinnedMesh& mesh, const JointMotions& motions) {
   std::vector<DualQuaternion> rigid;
   rigid.reserve(motions.size());
   for (const Eigen::Affine3d& motion : motions) {
@@ -122,7 +122,7 @@ render::Mesh skinned_rigidly(const SkinnedMesh& mesh, const JointMotions& motion
 void normalize(std::vector<Influence>& influences) {
   std::stable_sort(influences.begin(), influences.end(),
                    [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
-  if (influences.size() > most_influences) influences.resize(most_influences);
+  if (influences.size() > max_influences) influences.resize(max_influences);
   const float least = 1e-3f * influences.front().weight;
   std::erase_if(influences, [&](const Influence& i) { return !(i.weight > least); });
   float sum = 0.0f;
@@ -144,7 +144,7 @@ void validate(const SkinnedMesh& mesh, int joint_count) {
             "uv: a number is too large");
     require(std::abs(mesh.normals[v].norm() - 1.0) < 1e-3, "normals: not of unit length");
     const std::vector<Influence>& influences = mesh.influences[v];
-    require(!influences.empty() && influences.size() <= most_influences,
+    require(!influences.empty() && influences.size() <= max_influences,
             "influences: a vertex has none or more than eight");
     float sum = 0.0f;
     for (const Influence& influence : influences) {

@@ -18,25 +18,26 @@ struct DualQuaternion {
   Eigen::Vector4d dual = Eigen::Vector4d::Zero();
 };
 
-/// Turns by the unit quaternion `rotation`, then moves by `translation`.
+/// The dual quaternion that rotates by the unit quaternion `rotation`, then translates by
+/// `translation`.
 DualQuaternion dual_quaternion(const motion::Quat& rotation, const motion::Vec3& translation);
 
 /// The unit dual quaternion nearest in direction; `real` must not be zero.
 DualQuaternion normalized(const DualQuaternion& sum);
 
-/// Of a unit dual quaternion.
+/// Rotation and translation of a unit dual quaternion.
 motion::Quat rotation_of(const DualQuaternion& rigid);
 motion::Vec3 translation_of(const DualQuaternion& rigid);
 
-inline constexpr int most_influences = 8;
+inline constexpr int max_influences = 8;
 
-/// How much one joint moves a vertex.
+/// The weight of one joint for a vertex.
 struct Influence {
   int joint = 0;
   float weight = 0.0f;
 };
 
-/// A surface that follows joints. As it was modelled (bind pose); world space, metres.
+/// A skinned mesh in its bind pose; world space, metres.
 struct SkinnedMesh {
   std::vector<motion::Vec3> positions;
   std::vector<motion::Vec3> normals;               ///< unit, one a vertex
@@ -47,28 +48,27 @@ struct SkinnedMesh {
   int material = 0;                                ///< index into the model's own list of materials
 };
 
-/// Where each joint has gone from the bind pose: the world transform of now times the inverse of
-/// that of the bind pose.
+/// Skinning matrices: each joint's present world transform times the inverse of its bind transform.
 using JointMotions = std::vector<Eigen::Affine3d>;
 
-/// From rigid joints: `now` and `bind` are of the same skeleton.
+/// The skinning matrices of rigid joints; `now` and `bind` are of the same skeleton.
 JointMotions joint_motions(const motion::JointTransforms& bind, const motion::JointTransforms& now);
 
-/// Linear blend skinning: every vertex goes by the weighted mean of its joints' matrices, its
-/// normal by the cofactors of that matrix. Any affine motions. Limbs that twist grow thin.
-render::Mesh skinned_linearly(const SkinnedMesh& mesh, const JointMotions& motions);
+/// Linear blend skinning: every vertex is transformed by the weighted mean of its joints' matrices,
+/// its normal by the cofactor matrix. Takes any affine transforms. Twisting limbs lose volume.
+render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions);
 
-/// Dual quaternion skinning (Kavan et al. 2008): every vertex goes by the normalised weighted sum
-/// of its joints' dual quaternions, each taken in the hemisphere of that with the largest weight.
-/// Rigid motions only. Limbs that twist keep their volume.
-render::Mesh skinned_rigidly(const SkinnedMesh& mesh, const JointMotions& motions);
+/// Dual quaternion skinning (Kavan et al. 2008): every vertex is transformed by the normalised
+/// weighted sum of its joints' dual quaternions, each taken in the hemisphere of that with the
+/// largest weight. Rigid transforms only. Twisting limbs keep their volume.
+render::Mesh dual_quaternion_skinned(const SkinnedMesh& mesh, const JointMotions& motions);
 
 /// Makes weights sum to 1 and keeps the eight largest, larger ones first. Negative ones and those
-/// below a thousandth of the largest go. There must be a positive one.
+/// below a thousandth of the largest are removed. There must be a positive one.
 void normalize(std::vector<Influence>& influences);
 
-/// Throws std::invalid_argument, naming the member, when lists do not match, an index is out of
-/// range for so many joints, weights do not sum to 1 or a number is not finite.
+/// Throws std::invalid_argument, naming the member, when lists do not match, an index is not below
+/// `joint_count`, weights do not sum to 1 or a number is not finite.
 void validate(const SkinnedMesh& mesh, int joint_count);
 
 }  // namespace mien::scenes

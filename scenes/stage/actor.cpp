@@ -27,12 +27,12 @@ void require_body(const motion::Clip& clip, const std::string& figure) {
               "draw it as a stick figure");
 }
 
-/// A mannequin that is made when it is first drawn: a shot of which only lengths and places are
-/// asked needs none. May be used from several threads.
-class MannequinToCome {
+/// A mannequin that is made on first use, because a shot whose frames are not rendered needs none.
+/// Thread-safe.
+class LazyMannequin {
  public:
-  MannequinToCome(motion::Skeleton body, const MannequinOptions& options,
-                  const FigureColours& colours)
+  LazyMannequin(motion::Skeleton body, const MannequinOptions& options,
+                const FigureColours& colours)
       : body_(std::move(body)), options_(options), colours_(colours) {}
 
   const Mannequin& get() const {
@@ -48,8 +48,8 @@ class MannequinToCome {
   mutable std::optional<Mannequin> made_;
 };
 
-/// Gives an actor the way in which its kind of figure is drawn.
-struct Casting {
+/// Sets an actor's draw function for its kind of figure.
+struct ActorBuilder {
   Actor& actor;
 
   void operator()(const StickOptions&) const {
@@ -63,7 +63,7 @@ struct Casting {
     require_body(actor.clip, "a mannequin");
     // Shared by the copies of the actor.
     const auto mannequin =
-        std::make_shared<const MannequinToCome>(actor.clip.body, options, actor.colours);
+        std::make_shared<const LazyMannequin>(actor.clip.body, options, actor.colours);
     actor.draw = [mannequin](render::Scene& scene, const Actor& self, int frame,
                              const render::Camera&) {
       add_mannequin(scene, mannequin->get(), self.clip.body,
@@ -73,10 +73,10 @@ struct Casting {
 
   void operator()(const CharacterOptions& options) const {
     require_body(actor.clip, "a character");
-    const auto character =
-        std::make_shared<const Character>(fitted(read_character(options.file), actor.clip.body));
+    const auto character = std::make_shared<const Character>(
+        scaled_to_body(read_character(options.file), actor.clip.body));
     // It has a stature of its own, which the camera has to know.
-    actor.clip = worn_by(*character, actor.clip);
+    actor.clip = retargeted_to(*character, actor.clip);
     actor.height_m = figure_height(actor.clip);
     actor.warnings = character->warnings;
     actor.draw = [character](render::Scene& scene, const Actor& self, int frame,
@@ -100,12 +100,12 @@ struct Casting {
 
 }  // namespace
 
-Actor cast(const motion::Clip& clip, const Figure& figure, Role role) {
+Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role) {
   Actor actor;
   actor.clip = clip;
   actor.colours = colours_of(role);
   actor.height_m = figure_height(clip);
-  std::visit(Casting{actor}, figure);
+  std::visit(ActorBuilder{actor}, figure);
   return actor;
 }
 

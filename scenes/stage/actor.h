@@ -16,29 +16,29 @@ namespace mien::scenes {
 
 /// One figure on the stage.
 struct Actor {
-  std::string name = "figure";  ///< in the layers of a picture
+  std::string name = "figure";  ///< in the id layers of a picture
   motion::Clip clip;            ///< at the video's frame rate, not looping; metres
   FigureColours colours;
   double height_m = 1.75;
   float opacity = 1.0f;               ///< 0 … 1
   std::vector<Dot> dots;              ///< of a point-light figure
-  std::optional<TrailOptions> trail;  ///< shown in several poses
+  std::optional<TrailOptions> trail;  ///< for figures that are shown in several poses
   std::vector<Dot> traces;            ///< whose paths a trail shows
-  std::vector<std::string> warnings;  ///< what of the figure is not drawn; plain sentences
+  std::vector<std::string> warnings;  ///< parts of the figure that are not rendered, as sentences
 
-  /// Appends what the figure looks like, from that camera, at a frame of its clip: materials and
-  /// solids. The same frame always gives the same; what takes long is done once for all frames.
+  /// Appends the figure's materials and solids at a frame of its clip, as seen from that camera.
+  /// Deterministic for each frame; expensive preparations are done once for all frames.
   std::function<void(render::Scene& scene, const Actor& actor, int frame,
                      const render::Camera& camera)>
       draw;
 };
 
-/// Gives a clip its body; dots get their places when the stage is known (point_light). Throws Error
-/// when the figure cannot be made of it.
-Actor cast(const motion::Clip& clip, const Figure& figure, Role role);
+/// Makes the actor of a clip; the dots of a point-light figure are placed when the stage is known
+/// (point_light). Throws Error when the figure cannot be made of it.
+Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role);
 
-/// Appends an actor to a scene, as a figure of its own. One whose clip has ended stands still. A
-/// trail is as long as at frame `made_at`.
+/// Appends an actor to a scene as a separate figure. After the end of its clip it stands still. A
+/// trail has its length at frame `made_at`.
 void add_actor(render::Scene& scene, const Actor& actor, int frame, int made_at,
                const render::Camera& camera);
 

@@ -24,14 +24,14 @@ void draw_as_figure(render::Scene& scene, const std::string& name, float opacity
   const auto body = static_cast<int>(scene.parts.size()) - 1;
   scene.figures.back() = {name, opacity};
   const std::size_t spheres = scene.solids.spheres.size();
-  const std::size_t capsules = scene.solids.capsules.size();
+  const std::size_t round_cones = scene.solids.round_cones.size();
   const std::size_t meshes = scene.solids.meshes.size();
   draw();
   for (std::size_t p = static_cast<std::size_t>(body) + 1; p < scene.parts.size(); ++p) {
     scene.parts[p].figure = figure;
   }
   give_part(scene.solids.spheres, spheres, body);
-  give_part(scene.solids.capsules, capsules, body);
+  give_part(scene.solids.round_cones, round_cones, body);
   give_part(scene.solids.meshes, meshes, body);
 }
 

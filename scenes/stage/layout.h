@@ -7,7 +7,7 @@ namespace mien::scenes {
 /// How clips of several actors stand on one stage.
 enum class Layout { superimposed, side_by_side };
 
-/// Whether figures side by side hide each other from a camera.
+/// Whether the camera looks along the lanes, so that figures side by side occlude each other.
 bool looks_along_lanes(const CameraSettings& camera);
 
 }  // namespace mien::scenes

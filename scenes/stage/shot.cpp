@@ -81,7 +81,7 @@ Vec3 centre_of(const std::vector<std::vector<Vec3>>& points) {
   return on_floor(0.5 * (least + most));
 }
 
-/// What has to be in the picture of all actors together.
+/// The common action of all actors.
 Action shared_action(const std::vector<Actor>& actors) {
   Action action = action_of(actors.front().clip);
   for (std::size_t i = 1; i < actors.size(); ++i) {
@@ -132,7 +132,7 @@ void place_dots(Shot& shot, const PointLightOptions& options, std::uint64_t seed
   }
 }
 
-/// What has to be in the picture when the figures' dots are where their options put them. Of dots
+/// The action when the figures' dots are where their options put them. Of dots
 /// that keep their places it is the given action.
 Action dotted_action(const Shot& shot, const PointLightOptions& options, Action action,
                      std::uint64_t seed) {
@@ -141,7 +141,7 @@ Action dotted_action(const Shot& shot, const PointLightOptions& options, Action 
   for (const Actor& actor : shot.actors) {
     DotPath way;
     for (const motion::Pose& pose : actor.clip.poses) way.push_back(pose.root_position);
-    way = changed_way(way, options, dot_stage(shot, actor.clip, seed));
+    way = changed_path(way, options, dot_stage(shot, actor.clip, seed));
     for (std::size_t f = 0; f < action.points.size(); ++f) {
       const std::size_t shown = std::min(f, way.size() - 1);
       action.points[f].push_back(way[shown]);
@@ -201,7 +201,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   shot.set = look.set;
   shot.size = look.size;
   for (const Performance& one : near_origin(laid_out(performances, look.layout))) {
-    shot.actors.push_back(cast(one.clip, look.figure, one.role));
+    shot.actors.push_back(make_actor(one.clip, look.figure, one.role));
     shot.actors.back().name = one.name;
     shot.actors.back().opacity = one.opacity;
   }
@@ -217,7 +217,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   shot.action.forward = shot.place.forward;
   shot.place.centre = shot.action.centre;
   if (shot.set.belt) include(*shot.set.belt, shot.place, shot.action);
-  shot.standing = standing_set(shot.set, shot.place);
+  shot.static_scene = static_scene(shot.set, shot.place);
   shot.cameras = make_camera_rig(look.camera, shot.action, look.size);
   for (Actor& actor : shot.actors) {
     if (actor.trail) actor.traces = traces_of(actor.clip, *actor.trail);
@@ -228,7 +228,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
     shot.action = dotted_action(shot, *dots, std::move(shot.action), look.seed);
     shot.cameras = make_camera_rig(look.camera, shot.action, look.size);
   }
-  if (look.figure_place) stand_at(shot.cameras, *look.figure_place);
+  if (look.figure_place) place_figure_at(shot.cameras, *look.figure_place);
   for (render::Camera& camera : shot.cameras.cameras) camera.window = look.window;
   return shot;
 }
@@ -236,7 +236,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
 render::Scene scene_at(const Shot& shot, int frame) { return scene_at(shot, frame, frame); }
 
 render::Scene scene_at(const Shot& shot, int frame, int made_at) {
-  render::Scene scene = shot.standing;
+  render::Scene scene = shot.static_scene;
   const render::Camera& camera = shot.cameras.at(frame);
   add_walls(scene, shot.set, shot.place, camera.position.cast<double>());
   if (shot.set.in_place) {

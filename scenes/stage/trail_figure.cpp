@@ -48,7 +48,7 @@ void add_tube(render::Scene& scene, const DotPath& path, int frame, double width
   for (int f = 1; f <= frame; ++f) {
     const render::Vec3 to = path[static_cast<std::size_t>(f)].cast<float>();
     if (f < frame && (to - from).norm() < static_cast<float>(least_trace_step_m)) continue;
-    scene.solids.capsules.push_back({from, to, radius, radius, material});
+    scene.solids.round_cones.push_back({from, to, radius, radius, material});
     from = to;
   }
 }
@@ -88,7 +88,7 @@ std::vector<Ghost> ghosts_at(const TrailOptions& options, int frame, int frame_c
   return ghosts;
 }
 
-int most_ghosts(const TrailOptions& options) {
+int max_ghosts(const TrailOptions& options) {
   return options.poses + options.before + options.after;
 }
 

@@ -8,7 +8,7 @@
 
 namespace mien::scenes {
 
-/// A pose of a trail.
+/// An additional pose of a trail.
 struct Ghost {
   int frame = 0;
   float opacity = 1.0f;
@@ -21,8 +21,8 @@ struct Ghost {
 std::vector<Ghost> ghosts_at(const TrailOptions& options, int frame, int frame_count,
                              double frames_per_second);
 
-/// Frames of a clip of which a picture with a trail shows the poses, at most.
-int most_ghosts(const TrailOptions& options);
+/// Largest number of ghosts in a picture.
+int max_ghosts(const TrailOptions& options);
 
 /// The paths of the joints that a trail traces. Throws Error for joints that the clip's skeleton
 /// does not have.

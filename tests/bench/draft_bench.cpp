@@ -81,14 +81,14 @@ int main(int argc, char** argv) {
   render::Tracer tracer({.threads = threads});
   const render::Quality quality = pipeline::quality_of(how, shot);
   measured("standing set, once", 1, [&] { tracer.trace(scenes[0], camera_at(shot, 0), quality); });
-  const render::Film film = tracer.trace(scenes[0], camera_at(shot, 0), quality);
+  const render::Framebuffer film = tracer.trace(scenes[0], camera_at(shot, 0), quality);
   std::vector<render::Image8> pictures;
 
   const double tracing = measured("tracing", frames, [&] {
     for (int f = 0; f < frames; ++f)
       tracer.draw(
           tracer.prepare({scenes[static_cast<std::size_t>(f)], camera_at(shot, f), quality}),
-          [](const render::DrawnPart&) {});
+          [](const render::RenderedRegion&) {});
   });
   measured("development", frames, [&] {
     for (int f = 0; f < frames; ++f) render::to_srgb8(film, shot.tone);
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
   for (int f = 0; f < frames; ++f)
     pictures.push_back(to_srgb8(
         tracer.trace(scenes[static_cast<std::size_t>(f)], camera_at(shot, f), quality), shot.tone));
-  render::FilmSketch sketch(1280, 720, render::checked_row_step(format));
+  render::VideoSketch sketch(1280, 720, render::checked_row_step(format));
   measured("sketch", frames, [&] {
     for (const render::Image8& picture : pictures) sketch.add(picture);
   });

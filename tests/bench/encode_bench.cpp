@@ -24,8 +24,8 @@ constexpr int height = 720;
 constexpr int frame_count = 30;
 
 /// A lit ground under a sky, with a few balls that swing, and a little noise as tracing leaves it.
-Film film_of(int number) {
-  Film film(width, height);
+Framebuffer film_of(int number) {
+  Framebuffer film(width, height);
   std::uint32_t noise = 12345;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -69,7 +69,7 @@ void per_frame(benchmark::State& state, int count) {
 }
 
 void develop(benchmark::State& state) {
-  const Film film = film_of(0);
+  const Framebuffer film = film_of(0);
   for (auto _ : state) benchmark::DoNotOptimize(to_srgb8(film));
   per_frame(state, 1);
 }
@@ -107,7 +107,7 @@ void check(benchmark::State& state, VideoKind kind) {
   const std::filesystem::path path = scratch(traits_of(kind).ending);
   const VideoFormat format = format_of(kind, VideoEffort::fast);
   write_film(path, format);
-  FilmSketch film(width, height);
+  VideoSketch film(width, height);
   for (const Image8& frame : frames()) film.add(frame);
   for (auto _ : state) benchmark::DoNotOptimize(check_video(path, format, film));
   per_frame(state, frame_count);

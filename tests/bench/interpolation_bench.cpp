@@ -51,17 +51,17 @@ void refit(benchmark::State& state, Method method) {
 void query(benchmark::State& state, Method method) {
   const Interpolator fitted =
       fit_interpolator(thirty_walks(), spread_parameters(6), {.method = method});
-  const Eigen::RowVectorXd wish = Eigen::RowVectorXd::Constant(6, 0.45);
-  for (auto _ : state) benchmark::DoNotOptimize(weights_at(fitted, wish));
+  const Eigen::RowVectorXd request = Eigen::RowVectorXd::Constant(6, 0.45);
+  for (auto _ : state) benchmark::DoNotOptimize(weights_at(fitted, request));
 }
 
 /// From a moved slider to a clip with locked feet.
 void refit_and_clip(benchmark::State& state, Method method) {
   const Eigen::MatrixXd p = spread_parameters(6);
-  const Eigen::RowVectorXd wish = Eigen::RowVectorXd::Constant(6, 0.45);
+  const Eigen::RowVectorXd request = Eigen::RowVectorXd::Constant(6, 0.45);
   for (auto _ : state) {
     const Interpolator fitted = fit_interpolator(thirty_walks(), p, {.method = method});
-    const Clip clip = motion_at(fitted, thirty_walks(), wish).clip;
+    const Clip clip = motion_at(fitted, thirty_walks(), request).clip;
     benchmark::DoNotOptimize(foot_locked(clip, foot_plants(clip)));
   }
 }

@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "motion/live/live_answer.h"
 #include "motion/live/live_core.h"
+#include "motion/live/live_message.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/study/live/live_bundle_writer.h"
 
@@ -52,7 +52,7 @@ void motion_of_change(benchmark::State& state) {
   std::size_t change = 0;
   for (auto _ : state) {
     move_one(setting, change++);
-    benchmark::DoNotOptimize(motion::to_answer(core.make(setting)));
+    benchmark::DoNotOptimize(motion::to_message(core.make(setting)));
   }
 }
 BENCHMARK(motion_of_change)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);

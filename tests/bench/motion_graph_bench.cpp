@@ -57,13 +57,13 @@ BENCHMARK(follow_ten_metres)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 void live_frame(benchmark::State& state) {
   LiveWalk walk = make_live_walk(builtin_styles("walks-10"), standard_body());
-  WalkWish wish;
-  wish.moods.assign(10, 1.0);
+  WalkRequest request;
+  request.moods.assign(10, 1.0);
   int frame = 0;
   for (auto _ : state) {
-    wish.pace = frame++ % 240 < 180 ? 1.0 : 0.0;
-    wish.turn_deg_s = frame % 400 < 200 ? 40.0 : -40.0;
-    benchmark::DoNotOptimize(advance(walk, 1.0 / 60.0, wish));
+    request.pace = frame++ % 240 < 180 ? 1.0 : 0.0;
+    request.turn_deg_s = frame % 400 < 200 ? 40.0 : -40.0;
+    benchmark::DoNotOptimize(advance(walk, 1.0 / 60.0, request));
   }
 }
 BENCHMARK(live_frame)->Unit(benchmark::kMicrosecond);

@@ -63,7 +63,7 @@ Scene standing_figure() {
   for (const Joint& joint : joints) scene.solids.spheres.push_back({joint.place, 0.06f});
   for (const Joint& joint : joints)
     if (joint.parent >= 0)
-      scene.solids.capsules.push_back(
+      scene.solids.round_cones.push_back(
           {.start = joints[static_cast<std::size_t>(joint.parent)].place,
            .end = joint.place,
            .start_radius = 0.05f,
@@ -80,10 +80,10 @@ class BareScene {
     std::vector<float> balls, curves;
     std::vector<unsigned> starts;
     for (const Sphere& sphere : scene.solids.spheres) append(balls, sphere.centre, sphere.radius);
-    for (const Capsule& capsule : scene.solids.capsules) {
+    for (const RoundCone& round_cone : scene.solids.round_cones) {
       starts.push_back(static_cast<unsigned>(curves.size() / 4));
-      append(curves, capsule.start, capsule.start_radius);
-      append(curves, capsule.end, capsule.end_radius);
+      append(curves, round_cone.start, round_cone.start_radius);
+      append(curves, round_cone.end, round_cone.end_radius);
     }
     attach(device, RTC_GEOMETRY_TYPE_SPHERE_POINT, balls, {});
     attach(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE, curves, starts);

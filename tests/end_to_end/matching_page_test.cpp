@@ -46,7 +46,7 @@ fs::path browser_core() {
 /// An experiment that is served or was exported, and people who take it in Chromium.
 class MatchingPage : public testing::Test {
  protected:
-  static std::string hindrance() {
+  static std::string skip_reason() {
     if (chromium().empty()) return "no Chromium here: install it to test pages";
     if (run_program({"node", "--version"}).code != 0) return "no Node.js here";
     if (!fs::exists(matching_scenarios().parent_path() / "../../node_modules/playwright-core"))
@@ -55,7 +55,7 @@ class MatchingPage : public testing::Test {
   }
 
   void SetUp() override {
-    if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+    if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
     scratch.write("alike.yaml", std::string(walks_text) + matching_text);
   }
 

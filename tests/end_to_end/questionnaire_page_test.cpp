@@ -87,7 +87,7 @@ void export_study(const fs::path& folder) {
 /// A questionnaire that was exported once, and people who take it in Chromium.
 class QuestionnairePage : public testing::Test {
  protected:
-  static std::string hindrance() {
+  static std::string skip_reason() {
     if (chromium().empty()) return "no Chromium here: install it to test pages";
     if (run_program({"node", "--version"}).code != 0) return "no Node.js here";
     if (!fs::exists(page_tests().parent_path().parent_path() / "node_modules/playwright-core"))
@@ -96,7 +96,7 @@ class QuestionnairePage : public testing::Test {
   }
 
   static void SetUpTestSuite() {
-    if (!hindrance().empty()) return;
+    if (!skip_reason().empty()) return;
     scratch = std::make_unique<Scratch>();
     fs::copy(shared_set_up("questionnaire_page", export_study), scratch->path(),
              fs::copy_options::recursive);
@@ -104,7 +104,7 @@ class QuestionnairePage : public testing::Test {
   static void TearDownTestSuite() { scratch.reset(); }
 
   void SetUp() override {
-    if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+    if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
   }
 
   static fs::path folder() { return scratch->path() / "questionnaire"; }

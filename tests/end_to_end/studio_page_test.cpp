@@ -131,7 +131,7 @@ TEST_F(StudioAtWork, RefusesABrokenManifest) {
   EXPECT_EQ(missing.code, 2);
 }
 
-std::string hindrance() {
+std::string skip_reason() {
   if (chromium().empty()) return "no Chromium here: install it to test pages";
   if (run_program({"node", "--version"}).code != 0) return "no Node.js here";
   if (!fs::exists(pages / "work/node_modules/playwright-core"))
@@ -154,7 +154,7 @@ class StudioPage : public StudioAtWork {
 };
 
 TEST_F(StudioPage, ChangesTheQuickstartAndMakesIt) {
-  if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+  if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
   open(MIEN_PROGRAM, 10);
   const json seen = played("author.mjs", {manifest.string()});
   ASSERT_TRUE(seen.is_object());
@@ -200,7 +200,7 @@ TEST_F(StudioPage, ChangesTheQuickstartAndMakesIt) {
 }
 
 TEST_F(StudioPage, ChoosesFiguresCapturesAndOptionsThatTheManifestThenHas) {
-  if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+  if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
   fs::create_directory(folder.path() / "captures");
   for (const std::string name : {"normal", "happy", "proud", "tired", "sad"})
     run_mien({"motion", "blend", "--examples", "builtin:walks-10", "--weights", name + "=1",
@@ -237,7 +237,7 @@ TEST_F(StudioPage, ChoosesFiguresCapturesAndOptionsThatTheManifestThenHas) {
 }
 
 TEST_F(StudioPage, StopsFilmsAlsoFromAnotherPage) {
-  if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+  if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
   open(MIEN_PROGRAM);
   const json seen = played("stopper.mjs");
   ASSERT_TRUE(seen.is_object());

@@ -19,7 +19,7 @@ fs::path built_pages() { return fs::path(MIEN_PROGRAM).parent_path() / "pages"; 
 /// measured once for all tests (page/tests/walk/scenarios.mjs).
 class WalkPage : public testing::Test {
  protected:
-  static std::string hindrance() {
+  static std::string skip_reason() {
     if (chromium().empty()) return "no Chromium here: install it to test pages";
     if (!fs::exists(built_pages() / "live_core/live_core.wasm") ||
         !fs::exists(built_pages() / "walk/walk.js") ||
@@ -30,7 +30,7 @@ class WalkPage : public testing::Test {
   }
 
   static void SetUpTestSuite() {
-    if (!hindrance().empty()) return;
+    if (!skip_reason().empty()) return;
     const std::string found = run_program({"sh", "-c", "command -v " + chromium()}).output;
     const Ended ended = run_program(
         {"env", "MIEN_CHROMIUM=" + found.substr(0, found.find('\n')), "node",
@@ -42,7 +42,7 @@ class WalkPage : public testing::Test {
   }
 
   void SetUp() override {
-    if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+    if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
     ASSERT_TRUE(measured.is_object());
   }
 

@@ -51,7 +51,7 @@ inline std::vector<Take> takes() {
 inline Clip cut(Clip clip, double skipped_seconds) {
   const auto first = std::lround(skipped_seconds * clip.frames_per_second);
   clip.poses.erase(clip.poses.begin(), clip.poses.begin() + first);
-  const Vec3 start = level(clip.poses.front().root_position);
+  const Vec3 start = horizontal(clip.poses.front().root_position);
   for (Pose& pose : clip.poses) pose.root_position -= start;
   return clip;
 }

@@ -69,7 +69,7 @@ void write_scene(const motion::Clip& clip, const std::string& file) {
   std::ofstream(file) << out;
 }
 
-double rms(const render::Film& film, const render::Film& reference) {
+double rms(const render::Framebuffer& film, const render::Framebuffer& reference) {
   double squares = 0.0;
   for (std::size_t i = 0; i < film.channels.size(); ++i) {
     const double off = static_cast<double>(film.channels[i] - reference.channels[i]);
@@ -93,11 +93,11 @@ render::Quality quality_of(int samples) {
 }
 
 /// Draws frames as those of a film are: two in flight, and of each its light, part by part.
-render::Film draw_frames(render::Tracer& tracer, const motion::Clip& clip, bool moving, int frames,
-                         const render::Quality& quality) {
+render::Framebuffer draw_frames(render::Tracer& tracer, const motion::Clip& clip, bool moving,
+                                int frames, const render::Quality& quality) {
   struct Flight {
-    render::ReadyPicture ready;
-    render::Film film;
+    render::PreparedView ready;
+    render::Framebuffer film;
   };
   std::array<Flight, 2> flights;
   const auto flight = [&](std::size_t f) -> Flight& { return flights[f % flights.size()]; };
@@ -106,15 +106,15 @@ render::Film draw_frames(render::Tracer& tracer, const motion::Clip& clip, bool 
     if (f == frames) return false;
     const render::Camera camera = camera_at(f, moving);
     if (flight(number).film.channels.empty())
-      flight(number).film = render::Film(camera.width, camera.height);
+      flight(number).film = render::Framebuffer(camera.width, camera.height);
     flight(number).ready = tracer.prepare({scene_of(joints_at(clip, f)), camera, quality});
     return true;
   };
   const auto draw = [&](std::size_t number) {
-    tracer.draw(std::move(flight(number).ready), [&](const render::DrawnPart& part) {
+    tracer.draw(std::move(flight(number).ready), [&](const render::RenderedRegion& part) {
       const auto& [x, y, width, height] = part.pixels;
       for (int row = 0; row < height; ++row)
-        std::copy_n(part.film.at(x, y + row), 3 * width,
+        std::copy_n(part.framebuffer.at(x, y + row), 3 * width,
                     flight(number).film.at(part.x, part.y + row));
     });
   };
@@ -133,11 +133,11 @@ json measure(const motion::Clip& clip, bool moving, int frames, int reference_sa
   thorough.seed = 1234567;
   const int last = frames - 1;
   const render::Scene shown = scene_of(joints_at(clip, last));
-  const render::Film reference = tracer.trace(shown, camera_at(last, moving), thorough);
+  const render::Framebuffer reference = tracer.trace(shown, camera_at(last, moving), thorough);
   json rows;
   for (const int samples : counts) {
     render::Tracer fresh;
-    const render::Film film = draw_frames(fresh, clip, moving, frames, quality_of(samples));
+    const render::Framebuffer film = draw_frames(fresh, clip, moving, frames, quality_of(samples));
     const auto start = std::chrono::steady_clock::now();
     draw_frames(fresh, clip, moving, timed_frames, quality_of(samples));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -166,7 +166,7 @@ void write_picture(const motion::Clip& clip, int frame, int samples, const std::
   const render::Layers layers =
       render::Tracer().layers(scene_of(joints_at(clip, frame)), camera_at(frame, false), quality);
   std::ofstream out(file, std::ios::binary);
-  for (const render::Film* film : {&layers.beauty, &layers.albedo, &layers.normal}) {
+  for (const render::Framebuffer* film : {&layers.beauty, &layers.albedo, &layers.normal}) {
     out.write(reinterpret_cast<const char*>(film->channels.data()),
               static_cast<std::streamsize>(film->channels.size() * sizeof(float)));
   }

@@ -28,7 +28,7 @@
 namespace {
 
 using namespace mien;
-using render::Film;
+using render::Framebuffer;
 
 constexpr render::Window shadow{420, 400, 320, 220};
 
@@ -42,7 +42,7 @@ constexpr Subject light{false, {"rays", "lines"}, {0, 120, 100, 90}};
 constexpr Subject sky{true, {"pixels", "points"}, {160, 128, 100, 90}};
 
 struct Sequence {
-  std::vector<Film> frames;
+  std::vector<Framebuffer> frames;
   double seconds = 0.0;  ///< a frame
 };
 
@@ -81,11 +81,11 @@ Sequence drawn(const Subject& subject, int way, const peers::Walk& walk, int fra
 }
 
 /// Whether no picture shows the figure, which is bluer than grey, here or beside here.
-std::vector<bool> floor_in_all(const std::vector<Film>& frames) {
+std::vector<bool> floor_in_all(const std::vector<Framebuffer>& frames) {
   constexpr int beside = 2;
   const int width = shadow.width, height = shadow.height;
   std::vector<bool> floor(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), true);
-  for (const Film& film : frames)
+  for (const Framebuffer& film : frames)
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         if (film.at(x, y)[2] <= 1.005f * film.at(x, y)[0]) continue;
@@ -102,7 +102,7 @@ struct Noise {
   double bias = 0.0;  ///< mean difference
 };
 
-Noise noise_of(const std::vector<Film>& frames, const std::vector<Film>& reference) {
+Noise noise_of(const std::vector<Framebuffer>& frames, const std::vector<Framebuffer>& reference) {
   const std::vector<bool> floor = floor_in_all(reference);
   double squares = 0.0, changes = 0.0, sum = 0.0, count = 0.0, pairs = 0.0;
   for (std::size_t f = 0; f < frames.size(); ++f) {
@@ -122,10 +122,11 @@ Noise noise_of(const std::vector<Film>& frames, const std::vector<Film>& referen
   return {std::sqrt(squares / count), std::sqrt(changes / std::max(pairs, 1.0)), sum / count};
 }
 
-render::Image8 enlarged(const Film& left, const Film& right, const render::Window& shown) {
+render::Image8 enlarged(const Framebuffer& left, const Framebuffer& right,
+                        const render::Window& shown) {
   constexpr int times = 4, gap = 8;
-  const render::Image8 pictures[] = {render::to_srgb8(cut_out(left, shown)),
-                                     render::to_srgb8(cut_out(right, shown))};
+  const render::Image8 pictures[] = {render::to_srgb8(crop(left, shown)),
+                                     render::to_srgb8(crop(right, shown))};
   const int width = times * shown.width, height = times * shown.height;
   render::Image8 out(2 * width + gap, height);
   for (int k = 0; k < 2; ++k)
@@ -155,12 +156,12 @@ int main(int argc, char** argv) {
   thorough.floor_sky_tolerance =
       subject.sky ? 0.0f : render::standard_quality().floor_sky_tolerance;
   thorough.seed = 77;
-  const std::vector<Film> reference = drawn(subject, 1, walk, frames, thorough).frames;
+  const std::vector<Framebuffer> reference = drawn(subject, 1, walk, frames, thorough).frames;
   std::printf("samples  of       s/frame      error    flicker       bias\n");
   for (const int count : {1, 4, 16, 64}) {
     render::Quality quality = render::standard_quality();
     quality.samples_per_pixel = count;
-    std::vector<Film> last;
+    std::vector<Framebuffer> last;
     for (const int way : {0, 1}) {
       const Sequence sequence = drawn(subject, way, walk, frames, quality);
       const Noise noise = noise_of(sequence.frames, reference);

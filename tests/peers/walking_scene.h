@@ -50,8 +50,8 @@ inline render::Scene scene_of(const Joints& joints) {
   for (std::size_t j = 0; j < joints.places.size(); ++j) {
     scene.solids.spheres.push_back({joints.places[j], joint_radius});
     if (joints.parents[j] < 0) continue;
-    scene.solids.capsules.push_back({joints.places[static_cast<std::size_t>(joints.parents[j])],
-                                     joints.places[j], bone_radius, bone_radius});
+    scene.solids.round_cones.push_back({joints.places[static_cast<std::size_t>(joints.parents[j])],
+                                        joints.places[j], bone_radius, bone_radius});
   }
   scene.ground.albedo = Color::Constant(0.5f);
   scene.ground.line_spacing = 0.0f;

@@ -25,9 +25,10 @@ inline SampleMean radiance_at(const Scene& scene, const Camera& camera, Quality 
   Tracer tracer({.threads = 1});
   SampleMean estimates;
   for (quality.seed = 0; quality.seed < seeds; ++quality.seed) {
-    const Film film = tracer.trace(scene, camera, quality);
-    for (int y = 0; y < film.height; ++y)
-      for (int x = 0; x < film.width; ++x) estimates.add(static_cast<double>(film.at(x, y)[0]));
+    const Framebuffer framebuffer = tracer.trace(scene, camera, quality);
+    for (int y = 0; y < framebuffer.height; ++y)
+      for (int x = 0; x < framebuffer.width; ++x)
+        estimates.add(static_cast<double>(framebuffer.at(x, y)[0]));
   }
   return estimates;
 }
@@ -38,11 +39,11 @@ inline SampleMean mean_radiance_at(const Scene& scene, const Camera& camera, Qua
   Tracer tracer({.threads = 1});
   SampleMean estimates;
   for (quality.seed = 0; quality.seed < seeds; ++quality.seed) {
-    const Film film = tracer.trace(scene, camera, quality);
+    const Framebuffer framebuffer = tracer.trace(scene, camera, quality);
     double sum = 0.0;
-    for (std::size_t i = 0; i < film.channels.size(); i += 3)
-      sum += static_cast<double>(film.channels[i]);
-    estimates.add(3.0 * sum / static_cast<double>(film.channels.size()));
+    for (std::size_t i = 0; i < framebuffer.channels.size(); i += 3)
+      sum += static_cast<double>(framebuffer.channels[i]);
+    estimates.add(3.0 * sum / static_cast<double>(framebuffer.channels.size()));
   }
   return estimates;
 }

@@ -21,7 +21,7 @@ files='error.cpp
   procedural/stance_fit.cpp procedural/upper_body.cpp
   procedural/walk_curves.cpp procedural/walk_style.cpp procedural/walker.cpp
   procedural/walker_legs.cpp
-  steered_walk/carriage.cpp steered_walk/live_walk.cpp steered_walk/steered_moment.cpp
+  steered_walk/root_motion.cpp steered_walk/live_walk.cpp steered_walk/steered_moment.cpp
   steered_walk/steered_pose.cpp steered_walk/steered_walk.cpp
   steered_walk/step_plan.cpp steered_walk/stepping_leg.cpp
   steered_walk/walker_gaits.cpp'

@@ -1,13 +1,14 @@
-// What the page calls of the motion core where it is compiled to WebAssembly. One bundle and one
-// core a module; texts are UTF-8, with their length. Functions that answer 1 have made an answer,
-// those that answer 0 an error in plain words: live_result() and live_result_size() give either.
+// The functions of the motion core that the page calls in its WebAssembly module. One bundle and
+// one core a module; texts are UTF-8, with their length. Functions that answer 1 have made an
+// answer, those that answer 0 an error in plain words: live_result() and live_result_size() give
+// either.
 
 #include <memory>
 #include <string>
 
-#include "motion/live/live_answer.h"
 #include "motion/live/live_bundle.h"
 #include "motion/live/live_core.h"
+#include "motion/live/live_message.h"
 
 namespace {
 
@@ -35,7 +36,7 @@ int answered(Make make) {
 
 extern "C" {
 
-/// Of the bytes that were copied to `live_room(size)`; answers the bundle's information as JSON.
+/// Opens the bundle whose bytes were copied to `live_room(size)`; answers its information as JSON.
 int live_open(const char* bytes, std::size_t size) {
   return answered([&] {
     core.reset();
@@ -56,16 +57,16 @@ void live_slider(const char* name, std::size_t size, double value) {
 }
 
 int live_make() {
-  return answered([] { return to_answer(core->make(setting)); });
+  return answered([] { return to_message(core->make(setting)); });
 }
 int live_distance(const char* target, std::size_t size) {
-  return answered([&] { return to_answer(core->distance({target, size}, setting)); });
+  return answered([&] { return to_message(core->distance({target, size}, setting)); });
 }
 int live_example(const char* name, std::size_t size) {
-  return answered([&] { return to_answer(core->example({name, size})); });
+  return answered([&] { return to_message(core->example({name, size})); });
 }
 int live_target(const char* name, std::size_t size) {
-  return answered([&] { return to_answer(core->target({name, size})); });
+  return answered([&] { return to_message(core->target({name, size})); });
 }
 
 const char* live_result() { return result.data(); }

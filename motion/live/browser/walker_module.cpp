@@ -1,4 +1,4 @@
-// What a page calls of the walker under control where it is compiled to WebAssembly. One walker a
+// The functions of the steered walker that a page calls in its WebAssembly module. One walker a
 // module. Functions that answer 1 have done it; of those that answer 0, walker_told() and
 // walker_told_size() give an error in plain words.
 
@@ -38,7 +38,7 @@ std::string listed(const std::string& name, const List& list, Write&& write) {
   return quoted(name) + ":[" + text + "]";
 }
 
-/// What a page is told of a walker before it walks, as JSON: {"set", "moods": […], "body":
+/// Description of a walker for the page, as JSON: {"set", "moods": […], "body":
 /// {"names", "parents", "offsets", "tips"}}, metres; the body as LiveInfo of pages has it.
 std::string walker_info(const LiveWalk& walk, const std::string& set) {
   const std::vector<Joint>& joints = walk.gaits.body.joints;
@@ -64,12 +64,12 @@ void write_frame(const LiveWalk& walk, const Pose& pose, std::vector<double>& fr
   for (const Quat& turn : joints.rotations)
     frame.insert(frame.end(), {turn.x(), turn.y(), turn.z(), turn.w()});
   for (const SteppingLeg& leg : walk.walker.legs) frame.push_back(leg.swinging ? 0.0 : 1.0);
-  frame.push_back(walk.walker.carriage.speed.value);
-  frame.push_back(walk.walker.carriage.heading / radians_per_degree);
+  frame.push_back(walk.walker.root.speed.value);
+  frame.push_back(walk.walker.root.heading / radians_per_degree);
 }
 
 LiveWalk walker;
-WalkWish wish;
+WalkRequest request;
 std::vector<double> frame;
 std::string told;
 
@@ -110,27 +110,27 @@ int walker_open(const char* set, std::size_t set_size, const char* moods, std::s
     if (!wanted.empty())
       std::erase_if(styles, [&](const NamedStyle& one) { return !is_among(one.name, wanted); });
     walker = make_live_walk(styles, standard_body());
-    wish = {};
-    wish.moods.assign(walker.moods.size(), 0.0);
-    wish.moods.front() = 1.0;
+    request = {};
+    request.moods.assign(walker.moods.size(), 0.0);
+    request.moods.front() = 1.0;
     told = walker_info(walker, name);
     write_frame(walker, pose_of(walker.gaits, walker.walker), frame);
   });
 }
 
-/// What is wanted from now on. The heading is wanted when it is a number, °.
+/// Sets the user's input. A heading that is NaN is not requested; degrees.
 void walker_mood(std::size_t mood, double share) {
-  if (mood < wish.moods.size()) wish.moods[mood] = share;
+  if (mood < request.moods.size()) request.moods[mood] = share;
 }
 void walker_steer(double pace, double heading_deg, double turn_deg_s) {
-  wish.pace = pace;
-  wish.heading_deg = std::isnan(heading_deg) ? std::nullopt : std::optional<double>(heading_deg);
-  wish.turn_deg_s = turn_deg_s;
+  request.pace = pace;
+  request.heading_deg = std::isnan(heading_deg) ? std::nullopt : std::optional<double>(heading_deg);
+  request.turn_deg_s = turn_deg_s;
 }
 
-/// So many seconds later; walker_frame() is then its pose (write_frame).
+/// Advances the walker by `seconds`; walker_frame() is then its pose (write_frame).
 int walker_advance(double seconds) {
-  return done([&] { write_frame(walker, advance(walker, seconds, wish), frame); });
+  return done([&] { write_frame(walker, advance(walker, seconds, request), frame); });
 }
 const double* walker_frame() { return frame.data(); }
 std::size_t walker_frame_size() { return frame.size(); }

@@ -105,7 +105,7 @@ void add_slide(FootDifference& foot, const Feet& before, const Feet& now, bool l
     const Vec3 apart = is[t].ball - was[t].ball;
     if (!standing) begun = apart;
     standing = stood[t] && stands[t];
-    const double slid = standing ? level(apart - begun).norm() : 0.0;
+    const double slid = standing ? horizontal(apart - begun).norm() : 0.0;
     if (slid <= foot.slide_m) continue;
     foot.slide_m = slid;
     foot.slide_seconds = static_cast<double>(t) / before.clip.frames_per_second;

@@ -7,11 +7,11 @@
 
 namespace mien::motion {
 
-/// How one stand of a foot on the floor differs.
+/// Change of one plant of a foot.
 struct ContactChange {
   enum class Kind { shifted, gone, appeared };
   Kind kind = Kind::shifted;
-  double begin_seconds = 0.0;  ///< in the first motion; of one that appeared, in the second
+  double begin_seconds = 0.0;  ///< in the first motion; in the second if it appeared
   double end_seconds = 0.0;
   double begin_shift = 0.0;  ///< seconds later than in the first; only of `shifted`
   double end_shift = 0.0;
@@ -19,17 +19,17 @@ struct ContactChange {
 
 /// One foot's contacts with the floor in two motions.
 struct FootDifference {
-  int frames = 0;  ///< of the first motion, in which one stands and the other does not
-  std::vector<ContactChange> changes;  ///< by time; none for stands that are the same
-  /// How far the foot slides against what it did while it stands in both: the most that the way
-  /// from the ball of one to the ball of the other changes within a stand, horizontally, metres. A
-  /// foot that stands elsewhere all the while does not slide.
+  int frames = 0;                      ///< of the first motion in which contact differs
+  std::vector<ContactChange> changes;  ///< by time; unchanged plants are omitted
+  /// Additional slide of the foot while it is planted in both motions: the largest change of the
+  /// horizontal offset between the balls of both within a plant, metres. A constant offset is no
+  /// slide.
   double slide_m = 0.0;
   double slide_seconds = 0.0;  ///< when it has slid so far
 };
 
-/// Left, right. Both clips are of the canonical body. Contacts are those of contact.h, each at its
-/// motion's own frame rate.
+/// Contact differences of the left and the right foot. Both clips are of the canonical body.
+/// Contacts are those of contact.h, each at its motion's frame rate.
 std::array<FootDifference, 2> contact_differences(const Clip& before, const Clip& now);
 
 }  // namespace mien::motion

@@ -8,8 +8,8 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double told_slide_m = 0.001;
-constexpr double told_place_m = 0.01;
+constexpr double least_reported_slide_m = 0.001;
+constexpr double least_reported_offset_m = 0.01;
 constexpr double rounding_m = 1e-5;
 constexpr double rounding_radians = 1e-4;
 
@@ -30,20 +30,20 @@ std::string frames_told(int frames) {
   return std::to_string(frames) + (frames == 1 ? " frame" : " frames");
 }
 
-std::string told_shift(const TimeShift& shift) {
+std::string describe_shift(const TimeShift& shift) {
   const int frames = std::abs(shift.frames);
   return std::string(shift.path_too ? "the motion comes " : "the poses come ") +
          frames_told(frames) + " (" + in_seconds(std::abs(shift.seconds)) + ") " +
          (shift.frames > 0 ? "later" : "earlier");
 }
 
-std::string told_gap(const FrameGap& gap, double rate) {
+std::string describe_gap(const FrameGap& gap, double rate) {
   const int frames = std::abs(gap.frames);
   return frames_told(frames) + (frames == 1 ? " was " : " were ") +
          (gap.frames < 0 ? "left out" : "put in") + " at " + in_seconds(gap.frame / rate);
 }
 
-std::string told_pace(const TimingDifference& timing) {
+std::string describe_pace(const TimingDifference& timing) {
   return "the same frames, played at " + formatted("%.4g", timing.now.frames_per_second) +
          " instead of " + formatted("%.4g", timing.before.frames_per_second) + " a second";
 }
@@ -53,7 +53,7 @@ std::string ordinal(int number) {
   return number == 3 ? "third" : std::to_string(number) + "th";
 }
 
-std::string told_whole(const WholeBodyChange& whole) {
+std::string describe_whole(const WholeBodyChange& whole) {
   switch (whole.kind) {
     case WholeChange::mirrored:
       return "the motion is mirrored: left and right do each other's part";
@@ -81,13 +81,13 @@ std::string at(const MotionDifference& difference, int frame) {
   return at_time(frame / difference.frames_per_second());
 }
 
-/// Of a figure whose poses are the same.
-std::string told_root(const MotionDifference& difference) {
+/// Describes the change of the root of a figure whose poses are equal.
+std::string describe_root(const MotionDifference& difference) {
   const RootDifference& root = difference.root;
-  const Peak path = peak_of(root.path_m);
-  const Peak height = peak_of(root.height_m);
-  const Peak heading = peak_of(root.heading_radians);
-  const Peak tilt = peak_of(root.tilt_radians);
+  const CurvePeak path = peak_of(root.path_m);
+  const CurvePeak height = peak_of(root.height_m);
+  const CurvePeak heading = peak_of(root.heading_radians);
+  const CurvePeak tilt = peak_of(root.tilt_radians);
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
   if (path.value > rounding_m) add("stands up to " + in_centimetres(path.value) + " elsewhere");
@@ -98,8 +98,8 @@ std::string told_root(const MotionDifference& difference) {
   return text.empty() ? "" : "the figure " + text + "; its poses are the same";
 }
 
-std::string told_turn(const MotionDifference& difference, const JointDifference& joint) {
-  const Peak turn = peak_of(joint.turn_radians);
+std::string describe_turn(const MotionDifference& difference, const JointDifference& joint) {
+  const CurvePeak turn = peak_of(joint.turn_radians);
   const double twist = joint.twist_radians[turn.frame];
   const char* verb = " turned";
   if (twist >= 0.9 * turn.value) verb = " twisted";
@@ -108,11 +108,11 @@ std::string told_turn(const MotionDifference& difference, const JointDifference&
 }
 
 /// Joints that carry the whole body are placed in the world, whatever they hang on in the file.
-std::string told_bone(const MotionDifference& difference) {
+std::string describe_bone(const MotionDifference& difference) {
   const JointDifference* worst = nullptr;
-  Peak most;
+  CurvePeak most;
   for (std::size_t j = 0; j < difference.joints.size(); ++j) {
-    const Peak peak = peak_of(difference.joints[j].offset_m);
+    const CurvePeak peak = peak_of(difference.joints[j].offset_m);
     if (peak.value <= most.value || carries_body(difference, static_cast<int>(j))) continue;
     worst = &difference.joints[j];
     most = peak;
@@ -123,14 +123,14 @@ std::string told_bone(const MotionDifference& difference) {
 }
 
 /// Where the figure stands, of one whose poses differ too.
-std::string told_place(const MotionDifference& difference) {
-  const Peak path = peak_of(difference.root.path_m);
-  return path.value < told_place_m
+std::string describe_place(const MotionDifference& difference) {
+  const CurvePeak path = peak_of(difference.root.path_m);
+  return path.value < least_reported_offset_m
              ? ""
              : "the figure stands up to " + in_centimetres(path.value) + " elsewhere";
 }
 
-std::string told_order(const TimingDifference& timing) {
+std::string describe_order(const TimingDifference& timing) {
   const std::string rates = formatted("%.4g", timing.now.frames_per_second) + " instead of " +
                             formatted("%.4g", timing.before.frames_per_second) + " a second";
   if (timing.reversed) return "the same frames in reverse order";
@@ -138,43 +138,43 @@ std::string told_order(const TimingDifference& timing) {
   return "each frame of before is every " + ordinal(-timing.every) + " one now, " + rates;
 }
 
-std::string told_slide(const MotionDifference& difference) {
+std::string describe_slide(const MotionDifference& difference) {
   if (!difference.body) return "";
   const auto& feet = difference.body->feet;
   const bool left = feet[0].slide_m >= feet[1].slide_m;
   const FootDifference& foot = feet[left ? 0 : 1];
-  if (foot.slide_m < told_slide_m) return "";
+  if (foot.slide_m < least_reported_slide_m) return "";
   return std::string(left ? "left" : "right") + " foot slides up to " +
          in_centimetres(foot.slide_m) + " where it stood" + at_time(foot.slide_seconds);
 }
 
-/// What parts of the body do otherwise.
-std::string told_parts(const MotionDifference& difference) {
-  std::string text = told_bone(difference);
+/// Describes changes of parts of the body.
+std::string describe_parts(const MotionDifference& difference) {
+  std::string text = describe_bone(difference);
   std::vector<int> joints = causes(difference);
   std::erase_if(joints, [&](int joint) {  // told by where the figure stands
     return carries_body(difference, joint) &&
            peak_of(difference.joints[joint].turn_radians).value <= rounding_radians;
   });
   if (text.empty() && !joints.empty())
-    text = told_turn(difference, difference.joints[joints.front()]);
+    text = describe_turn(difference, difference.joints[joints.front()]);
   if (joints.size() > 1)
     text += " (and " + std::to_string(joints.size() - 1) +
             (joints.size() == 2 ? " other joint)" : " other joints)");
-  for (const std::string& more : {told_place(difference), told_slide(difference)}) {
+  for (const std::string& more : {describe_place(difference), describe_slide(difference)}) {
     if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
   }
   return text;
 }
 
-std::string told_names(const MotionDifference& difference) {
+std::string describe_names(const MotionDifference& difference) {
   const auto& [was, is] = difference.renamed.front();
   const std::size_t count = difference.renamed.size();
   return std::to_string(count) + (count == 1 ? " joint is" : " joints are") +
          " called otherwise (" + was + " is " + is + " now); the motion is the same";
 }
 
-std::string told_rest(const MotionDifference& difference) {
+std::string describe_rest(const MotionDifference& difference) {
   const TimingDifference& timing = difference.timing;
   if (timing.before.frames != timing.now.frames)
     return frames_told(timing.now.frames) + " instead of " + std::to_string(timing.before.frames);
@@ -183,7 +183,7 @@ std::string told_rest(const MotionDifference& difference) {
   if (moved.peak.value > rounding_m)
     return difference.joints[moved.joint].part + " differs by up to " +
            in_centimetres(moved.peak.value) + at(difference, moved.peak.frame);
-  if (!difference.renamed.empty()) return told_names(difference);
+  if (!difference.renamed.empty()) return describe_names(difference);
   if (!difference.only_before.empty() || !difference.only_now.empty()) return "other joints";
   return difference.identical ? "no difference" : "no more than rounding";
 }
@@ -198,13 +198,14 @@ std::string in_seconds(double seconds) { return formatted("%.2f s", seconds); }
 
 std::string largest_change(const MotionDifference& difference) {
   const TimingDifference& timing = difference.timing;
-  if (timing.other_pace) return told_pace(timing);
-  if (timing.reversed || timing.every != 1) return told_order(timing);
-  if (timing.shift) return told_shift(*timing.shift);
-  if (timing.gap) return told_gap(*timing.gap, difference.frames_per_second());
-  if (is_of_all(difference.whole.kind)) return told_whole(difference.whole);
-  std::string text = is_root_only(difference) ? told_root(difference) : told_parts(difference);
-  return text.empty() ? told_rest(difference) : text;
+  if (timing.other_pace) return describe_pace(timing);
+  if (timing.reversed || timing.every != 1) return describe_order(timing);
+  if (timing.shift) return describe_shift(*timing.shift);
+  if (timing.gap) return describe_gap(*timing.gap, difference.frames_per_second());
+  if (is_of_all(difference.whole.kind)) return describe_whole(difference.whole);
+  std::string text =
+      is_root_only(difference) ? describe_root(difference) : describe_parts(difference);
+  return text.empty() ? describe_rest(difference) : text;
 }
 
 }  // namespace mien::motion

@@ -8,10 +8,9 @@ namespace mien::motion {
 
 /// The largest change of a motion in one line: "left forearm twisted by up to 1.0°, at 0.43 s".
 ///
-/// What happened to the whole motion comes before what happened to a part: frames that come later
-/// or are missing, another pace, sides that changed, a figure that stands elsewhere; then the joint
-/// that turned most by itself, or whose bone changed, and feet that slide farther. "no difference"
-/// when there is none.
+/// Changes of the whole motion come before those of a part: delayed or missing frames, another
+/// rate, exchanged sides, a displaced figure; then the joint with the largest local rotation or a
+/// changed bone, and sliding feet. "no difference" when there is none.
 std::string largest_change(const MotionDifference& difference);
 
 /// "1.0°", "0.25°", "under 0.001°"

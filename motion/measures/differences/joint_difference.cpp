@@ -111,8 +111,8 @@ JointPoints points_at(const JointTransforms& world, int joint, const BoneAxes& a
           place + turn * (virtual_point_m * axes.up)};
 }
 
-Peak peak_of(std::span<const double> curve) {
-  Peak peak;
+CurvePeak peak_of(std::span<const double> curve) {
+  CurvePeak peak;
   for (std::size_t t = 0; t < curve.size(); ++t) {
     if (curve[t] > peak.value) peak = {curve[t], static_cast<int>(t)};
   }

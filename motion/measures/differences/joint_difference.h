@@ -8,7 +8,8 @@
 
 namespace mien::motion {
 
-/// How far off the bone virtual points sit: a twist by a about the bone moves them by 2·r·sin(a/2).
+/// Distance r of virtual points from the bone: a twist by a about the bone moves them by
+/// 2·r·sin(a/2).
 inline constexpr double virtual_point_m = 0.1;
 
 /// A joint's frame by the bone that it carries: unit vectors at right angles, `along` towards the
@@ -30,13 +31,13 @@ struct JointPoints {
   Vec3 up;
 };
 
-/// The largest value of a curve, and the first frame that has it.
-struct Peak {
+/// The maximum of a curve and its first frame.
+struct CurvePeak {
   double value = 0.0;
   int frame = 0;
 };
 
-Peak peak_of(std::span<const double> curve);
+CurvePeak peak_of(std::span<const double> curve);
 double root_mean_square(std::span<const double> curve);
 
 /// How one joint differs: a value a moment that both motions have (PairedMotions). Nothing is
@@ -44,7 +45,7 @@ double root_mean_square(std::span<const double> curve);
 struct JointDifference {
   std::string name;  ///< in the first skeleton: "LeftForeArm"
   int index = 0;     ///< in the first skeleton
-  std::string part;  ///< of the body: "left forearm"; the name where nothing is known
+  std::string part;  ///< of the body: "left forearm"; the joint's name if unknown
   int parent = -1;   ///< index into the same list; −1 none
 
   std::vector<double> position_m;    ///< distance between the places of the joint, world
@@ -52,17 +53,17 @@ struct JointDifference {
   std::vector<double> aligned_m;     ///< of the joint, when the second pose is laid over the first
                                      ///< by the best similarity of the frame (Procrustes)
   std::vector<double> velocity_m_s;  ///< largest difference of velocities of its JointPoints, world
-  // What the joint does itself; joints that it carries along only follow.
+  // Local changes of the joint itself, without those of its ancestors.
   std::vector<double> turn_radians;   ///< of its rotation on its parent (the root's: in the world)
   std::vector<double> twist_radians;  ///< the part of it about the bone
   std::vector<double> offset_m;       ///< of its place on its parent: the bone above it. Root: 0
 
-  /// Whether it turns or is placed otherwise on its parent, by more than files are rounded to:
-  /// 1e-4 rad or 1e-5 m.
+  /// Whether its rotation or offset relative to its parent differs by more than the rounding of
+  /// files: 1e-4 rad or 1e-5 m.
   bool differs_itself() const;
 };
 
-/// All joints of the pair, in its order. `part` is the name.
+/// Differences of all joints of the pair, in its order. `part` is the joint's name.
 std::vector<JointDifference> joint_differences(const PairedMotions& pair, const Skeleton& before,
                                                const Skeleton& now);
 

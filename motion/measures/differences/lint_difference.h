@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// What became of a fault of a motion.
+/// Change of a fault between two motions.
 struct LintChange {
   enum class Kind { gone, appeared, worse, better };
   Kind kind = Kind::appeared;
@@ -17,7 +17,7 @@ struct LintChange {
 /// "gone", "new", "worse", "better".
 std::string_view name_of(LintChange::Kind kind);
 
-/// The findings of two motions that are not those of the other. Two are one fault when check and
+/// The findings in which two motions differ. Two are one fault when check and
 /// joint are the same and their frames touch by time; it is worse or better when its severity
 /// changed. Findings of the second come first, in their order, then those that are gone.
 std::vector<LintChange> lint_changes(const std::vector<Finding>& before, double rate_before,

@@ -153,7 +153,7 @@ WorstJoint worst_joint(const MotionDifference& difference,
                        std::vector<double> JointDifference::*curve) {
   WorstJoint worst;
   for (std::size_t j = 0; j < difference.joints.size(); ++j) {
-    const Peak peak = peak_of(difference.joints[j].*curve);
+    const CurvePeak peak = peak_of(difference.joints[j].*curve);
     if (peak.value > worst.peak.value) worst = {static_cast<int>(j), peak};
   }
   return worst;

@@ -18,15 +18,15 @@ namespace mien::motion {
 
 /// Mean distances between joints over all moments that both motions have, metres.
 struct PositionErrors {
-  double mpjpe = 0.0;         ///< as they are in the world
-  double rooted_mpjpe = 0.0;  ///< both seen from their root joint's place
-  double pa_mpjpe = 0.0;      ///< after turning, scaling and moving each pose onto the first's
+  double mpjpe = 0.0;                ///< as they are in the world
+  double root_relative_mpjpe = 0.0;  ///< relative to the root joint's position
+  double pa_mpjpe = 0.0;  ///< after turning, scaling and moving each pose onto the first's
 };
 
-/// What can be said of two motions of the canonical body.
+/// Differences of two motions of the canonical body.
 struct BodyDifference {
   double d_m = 0.0;      ///< D of distance.h, aligned at the pelvis, over the whole durations
-  double mpjpe_m = 0.0;  ///< likewise aligned
+  double mpjpe_m = 0.0;  ///< aligned at the pelvis too
   std::array<FootDifference, 2> feet;  ///< left, right
 };
 
@@ -40,19 +40,20 @@ struct FeatureDifference {
   bool is_notable() const;
 };
 
-/// How a motion differs from what it was. All lengths are metres, angles radians, times seconds.
+/// Difference of a motion from its earlier version. All lengths are metres, angles radians, times
+/// seconds.
 ///
 /// Everything is exactly zero or empty for equal motions. Distances are symmetric when both have
 /// the same frame rate, `aligned_m` and `pa_mpjpe` apart, which are in the size of the first.
 struct MotionDifference {
   bool identical = false;  ///< every number of both is the same
-  /// Rigs differ, so that both were put on the canonical body first: then what lies between rig and
-  /// body (calibration, the floor) is part of what is compared.
+  /// Whether both were mapped to the canonical body because their rigs differ; the mapping
+  /// (calibration, floor) is then part of the comparison.
   bool on_body = false;
   TimingDifference timing;
   std::vector<JointDifference> joints;             ///< those that both have; never empty
   std::vector<std::string> only_before, only_now;  ///< joints that one has
-  /// Joints that are called otherwise now, of recordings: was, is. `joints` have the names of then.
+  /// Renamed joints of recordings: old name, new name. `joints` have the old names.
   std::vector<std::pair<std::string, std::string>> renamed;
   PositionErrors errors;
   RootDifference root;
@@ -76,32 +77,33 @@ struct MotionDifferenceOptions {
 MotionDifference motion_difference(const Clip& before, const Clip& now,
                                    const MotionDifferenceOptions& options = {});
 
-/// Both of the canonical body.
+/// Body differences of two clips of the canonical body.
 BodyDifference body_difference(const Clip& before, const Clip& now);
 
-/// What lint finds in one of the clips and not in the other; nothing when they are identical.
+/// Lint findings in which the clips differ; empty when they are identical.
 std::vector<LintChange> lint_difference(const Clip& before, const Clip& now,
                                         const LintOptions& options = {});
 
-/// All features, in the order of motion_features(), that one of the two has.
+/// Differences of all features, in the order of motion_features(), that at least one of the two
+/// has.
 std::vector<FeatureDifference> feature_differences(const FeatureValues& before,
                                                    const FeatureValues& now);
 
-/// Joints that do something else themselves (differs_itself), by how far they turn, the largest
-/// first: the causes, where others are only carried along. Indices into `joints`.
+/// The joints that differ themselves (differs_itself) and not only through their ancestors, sorted
+/// by rotation, largest first. Indices into `joints`.
 std::vector<int> causes(const MotionDifference& difference);
 
-/// Whether a joint is the body's root or above it: where it is placed is the figure's path, and no
-/// bone.
+/// Whether a joint is the body's root or its ancestor, so that its translation is the figure's path
+/// and not a bone.
 bool carries_body(const MotionDifference& difference, int joint);
 
-/// Whether the body is placed or turned otherwise and no joint below its root does anything else.
+/// Whether only the root's position or orientation differs.
 bool is_root_only(const MotionDifference& difference);
 
-/// A joint and moment at which something is largest.
+/// The joint and frame of a maximum.
 struct WorstJoint {
   int joint = 0;
-  Peak peak;
+  CurvePeak peak;
 };
 WorstJoint worst_joint(const MotionDifference& difference,
                        std::vector<double> JointDifference::*curve);

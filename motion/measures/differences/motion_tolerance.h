@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// What of a motion's difference counts as none. Below these nobody sees it: a millimetre is half
+/// Differences up to these count as none because they are not visible: a millimetre is half
 /// a pixel of a figure of 1,000 pixels' height.
 struct MotionTolerance {
   double position_m = 0.001;  ///< of joints and their virtual points, in the world
@@ -16,11 +16,11 @@ struct MotionTolerance {
   double contact_seconds = 0.05;  ///< that a foot comes down or leaves earlier or later
   double slide_m = 0.001;         ///< that a foot slides where it stood
   double duration_seconds = 0.001;
-  bool any_rate = false;  ///< another frame rate is no difference
-  bool any_lint = false;  ///< neither are new faults that lint calls errors
+  bool any_rate = false;  ///< ignore another frame rate
+  bool any_lint = false;  ///< ignore new lint errors
 };
 
-/// A tolerance that a difference passes.
+/// A tolerance that a difference exceeds.
 struct Excess {
   std::string measure;  ///< "position", "rotation", "velocity", "contacts", "slide", "duration",
                         ///< "frame-rate", "loop", "joints", "lint"
@@ -29,8 +29,8 @@ struct Excess {
   std::string unit;  ///< "m", "rad", "m/s", "s", "frames/s"; empty: a count
 };
 
-/// In the order of the measures above; empty for motions that are alike. Those that are identical
-/// always are.
+/// The exceeded tolerances, in the order of the measures above; empty for motions that are equal
+/// within the tolerance.
 std::vector<Excess> excesses(const MotionDifference& difference, const MotionTolerance& tolerance);
 
 }  // namespace mien::motion

@@ -62,7 +62,7 @@ struct Frame {
   Quat to_y_up = Quat::Identity();
 };
 
-Frame frame_of(const Recording& recording, const RigSketch& rig) {
+Frame frame_of(const Recording& recording, const RigAnalysis& rig) {
   if (!rig.human && recording.format == "gltf") return {};
   return {rig.metres_per_unit, rig.to_y_up};
 }
@@ -113,8 +113,8 @@ std::vector<std::string> parts_of(const Skeleton& skeleton,
   return parts;
 }
 
-void add_bodies(ComparedRecordings& result, const Recording& before, const RigSketch& rig_before,
-                const Recording& now, const RigSketch& rig_now) {
+void add_bodies(ComparedRecordings& result, const Recording& before, const RigAnalysis& rig_before,
+                const Recording& now, const RigAnalysis& rig_now) {
   if (!rig_before.human || !rig_now.human) return;
   const bool one_rig =
       have_equal_structure(before.skeleton, now.skeleton) && before.format == now.format;
@@ -133,7 +133,8 @@ void put_on_bodies(ComparedRecordings& result, const Recording& before, const Re
   for (int j = 0; j < body_joint_count; ++j) result.parts.push_back(part_name(BodyJoint(j)));
 }
 
-/// Of the data as it was read, which the body hides, and of the body.
+/// Lint differences of the data as it was read, which mapping to the body would hide, and of the
+/// body.
 std::vector<LintChange> lint_differences(const ComparedRecordings& recordings,
                                          const LintOptions& options) {
   const Clip& before = recordings.before;
@@ -151,8 +152,8 @@ std::vector<LintChange> lint_differences(const ComparedRecordings& recordings,
 
 ComparedRecordings compared_recordings(const Recording& before, const Recording& now) {
   ComparedRecordings result;
-  const RigSketch rig_before = sketch(before);
-  const RigSketch rig_now = sketch(now);
+  const RigAnalysis rig_before = analyse_rig(before);
+  const RigAnalysis rig_now = analyse_rig(now);
   add_bodies(result, before, rig_before, now, rig_now);
   if (!have_common_joints(before.skeleton, now.skeleton)) {
     if (before.format == now.format && are_renamed(before.skeleton, now.skeleton)) {

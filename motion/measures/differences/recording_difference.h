@@ -10,18 +10,18 @@
 
 namespace mien::motion {
 
-/// Two recordings made ready to be compared: metres, +Y up, nothing else done to them.
+/// Two recordings prepared for comparison: metres, +Y up, otherwise unchanged.
 struct ComparedRecordings {
   /// On the recording's own joints, where they are; on the canonical body when `on_body`.
   Clip before, now;
   /// On the canonical body, when a human was recognised in both.
   std::optional<Clip> body_before, body_now;
-  /// What each joint of `before` carries: "left forearm"; a joint's name where nothing is known.
+  /// Body part of each joint of `before`: "left forearm"; the joint's name if unknown.
   std::vector<std::string> parts;
   bool on_body = false;
   std::vector<std::string> remarks;
-  /// Joints of skeletons that differ in nothing but names, which most are: was, is. `now` has the
-  /// names of `before`.
+  /// Renamed joints of skeletons that are otherwise equal: old name, new name. `now` has the names
+  /// of `before`.
   std::vector<std::pair<std::string, std::string>> renamed;
 };
 
@@ -34,7 +34,7 @@ struct ComparedRecordings {
 /// Throws Error when a recording has no frames, or when rigs differ and are not both human.
 ComparedRecordings compared_recordings(const Recording& before, const Recording& now);
 
-/// As for clips; contacts, lint and D are those of the body, which stands on its own floor.
+/// As for clips; contacts, lint and D are those of the body on its own floor.
 MotionDifference motion_difference(const ComparedRecordings& recordings,
                                    const MotionDifferenceOptions& options = {});
 

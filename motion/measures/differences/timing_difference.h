@@ -14,30 +14,30 @@ struct MotionLength {
   bool loops = false;
 };
 
-/// The second motion does what the first does, some frames later.
+/// The second motion is the first, delayed by some frames.
 struct TimeShift {
-  int frames = 0;  ///< of the first motion's rate; negative: earlier
+  int frames = 0;  ///< at the first motion's rate; negative: earlier
   double seconds = 0.0;
-  double explained = 0.0;  ///< share of the squared distances that is gone after it, 0.99 to 1
-  bool path_too = true;    ///< otherwise only poses are shifted: places are told from the root's
+  double explained = 0.0;  ///< share of the squared distances that it explains, 0.99 to 1
+  bool path_too = true;    ///< false: only poses relative to the root are shifted
 };
 
-/// From some frame on the second motion is some frames earlier or later than before it.
+/// Frames were dropped or inserted at one point.
 struct FrameGap {
   int frame = 0;           ///< of the first motion, the first that is missing or comes later
-  int frames = 0;          ///< negative: so many were left out; positive: so many came in
+  int frames = 0;          ///< negative: frames dropped; positive: frames inserted
   double explained = 0.0;  ///< as of TimeShift
 };
 
-/// When things happen in two motions. A shift or a gap is told when it explains nearly all (99 %)
-/// of the squared distances between the points of all joints; at most one of all these is told.
+/// Timing of two motions. A shift or a gap is reported if it explains 99 % of the squared distances
+/// between the points of all joints; at most one of these is reported.
 struct TimingDifference {
   MotionLength before, now;
   std::optional<TimeShift> shift;
   std::optional<FrameGap> gap;
-  bool other_pace = false;  ///< the same frames in order, played at another rate
-  bool reversed = false;    ///< the same frames, the last first
-  int every = 1;  ///< k: every k-th frame alone at a k-th of the rate; −k: the other way round
+  bool other_pace = false;  ///< the same frames at another frame rate
+  bool reversed = false;    ///< the same frames in reverse order
+  int every = 1;            ///< k: every k-th frame at 1/k of the rate; −k: the reverse
 
   bool same_length() const {
     return before.frames == now.frames &&

@@ -54,7 +54,7 @@ double rms_apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 
 WholeBodyChange after_level_fit(WholeChange kind, const std::vector<Vec3>& from,
                                 const std::vector<Vec3>& to, bool mirrored) {
-  const LevelMove fit = level_fit(from, to, mirrored);
+  const HorizontalTransform fit = horizontal_fit(from, to, mirrored);
   std::vector<Vec3> there;
   for (const Vec3& point : from) there.push_back(fit(point));
   return {.kind = kind,
@@ -176,7 +176,7 @@ RootDifference root_difference(const PairedMotions& pair, const Skeleton& before
     const JointTransforms& was = pair.before.world[t];
     const JointTransforms& is = pair.now.world[t];
     const Vec3 way = is.positions[shared.now] - was.positions[shared.before];
-    root.path_m.push_back(level(way).norm());
+    root.path_m.push_back(horizontal(way).norm());
     root.height_m.push_back(std::abs(way.y()));
     const Quat& from = was.rotations[shared.before];
     const Quat& to = is.rotations[shared.now];

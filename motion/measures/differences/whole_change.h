@@ -6,23 +6,23 @@
 
 namespace mien::motion {
 
-/// What was done to a motion as a whole, if something was.
+/// A transformation of a motion as a whole.
 enum class WholeChange {
   none,
   moved,          ///< turned about the vertical and set elsewhere; poses are the same
-  mirrored,       ///< as a mirror shows it: left and right do each other's part
-  flipped,        ///< geometry mirrored, but left joints are left still: a body inside out
-  renamed_sides,  ///< where joints go is the same, but left and right have each other's names
-  swapped_turns,  ///< left and right have each other's rotations, not mirrored
-  scaled,         ///< all places are so many times as far from the origin: other units
+  mirrored,       ///< mirrored, with left and right exchanged
+  flipped,        ///< geometry mirrored without exchanging left and right
+  renamed_sides,  ///< same trajectories, but the names of left and right are exchanged
+  swapped_turns,  ///< rotations of left and right exchanged, not mirrored
+  scaled,         ///< uniformly scaled, as by other units
 };
 
 /// "none", "moved", …
 std::string_view name_of(WholeChange change);
 
-/// A change of the whole motion, told when it explains nearly all: `moved` and `scaled` when less
-/// than 1 % of the distance is left, the others when less than 15 % is (bodies are not quite
-/// symmetric) of what moving and turning the motion leaves.
+/// A transformation of the whole motion, reported if it explains nearly all of the difference:
+/// `moved` and `scaled` when less than 1 % of the distance is left, the others when less than 15 %
+/// is (bodies are not quite symmetric) of what moving and turning the motion leaves.
 struct WholeBodyChange {
   WholeChange kind = WholeChange::none;
   double turn_radians = 0.0;  ///< about +Y, as the level fit has it (similarity.h)
@@ -35,8 +35,8 @@ struct WholeBodyChange {
 WholeBodyChange whole_change(const PairedMotions& pair, const Skeleton& before,
                              const Skeleton& now);
 
-/// How the body as a whole is placed otherwise: the first joint that carries more than one other
-/// (the pelvis), in the world. Values a moment.
+/// Difference in the placement of the body: of its first joint with more than one child (the
+/// pelvis), in the world. One value for each frame.
 struct RootDifference {
   int joint = 0;                        ///< index among the shared joints
   std::vector<double> path_m;           ///< horizontal

@@ -6,8 +6,8 @@
 
 namespace mien::motion {
 
-/// What a joint carries, as people call it: "left forearm" of the left elbow, "pelvis", "left
-/// toes".
+/// Common name of the body part that a joint moves: "left forearm" for the left elbow, "pelvis",
+/// "left toes".
 std::string part_name(BodyJoint joint);
 
 }  // namespace mien::motion

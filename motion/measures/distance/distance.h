@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// What is taken away from both motions before they are compared.
+/// Alignment of two motions before they are compared.
 enum class Alignment {
   pelvis,  ///< pelvis at x = z = 0 and heading removed in every frame; height kept (default)
   world,   ///< both start with the pelvis at x = z = 0 and the same heading; then as they move
@@ -39,8 +39,8 @@ struct Distance {
 Distance distance(const Example& target, const Example& created,
                   Alignment alignment = Alignment::pelvis);
 
-/// The pose at a time as the comparison sees it: the alignment's place on the floor and heading
-/// taken away, bones and height kept.
+/// The pose at a time, aligned for the comparison: horizontal position and heading removed, bones
+/// and height kept.
 Pose aligned_pose_at(const Clip& clip, double seconds, Alignment alignment);
 
 /// Time in `motion` (seconds) that corresponds to the share `share` ∈ [0, 1] of `timing`'s

@@ -13,7 +13,7 @@ struct SharedJoint {
   int before = -1;    ///< index in the first skeleton
   int now = -1;       ///< index in the second
   int parent = -1;    ///< nearest joint above that is shared, as index among the shared; −1 none
-  int opposite = -1;  ///< that of the body's other side; itself on the midline, −1 when missing
+  int opposite = -1;  ///< the joint of the other side; itself on the midline, −1 if missing
 };
 
 /// A motion at evenly spaced moments, with where its joints are.
@@ -24,15 +24,15 @@ struct SampledMotion {
   int frame_count() const { return static_cast<int>(poses.size()); }
 };
 
-/// Two motions at the same moments, joint by joint. Moment i is i / frames_per_second seconds after
-/// the start of each; neither is moved, turned or scaled.
+/// Two motions sampled at the same times, with corresponding joints. Frame i is at i /
+/// frames_per_second seconds after the start of each; neither is aligned or scaled.
 struct PairedMotions {
   std::vector<SharedJoint> joints;  ///< in the order of the first skeleton; never empty
   std::vector<std::string> only_before, only_now;
   double frames_per_second = 30.0;  ///< of the first motion
   SampledMotion before;             ///< its frames as they are
   SampledMotion now;                ///< at the first's frame rate, interpolated where it differs
-  int frames = 0;                   ///< moments that both have
+  int frames = 0;                   ///< number of frames that both have
 
   double seconds(int frame) const { return frame / frames_per_second; }
 };
@@ -42,7 +42,7 @@ struct PairedMotions {
 /// have no joint in common.
 PairedMotions paired(const Clip& before, const Clip& now);
 
-/// Whether both have the same frame rate, but for how exactly files write it.
+/// Whether both frame rates are equal within the rounding of files.
 bool same_rate(double before, double now);
 
 /// A joint's frame relative to that of the shared joint above it; of a joint without one in the

@@ -59,13 +59,14 @@ Similarity similarity_fit(std::span<const Vec3> from, std::span<const Vec3> to) 
   return fit;
 }
 
-Vec3 LevelMove::operator()(const Vec3& point) const {
+Vec3 HorizontalTransform::operator()(const Vec3& point) const {
   return turned_level(mirrored ? mirrored_place(point) : point, turn_radians) + shift;
 }
 
-LevelMove level_fit(std::span<const Vec3> from, std::span<const Vec3> to, bool mirrored) {
+HorizontalTransform horizontal_fit(std::span<const Vec3> from, std::span<const Vec3> to,
+                                   bool mirrored) {
   assert(from.size() == to.size() && !from.empty());
-  LevelMove fit;
+  HorizontalTransform fit;
   fit.mirrored = mirrored;
   if (!mirrored && std::ranges::equal(from, to)) return fit;
   const auto seen = [&](const Vec3& point) { return mirrored ? mirrored_place(point) : point; };

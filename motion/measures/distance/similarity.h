@@ -6,7 +6,7 @@
 
 namespace mien::motion {
 
-/// A turn, an even scaling and a shift: p ↦ scale · rotation · p + shift.
+/// A similarity transform (rotation, uniform scale, translation): p ↦ scale · rotation · p + shift.
 struct Similarity {
   double scale = 1.0;
   Mat3 rotation = Mat3::Identity();
@@ -17,12 +17,13 @@ struct Similarity {
 
 /// The similarity that takes `from` to `to`, point by point, with the least sum of squared
 /// distances: never a mirroring (Umeyama 1991, eq. 40–42). Points that all lie at one place are
-/// only shifted; equal points give the identity exactly. As many of both, one at least.
+/// only shifted; equal points give the identity exactly. Both have the same number of points, at
+/// least one.
 Similarity similarity_fit(std::span<const Vec3> from, std::span<const Vec3> to);
 
-/// A turn about the vertical and a shift, after a mirroring at x = 0 if `mirrored`: what can be
-/// done to a motion on a level floor without changing its poses.
-struct LevelMove {
+/// A rotation about the vertical and a translation, after mirroring at x = 0 if `mirrored`: it
+/// leaves the poses of a motion on a horizontal floor unchanged.
+struct HorizontalTransform {
   bool mirrored = false;
   double turn_radians = 0.0;  ///< about +Y
   Vec3 shift = Vec3::Zero();
@@ -30,7 +31,8 @@ struct LevelMove {
   Vec3 operator()(const Vec3& point) const;
 };
 
-/// The level move that takes `from` to `to` with the least sum of squared distances.
-LevelMove level_fit(std::span<const Vec3> from, std::span<const Vec3> to, bool mirrored);
+/// The HorizontalTransform that maps `from` to `to` with the least sum of squared distances.
+HorizontalTransform horizontal_fit(std::span<const Vec3> from, std::span<const Vec3> to,
+                                   bool mirrored);
 
 }  // namespace mien::motion

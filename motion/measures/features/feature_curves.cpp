@@ -102,8 +102,8 @@ Vec3 head_of(const Skeleton& body, const JointTransforms& pose) {
   return pose.positions[Head] + pose.rotations[Head] * beyond - pose.positions[Neck];
 }
 
-/// Of the body over the floor: what travels, travels on over the seam of a loop; what walks in
-/// place is carried the other way by the floor.
+/// Velocity of the body relative to the floor: continuous over the seam of a loop; for a walk in
+/// place the floor's velocity is subtracted.
 std::vector<Vec3> velocities(const Clip& clip, std::vector<Vec3> path, double per_second) {
   if (!clip.loops) return derivative(path, per_second);
   const auto count = static_cast<double>(path.size());

@@ -6,8 +6,8 @@
 
 namespace mien::motion {
 
-/// An angle of a segment over a cycle, forward and sideways, radians, without jumps at ±180°. The
-/// moments at which it says nothing are left out, so the two may differ in length.
+/// An angle of a segment over a cycle, forward and sideways, radians, without jumps at ±180°.
+/// Frames at which an angle is undefined are omitted, so the two may differ in length.
 struct SegmentAngles {
   std::vector<double> forward;
   std::vector<double> sideways;

@@ -9,8 +9,7 @@
 
 namespace mien::motion {
 
-/// What motions can be asked for by features: the four groups ("lateral-swing", …), then the 51
-/// features.
+/// Names of all feature parameters: the four groups ("lateral-swing", …), then the 51 features.
 std::vector<std::string> feature_parameter_names();
 
 /// Value of a feature parameter for a motion whose scaled features are given; empty when the motion

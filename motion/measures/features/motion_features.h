@@ -32,8 +32,7 @@ struct MotionFeature {
   std::string_view japanese;  ///< UTF-8, our translation
   FeatureUnit unit;
   FeatureGroup group;
-  /// The published tables have 51 lines, two of them twice: these stand where a line must have
-  /// read otherwise.
+  /// Replaces a duplicate: the published tables have 51 lines, of which two occur twice.
   bool reconstructed = false;
 };
 

@@ -32,7 +32,7 @@ double bend(const Vec3& upper, const Vec3& lower) {
 /// World positions of all joints, a row a frame.
 using JointPaths = std::vector<std::vector<Vec3>>;
 
-/// Of a joint's way relative to the pelvis.
+/// Extent of a joint's path relative to the pelvis.
 Extent extent(const JointPaths& paths, BodyJoint joint) {
   Extent result;
   for (const auto& at : paths) result.add(at[joint] - at[Pelvis]);

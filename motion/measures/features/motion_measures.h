@@ -6,7 +6,7 @@
 
 namespace mien::motion {
 
-/// Plain measures of a motion, for motions that nobody has rated.
+/// Simple measures of a motion, for motions without ratings.
 struct MotionMeasures {
   double speed_m_s = 0.0;          ///< of the pelvis over the floor
   double tempo_hz = 0.0;           ///< cycles (or performances) a second

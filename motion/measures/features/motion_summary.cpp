@@ -59,7 +59,7 @@ MotionSummary summarise(const Recording& recording) {
   summary.take = recording.take;
   summary.duration_seconds = (summary.frames - 1) / recording.frames_per_second;
   for (const Joint& joint : recording.skeleton.joints) summary.joint_names.push_back(joint.name);
-  const RigSketch rig = sketch(recording);
+  const RigAnalysis rig = analyse_rig(recording);
   summary.is_human = rig.human.has_value();
   summary.up = rig.up;
   summary.unit_m = rig.metres_per_unit;

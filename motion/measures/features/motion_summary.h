@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// What was recognised of one canonical joint.
+/// How one canonical joint was recognised.
 struct JointSummary {
   std::string joint;                    ///< canonical name, "LeftKnee"
   std::vector<std::string> rig_joints;  ///< names in the file, from root to tip; empty when missing
@@ -16,7 +16,7 @@ struct JointSummary {
   std::string found_by;                 ///< "name", "topology", "end site", "missing"
 };
 
-/// What `mien motion info` tells about a motion file.
+/// The contents of `mien motion info`.
 struct MotionSummary {
   int frames = 0;
   double frames_per_second = 0.0;
@@ -33,7 +33,7 @@ struct MotionSummary {
   std::string up;                    ///< "+Y", "+Z", …
   double speed_m_s = 0.0;            ///< mean horizontal speed of the pelvis without its sway
   std::vector<GaitCycle> cycles;
-  int steadiest = -1;  ///< index of the cycle that an example would be made of; −1 none
+  int steadiest = -1;                 ///< index of the cycle that an example would use; −1: none
   std::vector<std::string> warnings;  ///< plain sentences
 };
 

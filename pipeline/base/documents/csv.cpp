@@ -161,9 +161,9 @@ std::string quoted(const std::string& field) {
 }
 
 std::string read_text(const std::filesystem::path& file) {
-  motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_table);
+  motion::FileReading reading = motion::bytes_of_file(file, motion::max_table_bytes);
   if (reading.bytes) return *std::move(reading.bytes);
-  throw Error({file.string(), 0, 0}, reading.hindrance, "name a CSV file");
+  throw Error({file.string(), 0, 0}, reading.error, "name a CSV file");
 }
 
 }  // namespace

@@ -49,11 +49,11 @@ void FaultList::check_word(const std::string& path, const std::string& name,
 
 void FaultList::check_file(const std::string& path, const std::filesystem::path& file,
                            const std::string& expected, std::uintmax_t most_bytes) {
-  const std::string hindrance = motion::hindrance_of(file, most_bytes);
-  if (hindrance.empty()) return;
+  const std::string problem = motion::read_error(file, most_bytes);
+  if (problem.empty()) return;
   std::error_code unknown;
   const bool is_there = std::filesystem::exists(file, unknown);
-  add(path, is_there ? file.string() + " " + hindrance : "there is no file " + file.string(),
+  add(path, is_there ? file.string() + " " + problem : "there is no file " + file.string(),
       "give " + expected + "; paths are taken from the manifest's folder");
 }
 

@@ -39,16 +39,16 @@ class Descriptor {
 }  // namespace
 
 std::string read_file(const std::filesystem::path& file) {
-  motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_recording);
+  motion::FileReading reading = motion::bytes_of_file(file, motion::max_recording_bytes);
   if (reading.bytes) return *std::move(reading.bytes);
-  throw std::runtime_error(file.string() + ": " + reading.hindrance);
+  throw std::runtime_error(file.string() + ": " + reading.error);
 }
 
 void refuse_what_is_no_file(const std::filesystem::path& file) {
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown)) return;
-  const std::string hindrance = motion::hindrance_of(file, motion::any_size);
-  if (!hindrance.empty()) throw Error({file.string()}, hindrance, "name a file");
+  const std::string problem = motion::read_error(file, motion::any_size);
+  if (!problem.empty()) throw Error({file.string()}, problem, "name a file");
 }
 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {

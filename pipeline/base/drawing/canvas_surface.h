@@ -26,7 +26,7 @@ class PageLibraries {
 /// The libraries, loaded when this is first called. Throws render::Error when they are not there.
 const PageLibraries& page_libraries();
 
-/// Of these types (loaded_part.h).
+/// Of these types (load_part.h).
 inline constexpr int page_libraries_edition = 2;
 
 }  // namespace mien::pipeline

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/drawing/canvas_surface.h"
-#include "render/parts/loaded_part.h"
+#include "render/parts/load_part.h"
 
 namespace mien::pipeline {
 
@@ -25,7 +25,7 @@ std::optional<std::array<int, 3>> three_numbers(const std::string& text) {
 
 const PageLibraries& page_libraries() {
   static const auto* const libraries = static_cast<const PageLibraries*>(
-      render::loaded_part("mien-pages.so", "draws sheets and charts", page_libraries_edition));
+      render::load_part("mien-pages.so", "draws sheets and charts", page_libraries_edition));
   return *libraries;
 }
 

@@ -261,7 +261,8 @@ Fault syntax_fault(const YamlPlaces& places, const YAML::ParserException& error)
     return {*tab, "", "a tab in the indentation", "use spaces"};
   }
   const bool expands = places.line(place.line).find("${") != std::string_view::npos;
-  return {place, "", "not valid YAML: " + motion::excerpt(error.msg, 2 * motion::most_quoted),
+  return {place, "",
+          "not valid YAML: " + motion::excerpt(error.msg, 2 * motion::max_quoted_characters),
           expands ? "put \"${…}\" in quotes inside [ ] and { }"
                   : "check quotes, brackets, colons and indentation up to here"};
 }

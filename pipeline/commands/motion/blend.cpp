@@ -50,7 +50,7 @@ int blend(const BlendCommandOptions& options, const Console& console) {
 
   const Repertoire repertoire = load_repertoire(manifest);
   const Synthesis synthesis = synthesize(stimulus, repertoire);
-  const motion::Clip shown = shown_clip(synthesis.motion.clip, stimulus.output);
+  const motion::Clip shown = playback_clip(synthesis.motion.clip, stimulus.output);
   motion::write_motion(motion::to_recording(shown), options.out);
   for (const std::string& warning : blend_warnings(repertoire, synthesis))
     console.err << "warning: " << warning << '\n';

@@ -31,7 +31,7 @@ int convert(const ConvertOptions& options, const Console& console) {
   if (options.body) {
     recording = motion::to_recording(motion::to_body(recording));
   } else if (is_glb) {
-    const motion::RigSketch rig = motion::sketch(recording);
+    const motion::RigAnalysis rig = motion::analyse_rig(recording);
     if (!rig.human) {
       for (std::size_t i = recording.notes.size(); i < rig.warnings.size(); ++i)
         console.err << "warning: " << options.in << ": " << rig.warnings[i] << '\n';

@@ -150,7 +150,7 @@ void LiveStream::begin(const motion::BvhHead& head, const motion::Pose& pose) {
   report_.warnings = mapping_->mapping().warnings;
   if (options_.delay_ms) {
     report_.delay =
-        motion::shared_out(frames_in(*options_.delay_ms, rate), options_.modification, rate);
+        motion::split_delay(frames_in(*options_.delay_ms, rate), options_.modification, rate);
   } else {
     report_.delay.paths = motion::shortest_look_ahead(options_.modification, rate);
   }

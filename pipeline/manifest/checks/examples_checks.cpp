@@ -50,7 +50,7 @@ void check_ratings(const Manifest& manifest, FaultList& list) {
   const Ratings& ratings = manifest.ratings;
   if (ratings.source == Ratings::Source::file) {
     list.check_file("examples.ratings", ratings.file,
-                    "'builtin', 'simulated', 'none' or a CSV file", motion::most_of_table);
+                    "'builtin', 'simulated', 'none' or a CSV file", motion::max_table_bytes);
   }
   if (ratings.source == Ratings::Source::builtin && !manifest.examples.folder.empty()) {
     list.add("examples.ratings", "only built-in sets have built-in ratings",
@@ -65,7 +65,7 @@ void check_ratings(const Manifest& manifest, FaultList& list) {
 void check_scales(const Manifest& manifest, FaultList& list) {
   if (manifest.scales.file.empty()) return;
   list.check_file("examples.scales", manifest.scales.file, "'builtin' or a YAML file",
-                  motion::most_of_document);
+                  motion::max_document_bytes);
   if (manifest.ratings.source != Ratings::Source::builtin) return;
   list.add("examples.scales", "built-in ratings are on the built-in scales",
            "use ratings: simulated, or leave scales out");

@@ -42,11 +42,11 @@ std::vector<NamedFile> files_named(std::string_view text, const std::filesystem:
 }
 
 ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment) {
-  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::max_document_bytes);
   ManifestReading other;
   other.manifest.file = file;
   if (!text.bytes) {
-    other.faults.push_back({{file.string(), 0, 0}, "", text.hindrance, "name a manifest (YAML)"});
+    other.faults.push_back({{file.string(), 0, 0}, "", text.error, "name a manifest (YAML)"});
     return other;
   }
   ManifestReading reading = parse_manifest(*text.bytes, file, environment);

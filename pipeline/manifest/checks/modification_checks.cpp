@@ -90,7 +90,7 @@ class StepChecker : FaultList {
   void check_pose(const std::string& path, const PoseSource& pose) {
     if (!pose.file.empty())
       check_file(path, pose.file, "the name of an example or a motion file",
-                 motion::most_of_recording);
+                 motion::max_recording_bytes);
     check_take(member_path(path, "take"), pose.file, pose.take, *this);
     if (!pose.example.empty() && !pose.take.empty()) {
       add(member_path(path, "take"), motion::in_quotes(pose.example) + " is an example, one motion",
@@ -105,10 +105,10 @@ class StepChecker : FaultList {
   /// Its paths are taken from the folder of the recipes.
   void check_recipe_pose(const ModificationStep& step, const PoseSource& pose) {
     const std::string path = member_path(step.path, "emotion");
-    const std::string hindrance =
-        pose.file.empty() ? "" : motion::hindrance_of(pose.file, motion::most_of_recording);
-    if (!hindrance.empty()) {
-      add(path, "its recipe names a pose of " + pose.file.string() + ": " + hindrance,
+    const std::string problem =
+        pose.file.empty() ? "" : motion::read_error(pose.file, motion::max_recording_bytes);
+    if (!problem.empty()) {
+      add(path, "its recipe names a pose of " + pose.file.string() + ": " + problem,
           "correct the recipe; paths are taken from its file's folder");
     }
     if (!pose.example.empty() && !was_given("examples")) {

@@ -139,13 +139,13 @@ void check_hold(const Stimulus& stimulus, const Names& parameters, const ScaleSe
                                        : hold.names.size() + hold.values.size();
   const std::size_t count = stimulus.adjectives.size() + held;
   if (stimulus.interpolation.weights.method != motion::InterpolationMethod::grid || held == 0 ||
-      count <= static_cast<std::size_t>(motion::most_grid_dimensions))
+      count <= static_cast<std::size_t>(motion::max_grid_dimensions))
     return;
   list.add(
       path,
       fmt::format("a grid over {} parameters, asked for and held, has too many corners", count),
       fmt::format("hold fewer, {} in all at most, or use another method",
-                  motion::most_grid_dimensions));
+                  motion::max_grid_dimensions));
 }
 
 void check_motion(const std::string& path, const std::string& name, const NameIndex& motions,

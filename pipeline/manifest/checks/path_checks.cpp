@@ -153,7 +153,8 @@ void check_graph(const std::string& path, const WalkPath& walk, FaultList& list)
     const std::string own = member_path(element, "file");
     const std::string at = list.was_given(own) ? own : element;
     const auto& [file, take] = walk.graph[i];
-    list.check_file(at, file, "a motion file (.bvh, .amc, .gltf, .glb)", motion::most_of_recording);
+    list.check_file(at, file, "a motion file (.bvh, .amc, .gltf, .glb)",
+                    motion::max_recording_bytes);
     check_take(member_path(element, "take"), file, take, list);
     if (motion::is_motion_file(file)) continue;
     list.add(at, motion::in_quotes(file.extension().string()) + " is no kind of motion file",

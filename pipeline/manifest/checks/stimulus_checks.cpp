@@ -74,7 +74,7 @@ void check_wish(const std::string& path, const std::string& what, const NamedVal
     list.add(path, "direct interpolation takes weights, not " + what,
              "give weights:, or another method");
   }
-  const auto most = static_cast<std::size_t>(motion::most_grid_dimensions);
+  const auto most = static_cast<std::size_t>(motion::max_grid_dimensions);
   if (method != Method::grid || wish.size() <= most) return;
   list.add(path, "a grid over " + std::to_string(wish.size()) + " parameters has too many corners",
            "name at most " + std::to_string(most) + ", or use another method");
@@ -156,7 +156,7 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
   const ClipSource& clip = *stimulus.clip;
   if (!clip.file.empty()) {
     list.check_file(file, clip.file, "a motion file (.bvh, .amc, .gltf, .glb)",
-                    motion::most_of_recording);
+                    motion::max_recording_bytes);
     if (!motion::is_motion_file(clip.file)) {
       list.add(file,
                motion::in_quotes(clip.file.extension().string()) + " is no kind of motion file",

@@ -10,8 +10,8 @@ namespace mien::pipeline {
 
 std::optional<StudyRecord> study_record_in(const std::filesystem::path& file) {
   if (file.extension() != ".json") return std::nullopt;
-  const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_table);
-  if (reading.bytes && motion::is_nested_deeper(*reading.bytes, motion::deepest_document))
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::max_table_bytes);
+  if (reading.bytes && motion::is_nested_deeper(*reading.bytes, motion::max_json_depth))
     return std::nullopt;
   const auto record = nlohmann::json::parse(reading.bytes.value_or(""), nullptr, false);
   const auto text = [&](const char* place) -> std::string {

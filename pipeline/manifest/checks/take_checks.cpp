@@ -41,7 +41,7 @@ class ReadTakes {
 bool is_readable(const NamedMotion& motion) {
   return motion::is_motion_file(motion.file) &&
          (motion.take.empty() || motion::may_hold_takes(motion.file)) &&
-         motion::hindrance_of(motion.file, motion::most_of_recording).empty();
+         motion::read_error(motion.file, motion::max_recording_bytes).empty();
 }
 
 void check_recording(const NamedMotion& motion, ReadTakes& takes, FaultList& list) {

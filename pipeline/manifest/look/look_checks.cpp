@@ -30,7 +30,7 @@ void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
 void check_trail(const scenes::TrailOptions& trail, const std::string& path,
                  const std::vector<std::string>& joints, FaultList& list) {
   constexpr int most_poses = 29;  // figures of a picture, less the present pose and the traces
-  if (scenes::most_ghosts(trail) > most_poses) {
+  if (scenes::max_ghosts(trail) > most_poses) {
     list.add(path, "too many poses for one picture", "show at most 29 besides the present one");
   }
   std::vector<std::string> known = joints;
@@ -44,8 +44,8 @@ void check_character(const scenes::CharacterOptions& character, const std::strin
                      FaultList& list, SeenFiles& characters) {
   if (characters.contains(character.file)) return;
   list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)",
-                  motion::most_of_recording);
-  if (!motion::hindrance_of(character.file, motion::most_of_recording).empty()) return;
+                  motion::max_recording_bytes);
+  if (!motion::read_error(character.file, motion::max_recording_bytes).empty()) return;
   try {
     scenes::read_character(character.file);
     characters.insert(character.file);

@@ -99,9 +99,9 @@ scenes::SetPlan read_set(const std::string& name, const fs::path& file) {
   if (const std::string_view text = builtin_set_text(name); !text.empty()) {
     return parse_set(text, name + ".set.yaml");
   }
-  const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_document);
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::max_document_bytes);
   if (reading.bytes) return parse_set(*reading.bytes, file);
-  throw Error(Place{file.string(), 0, 0}, reading.hindrance,
+  throw Error(Place{file.string(), 0, 0}, reading.error,
               motion::did_you_mean(name, set_names()) + " or name a file (my.set.yaml)");
 }
 

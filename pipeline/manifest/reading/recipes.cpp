@@ -136,9 +136,9 @@ RecipeBook read_recipes(const std::string& source, const fs::path& file) {
   if (const std::string_view text = builtin_recipes_text(source); !text.empty()) {
     return parse_recipes(text, source + " recipes");
   }
-  const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_document);
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::max_document_bytes);
   if (reading.bytes) return parse_recipes(*reading.bytes, file);
-  throw Error(Place{file.string(), 0, 0}, reading.hindrance,
+  throw Error(Place{file.string(), 0, 0}, reading.error,
               "name a file of recipes (YAML), builtin or fig29");
 }
 

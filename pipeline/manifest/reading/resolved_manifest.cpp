@@ -33,7 +33,7 @@ std::vector<Fault> resolve_sets(Manifest& manifest) {
 }
 
 std::vector<Fault> resolve_scales(ScalesSource& scales) {
-  if (!motion::hindrance_of(scales.file, motion::most_of_document).empty()) return {};
+  if (!motion::read_error(scales.file, motion::max_document_bytes).empty()) return {};
   try {
     scales = scales_in(scales.file);
   } catch (const Faults& wrong) {
@@ -48,9 +48,9 @@ std::vector<Fault> resolve_scales(ScalesSource& scales) {
 void resolve_text(const std::string& path, TextSource& source, FaultList& list) {
   if (source.file.empty()) return;
   const std::string at = member_path(path, "file");
-  const motion::FileReading read = motion::bytes_of_file(source.file, motion::most_of_document);
+  const motion::FileReading read = motion::bytes_of_file(source.file, motion::max_document_bytes);
   if (!read.bytes) {
-    list.check_file(at, source.file, "a text file", motion::most_of_document);
+    list.check_file(at, source.file, "a text file", motion::max_document_bytes);
   } else if (first_invalid_utf8(*read.bytes)) {
     list.add(at, source.file.string() + " is not UTF-8", "save it as UTF-8");
   } else {
@@ -69,7 +69,7 @@ std::vector<Fault> resolve_own_scales(ScaleChoice& scales, const Places& places)
   if (scales.file.empty()) return {};
   FaultList list(places);
   list.check_file("questionnaire.scales.file", scales.file, "a scales file (YAML)",
-                  motion::most_of_document);
+                  motion::max_document_bytes);
   std::vector<Fault> faults = list.take();
   if (!faults.empty()) return faults;
   try {

@@ -22,9 +22,8 @@ bool is_picture(const std::string& name) {
 
 /// What is wrong with a file's bytes; empty for nothing. A size of 0 is not told.
 std::string fault_of_bytes(const fs::path& file, const Hash& hash, std::uint64_t size) {
-  if (const std::string hindrance = motion::hindrance_of(file, motion::any_size);
-      !hindrance.empty())
-    return hindrance;
+  if (const std::string problem = motion::read_error(file, motion::any_size); !problem.empty())
+    return problem;
   const std::uintmax_t found = fs::file_size(file);
   if (size > 0 && found != size) return fmt::format("{} bytes instead of {}", found, size);
   return hash_of_file(file) == hash ? "" : "other bytes";
@@ -98,7 +97,7 @@ class FramesCheck {
         find(Finding::Kind::extra, name, "");
         continue;
       }
-      if (const std::string fault = motion::hindrance_of(file_of(name), motion::any_size);
+      if (const std::string fault = motion::read_error(file_of(name), motion::any_size);
           !fault.empty()) {
         find(Finding::Kind::changed, name, fault);
         continue;

@@ -26,7 +26,8 @@ Comparison compare(const render::Image8& drawn, const render::Image8& decoded,
             same ? "the same pixels" : "other pixels, though this video shows the very frames"};
   }
   const render::FrameSketcher sketcher(drawn.width, drawn.height);
-  const render::Likeness like = sketcher.likeness(sketcher.sketch(drawn), sketcher.sketch(decoded));
+  const render::FrameSimilarity like =
+      sketcher.similarity(sketcher.sketch(drawn), sketcher.sketch(decoded));
   const bool agrees = like.identical || (like.psnr_db >= video.worst_psnr_db - psnr_tolerance_db &&
                                          like.ssim >= video.worst_ssim - ssim_tolerance);
   return {agrees,
@@ -39,7 +40,7 @@ Comparison compare(const render::Image8& drawn, const render::Image8& decoded,
 void visit_frames(const std::filesystem::path& file, const VideoRecord& video,
                   const std::function<void(int, const render::Image8&)>& visit) {
   int next = 0;
-  render::probe_timed(file, [&](const render::ShownPicture& shot) {
+  render::probe_timed(file, [&](const render::TimedPicture& shot) {
     int last = next;
     if (video.format == "webp")
       last = shot.duration > 0.0

@@ -56,7 +56,7 @@ void each_value(std::string_view page, std::string_view attribute, const Call& c
 
 int dead_links(const fs::path& folder, const Cleaning& cleaning) {
   const motion::FileReading page =
-      motion::bytes_of_file(folder / "report.html", motion::most_of_table);
+      motion::bytes_of_file(folder / "report.html", motion::max_table_bytes);
   if (!page.bytes) return 0;
   std::set<std::string, std::less<>> gone;
   for (const Receipt& artifact : cleaning.removed) gone.insert(artifact.path);

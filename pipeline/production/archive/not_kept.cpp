@@ -39,10 +39,10 @@ std::vector<ArtifactRecord> not_kept_in(const fs::path& folder) {
   const fs::path file = folder / not_kept_path;
   std::error_code unknown;
   if (!fs::exists(fs::symlink_status(file, unknown))) return records;
-  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_table);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::max_table_bytes);
   try {
-    if (!text.bytes) throw Error({file.string()}, text.hindrance, "put the file back");
-    const bool is_deep = motion::is_nested_deeper(*text.bytes, motion::deepest_document);
+    if (!text.bytes) throw Error({file.string()}, text.error, "put the file back");
+    const bool is_deep = motion::is_nested_deeper(*text.bytes, motion::max_json_depth);
     const auto note = nlohmann::json::parse(is_deep ? std::string() : *text.bytes);
     for (const auto& [path, entry] : note.at("not_kept").items())
       records.push_back({motion::safe_names(path, {file.string()}), entry.at("hash"),

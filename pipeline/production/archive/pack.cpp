@@ -25,9 +25,8 @@ class Payload {
 
   void add(const std::string& path) {
     const fs::path file = folder_ / path;
-    if (const std::string hindrance = motion::hindrance_of(file, motion::any_size);
-        !hindrance.empty())
-      throw Error({file.string()}, hindrance, "remove it: an archive holds files");
+    if (const std::string problem = motion::read_error(file, motion::any_size); !problem.empty())
+      throw Error({file.string()}, problem, "remove it: an archive holds files");
     sizes_[path] = fs::file_size(file);
   }
 

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 /// A damaged one is as good as none.
 std::optional<FilmRecord> record_of(const std::string& film, const StudyContents& contents) {
   const motion::FileReading text =
-      motion::bytes_of_file(contents.folder / film_record_path(film), motion::most_of_document);
+      motion::bytes_of_file(contents.folder / film_record_path(film), motion::max_document_bytes);
   if (!text.bytes) return std::nullopt;
   try {
     return parse_film_record(*text.bytes);
@@ -65,7 +65,7 @@ FilmSubject subject_named(const std::string& id, const Manifest& manifest, Motio
 class Rerendering {
  public:
   Rerendering(const FilmSubject& subject, const FramesToRerender& wanted, const Manifest& manifest,
-            const Equalized& alike, const StudyContents& contents, int threads)
+              const Equalized& alike, const StudyContents& contents, int threads)
       : wanted_(wanted),
         contents_(contents),
         output_(subject.film.output),
@@ -142,8 +142,8 @@ EqualizedFilms equalized_in_tables(const Manifest& manifest, const fs::path& fol
       throw Error({table.string()}, wrong,
                   "films of this study are made alike by it; keep metrics to draw frames again");
     };
-    const std::string hindrance = motion::hindrance_of(table, motion::most_of_table);
-    if (!hindrance.empty()) refuse(hindrance);
+    const std::string problem = motion::read_error(table, motion::max_table_bytes);
+    if (!problem.empty()) refuse(problem);
     std::map<std::string, double> numbers = stimulus_numbers(table, name);
     for (const Stimulus& stimulus : manifest.stimuli) {
       if (!numbers.contains(stimulus.id)) refuse("no row of " + motion::in_quotes(stimulus.id));
@@ -217,8 +217,8 @@ std::vector<RerenderedFrame> rerender(const Manifest& manifest, const StudyConte
         done((static_cast<double>(w) + share) / static_cast<double>(wanted.size()),
              wanted[w].film.id);
     };
-    const Rerendering rerendering(subject, wanted[w], manifest, alike.of(wanted[w].film.id), contents,
-                              threads);
+    const Rerendering rerendering(subject, wanted[w], manifest, alike.of(wanted[w].film.id),
+                                  contents, threads);
     for (RerenderedFrame& frame : rerendering.draw(stop, progress))
       result.push_back(std::move(frame));
   }

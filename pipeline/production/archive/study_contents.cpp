@@ -82,16 +82,16 @@ StudyContents contents_of(const fs::path& study) {
                 "name the folder of a study (out/my-study), or its provenance.json");
   }
   const fs::path file = contents.provenance();
-  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_table);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::max_table_bytes);
   if (!text.bytes) {
-    throw Error({file.string()}, text.hindrance,
+    throw Error({file.string()}, text.error,
                 "mien run writes it when everything of the study is made");
   }
   const auto refuse = [&] {
     throw Error({file.string()}, "this is no provenance of a study",
                 "mien run writes it when everything of the study is made");
   };
-  if (motion::is_nested_deeper(*text.bytes, motion::deepest_document)) refuse();
+  if (motion::is_nested_deeper(*text.bytes, motion::max_json_depth)) refuse();
   try {
     take(json::parse(*text.bytes), contents);
   } catch (const json::exception&) {

@@ -30,7 +30,7 @@ std::map<std::string, VideoRecord> recorded_videos(const StudyContents& contents
   for (const ArtifactRecord& artifact : contents.artifacts) {
     if (!artifact.path.starts_with("metrics/films/")) continue;
     const motion::FileReading text =
-        motion::bytes_of_file(contents.folder / artifact.path, motion::most_of_document);
+        motion::bytes_of_file(contents.folder / artifact.path, motion::max_document_bytes);
     if (!text.bytes || hash_of(*text.bytes) != artifact.hash) continue;
     for (const VideoRecord& video : parse_film_record(*text.bytes).videos)
       videos[video.file] = video;
@@ -102,9 +102,9 @@ class Verifier {
   void check_own_files() {
     for (const std::string& path : {std::string("provenance.json"), contents_.as_run}) {
       const fs::path file = contents_.folder / path;
-      const std::string hindrance = motion::hindrance_of(file, motion::any_size);
-      if (!hindrance.empty()) {
-        result_.findings.push_back({Finding::Kind::missing, path, hindrance});
+      const std::string problem = motion::read_error(file, motion::any_size);
+      if (!problem.empty()) {
+        result_.findings.push_back({Finding::Kind::missing, path, problem});
         continue;
       }
       const std::optional<Receipt> receipt = read_receipt(contents_.folder, path);

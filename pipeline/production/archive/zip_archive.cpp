@@ -157,7 +157,7 @@ ZipFiles unzipped(const std::string& bytes, const std::string& name) {
 
 ZipFiles read_zip(const std::filesystem::path& file) {
   const motion::FileReading read = motion::bytes_of_file(file, most_zip_bytes);
-  if (!read.bytes) throw Error({file.string()}, read.hindrance, "name a zip archive");
+  if (!read.bytes) throw Error({file.string()}, read.error, "name a zip archive");
   return unzipped(*read.bytes, file.string());
 }
 

@@ -4,8 +4,8 @@
 
 namespace mien::pipeline {
 
-motion::Clip shown_clip(const motion::Clip& motion, const Output& output) {
-  return motion::shown_clip(motion, {output.cycles, output.in_place});
+motion::Clip playback_clip(const motion::Clip& motion, const Output& output) {
+  return motion::playback_clip(motion, {output.cycles, output.in_place});
 }
 
 }  // namespace mien::pipeline

@@ -32,6 +32,6 @@ class FinishedMotions {
 
 /// What the video shows of a motion: a loop repeated `output.cycles` times, in place when asked
 /// for.
-motion::Clip shown_clip(const motion::Clip& motion, const Output& output);
+motion::Clip playback_clip(const motion::Clip& motion, const Output& output);
 
 }  // namespace mien::pipeline

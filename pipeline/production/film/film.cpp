@@ -151,15 +151,15 @@ render::TracerOptions tracer_options(const FilmSettings& settings, const scenes:
                                      const std::stop_token& stop) {
   render::TracerOptions options{.threads = settings.threads, .instruction_set = "", .stop = stop};
   if (set_moves(shot)) return options;
-  options.sets = settings.sets;
-  options.keep_light = settings.keep_light;
+  options.backgrounds = settings.sets;
+  options.light_cache = settings.light_cache;
   return options;
 }
 
 render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot) {
   render::Quality quality = quality_of(settings);
   if (set_moves(shot))
-    quality.standing_samples = std::min(quality.standing_samples, quality.samples_per_pixel);
+    quality.static_samples = std::min(quality.static_samples, quality.samples_per_pixel);
   return quality;
 }
 

@@ -11,7 +11,7 @@
 #include "render/image/image.h"
 #include "render/image/layers.h"
 #include "render/scene/quality.h"
-#include "render/tracer/standing_sets.h"
+#include "render/tracer/static_background_cache.h"
 #include "render/tracer/tracer.h"
 #include "scenes/stage/shot.h"
 
@@ -32,8 +32,8 @@ struct FilmSettings {
 
   /// What sets that stand share with other films, and what is found again of them (kept_light.h).
   /// No influence on the pictures.
-  render::StandingSets* sets = nullptr;
-  render::KeepLight keep_light = {};
+  render::StaticBackgroundCache* sets = nullptr;
+  render::LightCache light_cache = {};
 };
 
 /// Of a film of that shot: a set that looks another way in each frame is nobody else's.

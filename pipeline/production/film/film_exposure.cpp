@@ -42,16 +42,16 @@ render::Quality metering_quality() {
   return quality;
 }
 
-double mean_of(const std::vector<render::Film>& films, render::Tone tone, float stops) {
+double mean_of(const std::vector<render::Framebuffer>& films, render::Tone tone, float stops) {
   tone.exposure_stops += stops;
   double sum = 0.0;
-  for (const render::Film& film : films) sum += render::mean_luminance(film, tone);
+  for (const render::Framebuffer& film : films) sum += render::mean_luminance(film, tone);
   return sum / static_cast<double>(films.size());
 }
 
 /// Small frames, spread over the film, and how they are shown.
 struct Samples {
-  std::vector<render::Film> films;
+  std::vector<render::Framebuffer> films;
   render::Tone tone;
 };
 
@@ -220,7 +220,8 @@ void refuse(std::vector<Fault> faults) {
 
 }  // namespace
 
-float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted) {
+float stops_for(const std::vector<render::Framebuffer>& films, const render::Tone& tone,
+                double wanted) {
   return stops_where([&](float stops) { return mean_of(films, tone, stops); }, wanted);
 }
 

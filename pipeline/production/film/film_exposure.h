@@ -8,7 +8,7 @@
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/tasks/task_graph.h"
-#include "render/image/film.h"
+#include "render/image/framebuffer.h"
 #include "render/image/tone.h"
 
 namespace mien::pipeline {
@@ -25,7 +25,8 @@ namespace mien::pipeline {
 
 /// The stops, −8 … 8, that added to the tone's bring the mean over films of `mean_luminance` to
 /// `wanted`; the nearest end where none does.
-float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted);
+float stops_for(const std::vector<render::Framebuffer>& films, const render::Tone& tone,
+                double wanted);
 
 /// Finds the exposure of each film, and returns metrics/exposure.csv (film_table_forms.h). Figures
 /// are as tall and stand where `films` has them. Throws Faults when no exposure brings a film, or

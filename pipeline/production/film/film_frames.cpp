@@ -42,7 +42,7 @@ std::string frame_name(FrameFormat format, int frame) {
 void write_frame(const std::filesystem::path& file, const FramePicture& picture) {
   std::visit(
       [&]<class Picture>(const Picture& kept) {
-        if constexpr (std::is_same_v<Picture, render::Film>) {
+        if constexpr (std::is_same_v<Picture, render::Framebuffer>) {
           render::write_exr(file, kept);
         } else if constexpr (std::is_same_v<Picture, render::Layers>) {
           render::write_layers(file, kept);

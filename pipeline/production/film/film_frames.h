@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "pipeline/manifest/manifest.h"
-#include "render/image/film.h"
+#include "render/image/framebuffer.h"
 #include "render/image/image.h"
 #include "render/image/layers.h"
 #include "render/image/tone.h"
@@ -16,7 +16,8 @@ namespace mien::pipeline {
 std::string frame_name(FrameFormat format, int frame);
 
 /// A frame in the form in which a file has it: light, or what a display shows.
-using FramePicture = std::variant<render::Film, render::Layers, render::Image8, render::Image16>;
+using FramePicture =
+    std::variant<render::Framebuffer, render::Layers, render::Image8, render::Image16>;
 
 /// Writes one frame: light as EXR, the others as PNG.
 void write_frame(const std::filesystem::path& file, const FramePicture& picture);

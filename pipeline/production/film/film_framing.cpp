@@ -77,7 +77,7 @@ using StandingsById = std::map<std::string, Standing>;
 
 Standing standing_of(const scenes::Shot& shot) {
   const auto [right, below] = scenes::figure_place(shot.cameras).value();
-  const Eigen::AlignedBox2d taken = scenes::taken_part(shot.cameras, shot.action);
+  const Eigen::AlignedBox2d taken = scenes::action_bounds(shot.cameras, shot.action);
   const render::Camera& camera = shot.cameras.cameras.front();
   const Vector2d half = 0.5 * Vector2d(camera.width, camera.height);
   Standing standing{{right, below}, {}};

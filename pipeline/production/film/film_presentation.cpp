@@ -22,7 +22,7 @@ std::uint8_t code_of(double level) { return static_cast<std::uint8_t>(std::lroun
 /// What each code becomes when it is mixed with the background in linear light.
 std::array<std::uint8_t, 256> mixed_codes(std::uint8_t background, double share) {
   const double rest = (1.0 - share) * render::linear_from_srgb(background / 255.0);
-  render::Film film(256, 1);
+  render::Framebuffer film(256, 1);
   for (int code = 0; code < 256; ++code) {
     const double light = share * render::linear_from_srgb(code / 255.0) + rest;
     std::fill_n(film.at(code, 0), 3, static_cast<float>(light));

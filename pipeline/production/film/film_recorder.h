@@ -47,7 +47,7 @@ class FilmRecorder {
 
   const FilmSettings& settings_;
   Presenter presenter_;
-  render::FilmSketch sketch_;
+  render::VideoSketch sketch_;
   std::map<render::VideoKind, std::filesystem::path> files_;  // that have not begun
   std::map<render::VideoKind, render::VideoWriter> writers_;
   std::map<render::VideoKind, render::VideoReceipt> receipts_;

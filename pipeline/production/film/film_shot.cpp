@@ -22,7 +22,7 @@ scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
 
 /// What is shown of a motion that was made for another film, which may have another frame rate.
 motion::Clip clip_at_rate(const motion::Clip& made, const Output& output) {
-  return shown_clip(motion::resampled(made, output.fps), output);
+  return playback_clip(motion::resampled(made, output.fps), output);
 }
 
 /// Output of a clip for a set: one that goes under the figure needs to know how fast it goes.

@@ -71,7 +71,7 @@ class FilmMaker {
         shot_(exposed(subject.make_shot(alike), alike.exposure_stops)),
         contact_(shot_.frame_count()),
         recorder_(settings_, shot_.frame_count()) {
-    settings_.keep_light = kept_light(run.store, run.stop);
+    settings_.light_cache = kept_light(run.store, run.stop);
     settings_.drew = [&run](double seconds) { run.store.presence().drew_frame(seconds); };
     record_.exposure_stops = static_cast<double>(alike.exposure_stops);
     record_.figure_px = scenes::figure_pixels(shot_.cameras);

@@ -18,8 +18,8 @@ int frame_after(const scenes::Shot& shot, int frame) {
 }
 
 /// Two pictures of the same height as one.
-render::Film beside(const render::Film& left, const render::Film& right) {
-  render::Film both(left.width + right.width, left.height);
+render::Framebuffer beside(const render::Framebuffer& left, const render::Framebuffer& right) {
+  render::Framebuffer both(left.width + right.width, left.height);
   for (int y = 0; y < both.height; ++y) {
     std::copy_n(left.at(0, y), 3 * left.width, both.at(0, y));
     std::copy_n(right.at(0, y), 3 * right.width, both.at(left.width, y));
@@ -65,10 +65,10 @@ FramePicture FrameDrawer::draw_layers(int frame) {
   return layers;
 }
 
-render::Film FrameDrawer::draw_light(ReadyFrame ready) {
-  std::vector<render::Film> seen;
-  for (render::ReadyPicture& sight : ready.sights)
-    seen.push_back(tracer_.draw(std::move(sight)).film);
+render::Framebuffer FrameDrawer::draw_light(ReadyFrame ready) {
+  std::vector<render::Framebuffer> seen;
+  for (render::PreparedView& sight : ready.sights)
+    seen.push_back(tracer_.draw(std::move(sight)).color);
   return eyes_ == 1 ? std::move(seen[0]) : beside(seen[0], seen[1]);
 }
 
@@ -77,9 +77,9 @@ Picture FrameDrawer::draw_picture(ReadyFrame ready) {
   const render::Window window = window_of(cameras_at(shot_, ready.frame)[0]);
   Picture picture(eyes_ * window.width, window.height);
   int left = 0;
-  for (render::ReadyPicture& sight : ready.sights) {
-    tracer_.draw(std::move(sight), [&](const render::DrawnPart& part) {
-      develop(part.film, part.pixels, shot_.tone, picture, left + part.x, part.y);
+  for (render::PreparedView& sight : ready.sights) {
+    tracer_.draw(std::move(sight), [&](const render::RenderedRegion& part) {
+      develop(part.framebuffer, part.pixels, shot_.tone, picture, left + part.x, part.y);
     });
     left += window.width;
   }

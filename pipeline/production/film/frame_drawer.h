@@ -13,7 +13,7 @@ namespace mien::pipeline {
 /// A frame that is ready to be drawn: what each eye sees of it.
 struct ReadyFrame {
   int frame = 0;
-  std::vector<render::ReadyPicture> sights;
+  std::vector<render::PreparedView> sights;
 };
 
 /// Draws frames of a shot, several at a time, and one is made ready meanwhile. Each part of a
@@ -35,11 +35,11 @@ class FrameDrawer {
   int in_flight() const;
 
   /// As render::Tracer::for_frames.
-  void for_frames(const render::FrameWork& work) { tracer_.for_frames(work, in_flight()); }
+  void for_frames(const render::FrameCallbacks& work) { tracer_.for_frames(work, in_flight()); }
 
  private:
   FramePicture draw_layers(int frame);
-  render::Film draw_light(ReadyFrame ready);
+  render::Framebuffer draw_light(ReadyFrame ready);
   template <class Picture>
   Picture draw_picture(ReadyFrame ready);
   render::View view_of(int frame, int eye) const;

@@ -30,7 +30,7 @@ constexpr auto pause_between_looks = std::chrono::milliseconds(200);
 // was written by another kind of machine has another key.
 constexpr std::size_t head_bytes = 2 * sizeof(std::int32_t);
 
-std::string bytes_of(const render::Film& light) {
+std::string bytes_of(const render::Framebuffer& light) {
   const std::array<std::int32_t, 2> size{light.width, light.height};
   const std::size_t channels = light.channels.size() * sizeof(float);
   std::string bytes(head_bytes + channels, '\0');
@@ -39,7 +39,7 @@ std::string bytes_of(const render::Film& light) {
   return bytes;
 }
 
-std::optional<render::Film> light_of(std::string_view bytes) {
+std::optional<render::Framebuffer> light_of(std::string_view bytes) {
   std::array<std::int32_t, 2> size{};
   if (bytes.size() < head_bytes) return std::nullopt;
   std::memcpy(size.data(), bytes.data(), head_bytes);
@@ -48,7 +48,7 @@ std::optional<render::Film> light_of(std::string_view bytes) {
   if (width < 1 || height < 1 ||
       values != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     return std::nullopt;
-  render::Film light(width, height);
+  render::Framebuffer light(width, height);
   std::memcpy(light.channels.data(), bytes.data() + head_bytes, values * sizeof(float));
   return light;
 }
@@ -92,8 +92,8 @@ class LightKeeper {
   LightKeeper(Store& store, std::stop_token stop, std::uintmax_t most_bytes)
       : store_(&store), stop_(std::move(stop)), most_bytes_(most_bytes) {}
 
-  render::Film operator()(const std::string& name,
-                          const std::function<render::Film()>& draw) const {
+  render::Framebuffer operator()(const std::string& name,
+                                 const std::function<render::Framebuffer()>& draw) const {
     const std::string path = std::string(light_folder) + "/" + name;
     const Hash key = key_of_light(name);
     for (;;) {
@@ -108,7 +108,7 @@ class LightKeeper {
   }
 
  private:
-  std::optional<render::Film> found(const std::string& path, const Hash& key) const {
+  std::optional<render::Framebuffer> found(const std::string& path, const Hash& key) const {
     if (!store_->find(path, key)) return std::nullopt;
     const fs::path file = store_->folder() / path;
     try {
@@ -121,9 +121,9 @@ class LightKeeper {
     }
   }
 
-  render::Film drawn(const std::string& path, const Hash& key,
-                     const std::function<render::Film()>& draw) const {
-    const render::Film light = draw();
+  render::Framebuffer drawn(const std::string& path, const Hash& key,
+                            const std::function<render::Framebuffer()>& draw) const {
+    const render::Framebuffer light = draw();
     store_->put(
         path, key, [&](const fs::path& file) { write_file(file, bytes_of(light)); },
         [&](const fs::path& file) {
@@ -141,7 +141,8 @@ class LightKeeper {
 
 }  // namespace
 
-render::KeepLight kept_light(Store& store, const std::stop_token& stop, std::uintmax_t most_bytes) {
+render::LightCache kept_light(Store& store, const std::stop_token& stop,
+                              std::uintmax_t most_bytes) {
   return LightKeeper(store, stop, most_bytes);
 }
 

@@ -4,7 +4,7 @@
 #include <stop_token>
 
 #include "pipeline/tasks/store.h"
-#include "render/tracer/standing_sets.h"
+#include "render/tracer/static_background_cache.h"
 
 namespace mien::pipeline {
 
@@ -16,7 +16,7 @@ constexpr std::uintmax_t most_kept_light = 512'000'000;
 /// parts of films and other processes find it; a file that is not as it was written is made again.
 /// While another process draws a set, this one waits for it. What is returned must not outlive the
 /// store; it throws Interrupted soon after a stop request, and WriteFailure.
-render::KeepLight kept_light(Store& store, const std::stop_token& stop,
-                             std::uintmax_t most_bytes = most_kept_light);
+render::LightCache kept_light(Store& store, const std::stop_token& stop,
+                              std::uintmax_t most_bytes = most_kept_light);
 
 }  // namespace mien::pipeline

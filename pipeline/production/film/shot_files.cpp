@@ -26,7 +26,7 @@ std::string write_video(const ShotWork& work, const fs::path& file) {
   draw_frames(work.shot, frames_between(0, count), work.settings, nullptr, take, work.stop,
               work.progress);
   recorder.close();
-  return render::likeness_text(recorder.check(file, kind));
+  return render::similarity_text(recorder.check(file, kind));
 }
 
 std::string write_contact_sheet(const ShotWork& work, const fs::path& file) {
@@ -52,7 +52,8 @@ void write_still(const ShotWork& work, int frame, render::Background background,
   if (background != render::Background::shown) {
     quality.background = background;
     return render::write_png(
-        file, tracer().expose({scene_at(work.shot, frame), camera_at(work.shot, frame), quality}),
+        file,
+        tracer().render_view({scene_at(work.shot, frame), camera_at(work.shot, frame), quality}),
         work.shot.tone);
   }
   const FrameSink write = [&](int, const render::Image8& picture) {

@@ -11,7 +11,7 @@
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/tasks/stopwatch.h"
 #include "pipeline/tasks/task_graph.h"
-#include "render/tracer/standing_sets.h"
+#include "render/tracer/static_background_cache.h"
 
 namespace mien::pipeline {
 
@@ -76,7 +76,7 @@ class Production {
   Manifest manifest_;
   ProductionOptions options_;
   Motions motions_;
-  render::StandingSets sets_;  ///< of all films
+  render::StaticBackgroundCache sets_;  ///< of all films
   TaskGraph graph_;
   std::set<std::string> wanted_;  ///< options_.only
   std::map<std::string, Hash> inputs_;

@@ -105,7 +105,7 @@ std::vector<fs::path> uncopied_files(const Manifest& manifest) {
     }
     if (const auto* character = scenes::character_in(film->look.figure)) {
       files.push_back(character->file);
-      for (const auto& part : scenes::parts_of_character(character->file)) files.push_back(part);
+      for (const auto& part : scenes::files_of_character(character->file)) files.push_back(part);
     }
   }
   std::sort(files.begin(), files.end());

@@ -66,7 +66,7 @@ Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSetting
   task.cost_seconds = still_cost_seconds * static_cast<double>(sheet.stills.size());
   task.make = [&sheet, &manifest, &motions, settings](TaskRun& run) {
     FilmSettings kept = settings;
-    kept.keep_light = kept_light(run.store, run.stop);
+    kept.light_cache = kept_light(run.store, run.stop);
     const StillsContent content = stills_content(sheet, manifest, kept, motions, run);
     put_sheet(run, stills_as_pdf(content), stills_as_png(content));
   };

@@ -18,7 +18,7 @@ std::string durations_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table = table_of(durations_form);
   const std::string common = shortest(motions.shortest_seconds());
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const motion::Clip own = shown_clip(motions.clip(stimulus.id), stimulus.output);
+    const motion::Clip own = playback_clip(motions.clip(stimulus.id), stimulus.output);
     table.row({stimulus.id, shortest(own.frame_count() / own.frames_per_second), common});
   }
   return table.text();

@@ -54,7 +54,7 @@ Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Mot
   task.make = [&stimulus, &motions](TaskRun& run) {
     const Synthesis& synthesis = motions.of(stimulus.id);
     const std::string record =
-        motion_record(synthesis, shown_clip(synthesis.motion.clip, stimulus.output));
+        motion_record(synthesis, playback_clip(synthesis.motion.clip, stimulus.output));
     run.put_text(0, record, [](const fs::path& file) { parse_motion_record(read_file(file)); });
   };
   return task;

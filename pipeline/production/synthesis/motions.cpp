@@ -69,7 +69,7 @@ const motion::Example& Motions::measured(const std::string& name) {
 }
 
 motion::Clip Motions::shown(const Stimulus& stimulus) {
-  motion::Clip shown = shown_clip(clip(stimulus.id), stimulus.output);
+  motion::Clip shown = playback_clip(clip(stimulus.id), stimulus.output);
   if (!manifest_.equalize.duration) return shown;
   const auto frames = static_cast<std::size_t>(
       std::max(1.0, std::round(shortest_seconds() * shown.frames_per_second)));
@@ -81,7 +81,7 @@ double Motions::shortest_seconds() {
   std::call_once(shortest_once_, [this] {
     shortest_s_ = std::numeric_limits<double>::infinity();
     for (const Stimulus& one : manifest_.stimuli) {
-      const motion::Clip shown = shown_clip(clip(one.id), one.output);
+      const motion::Clip shown = playback_clip(clip(one.id), one.output);
       shortest_s_ = std::min(shortest_s_, shown.frame_count() / shown.frames_per_second);
     }
   });

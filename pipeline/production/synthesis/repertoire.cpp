@@ -16,7 +16,7 @@ namespace {
 
 motion::ExampleSet made_examples(const std::string& builtin) {
   const std::vector<motion::ExampleMaker> makers = motion::builtin_example_makers(builtin);
-  motion::ExampleSet set = motion::unmade_examples(builtin);
+  motion::ExampleSet set = motion::empty_example_set(builtin);
   set.examples.resize(makers.size());
   on_all_processors(makers.size(), [&](std::size_t i) { set.examples[i] = makers[i].make(); });
   return set;

@@ -12,7 +12,7 @@
 #include "motion/gait/foot_slide.h"
 #include "motion/interpolation/interpolation.h"
 #include "motion/lint/lint.h"
-#include "motion/live/made_motion.h"
+#include "motion/live/synthesis.h"
 #include "motion/rig/body_mapping.h"
 #include "pipeline/manifest/named_motions.h"
 #include "pipeline/production/synthesis/modified_motion.h"
@@ -60,7 +60,7 @@ NamedValues blended(const NamedValues& wishes, const ParameterTable& table,
 
 /// Features are measured of the motion; what people would say of it can only be summed.
 NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& repertoire,
-                               const motion::MadeMotion& made) {
+                               const motion::SynthesisedMotion& made) {
   const NamedValues& wishes = wishes_of(stimulus);
   if (stimulus.features.empty()) return blended(wishes, repertoire.parameters, made.found.weights);
   std::vector<std::string> names;
@@ -132,12 +132,12 @@ void note_single_example(const Repertoire& repertoire, Synthesis& synthesis) {
       100.0 * weight, repertoire.names[static_cast<std::size_t>(largest)].name, count));
 }
 
-motion::Making making_of(const Interpolation& interpolation, const Output& output,
-                         const Repertoire& repertoire) {
+motion::SynthesisContext making_of(const Interpolation& interpolation, const Output& output,
+                                   const Repertoire& repertoire) {
   return {examples_for(interpolation, repertoire), interpolation, output.fps};
 }
 
-Synthesis as_synthesis(motion::MadeMotion made) {
+Synthesis as_synthesis(motion::SynthesisedMotion made) {
   Synthesis result;
   result.planted_drift_m = motion::planted_drift(made.motion.clip, made.plants);
   result.motion = std::move(made.motion);
@@ -149,7 +149,7 @@ Synthesis as_synthesis(motion::MadeMotion made) {
 Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
                        const Interpolation& interpolation, const Repertoire& repertoire) {
   return as_synthesis(
-      motion::made_of_weights(weights, making_of(interpolation, output, repertoire)));
+      motion::synthesise_from_weights(weights, making_of(interpolation, output, repertoire)));
 }
 
 /// What was asked for and held, and what became of it.
@@ -177,9 +177,9 @@ Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire
   const Interpolation& how = stimulus.interpolation;
   const Wish wish = wish_of(stimulus, repertoire);
   const FittedInterface sliders = fit_interface(wish.sliders, how, repertoire, wish.held);
-  motion::MadeMotion made =
-      motion::made_for(sliders, wish.settings, making_of(how, stimulus.output, repertoire),
-                       {repertoire.features.scale, repertoire.features.table});
+  motion::SynthesisedMotion made =
+      motion::synthesise_for(sliders, wish.settings, making_of(how, stimulus.output, repertoire),
+                             {repertoire.features.scale, repertoire.features.table});
   std::vector<std::string> warnings = sliders.interpolator.remarks;
   warnings.insert(warnings.end(), made.found.remarks.begin(), made.found.remarks.end());
   NamedValues reached = reached_parameters(stimulus, repertoire, made);
@@ -261,7 +261,7 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   assert(is_blend(stimulus));
   if (wishes_of(stimulus).empty()) return given_weights(stimulus.weights, repertoire);
-  // Features are met by trial (with_met_features).
+  // Features are met by trial (synthesise_with_features).
   if (!stimulus.features.empty()) return from_parameters(stimulus, repertoire).weights;
   const Wish wish = wish_of(stimulus, repertoire);
   const FittedInterface sliders =

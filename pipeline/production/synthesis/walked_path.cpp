@@ -65,10 +65,10 @@ std::vector<motion::WalkSegment> segments_of(const WalkPath& path, const Moods& 
 }
 
 /// The mood it begins in, and those that follow by time.
-std::vector<motion::MoodFrom> moods_in_time(const WalkPath& path, const Moods& moods) {
+std::vector<motion::MoodChange> moods_in_time(const WalkPath& path, const Moods& moods) {
   const bool is_first_step_s = path.mood.empty() && !path.script.empty();
   const Mood& first = is_first_step_s ? path.script.front().mood : path.mood;
-  std::vector<motion::MoodFrom> changes = {{0.0, shares(first, moods)}};
+  std::vector<motion::MoodChange> changes = {{0.0, shares(first, moods)}};
   for (const MoodChange& change : path.moods)
     changes.push_back({change.seconds, shares(change.mood, moods)});
   return changes;
@@ -107,11 +107,11 @@ std::vector<double> version_shares(const Mood& mood, const std::vector<Modificat
 }
 
 /// The clip given an emotion, frame for frame the same moments.
-motion::MotionInStep in_emotion(const motion::Clip& clip, const ModificationStep& recipe) {
+motion::SynchronisedMotion in_emotion(const motion::Clip& clip, const ModificationStep& recipe) {
   const motion::Clip changed = motion::modified(clip, recipe.modification);
   const std::vector<double> whole = {0.0, changed.duration_seconds()};
   const std::vector<double> before = {0.0, clip.duration_seconds()};
-  motion::MotionInStep motion = motion::in_step(changed, whole, clip, before);
+  motion::SynchronisedMotion motion = motion::synchronised(changed, whole, clip, before);
   motion.clip.name = clip.name;
   return motion;
 }
@@ -121,7 +121,7 @@ std::vector<motion::MotionGraph> versions_of(const motion::MotionGraph& graph,
                                              const std::vector<ModificationStep>& recipes) {
   std::vector<motion::MotionGraph> versions = {graph};
   for (const ModificationStep& recipe : recipes) {
-    std::vector<motion::MotionInStep> motions;
+    std::vector<motion::SynchronisedMotion> motions;
     for (const motion::Clip& clip : graph.clips) motions.push_back(in_emotion(clip, recipe));
     versions.push_back(motion::with_motions(graph, motions));
   }
@@ -160,7 +160,7 @@ motion::WalkedClip walked_by_graph(const Stimulus& stimulus) {
       motion::motion_graph(clips_of(path, stimulus.output.fps), {.threshold_m = path.threshold_m});
   const std::vector<motion::MotionGraph> versions = versions_of(graph, recipes);
   if (path.points.empty()) return walked_script(path, recipes, versions);
-  std::vector<motion::MoodFrom> moods;
+  std::vector<motion::MoodChange> moods;
   if (!path.mood.empty() || !path.moods.empty())
     moods.push_back({0.0, version_shares(path.mood, recipes)});
   for (const MoodChange& change : path.moods)

@@ -100,7 +100,7 @@ render::Image8 read_picture(const fs::path& file) {
   const std::size_t count = channels.names.size();
   if (count == 0) throw Error({file.string()}, "has no channels", "compare pictures");
   const bool is_grey = count < 3;
-  render::Film film(channels.width, channels.height);
+  render::Framebuffer film(channels.width, channels.height);
   for (std::size_t i = 0; i < film.channels.size(); ++i)
     film.channels[i] = channels.values[i / 3 * count + (is_grey ? 0 : i % 3)];
   if (has_ending(file, {".exr"})) return render::to_srgb8(film);

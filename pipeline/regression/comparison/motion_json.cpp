@@ -173,7 +173,7 @@ ordered_json as_json(const ComparedMotions& motions) {
       {"rotation", worst_as_json(difference, &JointDifference::turn_radians, "rad")},
       {"velocity", worst_as_json(difference, &JointDifference::velocity_m_s, "m/s")},
       {"mpjpe_m", difference.errors.mpjpe},
-      {"rooted_mpjpe_m", difference.errors.rooted_mpjpe},
+      {"rooted_mpjpe_m", difference.errors.root_relative_mpjpe},
       {"pa_mpjpe_m", difference.errors.pa_mpjpe},
       {"causes", cause_names(difference)},
       {"joints_gone", difference.only_before},

@@ -76,7 +76,7 @@ void add_timing(Lines& lines, const MotionDifference& difference) {
 std::string errors_told(const MotionDifference& difference) {
   std::string text = fmt::format("{} in the world, {} from the root, {} after aligning each pose",
                                  in_centimetres(difference.errors.mpjpe),
-                                 in_centimetres(difference.errors.rooted_mpjpe),
+                                 in_centimetres(difference.errors.root_relative_mpjpe),
                                  in_centimetres(difference.errors.pa_mpjpe));
   if (difference.body) text += fmt::format("; D {:.4f} m", difference.body->d_m);
   return text;
@@ -149,7 +149,7 @@ void add_features(Lines& lines, const MotionDifference& difference) {
 }
 
 std::string joint_told(const JointDifference& joint, bool is_on_bone) {
-  const motion::Peak turn = motion::peak_of(joint.turn_radians);
+  const motion::CurvePeak turn = motion::peak_of(joint.turn_radians);
   const double bone = motion::peak_of(joint.offset_m).value;
   std::string text = fmt::format("turned {}, {} of it twist; {} away", in_degrees(turn.value),
                                  in_degrees(motion::peak_of(joint.twist_radians).value),

@@ -26,7 +26,7 @@ std::size_t blocks_along(int pixels) {
 }
 
 /// Mean light of each block, three a block.
-std::vector<double> block_means(const render::Film& film) {
+std::vector<double> block_means(const render::Framebuffer& film) {
   const std::size_t columns = blocks_along(film.width);
   std::vector<double> sums(3 * columns * blocks_along(film.height));
   std::vector<double> pixels(sums.size() / 3);
@@ -106,21 +106,21 @@ double p_of_all(const std::vector<ColourTest>& colours) {
 
 }  // namespace
 
-BlockStatistics block_statistics(const std::vector<render::Film>& patterns) {
+BlockStatistics block_statistics(const std::vector<render::Framebuffer>& patterns) {
   BlockStatistics blocks{.columns = static_cast<int>(blocks_along(patterns.front().width)),
                          .rows = static_cast<int>(blocks_along(patterns.front().height)),
                          .patterns = static_cast<int>(patterns.size()),
                          .mean = {},
                          .variance = {}};
   std::vector<double> sum, squares;
-  for (const render::Film& film : patterns) {
+  for (const render::Framebuffer& film : patterns) {
     const std::vector<double> means = block_means(film);
     if (sum.empty()) sum.assign(means.size(), 0.0);
     for (std::size_t i = 0; i < means.size(); ++i) sum[i] += means[i];
   }
   const auto n = static_cast<double>(patterns.size());
   squares.assign(sum.size(), 0.0);
-  for (const render::Film& film : patterns) {
+  for (const render::Framebuffer& film : patterns) {
     const std::vector<double> means = block_means(film);
     for (std::size_t i = 0; i < means.size(); ++i) {
       const double off = means[i] - sum[i] / n;
@@ -135,7 +135,7 @@ BlockStatistics block_statistics(const std::vector<render::Film>& patterns) {
 }
 
 void write_blocks(const std::filesystem::path& file, const BlockStatistics& blocks) {
-  render::Film film(blocks.columns, 2 * blocks.rows);
+  render::Framebuffer film(blocks.columns, 2 * blocks.rows);
   std::ranges::copy(blocks.mean, film.channels.begin());
   std::ranges::copy(blocks.variance,
                     film.channels.begin() + static_cast<std::ptrdiff_t>(blocks.count()));
@@ -143,7 +143,7 @@ void write_blocks(const std::filesystem::path& file, const BlockStatistics& bloc
 }
 
 BlockStatistics read_blocks(const std::filesystem::path& file) {
-  const render::Film film = render::read_exr(file);
+  const render::Framebuffer film = render::read_exr(file);
   const auto half = static_cast<std::ptrdiff_t>(film.channels.size() / 2);
   BlockStatistics blocks{.columns = film.width,
                          .rows = film.height / 2,

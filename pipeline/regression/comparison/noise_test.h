@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "render/image/film.h"
+#include "render/image/framebuffer.h"
 
 namespace mien::pipeline {
 
@@ -27,7 +27,7 @@ struct BlockStatistics {
 };
 
 /// Of pictures of the same thing, two at least, which differ in nothing but their noise.
-BlockStatistics block_statistics(const std::vector<render::Film>& patterns);
+BlockStatistics block_statistics(const std::vector<render::Framebuffer>& patterns);
 
 /// Keeps them as an EXR file, a pixel a block. Both throw render::Error, and reading
 /// std::runtime_error when the file holds no such statistics.

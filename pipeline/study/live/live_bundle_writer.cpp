@@ -21,7 +21,7 @@ motion::LiveTarget live_target(const std::string& id, Motions& motions) {
   target.name = id;
   target.motion = made.motion;
   if (made.modified.empty()) target.weights = made.weights;
-  target.showing = {stimulus->output.cycles, stimulus->output.in_place};
+  target.playback = {stimulus->output.cycles, stimulus->output.in_place};
   target.shown_frames = motions.shown(*stimulus).frame_count();
   return target;
 }
@@ -47,7 +47,7 @@ motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,
   bundle.feature_scale = repertoire.features.scale;
   bundle.how = choice.interpolation;
   bundle.frames_per_second = choice.output.fps;
-  bundle.showing = {choice.output.cycles, choice.output.in_place};
+  bundle.playback = {choice.output.cycles, choice.output.in_place};
   for (const std::string& id : choice.targets) bundle.targets.push_back(live_target(id, motions));
   bundle.info = live_info(bundle, repertoire.scales, choice.primary).dump();
   return bundle;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
-#include "motion/live/live_answer.h"
+#include "motion/live/live_message.h"
 #include "motion/text/json_depth.h"
 
 namespace mien::pipeline {
@@ -118,7 +118,7 @@ motion::Distance LiveMotions::distance(const std::string& target,
 HttpResponse LiveMotions::posted(const std::string& what, const std::string& body) {
   const json given = parsed(body);
   if (what == "distance") {
-    return bytes_answer(motion::to_answer(
+    return bytes_answer(motion::to_message(
         distance(name_in(part(given, "target"), "\"target\""), setting_in(given))));
   }
   const motion::LiveMotion made = with_core<motion::LiveMotion>([&](motion::LiveCore& core) {
@@ -126,7 +126,7 @@ HttpResponse LiveMotions::posted(const std::string& what, const std::string& bod
     const std::string name = name_in(part(given, "name"), "\"name\"");
     return what == "example" ? core.example(name) : core.target(name);
   });
-  return bytes_answer(motion::to_answer(made));
+  return bytes_answer(motion::to_message(made));
 }
 
 HttpResponse LiveMotions::answer(const HttpRequest& request, std::span<const std::string> rest) {

@@ -26,7 +26,7 @@ namespace mien::pipeline {
 ///     POST example     {"name": "normal"}
 ///     POST target      {"name": "t1"}
 ///
-/// Answers to POST are bytes (motion/live/live_answer.h). What cannot be made is answered with 400
+/// Answers to POST are bytes (motion/live/live_message.h). What cannot be made is answered with 400
 /// or 404 and JSON that says why. How often somebody may ask is the caller's to decide.
 class LiveMotions {
  public:

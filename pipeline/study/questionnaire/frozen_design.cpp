@@ -111,9 +111,8 @@ std::string stimuli_csv(const Manifest& manifest, const fs::path& made) {
   CsvWriter csv({"stimulus", "media", "sha256"});
   for (const ShownMedia& media : shown_media(manifest)) {
     const fs::path file = made / media.path;
-    if (const std::string hindrance = motion::hindrance_of(file, motion::any_size);
-        !hindrance.empty())
-      throw Error({file.string()}, hindrance, "make the study first: mien run");
+    if (const std::string problem = motion::read_error(file, motion::any_size); !problem.empty())
+      throw Error({file.string()}, problem, "make the study first: mien run");
     csv.row({media.stimulus, media.path, sha256_of_file(file)});
   }
   return csv.text();

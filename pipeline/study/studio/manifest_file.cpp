@@ -80,7 +80,7 @@ ManifestState ManifestFile::state_of(std::string text, bool is_on_disk) const {
 }
 
 std::optional<std::string> ManifestFile::text_on_disk() const {
-  return motion::bytes_of_file(file_, motion::most_of_document).bytes;
+  return motion::bytes_of_file(file_, motion::max_document_bytes).bytes;
 }
 
 ManifestState ManifestFile::state() const {

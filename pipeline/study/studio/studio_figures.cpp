@@ -69,10 +69,10 @@ void put(std::string& bytes, double value) {
 }
 
 std::string rig_poses(const scenes::Character& character, const motion::Clip& clip) {
-  const motion::Clip worn = scenes::worn_by(character, clip);
+  const motion::Clip worn = scenes::retargeted_to(character, clip);
   std::string positions, rotations;
   for (const motion::Pose& pose : worn.poses) {
-    const motion::JointTransforms rig = scenes::rig_in(character, pose);
+    const motion::JointTransforms rig = scenes::rig_pose(character, pose);
     for (const motion::Vec3& position : rig.positions) {
       for (const double metres : position) put(positions, metres);
     }
@@ -91,7 +91,7 @@ StudioFigures::Kept StudioFigures::character(const fs::path& file, const motion:
     if (asked == key) return kept;
   }
   characters_.emplace_front(key, std::make_shared<const scenes::Character>(
-                                     scenes::fitted(scenes::read_character(file), body)));
+                                     scenes::scaled_to_body(scenes::read_character(file), body)));
   if (characters_.size() > most_characters) characters_.pop_back();
   return characters_.front().second;
 }

@@ -6,8 +6,8 @@
 
 #include "motion/examples/compared_example.h"
 #include "motion/gait/contact.h"
-#include "motion/live/live_answer.h"
 #include "motion/live/live_core.h"
+#include "motion/live/live_message.h"
 #include "motion/measures/distance/distance.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/motions.h"
@@ -106,7 +106,7 @@ std::string looks_of(const ordered_json& about) {
 const motion::Example& compared(StudioMotion& made) {
   if (!made.compared)
     made.compared =
-        motion::compared_example_as_written(shown_clip(made.synthesis.motion.clip, made.output));
+        motion::compared_example_as_written(playback_clip(made.synthesis.motion.clip, made.output));
   return *made.compared;
 }
 
@@ -196,7 +196,7 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
                                {"figure", {{"key", figure.key}, {"joints", figure.joints}}}};
     const motion::LiveMotion live{synthesis.motion, synthesis.weights,
                                   motion::foot_plants(synthesis.motion.clip)};
-    return framed(head, motion::to_answer(live) + figure.poses);
+    return framed(head, motion::to_message(live) + figure.poses);
   } catch (const Error& error) {
     throw as_fault("", error);
   }

@@ -43,7 +43,7 @@ class StudioMotions {
   ///     {"body": …, "findings": […], "warnings": […], "notes": […], "reached": {…},
   ///      "weights": {…}, "modified": …, "seconds": how long it took, "distance": {…} or null,
   ///      "figure": {"key", "joints"} (studio_figures.h)}
-  ///     the motion (motion/live/live_answer.h)
+  ///     the motion (motion/live/live_message.h)
   ///     the poses of the figure's own joints, if it has any (studio_figures.h)
   ///
   /// "distance" is D to the motion of `against`, if any, as `mien motion compare` finds it of the

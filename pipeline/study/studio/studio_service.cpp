@@ -99,7 +99,7 @@ HttpResponse StudioService::take(const HttpRequest& request) {
   if (request.path.size() != 2 && !is_cancel) return unknown(request);
   if (!is_json(request))
     return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
-  const bool is_deep = motion::is_nested_deeper(request.body, motion::deepest_document);
+  const bool is_deep = motion::is_nested_deeper(request.body, motion::max_json_depth);
   const Body body =
       is_deep ? Body(Body::value_t::discarded) : Body::parse(request.body, nullptr, false);
   if (body.is_discarded())

@@ -23,9 +23,9 @@ Clip standing(double rate = 100.0, int frames = 200) {
 }
 
 TEST(BodyDynamics, OfStandingStillIsWeight) {
-  const std::vector<MovingBody> body = moving_body(lint_subject(standing()));
-  for (const MovingBody& moment : body) {
-    EXPECT_TRUE(moment.floor_force.isApprox(Vec3(0, gravity, 0), 1e-9));
+  const std::vector<BodyDynamics> body = body_dynamics(lint_subject(standing()));
+  for (const BodyDynamics& moment : body) {
+    EXPECT_TRUE(moment.ground_reaction.isApprox(Vec3(0, gravity, 0), 1e-9));
     EXPECT_NEAR(moment.zero_moment_point.x(), moment.centre_of_mass.x(), 1e-9);
     EXPECT_NEAR(moment.zero_moment_point.z(), moment.centre_of_mass.z(), 1e-9);
   }
@@ -37,8 +37,8 @@ TEST(BodyDynamics, OfFreeFallIsNothing) {
     const double seconds = t / clip.frames_per_second;
     clip.poses[t].root_position += Vec3(seconds, 5.0 - 0.5 * gravity * seconds * seconds, 0);
   }
-  const std::vector<MovingBody> body = moving_body(lint_subject(clip));
-  for (int t = 40; t < 160; ++t) EXPECT_LT(body[t].floor_force.norm(), 0.05) << t;
+  const std::vector<BodyDynamics> body = body_dynamics(lint_subject(clip));
+  for (int t = 40; t < 160; ++t) EXPECT_LT(body[t].ground_reaction.norm(), 0.05) << t;
 }
 
 TEST(BodyDynamics, OfAPushedBodyMovesTheZeroMomentPointByHeightTimesAcceleration) {
@@ -48,11 +48,11 @@ TEST(BodyDynamics, OfAPushedBodyMovesTheZeroMomentPointByHeightTimesAcceleration
     const double seconds = t / clip.frames_per_second;
     clip.poses[t].root_position.z() += 0.5 * push * seconds * seconds;
   }
-  const std::vector<MovingBody> body = moving_body(lint_subject(clip));
-  const MovingBody& moment = body[100];
+  const std::vector<BodyDynamics> body = body_dynamics(lint_subject(clip));
+  const BodyDynamics& moment = body[100];
   const double expected = moment.centre_of_mass.z() - moment.centre_of_mass.y() * push / gravity;
   EXPECT_NEAR(moment.zero_moment_point.z(), expected, 1e-3);
-  EXPECT_NEAR(moment.floor_force.z(), push, 1e-3);
+  EXPECT_NEAR(moment.ground_reaction.z(), push, 1e-3);
 }
 
 TEST(BodyDynamics, OfATurnAboutTheVerticalNeedsAMomentOnlyWhileItChanges) {
@@ -60,7 +60,7 @@ TEST(BodyDynamics, OfATurnAboutTheVerticalNeedsAMomentOnlyWhileItChanges) {
   for (int t = 0; t < clip.frame_count(); ++t) {
     clip.poses[t].rotations[Pelvis] = exp(Vec3(0, 1.0 * t / clip.frames_per_second, 0));
   }
-  const std::vector<MovingBody> body = moving_body(lint_subject(clip));
+  const std::vector<BodyDynamics> body = body_dynamics(lint_subject(clip));
   double rate = 0.0;
   for (int s = 0; s < segment_count; ++s) rate += std::abs(body[100].momentum_rate[s].y());
   EXPECT_LT(rate, 1e-6);
@@ -69,7 +69,7 @@ TEST(BodyDynamics, OfATurnAboutTheVerticalNeedsAMomentOnlyWhileItChanges) {
 TEST(InverseDynamics, OfAnArmHeldOutIsItsWeightTimesItsLever) {
   const Clip clip = standing();
   const LintSubject subject = lint_subject(clip);
-  const std::vector<MovingBody> body = moving_body(subject);
+  const std::vector<BodyDynamics> body = body_dynamics(subject);
   const std::vector<SegmentMass> segments = segment_masses(clip.body, subject.world[100]);
   const double shoulder = subject.world[100].positions[LeftShoulder].x();
   const double elbow = subject.world[100].positions[LeftElbow].x();
@@ -100,20 +100,20 @@ TEST(InverseDynamics, OfAnArmHeldOutIsItsWeightTimesItsLever) {
 TEST(InverseDynamics, OfStandingOnTwoLegsNeedsLittle) {
   const LintSubject subject = lint_subject(standing());
   const std::vector<double> torques =
-      joint_torques(moving_body(subject)[100], supports(subject)[100]);
+      joint_torques(body_dynamics(subject)[100], supports(subject)[100]);
   ASSERT_FALSE(supports(subject)[100].empty());
   for (size_t j = 0; j < torques.size(); ++j) EXPECT_LT(70 * torques[j], 45.0) << j;
 }
 
 TEST(InverseDynamics, OfNormalWalkingIsWhatGaitLaboratoriesMeasure) {
   const LintSubject subject = lint_subject(builtin_walks()[0]);
-  const std::vector<MovingBody> body = moving_body(subject);
+  const std::vector<BodyDynamics> body = body_dynamics(subject);
   const std::vector<Support> floor = supports(subject);
   double ankle = 0.0;
   double force = 0.0;
   for (int t = subject.start; t < subject.start + subject.frames; ++t) {
     ankle = std::max(ankle, joint_torques(body[t], floor[t])[5]);
-    force = std::max(force, body[t].floor_force.y() / gravity);
+    force = std::max(force, body[t].ground_reaction.y() / gravity);
   }
   EXPECT_GT(ankle, 1.2);  // N·m/kg; 1.3 to 1.8 at push off (Winter 2009)
   EXPECT_LT(ankle, 2.6);

@@ -19,7 +19,7 @@ TEST(SeamCost, VanishesAfterAWholePeriodWhereverOneHeads) {
 
 TEST(BestCut, FindsThePeriodNearby) {
   const Clip clip = synthetic_clip(steady_walk(1.2, 3.0));
-  const CyclePlace cut = best_cut(clip, {52, 149}, 3);
+  const CycleRange cut = best_cut(clip, {52, 149}, 3);
   EXPECT_EQ(cut.end - cut.start, 100);
   EXPECT_LE(std::abs(cut.start - 52), 3);
   EXPECT_LE(std::abs(cut.end - 149), 3);
@@ -27,7 +27,7 @@ TEST(BestCut, FindsThePeriodNearby) {
 
 TEST(BestCut, StaysInsideTheClip) {
   const Clip clip = synthetic_clip(steady_walk(1.2, 1.0));
-  const CyclePlace cut = best_cut(clip, {1, 99}, 3);
+  const CycleRange cut = best_cut(clip, {1, 99}, 3);
   EXPECT_GE(cut.start, 0);
   EXPECT_LE(cut.end, 100);
 }

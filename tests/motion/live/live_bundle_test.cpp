@@ -37,7 +37,7 @@ TEST(LiveBundle, ComesBackToTheLastBit) {
   EXPECT_EQ(read.examples.examples[2].keytimes, bundle.examples.examples[2].keytimes);
   EXPECT_EQ(read.adjectives.values, bundle.adjectives.values);
   ASSERT_EQ(read.targets.size(), 1u);
-  EXPECT_EQ(read.targets[0].showing.cycles, 3);
+  EXPECT_EQ(read.targets[0].playback.cycles, 3);
 }
 
 TEST(LiveBundle, RefusesEveryCutAndEveryChangedByte) {
@@ -95,7 +95,7 @@ TEST(LiveBundle, RefusesExamplesThatCannotBeBlended) {
       [](LiveBundle& b) { b.adjectives.values.conservativeResize(b.adjectives.values.rows(), 1); });
   refuses([](LiveBundle& b) { b.features.names[0] = "brightness"; });
   refuses([](LiveBundle& b) { b.frames_per_second = 0.0; });
-  refuses([](LiveBundle& b) { b.showing.cycles = 0; });
+  refuses([](LiveBundle& b) { b.playback.cycles = 0; });
   refuses([](LiveBundle& b) { b.how.weights.grid_cells = 1'000'000; });
   refuses([](LiveBundle& b) {
     b.examples.examples[0].clip.poses[4].root_position.x() =

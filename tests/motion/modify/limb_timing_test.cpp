@@ -126,14 +126,14 @@ TEST(LimbTiming, LeavesFeetUnlessAsked) {
 TEST(LimbTiming, NearMomentsLeavesTheRest) {
   const std::vector<double> durations(200, 10.0);
   const std::vector<int> moments = {50};
-  const std::vector<double> near = only_near(durations, moments, 100.0, false);
+  const std::vector<double> near = near_only(durations, moments, 100.0, false);
   EXPECT_DOUBLE_EQ(near[50], 10.0);
   EXPECT_DOUBLE_EQ(near[45], 10.0);
   EXPECT_GT(near[65], 1.5);
   EXPECT_DOUBLE_EQ(near[75], 1.0);
   EXPECT_DOUBLE_EQ(near[199], 1.0);
   const std::vector<int> seam = {0};
-  EXPECT_DOUBLE_EQ(only_near(durations, seam, 100.0, true)[199], 10.0);
+  EXPECT_DOUBLE_EQ(near_only(durations, seam, 100.0, true)[199], 10.0);
 }
 
 TEST(LimbTiming, AcceleratesNearContactsAlone) {

@@ -242,7 +242,7 @@ TEST(Modification, WalksFartherWithLongerPaths) {
 }
 
 /// The percentage in "the way became 125 % of what it was"; 100 without the remark.
-double told_way(const ModificationReport& report) {
+double reported_travel(const ModificationReport& report) {
   for (const std::string& remark : report.remarks) {
     if (remark.starts_with("the way became")) return std::stod(remark.substr(15));
   }
@@ -259,16 +259,16 @@ TEST(Modification, TellsTheWayOfAWalkThatReturns) {
   ASSERT_LT(apart.norm(), 3.0);
   const Clip straight = synthetic_clip(steady_walk(1.2, 10.0, 60.0));
   const Modification longer = recipe(1.4, 0.0);
-  EXPECT_NEAR(told_way(modify(clip, longer).report), told_way(modify(straight, longer).report),
-              5.0);
+  EXPECT_NEAR(reported_travel(modify(clip, longer).report),
+              reported_travel(modify(straight, longer).report), 5.0);
 }
 
 TEST(Modification, OfALoopInPlaceHasNoWay) {
   const Clip loop = walk({}, 100.0, standard_body()).clip;
   const ModifiedClip travelled = modify(loop, recipe(1.4, 0.0));
-  EXPECT_GT(told_way(travelled.report), 105.0);
+  EXPECT_GT(reported_travel(travelled.report), 105.0);
   const ModifiedClip stayed = modify(in_place(loop), recipe(1.4, 0.0));
-  EXPECT_EQ(told_way(stayed.report), 100.0);
+  EXPECT_EQ(reported_travel(stayed.report), 100.0);
 }
 
 TEST(Modification, OfTempoDividesTheDurationAndKeepsTheFeet) {

@@ -15,10 +15,10 @@ namespace {
 using namespace mien::test;
 
 TEST(WanderingCurve, DependsOnSeedAndNameAlone) {
-  const auto curve = wandering_curve(7, "left hand", 300, 100.0, false);
-  EXPECT_EQ(curve, wandering_curve(7, "left hand", 300, 100.0, false));
-  EXPECT_NE(curve, wandering_curve(8, "left hand", 300, 100.0, false));
-  EXPECT_NE(curve, wandering_curve(7, "right hand", 300, 100.0, false));
+  const auto curve = smooth_random_curve(7, "left hand", 300, 100.0, false);
+  EXPECT_EQ(curve, smooth_random_curve(7, "left hand", 300, 100.0, false));
+  EXPECT_NE(curve, smooth_random_curve(8, "left hand", 300, 100.0, false));
+  EXPECT_NE(curve, smooth_random_curve(7, "right hand", 300, 100.0, false));
 }
 
 TEST(WanderingCurve, IsSmoothAndFillsItsRange) {
@@ -26,7 +26,7 @@ TEST(WanderingCurve, IsSmoothAndFillsItsRange) {
   double most = -1.0;
   double sum = 0.0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const auto curve = wandering_curve(seed, "curve", 1000, 100.0, false);
+    const auto curve = smooth_random_curve(seed, "curve", 1000, 100.0, false);
     for (size_t f = 1; f < curve.size(); ++f) {
       EXPECT_LT(std::abs(curve[f] - curve[f - 1]), 0.06);
       least = std::min(least, curve[f]);
@@ -44,7 +44,7 @@ TEST(WanderingCurve, IsSmoothAndFillsItsRange) {
 
 TEST(WanderingCurve, GoesOnOverTheSeamOfALoop) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const auto curve = wandering_curve(seed, "curve", 110, 100.0, true);
+    const auto curve = smooth_random_curve(seed, "curve", 110, 100.0, true);
     EXPECT_LT(std::abs(curve.front() - curve.back()), 0.12);
   }
 }

@@ -35,7 +35,7 @@ struct Stride {
 Stride stride_in(const MotionGraph& graph, int clip, int frame) {
   const std::vector<Pose>& poses = graph.clips[static_cast<std::size_t>(clip)].poses;
   const auto to = static_cast<std::size_t>(std::max(frame, 1));
-  return {level(poses[to].root_position - poses[to - 1].root_position).norm(),
+  return {horizontal(poses[to].root_position - poses[to - 1].root_position).norm(),
           std::abs(std::remainder(facing(poses[to]) - facing(poses[to - 1]), 2.0 * pi))};
 }
 
@@ -52,7 +52,7 @@ TEST(GraphWalk, TheRootGoesOnAsItsMotionsDo) {
         const Stride other = stride_in(graph, frames[f].to_clip, frames[f].to_frame);
         most = {std::max(most.metres, other.metres), std::max(most.radians, other.radians)};
       }
-      const Vec3 step = level(clip.poses[f].root_position - clip.poses[f - 1].root_position);
+      const Vec3 step = horizontal(clip.poses[f].root_position - clip.poses[f - 1].root_position);
       EXPECT_LT(step.norm(), most.metres + 0.001) << "frame " << f << " of seed " << seed;
       const double turn =
           std::abs(std::remainder(facing(clip.poses[f]) - facing(clip.poses[f - 1]), 2.0 * pi));
@@ -110,14 +110,14 @@ TEST(GraphWalk, IsOfItsSeedAlone) {
 TEST(GraphWalk, AMoodChangesOnTheWay) {
   Modification droop;
   droop.posture = {{PostureUnit::head_flexion, 25.0}, {PostureUnit::chest_flexion, 10.0}};
-  std::vector<MotionInStep> bowed;
+  std::vector<SynchronisedMotion> bowed;
   for (const Clip& clip : made_graph().clips) {
     bowed.push_back({modified(clip, droop), {}});
     bowed.back().frame_seconds.assign(clip.poses.size(), 1.25 / clip.frames_per_second);
   }
   const std::vector<MotionGraph> versions = {made_graph(), with_motions(made_graph(), bowed)};
   const GraphWalk walk = random_walk(made_graph(), 12.0, 4);
-  const std::vector<MoodFrom> moods = {{0.0, {1.0, 0.0}}, {6.0, {0.0, 1.0}}};
+  const std::vector<MoodChange> moods = {{0.0, {1.0, 0.0}}, {6.0, {0.0, 1.0}}};
   const Clip clip = motion_of(versions, walk, moods);
   const Clip upright = motion_of(made_graph(), walk);
   const auto face = [](const Clip& of, std::size_t frame) {
@@ -130,7 +130,7 @@ TEST(GraphWalk, AMoodChangesOnTheWay) {
   const double expected = 6.0 + 1.25 * (upright.duration_seconds() - 6.0);
   EXPECT_NEAR(clip.duration_seconds(), expected, 0.15);
   EXPECT_LT(largest_acceleration(clip), 1.5 * largest_acceleration(upright));
-  EXPECT_THROW(motion_of(versions, walk, std::vector<MoodFrom>{{0.0, {0.0, 0.0}}}), Error);
+  EXPECT_THROW(motion_of(versions, walk, std::vector<MoodChange>{{0.0, {0.0, 0.0}}}), Error);
   const std::vector<MotionGraph> others = {made_graph(),
                                            motion_graph(std::vector<Clip>{made_motions()[2]})};
   EXPECT_THROW(motion_of(others, walk, {}), Error);

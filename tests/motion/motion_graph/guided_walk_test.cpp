@@ -23,7 +23,7 @@ double farthest_beside(const std::vector<Vec3>& path, const Clip& clip) {
   for (const Pose& pose : clip.poses) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vec3& point : path)
-      nearest = std::min(nearest, (level(pose.root_position) - point).norm());
+      nearest = std::min(nearest, (horizontal(pose.root_position) - point).norm());
     farthest = std::max(farthest, nearest);
   }
   return farthest;
@@ -50,7 +50,7 @@ TEST(GuidedWalk, CirclesAndSlalomsAreFollowedWithin30Centimetres) {
   for (const std::vector<Vec3>& path : {circle(2.0), circle(4.0), slalom()}) {
     const Clip clip = walk_along(made_graph(), path).clip;
     EXPECT_LT(farthest_beside(path, clip), 0.3);
-    EXPECT_LT((level(clip.poses.back().root_position) - path.back()).norm(), 0.2);
+    EXPECT_LT((horizontal(clip.poses.back().root_position) - path.back()).norm(), 0.2);
   }
 }
 
@@ -66,7 +66,7 @@ TEST(GuidedWalk, DoesWhatAScriptSays) {
   const Clip clip = scripted_walk(made_graph(), script).clip;
   EXPECT_NEAR(clip.duration_seconds(), 6.5, 0.5);
   const auto way = [&](std::size_t from, std::size_t to) {
-    return level(clip.poses[to].root_position - clip.poses[from].root_position).norm();
+    return horizontal(clip.poses[to].root_position - clip.poses[from].root_position).norm();
   };
   EXPECT_GT(way(30, 60), 1.0);
   const std::size_t last = clip.poses.size() - 1;
@@ -114,16 +114,16 @@ TEST(GuidedWalk, TellsTheTurnThatStraightWalksDoNotMake) {
 
 /// The search reckons with the versions' own steps: a path is followed in any mood.
 TEST(GuidedWalk, FollowsAPathInAMixtureOfVersions) {
-  std::vector<MotionInStep> slow;
+  std::vector<SynchronisedMotion> slow;
   for (const Clip& clip : made_graph().clips) {
     slow.push_back({clip, std::vector<double>(clip.poses.size(), 2.0 / clip.frames_per_second)});
   }
   const std::vector<MotionGraph> versions = {made_graph(), with_motions(made_graph(), slow)};
-  const std::vector<MoodFrom> moods = {{0.0, {1.0, 0.0}}, {4.0, {0.3, 0.7}}};
+  const std::vector<MoodChange> moods = {{0.0, {1.0, 0.0}}, {4.0, {0.3, 0.7}}};
   for (const std::vector<Vec3>& path : {circle(2.0), circle(3.0), slalom()}) {
     const GuidedWalk walk = walk_along(versions, path, moods);
     EXPECT_LT(farthest_beside(path, walk.clip), 0.3);
-    EXPECT_LT((level(walk.clip.poses.back().root_position) - path.back()).norm(), 0.2);
+    EXPECT_LT((horizontal(walk.clip.poses.back().root_position) - path.back()).norm(), 0.2);
   }
   const std::vector<Vec3> path = circle(3.0);
   const GuidedWalk walk = walk_along(versions, path, moods);

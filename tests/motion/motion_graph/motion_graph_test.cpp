@@ -158,15 +158,16 @@ TEST(MotionGraph, AVersionInStepBringsItsTempo) {
     return times;
   };
   const int cycles = reference.frame_count() / normal.clip.frame_count();
-  const MotionInStep version = in_step(repeated(slow.clip, cycles + 1), keytimes(slow, cycles),
-                                       reference, keytimes(normal, cycles));
-  const MotionGraph slowed = with_motions(graph, std::vector<MotionInStep>{version});
+  const SynchronisedMotion version = synchronised(
+      repeated(slow.clip, cycles + 1), keytimes(slow, cycles), reference, keytimes(normal, cycles));
+  const MotionGraph slowed = with_motions(graph, std::vector<SynchronisedMotion>{version});
   const GraphWalk way = random_walk(graph, 10.0, 3);
   const double ratio =
       motion_of(slowed, way).duration_seconds() / motion_of(graph, way).duration_seconds();
   EXPECT_NEAR(ratio, slow.clip.duration_seconds() / normal.clip.duration_seconds(), 0.15);
-  EXPECT_THROW(in_step(slow.clip, std::vector<double>{0.0}, reference, std::vector<double>{0.0}),
-               Error);
+  EXPECT_THROW(
+      synchronised(slow.clip, std::vector<double>{0.0}, reference, std::vector<double>{0.0}),
+      Error);
 }
 
 }  // namespace

@@ -231,9 +231,9 @@ TEST(BodyMapping, OfWhatIsNoHumanIsRefused) {
   const std::string refusal = refusal_of([&] { recognise(snake); });
   EXPECT_NE(refusal.find("snake: its 12 joints are not recognised as a human figure"),
             std::string::npos);
-  const RigSketch drawn = sketch(snake);
+  const RigAnalysis drawn = analyse_rig(snake);
   EXPECT_FALSE(drawn.human);
-  EXPECT_EQ(drawn.why_not, refusal);
+  EXPECT_EQ(drawn.rejection, refusal);
   EXPECT_EQ(drawn.metres_per_unit, 1.0);
   EXPECT_EQ(drawn.up, "+Y");
   ASSERT_EQ(drawn.warnings.size(), 2u);
@@ -349,7 +349,7 @@ TEST(Recognition, TakesFourLegsWithoutNamesForNoHuman) {
   const Recording animal = without_names(dog());
   EXPECT_NE(refusal_of([&] { recognise(animal); }).find("by their shape it goes on all fours"),
             std::string::npos);
-  EXPECT_EQ(sketch(animal).metres_per_unit, 1.0);
+  EXPECT_EQ(analyse_rig(animal).metres_per_unit, 1.0);
 }
 
 }  // namespace

@@ -228,17 +228,17 @@ TEST(RigNames, TellOfAnotherFigureBesideTheFirst) {
 }
 
 TEST(JointWord, TellsWhereAJointBelongs) {
-  const auto part = [](std::string_view name) { return body_part_of(joint_word(name)); };
+  const auto part = [](std::string_view name) { return body_region_of(joint_word(name)); };
   for (const char* name : {"LowerArm.R", "Palm3.L", "Ring1.L", "LeftHandThumb1", "lclavicle"}) {
-    EXPECT_EQ(part(name), BodyPart::arm) << name;
+    EXPECT_EQ(part(name), BodyRegion::arm) << name;
   }
   for (const char* name : {"LeftUpLeg", "left_hip", "Foot.L", "RightToeBase"}) {
-    EXPECT_EQ(part(name), BodyPart::leg) << name;
+    EXPECT_EQ(part(name), BodyRegion::leg) << name;
   }
   for (const char* name : {"Hips", "Spine1", "Armature", "Tail", "MiddleSpine", ""}) {
-    EXPECT_EQ(part(name), BodyPart::other) << name;
+    EXPECT_EQ(part(name), BodyRegion::other) << name;
   }
-  EXPECT_EQ(part("Neck1"), BodyPart::head);
+  EXPECT_EQ(part("Neck1"), BodyRegion::head);
 }
 
 TEST(RigNames, ThatTheTreeContradictsAreRefused) {

@@ -80,8 +80,8 @@ Clip there_and_back() {
 double farthest_from_start(const Clip& clip) {
   double farthest = 0.0;
   for (const Pose& pose : clip.poses) {
-    farthest =
-        std::max(farthest, level(pose.root_position - clip.poses.front().root_position).norm());
+    farthest = std::max(farthest,
+                        horizontal(pose.root_position - clip.poses.front().root_position).norm());
   }
   return farthest;
 }

@@ -38,7 +38,7 @@ double farthest_from(const std::vector<Vec3>& path, const Clip& clip) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < path.size(); ++i) {
       const Vec3 piece = path[i] - path[i - 1];
-      const Vec3 from = level(pose.root_position) - path[i - 1];
+      const Vec3 from = horizontal(pose.root_position) - path[i - 1];
       const double t = std::clamp(from.dot(piece) / piece.squaredNorm(), 0.0, 1.0);
       nearest = std::min(nearest, (from - t * piece).norm());
     }
@@ -97,7 +97,7 @@ TEST(ScriptedWalk, CirclesAndSlalomsAreFollowed) {
   for (const std::vector<Vec3>& path : {circle, slalom}) {
     const Clip clip = walk_along(normal_and_sad(), path).clip;
     EXPECT_LT(farthest_from(path, clip), 0.2);
-    EXPECT_LT((level(clip.poses.back().root_position) - path.back()).norm(), 0.15);
+    EXPECT_LT((horizontal(clip.poses.back().root_position) - path.back()).norm(), 0.15);
   }
 }
 
@@ -160,7 +160,7 @@ TEST(WalkerMotions, BeginAndEndWhereOthersGoOn) {
   for (const Clip& clip : clips) {
     EXPECT_FALSE(clip.loops);
     EXPECT_GT(clip.duration_seconds(), 1.0) << clip.name;
-    EXPECT_LT(level(clip.poses.front().root_position).norm(), 1e-9) << clip.name;
+    EXPECT_LT(horizontal(clip.poses.front().root_position).norm(), 1e-9) << clip.name;
   }
 }
 

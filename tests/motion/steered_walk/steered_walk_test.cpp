@@ -113,9 +113,9 @@ TEST(SteeredWalk, StraightOnItIsTheWalkOfTheParametricWalker) {
     const Vec3 away = (a[j] - a[Pelvis]) - (b[j] - b[Pelvis]);
     EXPECT_LT(away.norm(), 0.012) << name_of(BodyJoint(j));
   }
-  EXPECT_NEAR(walker.carriage.speed.value,
-              WalkStyle{}.speed_m_s * leg_length(standard_body()) / 0.85, 0.01);
-  EXPECT_NEAR(walker.carriage.place.x(), 0.0, 1e-9);
+  EXPECT_NEAR(walker.root.speed.value, WalkStyle{}.speed_m_s * leg_length(standard_body()) / 0.85,
+              0.01);
+  EXPECT_NEAR(walker.root.place.x(), 0.0, 1e-9);
 }
 
 TEST(SteeredWalk, StandingFeetStayWhereTheyAreHoweverItIsSteered) {
@@ -132,7 +132,7 @@ TEST(SteeredWalk, NothingJumpsHoweverItIsSteered) {
     const Filmed filmed = randomly_steered(seed, 40.0);
     EXPECT_LT(largest_acceleration(filmed.clip), 1.6 * source) << "seed " << seed;
     for (const SteeredWalk& walker : filmed.walkers) {
-      ASSERT_TRUE(walker.carriage.place.allFinite());
+      ASSERT_TRUE(walker.root.place.allFinite());
     }
   }
 }
@@ -186,9 +186,9 @@ TEST(SteeredWalk, TurnsOnTheSpotToTheHeadingAndStaysThere) {
     steering.heading = radians_per_degree * degrees;
     film(filmed, walker, steering, 6.0);
     EXPECT_TRUE(at_rest(walker));
-    EXPECT_LT(std::abs(std::remainder(walker.carriage.heading - *steering.heading, 2.0 * pi)),
+    EXPECT_LT(std::abs(std::remainder(walker.root.heading - *steering.heading, 2.0 * pi)),
               radians_per_degree * 8.0);
-    EXPECT_LT(walker.carriage.place.norm(), 0.12);
+    EXPECT_LT(walker.root.place.norm(), 0.12);
   }
 }
 
@@ -201,8 +201,8 @@ TEST(SteeredWalk, StopsWithinAFewStepsFeetSideBySide) {
     film(filmed, walker, steering, 4.3);
     film(filmed, walker, {}, 4.0);
     EXPECT_TRUE(at_rest(walker));
-    const Vec3 left = to_local(walker.carriage, walker.legs[0].print);
-    const Vec3 right = to_local(walker.carriage, walker.legs[1].print);
+    const Vec3 left = to_local(walker.root, walker.legs[0].print);
+    const Vec3 right = to_local(walker.root, walker.legs[1].print);
     EXPECT_LT(std::abs(left.z() - right.z()), 0.12);
     EXPECT_GT(left.x() - right.x(), 0.08);
   }
@@ -225,8 +225,8 @@ TEST(SteeredWalk, WalksOnAnyBody) {
     steering.heading = 0.5;
     for (int i = 0; i < 240; ++i) advance(gaits, steering, 1.0 / film_fps, walker);
     const double speed = gaits.moods.front().speed_m_s;
-    EXPECT_NEAR(walker.carriage.speed.value, speed, 0.02 * speed);
-    EXPECT_GT((walker.carriage.place - Vec3(1, 0, 2)).norm(), 2.5 * speed);
+    EXPECT_NEAR(walker.root.speed.value, speed, 0.02 * speed);
+    EXPECT_GT((walker.root.place - Vec3(1, 0, 2)).norm(), 2.5 * speed);
   }
 }
 

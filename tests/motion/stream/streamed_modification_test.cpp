@@ -244,13 +244,13 @@ TEST(LookAhead, KeepsRealMotionsWithinACentimetre) {
 
 TEST(LookAhead, SharesOutADelay) {
   Modification change = with_paths(1.5);
-  EXPECT_EQ(shared_out(20, change, 30.0).paths, 20);
-  EXPECT_EQ(shared_out(50, change, 30.0).paths, 33);
-  EXPECT_EQ(shared_out(50, change, 30.0).posture, 17);
+  EXPECT_EQ(split_delay(20, change, 30.0).paths, 20);
+  EXPECT_EQ(split_delay(50, change, 30.0).paths, 33);
+  EXPECT_EQ(split_delay(50, change, 30.0).posture, 17);
   change.acceleration = 0.5;
-  EXPECT_EQ(shared_out(50, change, 30.0).timing, 17);
+  EXPECT_EQ(split_delay(50, change, 30.0).timing, 17);
   change.paths = 1.0;
-  EXPECT_EQ(shared_out(50, change, 30.0).timing, 50);
+  EXPECT_EQ(split_delay(50, change, 30.0).timing, 50);
 }
 
 }  // namespace

@@ -87,14 +87,14 @@ TEST(Excerpt, IsTheBeginningOfTheWholeTextAndCutsNothingInTwo) {
   for (int i = 0; i < 2000; ++i) {
     const std::string whole = printable(random_text(random, 120));
     std::string shown = excerpt(whole);
-    if (characters_in(whole) <= most_quoted) {
+    if (characters_in(whole) <= max_quoted_characters) {
       EXPECT_EQ(shown, whole);
       continue;
     }
     ASSERT_TRUE(shown.ends_with("…"));
     shown.erase(shown.size() - std::string("…").size());
     EXPECT_TRUE(whole.starts_with(shown));
-    EXPECT_EQ(characters_in(shown), most_quoted - 1);
+    EXPECT_EQ(characters_in(shown), max_quoted_characters - 1);
   }
   EXPECT_EQ(excerpt("abc\x1b", 6), "abc…");  // not "abc\x…"
   EXPECT_EQ(excerpt("abc\x1b", 7), "abc\\x1b");

@@ -29,18 +29,18 @@ TEST(FileContents, AreThoseOfFilesAloneAndNothingWaits) {
   const test::TemporaryFolder folder;
   const auto pipe = folder.path() / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  const auto hindrance = [](const std::filesystem::path& path) {
+  const auto problem = [](const std::filesystem::path& path) {
     const FileReading reading = bytes_of_file(path, any_size);
     EXPECT_FALSE(reading.bytes);
-    EXPECT_EQ(reading.hindrance, hindrance_of(path, any_size));
+    EXPECT_EQ(reading.error, read_error(path, any_size));
     EXPECT_THROW(read_contents(path), Error);
-    return reading.hindrance;
+    return reading.error;
   };
-  EXPECT_EQ(hindrance(pipe), "is a pipe and no file");
-  EXPECT_EQ(hindrance("/dev/zero"), "is a device and no file");
-  EXPECT_EQ(hindrance(folder.path()), "is a folder and no file");
-  EXPECT_EQ(hindrance(folder.path() / "missing"), "there is no such file");
-  EXPECT_EQ(hindrance(folder.path() / "missing/too"), "there is no such file");
+  EXPECT_EQ(problem(pipe), "is a pipe and no file");
+  EXPECT_EQ(problem("/dev/zero"), "is a device and no file");
+  EXPECT_EQ(problem(folder.path()), "is a folder and no file");
+  EXPECT_EQ(problem(folder.path() / "missing"), "there is no such file");
+  EXPECT_EQ(problem(folder.path() / "missing/too"), "there is no such file");
 }
 
 TEST(FileContents, HaveALimitThatIsTold) {
@@ -48,9 +48,9 @@ TEST(FileContents, HaveALimitThatIsTold) {
   const auto file = folder.path() / "a";
   write_contents(file, "abcd");
   EXPECT_EQ(bytes_of_file(file, 4).bytes, "abcd");
-  EXPECT_EQ(bytes_of_file(file, 3).hindrance, "has 4 bytes, more than the 3 bytes that are read");
+  EXPECT_EQ(bytes_of_file(file, 3).error, "has 4 bytes, more than the 3 bytes that are read");
   std::filesystem::resize_file(file, std::uintmax_t{17} << 29);
-  EXPECT_EQ(bytes_of_file(file, most_of_document).hindrance,
+  EXPECT_EQ(bytes_of_file(file, max_document_bytes).error,
             "has 8.5 GiB, more than the 64 MiB that are read");
   EXPECT_THROW(read_contents(file), Error);
 }

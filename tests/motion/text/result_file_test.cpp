@@ -86,7 +86,8 @@ TEST_F(ResultFiles, AreThereOnlyWhenTheyArePublished) {
     EXPECT_EQ(abandoned.draft().parent_path(), folder);
     EXPECT_TRUE(abandoned.draft().string().ends_with("walk.bvh"));
     std::ofstream(abandoned.draft()) << "half";
-    EXPECT_EQ(abandoned.told(abandoned.draft().string() + ": no"), file.string() + ": no");
+    EXPECT_EQ(abandoned.with_target_name(abandoned.draft().string() + ": no"),
+              file.string() + ": no");
     EXPECT_EQ(bytes_in(file), "older");
   }
   EXPECT_EQ(names_in(folder), std::vector<std::string>{"walk.bvh"});

@@ -15,7 +15,7 @@ Shapes ring() {
     solids.spheres.push_back({{std::cos(angle), 0.3f, std::sin(angle)}, 0.1f});
   }
   Shapes shapes;
-  shapes.cones = round_cones(solids);
+  shapes.cones = prepared_cones(solids);
   return shapes;
 }
 

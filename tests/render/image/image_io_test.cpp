@@ -36,12 +36,12 @@ Image<Channel> noise() {
   return image;
 }
 
-Film light() {
-  Film film(wide, high);
+Framebuffer light() {
+  Framebuffer framebuffer(wide, high);
   std::mt19937 random(6);
   std::uniform_real_distribution<float> stops(-12.0f, 12.0f);
-  for (float& channel : film.channels) channel = std::exp2(stops(random));
-  return film;
+  for (float& channel : framebuffer.channels) channel = std::exp2(stops(random));
+  return framebuffer;
 }
 
 class ImageIo : public testing::Test {
@@ -91,13 +91,13 @@ TEST_F(ImageIo, TakesNoMemoryForAPictureThatIsLargerThanAreRead) {
 }
 
 TEST(PictureLimits, CountValuesWithoutOverflow) {
-  EXPECT_EQ(picture_hindrance(8192, 8192, 4), "");
-  EXPECT_EQ(picture_hindrance(1 << 28, 1, 1), "");
-  EXPECT_NE(picture_hindrance(8192, 8193, 4), "");
-  EXPECT_NE(picture_hindrance(std::int64_t{1} << 32, std::int64_t{1} << 32, 1), "");
-  EXPECT_NE(picture_hindrance(std::int64_t{1} << 62, 4, 4), "");
-  EXPECT_NE(picture_hindrance(0, 8, 3), "");
-  EXPECT_NE(picture_hindrance(-8, 8, 3), "");
+  EXPECT_EQ(picture_read_error(8192, 8192, 4), "");
+  EXPECT_EQ(picture_read_error(1 << 28, 1, 1), "");
+  EXPECT_NE(picture_read_error(8192, 8193, 4), "");
+  EXPECT_NE(picture_read_error(std::int64_t{1} << 32, std::int64_t{1} << 32, 1), "");
+  EXPECT_NE(picture_read_error(std::int64_t{1} << 62, 4, 4), "");
+  EXPECT_NE(picture_read_error(0, 8, 3), "");
+  EXPECT_NE(picture_read_error(-8, 8, 3), "");
 }
 
 TEST_F(ImageIo, KeepsEveryBitOfAPng) {
@@ -130,7 +130,7 @@ TEST_F(ImageIo, KeepsEveryBitOfAFloatExr) {
 
 TEST_F(ImageIo, KeepsElevenBitsOfAHalfExr) {
   write_exr(exr, light(), ExrDepth::Half);
-  const Film before = light(), after = read_exr(exr);
+  const Framebuffer before = light(), after = read_exr(exr);
   ASSERT_EQ(after.channels.size(), before.channels.size());
   for (std::size_t i = 0; i < before.channels.size(); ++i)
     EXPECT_NEAR(after.channels[i], before.channels[i], 0x1p-11f * before.channels[i]);

@@ -60,7 +60,7 @@ TEST(Layers, CoverEachPixelAsMuchAsItsAlpha) {
   Quality quality{.samples_per_pixel = 16, .background = Background::transparent};
   Tracer tracer;
   const Layers layers = tracer.layers(two_balls(), camera, quality);
-  const Exposure cut = tracer.expose({two_balls(), camera, quality});
+  const RenderTarget cut = tracer.render_view({two_balls(), camera, quality});
   bool both = false;
   for (std::size_t i = 0; i < cut.alpha.size(); ++i) {
     float sum = 0.0f;
@@ -103,7 +103,7 @@ TEST(Layers, TellHowCapsulesTurnTrianglesStretchAndTheGroundGoesBy) {
   now.solids.spheres.clear();
   // A limb that points at the camera's right turns up about its start; a triangle grows from its
   // first corner.
-  now.solids.capsules = {{{-1.0f, 1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, 0.1f, 0.1f, 0, 0}};
+  now.solids.round_cones = {{{-1.0f, 1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, 0.1f, 0.1f, 0, 0}};
   Mesh mesh;
   mesh.positions = {{0.5f, 0.5f, 0.0f}, {1.5f, 0.5f, 0.0f}, {0.5f, 1.5f, 0.0f}};
   mesh.normals.assign(3, Vec3::UnitZ());
@@ -113,15 +113,16 @@ TEST(Layers, TellHowCapsulesTurnTrianglesStretchAndTheGroundGoesBy) {
   now.solids.meshes = {mesh};
   Scene next = now;
   const float angle = 0.2f;
-  next.solids.capsules[0].end = {-1.0f + std::cos(angle), 1.0f + std::sin(angle), 0.0f};
+  next.solids.round_cones[0].end = {-1.0f + std::cos(angle), 1.0f + std::sin(angle), 0.0f};
   next.solids.meshes[0].positions[1].x() += 0.2f;
   next.ground.offset_z += 0.03f;
   const Layers layers = Tracer().layers(now, camera, {}, &next);
   const auto expect_motion = [&](int x, int y, const Vec3& there) {
-    const auto film = project(camera, there);
-    ASSERT_TRUE(film);
-    EXPECT_NEAR(layers.motion[2 * place(x, y)], film->x() - static_cast<float>(x) - 0.5f, 0.02f);
-    EXPECT_NEAR(layers.motion[2 * place(x, y) + 1], film->y() - static_cast<float>(y) - 0.5f,
+    const auto image_point = project(camera, there);
+    ASSERT_TRUE(image_point);
+    EXPECT_NEAR(layers.motion[2 * place(x, y)], image_point->x() - static_cast<float>(x) - 0.5f,
+                0.02f);
+    EXPECT_NEAR(layers.motion[2 * place(x, y) + 1], image_point->y() - static_cast<float>(y) - 0.5f,
                 0.02f);
   };
   const auto seen_at = [&](int x, int y) {

@@ -41,13 +41,14 @@ TEST(Luminance, OfBlackBesideWhiteHasContrastOne) {
 }
 
 TEST(Luminance, OfAFilmIsThatOfThePictureItBecomes) {
-  Film film(64, 64);
-  for (std::size_t i = 0; i < film.channels.size(); ++i) {
-    film.channels[i] = 0.02f + 1.4f * static_cast<float>(i % 997) / 997.0f;
+  Framebuffer framebuffer(64, 64);
+  for (std::size_t i = 0; i < framebuffer.channels.size(); ++i) {
+    framebuffer.channels[i] = 0.02f + 1.4f * static_cast<float>(i % 997) / 997.0f;
   }
   for (const float stops : {-2.0f, 0.0f, 1.5f}) {
     const Tone tone{.exposure_stops = stops};
-    EXPECT_NEAR(mean_luminance(film, tone), luminance_of(to_srgb8(film, tone)).mean, 2e-4);
+    EXPECT_NEAR(mean_luminance(framebuffer, tone), luminance_of(to_srgb8(framebuffer, tone)).mean,
+                2e-4);
   }
 }
 

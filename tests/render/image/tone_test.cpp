@@ -12,10 +12,10 @@
 namespace mien::render {
 namespace {
 
-Film film_of(float light, int width = 1, int height = 1) {
-  Film film(width, height);
-  film.channels.assign(film.channels.size(), light);
-  return film;
+Framebuffer film_of(float light, int width = 1, int height = 1) {
+  Framebuffer framebuffer(width, height);
+  framebuffer.channels.assign(framebuffer.channels.size(), light);
+  return framebuffer;
 }
 
 TEST(ToneCurve, LeavesEverythingBelowItsShoulderAlone) {
@@ -60,12 +60,12 @@ TEST(Srgb, IsUndoneByItsInverse) {
 }
 
 TEST(Srgb8, KeepsEveryCode) {
-  Film film(256, 1);
+  Framebuffer framebuffer(256, 1);
   for (int code = 0; code < 256; ++code) {
     const Color light = linear_from_srgb8(code, code, code);
-    std::copy_n(light.data(), 3, film.at(code, 0));
+    std::copy_n(light.data(), 3, framebuffer.at(code, 0));
   }
-  const Image8 image = to_srgb8(film, {.shoulder = 1.0f});
+  const Image8 image = to_srgb8(framebuffer, {.shoulder = 1.0f});
   for (int code = 0; code < 256; ++code) EXPECT_EQ(image.at(code, 0)[1], code);
 }
 
@@ -94,11 +94,11 @@ TEST(Srgb8, HasTheCodesOfItsThresholdsOnBothSidesOfEach) {
     lights.push_back(std::nextafter(threshold, 1.0f));
   }
   for (float light = 1e-5f; light < 1.0f; light *= 1.0007f) lights.push_back(light);
-  Film film(static_cast<int>(lights.size()), 1);
+  Framebuffer framebuffer(static_cast<int>(lights.size()), 1);
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    std::fill_n(film.at(static_cast<int>(i), 0), 3, lights[i]);
+    std::fill_n(framebuffer.at(static_cast<int>(i), 0), 3, lights[i]);
   }
-  const Image8 image = to_srgb8(film, {.shoulder = 1.0f});
+  const Image8 image = to_srgb8(framebuffer, {.shoulder = 1.0f});
   for (std::size_t i = 0; i < lights.size(); ++i) {
     EXPECT_EQ(image.at(static_cast<int>(i), 0)[1], counted_code(lights[i], 255, 0.5)) << lights[i];
   }
@@ -121,14 +121,14 @@ TEST(Dither, KeepsTheMeanOfALightBetweenTwoCodes) {
 
 // Random light from black to far above the shoulder, in a picture of 37 x 21 cut at odd places.
 template <class Picture>
-void expect_parts_to_make(const Picture& whole, const Film& film, const Tone& tone) {
+void expect_parts_to_make(const Picture& whole, const Framebuffer& framebuffer, const Tone& tone) {
   constexpr int right = 5, down = 3;
-  Picture found(film.width + right, film.height + down);
+  Picture found(framebuffer.width + right, framebuffer.height + down);
   constexpr std::array columns{0, 16, 29, 37}, rows{0, 8, 17, 21};
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t k = 0; k < 3; ++k) {
       const int x = columns[k], y = rows[row];
-      develop(film, {x, y, columns[k + 1] - x, rows[row + 1] - y}, tone, found, x + right,
+      develop(framebuffer, {x, y, columns[k + 1] - x, rows[row + 1] - y}, tone, found, x + right,
               y + down);
     }
   for (int y = 0; y < found.height; ++y) {
@@ -140,23 +140,23 @@ void expect_parts_to_make(const Picture& whole, const Film& film, const Tone& to
   }
 }
 
-Film random_film(int width, int height) {
-  Film film(width, height);
+Framebuffer random_film(int width, int height) {
+  Framebuffer framebuffer(width, height);
   std::mt19937 random(7);
   std::lognormal_distribution<float> light(-1.5f, 1.0f);
-  for (float& channel : film.channels) channel = light(random);
-  return film;
+  for (float& channel : framebuffer.channels) channel = light(random);
+  return framebuffer;
 }
 
 TEST(Development, GivesPartsTheCodesThatTheyHaveInTheWholePicture) {
-  const Film film = random_film(37, 21);
+  const Framebuffer framebuffer = random_film(37, 21);
   // The same film further to the right and down, as dither counts from the picture's corner.
-  Film moved(film.width + 5, film.height + 3);
-  for (int y = 0; y < film.height; ++y)
-    std::copy_n(film.at(0, y), 3 * film.width, moved.at(5, y + 3));
+  Framebuffer moved(framebuffer.width + 5, framebuffer.height + 3);
+  for (int y = 0; y < framebuffer.height; ++y)
+    std::copy_n(framebuffer.at(0, y), 3 * framebuffer.width, moved.at(5, y + 3));
   for (const Tone& tone : {Tone{}, Tone{.exposure_stops = 1.0f}, Tone{.dither = true}}) {
-    expect_parts_to_make(to_srgb8(moved, tone), film, tone);
-    expect_parts_to_make(to_srgb16(moved, tone), film, tone);
+    expect_parts_to_make(to_srgb8(moved, tone), framebuffer, tone);
+    expect_parts_to_make(to_srgb16(moved, tone), framebuffer, tone);
   }
 }
 

@@ -125,9 +125,9 @@ TEST_F(Lanes, GiveTheRaysOfACamera) {
       y[i] = uniform(0.0f, 540.0f);
     }
     LaneVectors origins, directions;
-    eye_rays(camera, x, y, origins, directions);
+    camera_rays(camera, x, y, origins, directions);
     for (int i = 0; i < count; ++i) {
-      const EyeRay expected = camera.ray(x[i], y[i]);
+      const CameraRay expected = camera.ray(x[i], y[i]);
       EXPECT_LT((origins.at(i) - expected.origin).norm(), 1e-6f);
       EXPECT_LT((directions.at(i) - expected.direction).norm(), 1e-6f);
     }

@@ -25,16 +25,16 @@ class LineShadow : public testing::Test {
   }
 
   /// In the floor or above it, thick or thin, sphere, cylinder or cone.
-  RoundCone any_solid(int kind) {
+  PreparedCone any_solid(int kind) {
     const float radius = uniform(0.005f, 0.2f);
     const Vec3 start{uniform(-1, 1), uniform(-0.1f, 1.3f), uniform(-1, 1)};
-    if (kind == 0) return round_cone(Sphere{start, radius});
+    if (kind == 0) return prepared_cone(Sphere{start, radius});
     Vec3 end = start + Vec3{uniform(-0.6f, 0.6f), uniform(-0.3f, 0.4f), uniform(-0.6f, 0.6f)};
-    return round_cone(Capsule{start, end, radius, kind == 1 ? radius : uniform(0.005f, 0.2f)});
+    return prepared_cone(RoundCone{start, end, radius, kind == 1 ? radius : uniform(0.005f, 0.2f)});
   }
 
   /// A point of the floor in the solid's shadow, or near it.
-  Vec3 point_in_shadow(const AreaLight& light, const RoundCone& solid) {
+  Vec3 point_in_shadow(const AreaLight& light, const PreparedCone& solid) {
     const Vec3 from =
         light.centre + uniform(-1.2f, 1.2f) * light.half_u + uniform(-1.0f, 1.0f) * light.half_v;
     const Vec3 through = solid.a + uniform(0, 1) * solid.axis +
@@ -48,7 +48,7 @@ class LineShadow : public testing::Test {
   std::mt19937 random_{5};
 };
 
-bool is_hidden(const RoundCone& solid, const Vec3& origin, const Vec3& direction) {
+bool is_hidden(const PreparedCone& solid, const Vec3& origin, const Vec3& direction) {
   const RayLanes ray{&origin.x(),    &origin.y(),    &origin.z(),
                      &direction.x(), &direction.y(), &direction.z()};
   float enter = 0.0f, leave = 0.0f;
@@ -62,7 +62,7 @@ TEST_F(LineShadow, HidesWhatRaysToTheLineFindHidden) {
   int hidden = 0, wrong = 0;
   for (int trial = 0; trial < 3000; ++trial) {
     const AreaLight light = any_light();
-    const RoundCone solid = any_solid(trial % 3);
+    const PreparedCone solid = any_solid(trial % 3);
     if (!has_line_shadows(light, {&solid, 1})) continue;
     LaneVectors points;
     LaneFloats v;
@@ -72,7 +72,7 @@ TEST_F(LineShadow, HidesWhatRaysToTheLineFindHidden) {
       v[i] = uniform(0, 1);
     }
     const LightLines lines = lines_across(light, points, v);
-    const LineParts parts = hidden_by(solid, points, lines).value_or(LineParts{});
+    const LineIntervals parts = hidden_part(solid, points, lines).value_or(LineIntervals{});
     for (int i = 0; i < static_cast<int>(lanes); ++i) {
       for (int k = 0; k < rays; ++k) {
         const float t = (static_cast<float>(k) + 0.5f) / rays;
@@ -105,7 +105,7 @@ TEST_F(LineShadow, GivesTheLightOfAPart) {
     }
     const double expected = sum * static_cast<double>(last - first) / steps;
     const LightLines lines = lines_across(light, points, v);
-    EXPECT_NEAR(light_of(lines, 0, {first, last}), expected, 1e-3 * expected + 1e-7);
+    EXPECT_NEAR(irradiance_of(lines, 0, {first, last}), expected, 1e-3 * expected + 1e-7);
   }
 }
 
@@ -113,20 +113,20 @@ TEST_F(LineShadow, CountsWhatTwoSolidsHideOnce) {
   const AreaLight light = softbox({0, 3, 0}, {0, 0, 0.1f}, 2.0f, 1.0f, Color::Ones());
   LaneVectors points;
   const LightLines lines = lines_across(light, points, LaneFloats{});
-  std::vector<LinePart> parts = {{0.6f, 0.7f}, {0.1f, 0.3f}, {0.2f, 0.5f}, {0.25f, 0.3f}};
-  EXPECT_FLOAT_EQ(light_of_all(lines, 0, parts),
-                  light_of(lines, 0, {0.1f, 0.5f}) + light_of(lines, 0, {0.6f, 0.7f}));
-  std::vector<LinePart> none;
-  EXPECT_EQ(light_of_all(lines, 0, none), 0.0f);
+  std::vector<LineInterval> parts = {{0.6f, 0.7f}, {0.1f, 0.3f}, {0.2f, 0.5f}, {0.25f, 0.3f}};
+  EXPECT_FLOAT_EQ(irradiance_of_union(lines, 0, parts),
+                  irradiance_of(lines, 0, {0.1f, 0.5f}) + irradiance_of(lines, 0, {0.6f, 0.7f}));
+  std::vector<LineInterval> none;
+  EXPECT_EQ(irradiance_of_union(lines, 0, none), 0.0f);
 }
 
 TEST_F(LineShadow, IsNotForSolidsBesideTheLight) {
   const AreaLight light = softbox({0, 2, 0}, {0, 0, 0.1f}, 1.0f, 1.0f, Color::Ones());
-  const RoundCone below = round_cone(Sphere{{0, 1, 0}, 0.2f});
-  const RoundCone beside = round_cone(Sphere{{3, 2, 0}, 0.2f});
+  const PreparedCone below = prepared_cone(Sphere{{0, 1, 0}, 0.2f});
+  const PreparedCone beside = prepared_cone(Sphere{{3, 2, 0}, 0.2f});
   EXPECT_TRUE(has_line_shadows(light, {&below, 1}));
   EXPECT_FALSE(has_line_shadows(light, {&beside, 1}));
-  const RoundCone above = round_cone(Sphere{{0, 3, 0}, 0.2f});
+  const PreparedCone above = prepared_cone(Sphere{{0, 3, 0}, 0.2f});
   EXPECT_TRUE(has_line_shadows(light, {&above, 1}));
   EXPECT_TRUE(is_behind(light, above));
   EXPECT_FALSE(is_behind(light, beside) || is_behind(light, below));

@@ -37,7 +37,7 @@ TEST(PixelSampler, IsUniformOverPixels) {
   std::vector<int> counts(256, 0);
   for (int y = 0; y < 256; ++y) {
     for (int x = 0; x < 256; ++x) {
-      const Point2 p = PixelSampler(7, x, y).point(Dimension::FilmPosition, 0);
+      const Point2 p = PixelSampler(7, x, y).point(Dimension::PixelPosition, 0);
       ++counts[16 * cell_of(p.u, 16) + cell_of(p.v, 16)];
     }
   }
@@ -55,8 +55,8 @@ double variance_of_squares(int side, int samples) {
       const int pixel = k / samples;
       const int x = side * (square % count) + pixel % side;
       const int y = side * (square / count) + pixel / side;
-      const Point2 p = PixelSampler::among_neighbours(3, x, y, samples)
-                           .point(Dimension::FirstLight, k % samples);
+      const Point2 p =
+          PixelSampler::for_picture(3, x, y, samples).point(Dimension::FirstLight, k % samples);
       below += p.u + 0.7f * p.v < 0.8f ? 1 : 0;
     }
     const double share = below / static_cast<double>(side * side * samples);

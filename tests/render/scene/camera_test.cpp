@@ -12,10 +12,10 @@ namespace {
 
 TEST(Camera, SeesItsTargetInTheMiddle) {
   const Camera camera{.position = {3.0f, 2.0f, -4.0f}, .target = {0.2f, 0.9f, 0.1f}};
-  const auto film = project(camera, camera.target);
-  ASSERT_TRUE(film);
-  EXPECT_NEAR(film->x(), 480.0f, 1e-3f);
-  EXPECT_NEAR(film->y(), 270.0f, 1e-3f);
+  const auto framebuffer = project(camera, camera.target);
+  ASSERT_TRUE(framebuffer);
+  EXPECT_NEAR(framebuffer->x(), 480.0f, 1e-3f);
+  EXPECT_NEAR(framebuffer->y(), 270.0f, 1e-3f);
 }
 
 TEST(Camera, SeesHalfItsFieldOfViewAboveTheAxis) {
@@ -36,12 +36,13 @@ TEST(Camera, LooksThroughTheFilmPointOfWhatItSees) {
                         .target = {place(random), place(random), place(random)},
                         .vertical_field_of_view = 0.1f + 2.0f * along(random)};
     const CameraFrame frame = frame_of(camera);
-    const Eigen::Vector2f film{960.0f * along(random), 540.0f * along(random)};
+    const Eigen::Vector2f framebuffer{960.0f * along(random), 540.0f * along(random)};
     const float distance = 0.5f + 9.0f * along(random);
-    const Vec3 point = frame.position + distance * frame.ray(film.x(), film.y()).direction;
+    const Vec3 point =
+        frame.position + distance * frame.ray(framebuffer.x(), framebuffer.y()).direction;
     const auto seen = project(camera, point);
     ASSERT_TRUE(seen);
-    EXPECT_LT((*seen - film).norm(), 0.02f) << "trial " << trial;
+    EXPECT_LT((*seen - framebuffer).norm(), 0.02f) << "trial " << trial;
   }
 }
 
@@ -72,10 +73,11 @@ TEST(View, HoldsWhatFallsOnTheFilmAndNothingElse) {
     int inside = 0;
     for (int trial = 0; trial < 5000; ++trial) {
       const Vec3 point{uniform(random), uniform(random), uniform(random)};
-      const auto film = project(camera, point);
-      if (!film) continue;
+      const auto framebuffer = project(camera, point);
+      if (!framebuffer) continue;
       const auto margin = [](float x, float size) { return std::min(x, size - x); };
-      const float within = std::min(margin(film->x(), 960.0f), margin(film->y(), 540.0f));
+      const float within =
+          std::min(margin(framebuffer->x(), 960.0f), margin(framebuffer->y(), 540.0f));
       if (std::abs(within) < 0.01f) continue;
       bool holds = true;
       for (const HalfSpace& half : view) holds = holds && half.normal.dot(point) >= half.offset;

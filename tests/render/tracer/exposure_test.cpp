@@ -38,12 +38,12 @@ struct Spot {
   double spread = 0.0;  // standard deviation along x, pixels
 };
 
-Spot spot_on(const Film& film) {
+Spot spot_on(const Framebuffer& framebuffer) {
   Spot spot;
   double squares = 0.0;
-  for (int y = 0; y < film.height; ++y) {
-    for (int x = 0; x < film.width; ++x) {
-      const auto light = static_cast<double>(film.at(x, y)[0]);
+  for (int y = 0; y < framebuffer.height; ++y) {
+    for (int x = 0; x < framebuffer.width; ++x) {
+      const auto light = static_cast<double>(framebuffer.at(x, y)[0]);
       spot.light += light;
       spot.column += light * (x + 0.5);
       squares += light * (x + 0.5) * (x + 0.5);
@@ -64,22 +64,22 @@ TEST(Exposing, ShowsAFigureToTheShareOfItsOpacity) {
   scene.materials.push_back({.albedo = Color::Zero(), .emission = Color::Constant(1.0f)});
   scene.solids.spheres.push_back({{0.0f, 0.0f, -2.0f}, 0.8f, 1, 1});
   scene.solids.spheres.push_back({{0.05f, 0.0f, 0.1f}, 0.6f, 0, 0});
-  const Film film = Tracer().trace(scene, straight_on(), {.samples_per_pixel = 64});
+  const Framebuffer framebuffer = Tracer().trace(scene, straight_on(), {.samples_per_pixel = 64});
   const Color expected = 0.25f * Color(0.8f, 0.4f, 0.2f) +
                          0.75f * (0.5f * Color::Constant(1.0f) + 0.5f * Color::Constant(0.1f));
   Color mean = Color::Zero();
   for (int y = 28; y < 36; ++y)
-    for (int x = 44; x < 52; ++x) mean += Eigen::Map<const Color>(film.at(x, y)) / 64.0f;
+    for (int x = 44; x < 52; ++x) mean += Eigen::Map<const Color>(framebuffer.at(x, y)) / 64.0f;
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], expected[c], 0.01f);
 }
 
 TEST(Exposing, ShowsAShiningSurfaceInExactlyItsColour) {
   Scene scene = shining_ball(0.6f);
   scene.lights = {softbox({0.0f, 4.0f, 3.0f}, Vec3::Zero(), 1.0f, 1.0f, Color::Constant(30.0f))};
-  const Film film = Tracer().trace(scene, straight_on(), {});
-  EXPECT_FLOAT_EQ(film.at(48, 32)[0], 0.8f);
-  EXPECT_FLOAT_EQ(film.at(48, 32)[1], 0.4f);
-  EXPECT_FLOAT_EQ(film.at(48, 32)[2], 0.2f);
+  const Framebuffer framebuffer = Tracer().trace(scene, straight_on(), {});
+  EXPECT_FLOAT_EQ(framebuffer.at(48, 32)[0], 0.8f);
+  EXPECT_FLOAT_EQ(framebuffer.at(48, 32)[1], 0.4f);
+  EXPECT_FLOAT_EQ(framebuffer.at(48, 32)[2], 0.2f);
 }
 
 // While the shutter is open the ball's light is spread evenly along its way: a uniform distribution
@@ -91,7 +91,7 @@ TEST(Exposing, SpreadsWhatMovesAlongItsWay) {
   Tracer tracer;
   const Quality quality{.samples_per_pixel = 64};
   const Spot still = spot_on(tracer.trace(opening, straight_on(), quality));
-  const Spot moving = spot_on(tracer.expose({opening, straight_on(), quality, closing}).film);
+  const Spot moving = spot_on(tracer.render_view({opening, straight_on(), quality, closing}).color);
   const double pixels_per_metre = 32.0 / (5.0 * std::tan(0.2));
   EXPECT_NEAR(moving.light, still.light, 0.02 * still.light);
   EXPECT_NEAR(moving.column, still.column + 0.4 * pixels_per_metre, 0.2);
@@ -106,7 +106,8 @@ TEST(Exposing, SpreadsWhatStandsWhenTheCameraMoves) {
   closing.target.x() -= 0.8f;
   Tracer tracer;
   const Quality quality{.samples_per_pixel = 64};
-  const Spot moving = spot_on(tracer.expose({scene, straight_on(), quality, {}, closing}).film);
+  const Spot moving =
+      spot_on(tracer.render_view({scene, straight_on(), quality, {}, closing}).color);
   const double pixels_per_metre = 32.0 / (5.0 * std::tan(0.2));
   EXPECT_NEAR(moving.column, 48.0 + 0.4 * pixels_per_metre, 0.2);
 }
@@ -115,7 +116,7 @@ TEST(Exposing, RefusesAClosingSceneOfOtherSolids) {
   const Scene opening = shining_ball(0.1f);
   Scene closing = opening;
   closing.solids.spheres.clear();
-  EXPECT_THROW(Tracer().expose({opening, straight_on(), {}, closing}), std::invalid_argument);
+  EXPECT_THROW(Tracer().render_view({opening, straight_on(), {}, closing}), std::invalid_argument);
 }
 
 // A point at distance d of a lens of radius r focused at f is seen as a disc of radius
@@ -167,16 +168,17 @@ TEST(Exposing, CompositesBackToThePictureWithItsSet) {
   const Camera camera{.position = {0.5f, 1.5f, 4.0f}, .width = 96, .height = 64};
   Tracer tracer;
   Quality quality{.samples_per_pixel = 8};
-  const Film shown = tracer.trace(scene, camera, quality);
-  const Film set = tracer.trace(nobody, camera, quality);
+  const Framebuffer shown = tracer.trace(scene, camera, quality);
+  const Framebuffer set = tracer.trace(nobody, camera, quality);
   quality.background = Background::shadow;
-  const Exposure shadow = tracer.expose({scene, camera, quality});
+  const RenderTarget shadow = tracer.render_view({scene, camera, quality});
   quality.background = Background::transparent;
-  const Exposure clear = tracer.expose({scene, camera, quality});
-  EXPECT_EQ(clear.film, shadow.film);
+  const RenderTarget clear = tracer.render_view({scene, camera, quality});
+  EXPECT_EQ(clear.color, shadow.color);
   bool shaded = false;
   for (std::size_t i = 0; i < shadow.alpha.size(); ++i) {
-    const float back = shadow.film.channels[3 * i] + (1.0f - shadow.alpha[i]) * set.channels[3 * i];
+    const float back =
+        shadow.color.channels[3 * i] + (1.0f - shadow.alpha[i]) * set.channels[3 * i];
     EXPECT_NEAR(back, shown.channels[3 * i], 1e-5f);
     EXPECT_LE(clear.alpha[i], shadow.alpha[i] + 1e-6f);
     shaded = shaded || (clear.alpha[i] == 0.0f && shadow.alpha[i] > 0.2f);
@@ -218,8 +220,8 @@ TEST(Exposing, ShowsAFineMeshLikeTheSphereThatItIs) {
   meshed.solids.meshes = {ball_mesh(1.0f, 48)};
   Tracer tracer;
   const Quality quality{.samples_per_pixel = 64};
-  const Film expected = tracer.trace(smooth, straight_on(), quality);
-  const Film found = tracer.trace(meshed, straight_on(), quality);
+  const Framebuffer expected = tracer.trace(smooth, straight_on(), quality);
+  const Framebuffer found = tracer.trace(meshed, straight_on(), quality);
   double squares = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < found.channels.size(); ++i) {
     const double off = std::abs(static_cast<double>(found.channels[i] - expected.channels[i]));
@@ -241,7 +243,7 @@ TEST(Exposing, KnowsTheOpenSkyOnEveryNormal) {
       sum += sky_radiance(sky,
                           cosine_direction(normal, sample_point(static_cast<std::uint32_t>(i), 9)))
                  .cast<double>();
-    const Color known = open_sky_light(sky, normal);
+    const Color known = unoccluded_sky_light(sky, normal);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(known[c], sum[c] / rays, 5e-4) << y;
   }
 }
@@ -260,20 +262,20 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
   for (const Background background :
        {Background::shown, Background::transparent, Background::shadow}) {
     const Quality quality{.samples_per_pixel = 4, .background = background};
-    const Exposure whole = Tracer().expose({scene, camera, quality});
-    const Exposure part = Tracer().expose({scene, cropped, quality});
-    EXPECT_EQ(part.film, cut_out(whole.film, *cropped.window));
+    const RenderTarget whole = Tracer().render_view({scene, camera, quality});
+    const RenderTarget part = Tracer().render_view({scene, cropped, quality});
+    EXPECT_EQ(part.color, crop(whole.color, *cropped.window));
     if (background != Background::shown) {
-      EXPECT_EQ(part.alpha, cut_out(whole.alpha, camera.width, *cropped.window));
+      EXPECT_EQ(part.alpha, crop(whole.alpha, camera.width, *cropped.window));
     }
   }
   for (const int samples : {1, 2}) {
     const Quality few{.samples_per_pixel = samples};
     EXPECT_EQ(Tracer().trace(scene, cropped, few),
-              cut_out(Tracer().trace(scene, camera, few), *cropped.window));
+              crop(Tracer().trace(scene, camera, few), *cropped.window));
   }
   const Quality quality{.samples_per_pixel = 4};
-  const Layers whole = cut_out(Tracer().layers(scene, camera, quality), *cropped.window);
+  const Layers whole = crop(Tracer().layers(scene, camera, quality), *cropped.window);
   const Layers part = Tracer().layers(scene, cropped, quality);
   EXPECT_EQ(part.beauty.width, 30);
   EXPECT_EQ(part.normal, whole.normal);

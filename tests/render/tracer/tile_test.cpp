@@ -121,8 +121,9 @@ TEST(FloorSky, IsInterpolatedWithoutVisibleError) {
 }
 
 /// How far apart the pixels of one film are.
-double range_of(const Film& film) {
-  const auto [low, high] = std::minmax_element(film.channels.begin(), film.channels.end());
+double range_of(const Framebuffer& framebuffer) {
+  const auto [low, high] =
+      std::minmax_element(framebuffer.channels.begin(), framebuffer.channels.end());
   return static_cast<double>(*high - *low);
 }
 

@@ -38,10 +38,11 @@ TEST(Tracer, ShowsASphereInAFurnaceAsItsAlbedo) {
   scene.sky = even_sky(sky_light);
   // With a backdrop of the same light, edges count too.
   scene.sky.backdrop_horizon = scene.sky.backdrop_zenith = albedo * sky_light;
-  const Film film = Tracer().trace(scene, {.width = 64, .height = 48}, {.samples_per_pixel = 8});
-  for (std::size_t i = 0; i < film.channels.size(); ++i) {
+  const Framebuffer framebuffer =
+      Tracer().trace(scene, {.width = 64, .height = 48}, {.samples_per_pixel = 8});
+  for (std::size_t i = 0; i < framebuffer.channels.size(); ++i) {
     const float expected = (albedo * sky_light)[static_cast<Eigen::Index>(i % 3)];
-    EXPECT_NEAR(film.channels[i], expected, 2e-6f) << "channel " << i;
+    EXPECT_NEAR(framebuffer.channels[i], expected, 2e-6f) << "channel " << i;
   }
 }
 
@@ -81,11 +82,11 @@ Scene random_figure(unsigned seed) {
   };
   const auto place = [&] { return Vec3{uniform(-1, 1), uniform(-0.1f, 2), uniform(-1, 1)}; };
   Scene scene;
-  scene.materials = {{.albedo = albedo}, {.albedo = {0.7f, 0.2f, 0.1f}, .sheen = 0.04f}};
+  scene.materials = {{.albedo = albedo}, {.albedo = {0.7f, 0.2f, 0.1f}, .specular_f0 = 0.04f}};
   for (int i = 0; i < 6; ++i)
     scene.solids.spheres.push_back({place(), uniform(0.02f, 0.2f), i % 2});
   for (int i = 0; i < 6; ++i)
-    scene.solids.capsules.push_back(
+    scene.solids.round_cones.push_back(
         {place(), place(), uniform(0.01f, 0.2f), uniform(0.01f, 0.2f), i % 2});
   // The second light stands as low as the figure, so that its shadows reach the horizon.
   scene.lights = {softbox({2.0f, 4.0f, 2.0f}, Vec3::UnitY(), 1.5f, 1.0f, Color::Constant(8.0f)),
@@ -115,7 +116,7 @@ TEST(Tracer, GivesTheSamePictureWhenItTracesTheRaysThatMeetNothingToo) {
     const Scene scene = random_figure(seed);
     const Camera camera = random_view(seed);
     Quality quality{.samples_per_pixel = 5, .seed = seed};
-    const Film quick = tracer.trace(scene, camera, quality);
+    const Framebuffer quick = tracer.trace(scene, camera, quality);
     quality.exhaustive = true;
     EXPECT_EQ(tracer.trace(scene, camera, quality), quick) << "seed " << seed;
   }
@@ -130,11 +131,11 @@ TEST(Tracer, GivesTheSameDraftWhenItTracesTheRaysThatMeetNothingToo) {
     Quality quality = draft_quality();
     quality.samples_per_pixel = 1 + static_cast<int>(seed % 2);
     quality.seed = seed;
-    const Film quick = tracer.trace(scene, camera, quality);
+    const Framebuffer quick = tracer.trace(scene, camera, quality);
     quality.exhaustive = true;
     EXPECT_EQ(tracer.trace(scene, camera, quality), quick) << "seed " << seed;
     quality.exhaustive = false;
-    quality.lit_in_pairs = false;
+    quality.shades_pixel_pairs = false;
     EXPECT_NE(tracer.trace(scene, camera, quality), quick) << "seed " << seed;
   }
 }
@@ -171,7 +172,7 @@ TEST(Tracer, LosesNoShadowOfThinLimbsToItsShortcuts) {
                           .width = 241,
                           .height = 161};
       Quality quality{.samples_per_pixel = samples, .filter_width = 1.0f, .seed = seed};
-      const Film quick = tracer.trace(scene, camera, quality);
+      const Framebuffer quick = tracer.trace(scene, camera, quality);
       quality.exhaustive = true;
       EXPECT_EQ(tracer.trace(scene, camera, quality), quick)
           << "seed " << seed << ", " << samples << " samples";
@@ -180,12 +181,12 @@ TEST(Tracer, LosesNoShadowOfThinLimbsToItsShortcuts) {
 }
 
 /// Mean luminance of blocks of 10 × 10 pixels.
-Eigen::ArrayXd block_means(const Film& film) {
-  const int across = film.width / 10, down = film.height / 10;
+Eigen::ArrayXd block_means(const Framebuffer& framebuffer) {
+  const int across = framebuffer.width / 10, down = framebuffer.height / 10;
   Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(across * down);
-  for (int y = 0; y < film.height; ++y)
-    for (int x = 0; x < film.width; ++x)
-      sums[y / 10 * across + x / 10] += static_cast<double>(film.at(x, y)[1]);
+  for (int y = 0; y < framebuffer.height; ++y)
+    for (int x = 0; x < framebuffer.width; ++x)
+      sums[y / 10 * across + x / 10] += static_cast<double>(framebuffer.at(x, y)[1]);
   return sums / 100.0;
 }
 
@@ -249,22 +250,22 @@ TEST(Tracer, GivesTheSamePictureWithAnyNumberOfThreads) {
     Camera camera = random_view(seed);
     camera.width = 400;
     camera.height = 300;
-    const Film film = one.trace(scene, camera, standard_quality());
-    EXPECT_EQ(two.trace(scene, camera, standard_quality()), film) << "seed " << seed;
-    EXPECT_EQ(three.trace(scene, camera, standard_quality()), film) << "seed " << seed;
+    const Framebuffer framebuffer = one.trace(scene, camera, standard_quality());
+    EXPECT_EQ(two.trace(scene, camera, standard_quality()), framebuffer) << "seed " << seed;
+    EXPECT_EQ(three.trace(scene, camera, standard_quality()), framebuffer) << "seed " << seed;
   }
 }
 
 /// A picture put together of its parts.
-Film of_parts(Tracer& tracer, ReadyPicture ready, const Window& window) {
-  Film film(window.width, window.height);
-  tracer.draw(std::move(ready), [&](const DrawnPart& part) {
+Framebuffer of_parts(Tracer& tracer, PreparedView ready, const Window& window) {
+  Framebuffer framebuffer(window.width, window.height);
+  tracer.draw(std::move(ready), [&](const RenderedRegion& part) {
     const Window& pixels = part.pixels;
     for (int y = 0; y < pixels.height; ++y)
-      std::copy_n(part.film.at(pixels.x, pixels.y + y), 3 * pixels.width,
-                  film.at(part.x, part.y + y));
+      std::copy_n(part.framebuffer.at(pixels.x, pixels.y + y), 3 * pixels.width,
+                  framebuffer.at(part.x, part.y + y));
   });
-  return film;
+  return framebuffer;
 }
 
 // Other scenes before other cameras, so that the sets behind them are made meanwhile, too: some
@@ -274,14 +275,14 @@ TEST(Tracer, DrawsSeveralFramesOfAFilmAtATime) {
     const auto seed = static_cast<unsigned>(number);
     View shown{random_figure(seed), random_view(seed), draft_quality()};
     if (seed % 3 == 1)
-      shown.scene.standing.spheres = {{.centre = {0.5f, 0.3f, -1.0f}, .radius = 0.3f}};
+      shown.scene.static_solids.spheres = {{.centre = {0.5f, 0.3f, -1.0f}, .radius = 0.3f}};
     return shown;
   };
   for (const int threads : {1, 3}) {
     for (const std::size_t in_flight : {1u, 2u, 4u}) {
       Tracer tracer({.threads = threads});
-      std::vector<ReadyPicture> ready(in_flight);
-      std::vector<Film> films(trials);
+      std::vector<PreparedView> ready(in_flight);
+      std::vector<Framebuffer> framebuffers(trials);
       std::size_t ended = 0;
       const auto begin = [&](std::size_t frame) {
         if (frame == trials) return false;
@@ -290,14 +291,14 @@ TEST(Tracer, DrawsSeveralFramesOfAFilmAtATime) {
         return true;
       };
       const auto draw = [&](std::size_t frame) {
-        films[frame] =
+        framebuffers[frame] =
             of_parts(tracer, std::move(ready[frame % in_flight]), window_of(view(frame).camera));
       };
       const auto end = [&](std::size_t frame) { EXPECT_EQ(frame, ended++); };
       tracer.for_frames({begin, draw, end}, static_cast<int>(in_flight));
       ASSERT_EQ(ended, trials);
       for (std::size_t frame = 0; frame < trials; ++frame)
-        EXPECT_EQ(films[frame], Tracer().expose(view(frame)).film)
+        EXPECT_EQ(framebuffers[frame], Tracer().render_view(view(frame)).color)
             << "frame " << frame << ", " << threads << " threads, " << in_flight << " in flight";
     }
   }
@@ -312,13 +313,13 @@ TEST(Tracer, HandsOnEachPartOnceWithItsLight) {
     camera.window = window;
     const View view{random_figure(1), camera, draft_quality()};
     std::vector<std::atomic<int>> times(static_cast<std::size_t>(window.width * window.height));
-    tracer.draw(tracer.prepare(view), [&](const DrawnPart& part) {
+    tracer.draw(tracer.prepare(view), [&](const RenderedRegion& part) {
       for (int y = part.y; y < part.y + part.pixels.height; ++y)
         for (int x = part.x; x < part.x + part.pixels.width; ++x)
           ++times[static_cast<std::size_t>(y * window.width + x)];
     });
     EXPECT_EQ(std::count(times.begin(), times.end(), 1), std::ssize(times));
-    EXPECT_EQ(of_parts(tracer, tracer.prepare(view), window), tracer.expose(view).film);
+    EXPECT_EQ(of_parts(tracer, tracer.prepare(view), window), tracer.render_view(view).color);
   }
 }
 
@@ -337,14 +338,14 @@ TEST(Tracer, GivesUpAFilmWhenWorkOnItFails) {
   EXPECT_THROW(tracer.for_frames({ten, fail, nothing}, 2), std::runtime_error);
   EXPECT_THROW(tracer.for_frames({ten, nothing, fail}, 2), std::runtime_error);
   const View view{random_figure(0), random_view(0), draft_quality()};
-  EXPECT_THROW(tracer.draw(tracer.prepare(view), [&](const DrawnPart&) { fail(3); }),
+  EXPECT_THROW(tracer.draw(tracer.prepare(view), [&](const RenderedRegion&) { fail(3); }),
                std::runtime_error);
-  EXPECT_EQ(tracer.expose(view).film, Tracer().expose(view).film);
+  EXPECT_EQ(tracer.render_view(view).color, Tracer().render_view(view).color);
 }
 
 TEST(Tracer, DrawsNothingThatIsNotReadyOrHasNoBackground) {
   Tracer tracer;
-  const auto ignore = [](const DrawnPart&) {};
+  const auto ignore = [](const RenderedRegion&) {};
   EXPECT_THROW(tracer.draw({}), std::logic_error);
   EXPECT_THROW(tracer.draw({}, ignore), std::logic_error);
   View view{random_figure(0), random_view(0), draft_quality()};
@@ -377,7 +378,7 @@ TEST(Tracer, ShowsNothingOfAFigureFarAway) {
     Scene scene = random_figure(seed);
     scene.sky.zenith = scene.sky.horizon = scene.sky.below = Color::Zero();
     const Camera camera{.width = 75, .height = 50};
-    const Film alone = tracer.trace(scene, camera, {});
+    const Framebuffer alone = tracer.trace(scene, camera, {});
     scene.solids.spheres.push_back({.centre = {0.0f, 1.0f, 60.0f}, .radius = 0.5f});
     EXPECT_EQ(tracer.trace(scene, camera, {}), alone) << "seed " << seed;
     scene.solids.spheres.back().centre = {0.0f, 1.0f, 0.0f};
@@ -388,9 +389,9 @@ TEST(Tracer, ShowsNothingOfAFigureFarAway) {
 TEST(Tracer, ShowsTheBackdropWhereNoFigureStands) {
   Scene scene = one_sphere();
   scene.sky.backdrop_horizon = scene.sky.backdrop_zenith = {0.1f, 0.2f, 0.3f};
-  const Film film = Tracer().trace(scene, {.width = 96, .height = 54}, {});
-  for (int y = 0; y < film.height; ++y)
-    for (const int x : {0, 1, 94, 95}) EXPECT_EQ(film.at(x, y)[2], 0.3f);
+  const Framebuffer framebuffer = Tracer().trace(scene, {.width = 96, .height = 54}, {});
+  for (int y = 0; y < framebuffer.height; ++y)
+    for (const int x : {0, 1, 94, 95}) EXPECT_EQ(framebuffer.at(x, y)[2], 0.3f);
 }
 
 TEST(Tracer, RefusesADegenerateSceneByTheNameOfItsMember) {

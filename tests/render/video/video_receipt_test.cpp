@@ -80,16 +80,16 @@ class VideoReceiptTest : public testing::TestWithParam<VideoKind> {
     return {path, video.receipt()};
   }
 
-  FilmSketch sketch_of(const std::vector<Image8>& frames) const {
-    FilmSketch film(walk_width, walk_height, checked_row_step(format));
-    for (const Image8& frame : frames) film.add(frame);
-    return film;
+  VideoSketch sketch_of(const std::vector<Image8>& frames) const {
+    VideoSketch framebuffer(walk_width, walk_height, checked_row_step(format));
+    for (const Image8& frame : frames) framebuffer.add(frame);
+    return framebuffer;
   }
 
   /// What the check says of a file, or "".
-  std::string said_of(const Written& video, const FilmSketch& film) const {
+  std::string said_of(const Written& video, const VideoSketch& framebuffer) const {
     try {
-      check_video(video.path, format, film, &video.receipt);
+      check_video(video.path, format, framebuffer, &video.receipt);
       return "";
     } catch (const Error& error) {
       return error.what();
@@ -99,9 +99,9 @@ class VideoReceiptTest : public testing::TestWithParam<VideoKind> {
   /// Tries every frame of `frames` lost, doubled, swapped with the next and damaged, on the way to
   /// the encoder, and in a file that took the place of what the encoder made.
   void try_all(const std::vector<Image8>& frames) const {
-    const FilmSketch film = sketch_of(frames);
+    const VideoSketch framebuffer = sketch_of(frames);
     const Written right = written("right", frames);
-    ASSERT_EQ(said_of(right, film), "");
+    ASSERT_EQ(said_of(right, framebuffer), "");
     // Other encoders take their time, and the same is compared.
     const std::size_t step = GetParam() == VideoKind::mp4 ? 1 : 11;
     for (std::size_t at = 0; at + 1 < frames.size(); at += step) {
@@ -112,7 +112,7 @@ class VideoReceiptTest : public testing::TestWithParam<VideoKind> {
       std::swap(swapped[at], swapped[at + 1]);
       ++*damaged[at].at(static_cast<int>(7 * at), static_cast<int>(5 * at));
       for (const std::vector<Image8>* wrong : {&lost, &doubled, &swapped, &damaged})
-        EXPECT_NE(said_of(written("wrong", *wrong), film), "") << at;
+        EXPECT_NE(said_of(written("wrong", *wrong), framebuffer), "") << at;
     }
   }
 };
@@ -126,20 +126,20 @@ TEST_P(VideoReceiptTest, TellsThemWhereFramesDifferByACode) { try_all(hardly_mov
 TEST_P(VideoReceiptTest, TellsAFileInThePlaceOfWhatTheEncoderMade) {
   const std::vector<Image8> frames = walk();
   const Written right = written("right", frames);
-  const FilmSketch film = sketch_of(frames);
+  const VideoSketch framebuffer = sketch_of(frames);
   const std::size_t step = GetParam() == VideoKind::mp4 ? 1 : 11;
   for (std::size_t at = 0; at + 1 < frames.size(); at += step) {
     std::vector<Image8> doubled = frames;
     doubled[at + 1] = doubled[at];
     const Written other{written("other", doubled).path, right.receipt};
-    EXPECT_NE(said_of(other, film), "") << at;
+    EXPECT_NE(said_of(other, framebuffer), "") << at;
   }
 }
 
 TEST_P(VideoReceiptTest, TellsEachByteThatIsOther) {
   const std::vector<Image8> frames = walk();
   const Written right = written("right", frames);
-  const FilmSketch film = sketch_of(frames);
+  const VideoSketch framebuffer = sketch_of(frames);
   const std::vector<char> bytes = test::bytes_of(right.path);
   // Where frames are: between the index and the end, which also have bytes that mean nothing.
   const std::size_t begin = bytes.size() / 2, end = bytes.size() - bytes.size() / 8;
@@ -147,7 +147,7 @@ TEST_P(VideoReceiptTest, TellsEachByteThatIsOther) {
     std::vector<char> damaged = bytes;
     damaged[begin + k * (end - begin) / 30] ^= 1;
     test::replace_bytes(right.path, damaged);
-    EXPECT_NE(said_of(right, film), "") << k;
+    EXPECT_NE(said_of(right, framebuffer), "") << k;
   }
 }
 
@@ -155,7 +155,7 @@ TEST_P(VideoReceiptTest, HoldsOfEveryFrameOneHash) {
   const std::vector<Image8> frames = walk();
   const VideoReceipt receipt = written("right", frames).receipt;
   EXPECT_EQ(receipt.frames, sketch_of(frames).hashes);
-  EXPECT_EQ(receipt.coded.size(), frames.size());
+  EXPECT_EQ(receipt.packet_hashes.size(), frames.size());
 }
 
 std::string receipt_kind(const testing::TestParamInfo<VideoKind>& kind) {
@@ -171,29 +171,29 @@ INSTANTIATE_TEST_SUITE_P(KindsThatCodeFramesApart, VideoReceiptTest,
 
 TEST(VideoReceipt, HoldsCodedBytesOfVideosAndNotOfPictures) {
   for (const VideoTraits& traits : video_kinds())
-    EXPECT_EQ(codes_apart(traits.kind), !traits.picture) << traits.name;
+    EXPECT_EQ(has_packet_per_frame(traits.kind), !traits.picture) << traits.name;
 }
 
 TEST(VideoReceipt, HasOneHashForUnitsAfterMarksAndAfterLengths) {
   const std::vector<std::uint8_t> marked = {0, 0, 0, 1, 103, 7, 9, 0, 0, 1, 101, 5};
   const std::vector<std::uint8_t> measured = {0, 0, 0, 3, 103, 7, 9, 0, 0, 0, 2, 101, 5};
-  const std::uint64_t hash = hash_of_coded("h264", marked, false);
-  EXPECT_EQ(hash, hash_of_coded("h264", measured, true));
+  const std::uint64_t hash = packet_hash("h264", marked, false);
+  EXPECT_EQ(hash, packet_hash("h264", measured, true));
   for (std::size_t i = 0; i < measured.size(); ++i) {
     std::vector<std::uint8_t> other = measured;
     other[i] ^= 1;
-    EXPECT_NE(hash, hash_of_coded("h264", other, true)) << i;
-    EXPECT_NE(hash, hash_of_coded("h264", std::span(measured).first(i), true)) << i;
+    EXPECT_NE(hash, packet_hash("h264", other, true)) << i;
+    EXPECT_NE(hash, packet_hash("h264", std::span(measured).first(i), true)) << i;
   }
   const std::vector<std::uint8_t> delimited = {0x12, 0, 10, 1, 2}, bare = {10, 1, 2};
-  EXPECT_EQ(hash_of_coded("av1", delimited, false), hash_of_coded("av1", bare, false));
-  EXPECT_NE(hash_of_coded("vp9", delimited, false), hash_of_coded("vp9", bare, false));
+  EXPECT_EQ(packet_hash("av1", delimited, false), packet_hash("av1", bare, false));
+  EXPECT_NE(packet_hash("vp9", delimited, false), packet_hash("vp9", bare, false));
 }
 
 TEST(VideoReceipt, IsNeededUnlessEveryRowIsLookedAt) {
-  FilmSketch film(walk_width, walk_height, 4);
-  film.add(walking_frame(0.0));
-  EXPECT_THROW(check_video("none.mp4", {.width = walk_width, .height = walk_height}, film),
+  VideoSketch framebuffer(walk_width, walk_height, 4);
+  framebuffer.add(walking_frame(0.0));
+  EXPECT_THROW(check_video("none.mp4", {.width = walk_width, .height = walk_height}, framebuffer),
                std::invalid_argument);
 }
 

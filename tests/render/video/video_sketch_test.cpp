@@ -70,7 +70,8 @@ TEST(FrameSketch, TellsPsnrAndSsimOfNoise) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     const Image8 frame = smooth_frame(width, height, static_cast<int>(seed));
     const Image8 noisy = with_noise(frame, 1 + static_cast<int>(seed) * 2, seed);
-    const Likeness like = sketcher.likeness(sketcher.sketch(frame), sketcher.sketch(noisy));
+    const FrameSimilarity like =
+        sketcher.similarity(sketcher.sketch(frame), sketcher.sketch(noisy));
     EXPECT_FALSE(like.identical);
     EXPECT_NEAR(like.psnr_db, psnr_of(frame, noisy), 4.0 * sigma * 10.0 / std::log(10.0));
     const double ssim = ssim_of(frame, noisy, sketcher.tile_edge());
@@ -86,7 +87,7 @@ TEST(FrameSketch, IsRightOnAverage) {
   double sum = 0.0;
   for (unsigned i = 0; i < 400; ++i) {
     const Image8 noisy = with_noise(frame, 6, i);
-    sum += std::pow(10.0, -0.1 * sketcher.likeness(sketch, sketcher.sketch(noisy)).psnr_db) /
+    sum += std::pow(10.0, -0.1 * sketcher.similarity(sketch, sketcher.sketch(noisy)).psnr_db) /
            std::pow(10.0, -0.1 * psnr_of(frame, noisy));
   }
   // 400 · 16 tiles: a standard error of √(2 / 6400) = 0.018.
@@ -97,10 +98,10 @@ TEST(FrameSketch, KnowsAFrameAgainAndTellsOneChangedChannel) {
   const FrameSketcher sketcher(100, 70);
   Image8 frame = smooth_frame(100, 70, 3);
   const FrameSketch sketch = sketcher.sketch(frame);
-  EXPECT_TRUE(sketcher.likeness(sketch, sketcher.sketch(frame)).identical);
+  EXPECT_TRUE(sketcher.similarity(sketch, sketcher.sketch(frame)).identical);
   for (const std::size_t i : {std::size_t{0}, std::size_t{10'001}, frame.channels.size() - 1}) {
     frame.channels[i] ^= 1;
-    const Likeness like = sketcher.likeness(sketch, sketcher.sketch(frame));
+    const FrameSimilarity like = sketcher.similarity(sketch, sketcher.sketch(frame));
     EXPECT_FALSE(like.identical);
     EXPECT_GT(like.psnr_db, 60.0);
     frame.channels[i] ^= 1;

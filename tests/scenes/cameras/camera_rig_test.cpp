@@ -55,15 +55,15 @@ TEST_P(EveryCamera, ShowsTheFigureWhereItIsToldAndAllElseShiftedLikewise) {
   const Action action = action_of(walk({-0.6, 0, 0.8}, 80));
   const CameraRig as_framed = make_camera_rig({GetParam()}, action, {400, 600});
   CameraRig moved = as_framed;
-  stand_at(moved, {-12.5, 150.25});
+  place_figure_at(moved, {-12.5, 150.25});
   const auto place = figure_place(moved);
   ASSERT_TRUE(place.has_value());
   EXPECT_NEAR((*place)[0], -12.5, 1e-3);
   EXPECT_NEAR((*place)[1], 150.25, 1e-3);
   const auto before = figure_place(as_framed);
   const Eigen::Vector2d shift(-12.5 - (*before)[0], 150.25 - (*before)[1]);
-  const Eigen::AlignedBox2d part = taken_part(as_framed, action);
-  const Eigen::AlignedBox2d moved_part = taken_part(moved, action);
+  const Eigen::AlignedBox2d part = action_bounds(as_framed, action);
+  const Eigen::AlignedBox2d moved_part = action_bounds(moved, action);
   EXPECT_LT((moved_part.min() - part.min() - shift).norm(), 1e-2);
   EXPECT_LT((moved_part.max() - part.max() - shift).norm(), 1e-2);
   EXPECT_EQ(figure_pixels(moved), figure_pixels(as_framed));

@@ -44,13 +44,13 @@ motion::Pose a_pose() { return modelling_pose(standard); }
 /// The character follows poses exactly: its joints are where the body's are, and each box,
 /// drawn round a bone, still is.
 void expect_follows(const SkinnedGltf& file, double bend_tolerance) {
-  const Character character = fitted(parse_character(file.text(), "figure.gltf"), standard);
+  const Character character = scaled_to_body(parse_character(file.text(), "figure.gltf"), standard);
   ASSERT_EQ(character.rig.size(), motion::body_joint_count);
   std::mt19937_64 random(17);
   for (int trial = 0; trial < 10; ++trial) {
     const motion::Pose pose = random_pose(random);
     const motion::JointTransforms expected = motion::world_transforms(standard, pose);
-    const motion::JointTransforms rig = rig_in(character, pose);
+    const motion::JointTransforms rig = rig_pose(character, pose);
     const std::vector<render::Mesh> meshes = posed(character, pose);
     for (size_t j = 0; j < expected.positions.size(); ++j) {
       EXPECT_LT((rig.positions[j] - expected.positions[j]).norm(), bend_tolerance)
@@ -122,8 +122,8 @@ TEST(ACharacter, IsDrawnAlikeHoweverItsNodesArePosed) {
     if (!unskinned.empty() && unskinned.front() == motion::Pelvis) {
       nodding.json["nodes"][0]["translation"] = {0.2, 1.3, -0.5};
     }
-    const Character one = fitted(parse_character(bound.text(), "one.gltf"), standard);
-    const Character other = fitted(parse_character(nodding.text(), "one.gltf"), standard);
+    const Character one = scaled_to_body(parse_character(bound.text(), "one.gltf"), standard);
+    const Character other = scaled_to_body(parse_character(nodding.text(), "one.gltf"), standard);
     std::mt19937_64 random(3);
     for (int trial = 0; trial < 5; ++trial) {
       const motion::Pose pose = random_pose(random);
@@ -137,7 +137,7 @@ TEST(ACharacter, IsDrawnAlikeHoweverItsNodesArePosed) {
 
 /// Mean direction from the ankles to the toes in a pose.
 Vec3 toes_of(const Character& character, const motion::Pose& pose) {
-  const motion::JointTransforms rig = rig_in(character, pose);
+  const motion::JointTransforms rig = rig_pose(character, pose);
   const auto at = [&](motion::BodyJoint joint) {
     return rig.positions[static_cast<size_t>(character.joints[joint].position)];
   };
@@ -151,13 +151,14 @@ TEST(ACharacter, ThatIsMirroredFacesForward) {
   SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
   nlohmann::json& nodes = file.json["nodes"];
   nodes.push_back({{"name", "Armature"}, {"scale", {-1.0, 1.0, 1.0}}, {"children", {0}}});
-  const Character character = fitted(parse_character(file.text(), "mirrored.gltf"), standard);
+  const Character character =
+      scaled_to_body(parse_character(file.text(), "mirrored.gltf"), standard);
   motion::Pose pose;
   pose.root_position = Vec3(0.0, 1.0, 0.0);
   pose.rotations.assign(motion::body_joint_count, Quat::Identity());
   EXPECT_GT(toes_of(character, pose).z(), 0.7);
   // Its left side is the one that goes with the body's left.
-  const motion::JointTransforms rig = rig_in(character, pose);
+  const motion::JointTransforms rig = rig_pose(character, pose);
   const auto left = static_cast<size_t>(character.joints[motion::LeftWrist].position);
   EXPECT_GT(rig.positions[left].x(), 0.3);
   // Triangles are seen from outside: the volume that they enclose is positive.
@@ -169,7 +170,7 @@ TEST(ACharacter, ThatIsMirroredFacesForward) {
     };
     volume += corner(0).dot(corner(1).cross(corner(2)));
   }
-  const Character plain = fitted(
+  const Character plain = scaled_to_body(
       parse_character(test::skinned_gltf(standard, {{}, test::mixamo_names()}).text(), "p.gltf"),
       standard);
   double expected = 0.0;
@@ -215,7 +216,7 @@ double twist_drawn(motion::BodyJoint joint, double twist) {
   pose.rotations[motion::Pelvis] = motion::exp(Vec3(0.1, 2.0, 0.2));
   const Quat bend = motion::exp(0.3 * bone.unitOrthogonal());
   pose.rotations[joint] = bend * motion::exp(twist * bone);
-  const motion::JointTransforms rig = rig_in(character, pose);
+  const motion::JointTransforms rig = rig_pose(character, pose);
   const auto parent = static_cast<size_t>(motion::body_parents[joint]);
   const Quat drawn = rig.rotations[parent].conjugate() * rig.rotations[joint];
   EXPECT_LT((drawn * bone - bend * bone).norm(), 1e-6) << "the bone points elsewhere";
@@ -239,7 +240,7 @@ TEST(ACharacter, DoesNotTwistItsEndsFurtherThanTheyGo) {
 TEST(ACharacter, HasLegsAsLongAsTheBodysAndStandsOnTheFloor) {
   const SkinnedGltf file =
       test::skinned_gltf(motion::standard_body(1.2), {{}, test::mixamo_names()});
-  const Character character = fitted(parse_character(file.text(), "figure.gltf"), standard);
+  const Character character = scaled_to_body(parse_character(file.text(), "figure.gltf"), standard);
   EXPECT_NEAR(motion::leg_length(character.body), motion::leg_length(standard), 1e-6);
   motion::Clip clip;
   clip.body = standard;
@@ -248,7 +249,7 @@ TEST(ACharacter, HasLegsAsLongAsTheBodysAndStandsOnTheFloor) {
   stand.root_position.y() = 0.96;  // the soles at 0
   clip.poses.assign(5, stand);
   float lowest = 1.0f;
-  for (const render::Mesh& mesh : posed(character, worn_by(character, clip).poses.front())) {
+  for (const render::Mesh& mesh : posed(character, retargeted_to(character, clip).poses.front())) {
     for (const render::Vec3& p : mesh.positions) lowest = std::min(lowest, p.y());
   }
   EXPECT_NEAR(lowest, 0.0f, 0.01f);
@@ -441,7 +442,7 @@ TEST(AFaultyCharacter, WithAPictureFileThatIsNotThereNamesIt) {
     EXPECT_NE(std::string(error.what()).find("skin.png"), std::string::npos) << error.what();
   }
   const std::vector<std::filesystem::path> parts = {path.parent_path() / "skin.png"};
-  EXPECT_EQ(parts_of_character(path), parts);
+  EXPECT_EQ(files_of_character(path), parts);
   std::filesystem::remove(path);
 }
 

@@ -120,8 +120,8 @@ TEST_F(RealFigures, OfThirtyWalksAreWholeCharacters) {
   const Character read = read_character(data / "characters" / "cesium_man.gltf");
   for (const fs::path& file : files) {
     const motion::Clip clip = motion::to_body(motion::read_motion(file));
-    const Character character = fitted(read, clip.body);
-    const motion::Clip worn = worn_by(character, clip);
+    const Character character = scaled_to_body(read, clip.body);
+    const motion::Clip worn = retargeted_to(character, clip);
     const std::vector<double> soles = motion::lowest_sole_heights(clip);
     std::vector<double> lowest;
     for (const int f : some_frames(clip)) {
@@ -132,7 +132,7 @@ TEST_F(RealFigures, OfThirtyWalksAreWholeCharacters) {
       const Stretch stretch = stretch_of(character.meshes[0], meshes[0], 0.01);
       EXPECT_LT(stretch.greatest, 8.0) << file << " " << f;
       EXPECT_LT(stretch.of_one_in_thousand, 3.0) << file << " " << f;
-      EXPECT_LT(largest_turn_of_limbs(character, rig_in(character, worn.poses[at]),
+      EXPECT_LT(largest_turn_of_limbs(character, rig_pose(character, worn.poses[at]),
                                       motion::world_transforms(clip.body, clip.poses[at])),
                 3.0 * motion::radians_per_degree)
           << file << " " << f;

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "scenes/closed_surface.h"
-#include "scenes/mannequin/largest_piece.h"
-#include "scenes/mannequin/lump.h"
+#include "scenes/mannequin/largest_component.h"
+#include "scenes/mannequin/sdf_primitive.h"
 
 namespace mien::scenes {
 namespace {
@@ -64,7 +64,7 @@ TEST(TheLargestPiece, IsWhatIsLeftOfABallAndCrumbs) {
     return std::min(p.norm() - 0.5, crumbs - 0.1);
   };
   const Surface all = surface_nets(ball_and_crumbs, cube_grid(1.0, 41));
-  const Surface ball = largest_piece(all);
+  const Surface ball = largest_component(all);
   EXPECT_EQ(mien::test::topology_of(all.triangles).euler, 6);
   EXPECT_EQ(mien::test::topology_of(ball.triangles).euler, 2);
   EXPECT_EQ(mien::test::topology_of(ball.triangles).bad_edges, 0);
@@ -100,8 +100,8 @@ TEST(SurfaceNets, AreWatertightWhateverTheSignsAre) {
 }
 
 TEST(Lumps, AreAsFarAwayAsTheyAre) {
-  Lump cone;
-  cone.shape = Lump::Shape::round_cone;
+  SdfPrimitive cone;
+  cone.shape = SdfPrimitive::Shape::round_cone;
   cone.end = Vec3(2.0, 0.0, 0.0);
   cone.start_radius = 0.5;
   cone.end_radius = 0.2;
@@ -116,7 +116,7 @@ TEST(Lumps, AreAsFarAwayAsTheyAre) {
     EXPECT_NEAR(signed_distance(cone, surface), 0.0, 1e-12);
     EXPECT_NEAR(signed_distance(cone, surface + 0.3 * normal), 0.3, 1e-12);
   }
-  Lump egg;
+  SdfPrimitive egg;
   egg.radii = Vec3(1.0, 0.5, 0.25);
   for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 1)}) {
     const Vec3 surface = direction / direction.cwiseQuotient(egg.radii).norm();

@@ -26,8 +26,8 @@ render::Camera camera() {
   return camera;
 }
 
-render::Film picture(const std::vector<Dot>& dots, const PointLightOptions& options,
-                     const render::Camera& from) {
+render::Framebuffer picture(const std::vector<Dot>& dots, const PointLightOptions& options,
+                            const render::Camera& from) {
   render::Scene scene;
   scene.has_ground = false;
   const render::Color background = dot_colours(options).background;
@@ -41,7 +41,7 @@ render::Film picture(const std::vector<Dot>& dots, const PointLightOptions& opti
 }
 
 /// Diameter of the one disc in a white-on-black picture, by its area.
-double diameter_in(const render::Film& film) {
+double diameter_in(const render::Framebuffer& film) {
   double area = 0.0;
   for (std::size_t i = 0; i < film.channels.size(); i += 3) {
     area += static_cast<double>(film.channels[i]);
@@ -55,7 +55,7 @@ TEST(DotDisplay, DotsHaveTheStatedDiameterNearFarAndAtTheEdge) {
     options.size_px = diameter;
     for (const motion::Vec3& place :
          {motion::Vec3(0, 1, 0), motion::Vec3(0.3, 1.2, 3), motion::Vec3(-1.9, 0.2, -0.5)}) {
-      const render::Film film = picture(dots_at({place}), options, camera());
+      const render::Framebuffer film = picture(dots_at({place}), options, camera());
       EXPECT_NEAR(diameter_in(film), diameter, 0.1) << place.transpose();
     }
   }
@@ -65,7 +65,7 @@ TEST(DotDisplay, AnOrthographicCameraSeesThemAsLarge) {
   render::Camera parallel = camera();
   parallel.parallel_height = 2.5f;
   PointLightOptions options;
-  const render::Film film = picture(dots_at({{0.2, 1.1, -1.0}}), options, parallel);
+  const render::Framebuffer film = picture(dots_at({{0.2, 1.1, -1.0}}), options, parallel);
   EXPECT_NEAR(diameter_in(film), 8.0, 0.1);
 }
 

@@ -20,7 +20,7 @@ TEST(SetPlan, AWhiteFloorUnderTheKeyLightGivesBackItsStrength) {
   plan.sky.zenith = plan.sky.horizon = plan.sky.below = render::Color::Zero();
   plan.lights.push_back({.azimuth_degrees = 50.0, .elevation_degrees = 40.0, .strength = 0.7});
   const Place place{Vec3(3.0, 0.0, -2.0), Vec3(0.6, 0.0, 0.8)};
-  const render::Scene scene = standing_set(plan, place);
+  const render::Scene scene = static_scene(plan, place);
   const render::Color floor = render::unshadowed_floor(scene, place.centre.cast<float>());
   EXPECT_NEAR(floor[1], 0.7f, 0.02f);
 }
@@ -46,7 +46,7 @@ TEST(SetPlan, AWallThatHidesTheFigureIsLeftOut) {
   const auto walls_seen_from = [&](const Vec3& eye) {
     render::Scene scene;
     add_walls(scene, plan, {}, eye);
-    return scene.standing.meshes.size();
+    return scene.static_solids.meshes.size();
   };
   EXPECT_EQ(walls_seen_from({0.0, 1.5, 8.0}), 2u);
   EXPECT_EQ(walls_seen_from({4.0, 1.5, 2.0}), 1u);
@@ -66,7 +66,7 @@ TEST(SetPlan, OnATreadmillTheFigureStaysAndTheGroundGoesAsFastAsItWould) {
   const render::Scene later = scene_at(shot, 25);
   EXPECT_NEAR(later.ground.offset_x - first.ground.offset_x, -0.6f, 1e-5f);
   EXPECT_NEAR(later.ground.offset_z - first.ground.offset_z, -0.8f, 1e-5f);
-  EXPECT_FALSE(later.standing.meshes.empty());
+  EXPECT_FALSE(later.static_solids.meshes.empty());
   EXPECT_NO_THROW(render::validate(later));
 
   // The stripes go as fast as the ground, are on the belt, and are the same ones from a frame to

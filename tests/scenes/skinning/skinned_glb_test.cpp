@@ -65,7 +65,7 @@ std::vector<Vec3> skinned(const GlbContents& glb, std::size_t primitive,
 
 TEST(ASkinnedGlb, OfACharacterMovesAsTheCharacterDoes) {
   const auto file = test::skinned_gltf(body, {modelling_pose(body), test::mixamo_names()});
-  const Character character = fitted(parse_character(file.text(), "figure.gltf"), body);
+  const Character character = scaled_to_body(parse_character(file.text(), "figure.gltf"), body);
   const GlbContents glb = test::glb_contents(to_glb(character));
   ASSERT_EQ(glb.json["skins"][0]["joints"].size(), character.rig.joints.size());
   EXPECT_EQ(glb.json["nodes"][3]["extras"]["body_joint"], body_joint_of(character)[3]);
@@ -73,7 +73,7 @@ TEST(ASkinnedGlb, OfACharacterMovesAsTheCharacterDoes) {
     const motion::Pose pose = some_pose(seed);
     const std::vector<render::Mesh> meshes = posed(character, pose);
     for (std::size_t m = 0; m < meshes.size(); ++m) {
-      const std::vector<Vec3> vertices = skinned(glb, m, rig_in(character, pose));
+      const std::vector<Vec3> vertices = skinned(glb, m, rig_pose(character, pose));
       ASSERT_EQ(vertices.size(), meshes[m].positions.size());
       for (std::size_t v = 0; v < vertices.size(); ++v)
         EXPECT_LT((vertices[v] - meshes[m].positions[v].cast<double>()).norm(), 1e-5);

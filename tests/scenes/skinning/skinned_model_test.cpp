@@ -118,23 +118,24 @@ TEST_P(Skinning, MovesAVertexOfOneJointWithThatJoint) {
             1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(BothWays, Skinning, testing::Values(skinned_linearly, skinned_rigidly),
+INSTANTIATE_TEST_SUITE_P(BothWays, Skinning,
+                         testing::Values(linear_blend_skinned, dual_quaternion_skinned),
                          [](const auto& way) {
-                           return way.param == skinned_linearly ? "Linear" : "DualQuaternion";
+                           return way.param == linear_blend_skinned ? "Linear" : "DualQuaternion";
                          });
 
 TEST(DualQuaternionSkinning, KeepsATwistedLimbAsThickAsItIs) {
-  EXPECT_NEAR(least_radius(skinned_rigidly(tube(), twisted(170.0))), 0.1, 1e-6);
+  EXPECT_NEAR(least_radius(dual_quaternion_skinned(tube(), twisted(170.0))), 0.1, 1e-6);
   // The linear blend collapses: this is what the other is for.
-  EXPECT_LT(least_radius(skinned_linearly(tube(), twisted(170.0))), 0.02);
+  EXPECT_LT(least_radius(linear_blend_skinned(tube(), twisted(170.0))), 0.02);
 }
 
 TEST(DualQuaternionSkinning, TakesTheShortWayWhicheverSignARotationHas) {
   motion::JointTransforms now = tube_joints();
   now.rotations[1] = motion::exp(Vec3(0.0, 0.0, 1.0));
-  const render::Mesh one = skinned_rigidly(tube(), joint_motions(tube_joints(), now));
+  const render::Mesh one = dual_quaternion_skinned(tube(), joint_motions(tube_joints(), now));
   now.rotations[1].coeffs() *= -1.0;
-  const render::Mesh other = skinned_rigidly(tube(), joint_motions(tube_joints(), now));
+  const render::Mesh other = dual_quaternion_skinned(tube(), joint_motions(tube_joints(), now));
   for (size_t v = 0; v < one.positions.size(); ++v) {
     EXPECT_LT((one.positions[v] - other.positions[v]).norm(), 1e-6f);
   }
@@ -146,7 +147,7 @@ TEST(LinearSkinning, KeepsNormalsUprightUnderUnevenScales) {
   const motion::Mat3 squeeze =
       random_turn(random).toRotationMatrix() * Vec3(1.0, 0.3, 2.0).asDiagonal();
   const Eigen::Affine3d motion(squeeze);
-  const render::Mesh posed = skinned_linearly(mesh, {motion, motion});
+  const render::Mesh posed = linear_blend_skinned(mesh, {motion, motion});
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     const Vec3 along(1.0, 0.0, 0.0);
     const Vec3 around = mesh.normals[v].cross(along);

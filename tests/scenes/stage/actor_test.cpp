@@ -45,7 +45,7 @@ struct CharacterFileOnDisk {
 TEST(AnActor, ThatIsAMannequinOrACharacterMakesASoundScene) {
   const CharacterFileOnDisk file;
   for (const Figure& figure : {Figure(MannequinOptions{}), Figure(CharacterOptions{file.path})}) {
-    const Actor actor = cast(standing(motion::standard_body()), figure, Role::target);
+    const Actor actor = make_actor(standing(motion::standard_body()), figure, Role::target);
     const render::Scene scene = drawn(actor);
     EXPECT_NO_THROW(render::validate(scene));
     ASSERT_EQ(scene.solids.meshes.size(), 1u);
@@ -63,7 +63,7 @@ TEST(AnActor, ThatIsAMannequinOrACharacterMakesASoundScene) {
 
 TEST(AnActor, ThatIsAStickFigureHasAPartForEachJoint) {
   const motion::Skeleton body = motion::standard_body();
-  const Actor actor = cast(standing(body), StickOptions{}, Role::target);
+  const Actor actor = make_actor(standing(body), StickOptions{}, Role::target);
   render::Scene scene;
   add_actor(scene, actor, 0, 0, {});
   EXPECT_NO_THROW(render::validate(scene));
@@ -79,9 +79,10 @@ TEST(AnActor, ThatIsAStickFigureHasAPartForEachJoint) {
     EXPECT_EQ(part(sphere.part), "LeftKnee");
     ++found;
   }
-  for (const render::Capsule& capsule : scene.solids.capsules) {
-    if ((capsule.start - knee).norm() > 1e-5f || (capsule.end - ankle).norm() > 1e-5f) continue;
-    EXPECT_EQ(part(capsule.part), "LeftKnee");
+  for (const render::RoundCone& round_cone : scene.solids.round_cones) {
+    if ((round_cone.start - knee).norm() > 1e-5f || (round_cone.end - ankle).norm() > 1e-5f)
+      continue;
+    EXPECT_EQ(part(round_cone.part), "LeftKnee");
     ++found;
   }
   EXPECT_EQ(found, 2);
@@ -90,7 +91,7 @@ TEST(AnActor, ThatIsAStickFigureHasAPartForEachJoint) {
 TEST(AnActor, ThatIsACharacterHasItsOwnStature) {
   const CharacterFileOnDisk file;
   const motion::Skeleton body = motion::standard_body();
-  const Actor actor = cast(standing(body), CharacterOptions{file.path}, Role::target);
+  const Actor actor = make_actor(standing(body), CharacterOptions{file.path}, Role::target);
   EXPECT_NEAR(motion::leg_length(actor.clip.body), motion::leg_length(body), 1e-6);
   EXPECT_NEAR(actor.height_m, motion::standing_height(actor.clip.body), 1e-9);
 }
@@ -142,9 +143,9 @@ TEST(AnActor, ThatIsATallCharacterIsInThePictureAsAWhole) {
 TEST(AnActor, WithoutAHumanBodyIsRefusedAsAMannequin) {
   motion::Skeleton lamp;
   lamp.joints = {{"foot", -1, {}, {}}, {"arm", 0, {0, 1, 0}, {}}};
-  EXPECT_NO_THROW(cast(standing(lamp), StickOptions{}, Role::target));
-  EXPECT_THROW(cast(standing(lamp), MannequinOptions{}, Role::target), Error);
-  EXPECT_THROW(cast(standing(lamp), CharacterOptions{"no.glb"}, Role::target), Error);
+  EXPECT_NO_THROW(make_actor(standing(lamp), StickOptions{}, Role::target));
+  EXPECT_THROW(make_actor(standing(lamp), MannequinOptions{}, Role::target), Error);
+  EXPECT_THROW(make_actor(standing(lamp), CharacterOptions{"no.glb"}, Role::target), Error);
 }
 
 }  // namespace

@@ -58,8 +58,9 @@ TEST(TrailFigure, EveryPoseIsAFigureOfItsOwn) {
   EXPECT_EQ(scene.figures[0].opacity, 1.0f);
   EXPECT_LT(scene.figures[1].opacity, 0.3f);
   std::vector<int> solids(scene.figures.size());
-  for (const render::Capsule& capsule : scene.solids.capsules) {
-    ++solids[static_cast<std::size_t>(scene.parts[static_cast<std::size_t>(capsule.part)].figure)];
+  for (const render::RoundCone& round_cone : scene.solids.round_cones) {
+    ++solids[static_cast<std::size_t>(
+        scene.parts[static_cast<std::size_t>(round_cone.part)].figure)];
   }
   for (std::size_t f = 1; f < 7; ++f) EXPECT_EQ(solids[f], solids[0]);
   EXPECT_GT(solids[7], 30);

@@ -121,9 +121,9 @@ ScaleSet builtin_scales() {
 }
 
 ScaleSet read_scales(const std::filesystem::path& file) {
-  const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_document);
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::max_document_bytes);
   if (reading.bytes) return parse_scales(*reading.bytes, file.string());
-  throw Error({file.string(), 0, 0}, reading.hindrance, "name a scales file (YAML)");
+  throw Error({file.string(), 0, 0}, reading.error, "name a scales file (YAML)");
 }
 
 ScaleSet parse_scales(std::string_view yaml, const std::string& file) {

@@ -22,7 +22,7 @@ TEST(MotionDifference, OfAMotionToItselfIsExactlyNothing) {
     const MotionDifference none = motion_difference(walk, walk);
     EXPECT_TRUE(none.identical);
     EXPECT_EQ(none.errors.mpjpe, 0.0);
-    EXPECT_EQ(none.errors.rooted_mpjpe, 0.0);
+    EXPECT_EQ(none.errors.root_relative_mpjpe, 0.0);
     EXPECT_EQ(none.errors.pa_mpjpe, 0.0);
     ASSERT_TRUE(none.body);
     EXPECT_EQ(none.body->d_m, 0.0);
@@ -67,7 +67,7 @@ TEST(MotionDifference, ErrorsHaveTheirClosedForms) {
   const Clip walk = changeable_walk();
   const MotionDifference raised = difference(walk, set_elsewhere(walk, Vec3(0.03, 0, 0.04), 0.0));
   EXPECT_NEAR(raised.errors.mpjpe, 0.05, 1e-12);
-  EXPECT_NEAR(raised.errors.rooted_mpjpe, 0.0, 1e-12);
+  EXPECT_NEAR(raised.errors.root_relative_mpjpe, 0.0, 1e-12);
   EXPECT_NEAR(raised.errors.pa_mpjpe, 0.0, 1e-12);
   EXPECT_NEAR(raised.body->d_m, 0.0, 1e-9);
   // Nothing hangs on the toes: one joint of 21 is elsewhere.
@@ -75,7 +75,7 @@ TEST(MotionDifference, ErrorsHaveTheirClosedForms) {
   now.body.joints[LeftToe].offset += Vec3(0, 0, 0.021);
   const MotionDifference longer = difference(walk, now);
   EXPECT_NEAR(longer.errors.mpjpe, 0.001, 1e-12);
-  EXPECT_NEAR(longer.errors.rooted_mpjpe, 0.001, 1e-12);
+  EXPECT_NEAR(longer.errors.root_relative_mpjpe, 0.001, 1e-12);
   EXPECT_LT(root_mean_square(longer, &JointDifference::aligned_m),
             root_mean_square(longer, &JointDifference::position_m));
 }

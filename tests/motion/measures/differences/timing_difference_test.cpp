@@ -60,7 +60,7 @@ TEST(TimingDifference, TellsAShiftOfPosesOnAPathOfItsOwn) {
   const Clip walk = changeable_walk();
   Clip now = without_first(walk, 2);
   const Vec3 start = now.poses.front().root_position - walk.poses.front().root_position;
-  for (Pose& pose : now.poses) pose.root_position -= level(start) + Vec3(0.5, 0, 0.2);
+  for (Pose& pose : now.poses) pose.root_position -= horizontal(start) + Vec3(0.5, 0, 0.2);
   const TimingDifference found = timing(walk, now);
   ASSERT_TRUE(found.shift);
   EXPECT_EQ(found.shift->frames, -2);

@@ -78,9 +78,9 @@ TEST(SimilarityFit, OfPointsAtOnePlaceIsAShift) {
 
 TEST(LevelFit, FindsTheMoveThatWasMade) {
   for (const bool mirror : {false, true}) {
-    const LevelMove truth{mirror, 2.1, Vec3(0.3, -0.2, 4.0)};
+    const HorizontalTransform truth{mirror, 2.1, Vec3(0.3, -0.2, 4.0)};
     const std::vector<Vec3> points = scattered(5, 9);
-    const LevelMove found = level_fit(points, mapped_points(points, truth), mirror);
+    const HorizontalTransform found = horizontal_fit(points, mapped_points(points, truth), mirror);
     EXPECT_NEAR(found.turn_radians, truth.turn_radians, 1e-12);
     EXPECT_TRUE(found.shift.isApprox(truth.shift, 1e-12));
   }

@@ -22,7 +22,7 @@ TEST(SetFile, EverySetOfTheProgramIsReadAndCanBeStaged) {
     const scenes::SetPlan plan = read_set(name, {});
     EXPECT_EQ(plan.name, name);
     EXPECT_FALSE(plan.lights.empty()) << name;
-    EXPECT_NO_THROW(render::validate(scenes::standing_set(plan, {}))) << name;
+    EXPECT_NO_THROW(render::validate(scenes::static_scene(plan, {}))) << name;
   }
   EXPECT_FALSE(read_set("void", {}).ground);
   EXPECT_TRUE(read_set("treadmill", {}).belt && read_set("treadmill", {}).in_place);

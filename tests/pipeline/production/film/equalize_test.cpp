@@ -189,7 +189,7 @@ TEST(Equalize, MakesFiguresStandAtOnePlaceWhereAllAreSeenWhole) {
           << one.id;
     }
     const scenes::Shot shot = shot_of(one, production.motions(), 0, alike.of(one.id).framing);
-    const Eigen::AlignedBox2d taken = scenes::taken_part(shot.cameras, shot.action);
+    const Eigen::AlignedBox2d taken = scenes::action_bounds(shot.cameras, shot.action);
     const Eigen::Vector2d half = 0.5 * Eigen::Vector2d(shot.size[0], shot.size[1]);
     EXPECT_TRUE(Eigen::AlignedBox2d(-half, half).contains(taken)) << one.id;
   }

@@ -34,7 +34,7 @@ Stimulus of_role(Role role, Colours colours, const scenes::Figure& figure) {
   return stimulus;
 }
 
-render::Film first_picture(const Stimulus& stimulus) {
+render::Framebuffer first_picture(const Stimulus& stimulus) {
   const motion::Clip clip = motion::builtin_examples("walks-10", 4.0).examples[0].clip;
   const scenes::Shot shot = shot_of(stimulus, motion::repeated(clip, 1), 7, {});
   const FilmSettings settings{.output = stimulus.output, .seed = 7};

@@ -71,21 +71,21 @@ TEST(FilmQuality, SpendsManySamplesOnASetThatStandsForTheWholeFilm) {
   scenes::Look look;
   look.size = size;
   const auto samples = [&] { return quality_of(settings(), scenes::stage(clip, look)); };
-  const int many = quality_of(settings()).standing_samples;
+  const int many = quality_of(settings()).static_samples;
   const int few = quality_of(settings()).samples_per_pixel;
   ASSERT_LT(few, many);
-  EXPECT_EQ(samples().standing_samples, many);
+  EXPECT_EQ(samples().static_samples, many);
   look.in_place = true;  // the figure alone
-  EXPECT_EQ(samples().standing_samples, many);
+  EXPECT_EQ(samples().static_samples, many);
   look.set.in_place = true;
   look.set.ground.emplace();
   look.set.ground->line_spacing = 0.0f;
-  EXPECT_EQ(samples().standing_samples, many);
+  EXPECT_EQ(samples().static_samples, many);
   look.set.ground->line_spacing = 0.5f;  // lines go under the figure
-  EXPECT_EQ(samples().standing_samples, few);
+  EXPECT_EQ(samples().static_samples, few);
   look.set.in_place = look.in_place = false;
   look.camera.view = "follow";
-  EXPECT_EQ(samples().standing_samples, few);
+  EXPECT_EQ(samples().static_samples, few);
 }
 
 TEST_F(Film, DeliversEveryFrameInOrderWhateverTheThreads) {
@@ -189,9 +189,9 @@ TEST_F(Film, ShowsAPartOfThePictureAlone) {
       const Pictures found = test::drawn_frames(shown, {3, 4}, settings());
       for (const int frame : {3, 4}) {
         render::Tracer tracer;
-        const render::Film film = tracer.trace(scene_at(whole, frame), camera_at(whole, frame),
-                                               quality_of(settings(), whole));
-        EXPECT_EQ(found.at(frame), render::to_srgb8(cut_out(film, part), whole.tone))
+        const render::Framebuffer film = tracer.trace(
+            scene_at(whole, frame), camera_at(whole, frame), quality_of(settings(), whole));
+        EXPECT_EQ(found.at(frame), render::to_srgb8(crop(film, part), whole.tone))
             << "frame " << frame << ", " << view << ", dither " << dither;
       }
     }
@@ -252,7 +252,7 @@ TEST(FilmFrames, HaveNamesThatSort) {
 
 TEST(FilmFrames, OfAnotherSizeAreRefused) {
   const test::TemporaryFolder folder;
-  const render::Film film(8, 4);
+  const render::Framebuffer film(8, 4);
   write_frame(folder.path() / "a.png", render::to_srgb8(film));
   EXPECT_NO_THROW(read_frame(folder.path() / "a.png", FrameFormat::png, {8, 4}));
   EXPECT_THROW(read_frame(folder.path() / "a.png", FrameFormat::png, {8, 5}), render::Error);

@@ -55,8 +55,8 @@ class KeptLight : public testing::Test {
   }
 
   /// How often light is drawn, and not found.
-  render::KeepLight counted(render::KeepLight keep) {
-    return [this, keep](const std::string& name, const std::function<render::Film()>& draw) {
+  render::LightCache counted(render::LightCache keep) {
+    return [this, keep](const std::string& name, const std::function<render::Framebuffer()>& draw) {
       return keep(name, [&] {
         ++times_drawn;
         return draw();
@@ -83,12 +83,12 @@ TEST_F(KeptLight, IsDrawnOnceAStudyAndChangesNoPicture) {
   for (const int threads : {1, 2}) {
     Store store(folder);  // a run of its own
     FilmSettings how = settings(threads);
-    how.keep_light = counted(kept_light(store, stop.get_token()));
+    how.light_cache = counted(kept_light(store, stop.get_token()));
     EXPECT_EQ(drawn(shot, how, 0, count), alone) << threads;
   }
   Store store(folder);
   FilmSettings how = settings();
-  how.keep_light = counted(kept_light(store, stop.get_token()));
+  how.light_cache = counted(kept_light(store, stop.get_token()));
   Pictures parts = drawn(shot, how, 0, count / 2);
   parts.merge(drawn(shot, how, count / 2, count));
   EXPECT_EQ(parts, alone);
@@ -98,18 +98,18 @@ TEST_F(KeptLight, IsDrawnOnceAStudyAndChangesNoPicture) {
 
 TEST_F(KeptLight, IsNotOfSetsThatMoveWithEveryFrame) {
   const scenes::Shot shot = walk_beside_a_box("follow");
-  render::StandingSets sets;
+  render::StaticBackgroundCache sets;
   Store store(folder);
   FilmSettings how = settings();
   how.sets = &sets;
-  how.keep_light = counted(kept_light(store, stop.get_token()));
+  how.light_cache = counted(kept_light(store, stop.get_token()));
   drawn(shot, how, 0, 2);
   EXPECT_EQ(times_drawn, 0);
   EXPECT_TRUE(kept_files().empty());
 }
 
-render::Film light_of(float value) {
-  render::Film light(3, 2);
+render::Framebuffer light_of(float value) {
+  render::Framebuffer light(3, 2);
   light.channels.assign(light.channels.size(), value);
   return light;
 }
@@ -122,7 +122,7 @@ TEST_F(KeptLight, IsDrawnAgainWhenItsFileIsNotAsItWasWritten) {
   const fs::path file = kept_files().at(0);
   fs::resize_file(file, fs::file_size(file) - 1);
   Store store(folder);
-  const render::KeepLight keep = counted(kept_light(store, {}));
+  const render::LightCache keep = counted(kept_light(store, {}));
   EXPECT_EQ(keep("a", [] { return light_of(0.25f); }), light_of(0.25f));
   EXPECT_EQ(times_drawn, 1);
   {
@@ -140,7 +140,7 @@ TEST_F(KeptLight, IsDrawnAgainWhenItsFileIsNotAsItWasWritten) {
 TEST_F(KeptLight, GivesWayToWhatWasUsedLater) {
   Store store(folder);
   const std::uintmax_t bytes_of_two = 2 * (8 + 3 * 2 * 3 * sizeof(float));
-  const render::KeepLight keep = counted(kept_light(store, {}, bytes_of_two));
+  const render::LightCache keep = counted(kept_light(store, {}, bytes_of_two));
   const auto ask = [&](const std::string& name) {
     keep(name, [] { return light_of(0.5f); });
     std::this_thread::sleep_for(std::chrono::milliseconds(20));  // files' times are coarse
@@ -166,7 +166,7 @@ TEST_F(KeptLight, ThatAnotherProcessDrawsIsNotWaitedForAfterAStop) {
 
 TEST_F(KeptLight, IsNotThereWhenItsDrawingFails) {
   Store store(folder);
-  const auto fail = []() -> render::Film { throw render::Stopped{}; };
+  const auto fail = []() -> render::Framebuffer { throw render::Stopped{}; };
   EXPECT_THROW(kept_light(store, {})("a", fail), render::Stopped);
   EXPECT_TRUE(kept_files().empty());
   EXPECT_EQ(kept_light(store, {})("a", [] { return light_of(0.5f); }), light_of(0.5f));

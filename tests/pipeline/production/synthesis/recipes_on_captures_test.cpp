@@ -55,7 +55,7 @@ std::vector<LimbTiming> timings(const Clip& take, const motion::Modification& m)
     std::vector<double> durations =
         motion::accelerated_durations(motion::limb_speeds(take, limb), rate, take.loops);
     if (m.acceleration_place == motion::AccelerationPlace::contacts)
-      durations = motion::only_near(durations, moments, rate, take.loops);
+      durations = motion::near_only(durations, moments, rate, take.loops);
     found.push_back(
         {motion::end_of(limb),
          motion::source_frames(durations, motion::acceleration_segment_seconds, rate, take.loops)});

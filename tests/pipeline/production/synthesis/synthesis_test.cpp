@@ -181,11 +181,11 @@ TEST(Synthesis, InPlaceTheClipStaysAndOtherwiseItTravels) {
   const Synthesis made = synthesize(stimulus, repertoire);
   Output output;
   output.cycles = 3;
-  const motion::Clip travelling = shown_clip(made.motion.clip, output);
+  const motion::Clip travelling = playback_clip(made.motion.clip, output);
   EXPECT_EQ(travelling.frame_count(), 3 * made.motion.clip.frame_count());
   EXPECT_GT(travelling.poses.back().root_position.z(), 3.0);
   output.in_place = true;
-  EXPECT_LT(std::abs(shown_clip(made.motion.clip, output).poses.back().root_position.z()), 0.3);
+  EXPECT_LT(std::abs(playback_clip(made.motion.clip, output).poses.back().root_position.z()), 0.3);
 }
 
 TEST(Motions, OfFilesAreComparedWithSettledFeetAsThoseOfBlends) {

@@ -19,16 +19,16 @@
 namespace mien::pipeline {
 namespace {
 
-using render::Film;
+using render::Framebuffer;
 
 /// Pictures of 52 × 28 pixels, so that blocks at two edges are smaller, whose colours share their
 /// noise and which have none at the top.
-std::vector<Film> simulated(std::uint64_t seed, int count = noise_patterns) {
+std::vector<Framebuffer> simulated(std::uint64_t seed, int count = noise_patterns) {
   std::mt19937_64 random(seed);
   std::normal_distribution<float> noise(0.0f, 0.1f);
-  std::vector<Film> pictures;
+  std::vector<Framebuffer> pictures;
   for (int k = 0; k < count; ++k) {
-    Film film(52, 28);
+    Framebuffer film(52, 28);
     for (int y = 0; y < film.height; ++y) {
       for (int x = 0; x < film.width; ++x) {
         const float light = 0.2f + 0.01f * static_cast<float>(x);
@@ -43,8 +43,8 @@ std::vector<Film> simulated(std::uint64_t seed, int count = noise_patterns) {
 
 BlockStatistics measured(std::uint64_t seed) { return block_statistics(simulated(seed)); }
 
-void scale(std::vector<Film>& pictures, float factor, int until_x) {
-  for (Film& film : pictures) {
+void scale(std::vector<Framebuffer>& pictures, float factor, int until_x) {
+  for (Framebuffer& film : pictures) {
     for (int y = 0; y < film.height; ++y) {
       for (int x = 0; x < std::min(until_x, film.width); ++x) {
         for (std::size_t c = 0; c < 3; ++c) film.at(x, y)[c] *= factor;
@@ -60,7 +60,7 @@ int most_alarms(int trials, double rate) {
 }
 
 TEST(BlockStatistics, AreMeansAndVariancesOfBlocksAlsoWhereTheyAreCutOff) {
-  Film low(9, 9), high(9, 9);
+  Framebuffer low(9, 9), high(9, 9);
   std::ranges::fill(low.channels, 1.0f);
   std::ranges::fill(high.channels, 1.0f);
   high.at(8, 8)[1] = 3.0f;  // a block of one pixel
@@ -98,21 +98,21 @@ TEST(BlockStatistics, ThatAreNoNumbersAreRefused) {
     write_blocks(folder.path() / "b.exr", blocks);
     EXPECT_THROW(read_blocks(folder.path() / "b.exr"), std::runtime_error);
   }
-  render::write_exr(folder.path() / "odd.exr", Film(2, 3), render::ExrDepth::Float);
+  render::write_exr(folder.path() / "odd.exr", Framebuffer(2, 3), render::ExrDepth::Float);
   EXPECT_THROW(read_blocks(folder.path() / "odd.exr"), std::runtime_error);
 }
 
 TEST(NoiseTest, FindsNothingWhereNothingIs) {
   EXPECT_EQ(noise_test(measured(1), measured(1), 1).outside, 0u);
-  const BlockStatistics black = block_statistics({Film(16, 16), Film(16, 16)});
+  const BlockStatistics black = block_statistics({Framebuffer(16, 16), Framebuffer(16, 16)});
   const NoiseTest none = noise_test(black, black, 1);
   EXPECT_EQ(none.tests, 0u);
   EXPECT_FALSE(none.is_bias);
 }
 
 TEST(NoiseTest, RefusesPicturesOfDifferentSizes) {
-  const BlockStatistics large = block_statistics({Film(64, 16), Film(64, 16)});
-  const BlockStatistics small = block_statistics({Film(16, 16), Film(16, 16)});
+  const BlockStatistics large = block_statistics({Framebuffer(64, 16), Framebuffer(64, 16)});
+  const BlockStatistics small = block_statistics({Framebuffer(16, 16), Framebuffer(16, 16)});
   EXPECT_THROW(noise_test(large, small, 1), Error);
 }
 
@@ -135,7 +135,7 @@ TEST(NoiseTest, RaisesAsManyFalseAlarmsAsItSays) {
 
 TEST(NoiseTest, FindsWhatIsHalfAsBrightAgainInOneBlock) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    std::vector<Film> brighter = simulated(2 * seed);
+    std::vector<Framebuffer> brighter = simulated(2 * seed);
     scale(brighter, 1.5f, 8);
     const NoiseTest test = noise_test(measured(2 * seed + 1), block_statistics(brighter), 1000);
     EXPECT_TRUE(test.is_bias);
@@ -146,7 +146,7 @@ TEST(NoiseTest, FindsWhatIsHalfAsBrightAgainInOneBlock) {
 
 TEST(NoiseTest, FindsOnePercentEverywhere) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    std::vector<Film> brighter = simulated(2 * seed);
+    std::vector<Framebuffer> brighter = simulated(2 * seed);
     scale(brighter, 1.01f, 1000);
     EXPECT_TRUE(noise_test(measured(2 * seed + 1), block_statistics(brighter), 100).is_bias);
   }

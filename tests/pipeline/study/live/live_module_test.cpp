@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "motion/live/live_answer.h"
 #include "motion/live/live_core.h"
+#include "motion/live/live_message.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/live/live_study.h"
@@ -99,15 +99,15 @@ TEST_F(LiveModule, MakesTheSameMotionsAndDistances) {
     for (const Stimulus& stimulus : manifest.stimuli) {
       const LiveSetting setting = test::setting_of(stimulus);
       expect({{"what", "make"}, {"setting", request_of(setting)}},
-             motion::to_answer(core.make(setting)), false);
+             motion::to_message(core.make(setting)), false);
       expect({{"what", "target"}, {"name", stimulus.id}},
-             motion::to_answer(core.target(stimulus.id)), false);
+             motion::to_message(core.target(stimulus.id)), false);
       for (const Stimulus& other : manifest.stimuli) {
         expect({{"what", "distance"}, {"target", other.id}, {"setting", request_of(setting)}},
-               motion::to_answer(core.distance(other.id, setting)), true);
+               motion::to_message(core.distance(other.id, setting)), true);
       }
     }
-    expect({{"what", "example"}, {"name", "sad"}}, motion::to_answer(core.example("sad")), false);
+    expect({{"what", "example"}, {"name", "sad"}}, motion::to_message(core.example("sad")), false);
     ask(bundle, requests);
     for (std::size_t i = 0; i < expected.size(); ++i) {
       const std::string made = answer(i);
@@ -180,7 +180,7 @@ TEST_F(LiveModule, SaysWhyItRefuses) {
   motion::LiveCore core(bundle);
   EXPECT_LT(
       largest_difference(
-          answer(2), motion::to_answer(core.make({InterfaceKind::weights, {"sad"}, {1.0}})), 24),
+          answer(2), motion::to_message(core.make({InterfaceKind::weights, {"sad"}, {1.0}})), 24),
       1e-9);
 }
 

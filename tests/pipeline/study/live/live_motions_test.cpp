@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "motion/live/live_answer.h"
+#include "motion/live/live_message.h"
 #include "pipeline/study/live/live_study.h"
 
 namespace mien::pipeline {
@@ -46,7 +46,7 @@ TEST_F(LiveRoutes, AnswerWithWhatTheCoreMakes) {
   const HttpResponse made =
       ask("POST", {"make"}, R"({"kind":"adjectives","sliders":["quickness"],"values":[0.7]})");
   EXPECT_EQ(made.status, 200);
-  EXPECT_EQ(made.body, motion::to_answer(core.make(setting)));
+  EXPECT_EQ(made.body, motion::to_message(core.make(setting)));
   const HttpResponse distance =
       ask("POST", {"distance"},
           R"({"target":"by-weights","kind":"adjectives","sliders":["quickness"],"values":[0.7]})");

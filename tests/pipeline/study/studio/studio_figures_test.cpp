@@ -93,9 +93,9 @@ TEST_F(Studio, MovesACharacterAsFilmsDo) {
   Motions motions(manifest);
   const motion::Clip clip = motions.of("guess-1").motion.clip;
   const scenes::Character worn =
-      scenes::fitted(scenes::read_character(folder_.path() / "robot.gltf"), clip.body);
+      scenes::scaled_to_body(scenes::read_character(folder_.path() / "robot.gltf"), clip.body);
   const motion::JointTransforms rig =
-      scenes::rig_in(worn, scenes::worn_by(worn, clip).poses.back());
+      scenes::rig_pose(worn, scenes::retargeted_to(worn, clip).poses.back());
   const std::size_t floats = clip.poses.size() * static_cast<std::size_t>(7 * joints);
   std::vector<float> poses(floats);
   std::memcpy(poses.data(), response.body.data() + response.body.size() - 4 * floats, 4 * floats);

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "motion/gait/contact.h"
-#include "motion/live/live_answer.h"
 #include "motion/live/live_core.h"
+#include "motion/live/live_message.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/synthesis/motions.h"
@@ -60,7 +60,7 @@ std::size_t compared_through_both_doors(const fs::path& file) {
   Motions run(checked.manifest);
   for (const Stimulus& stimulus : checked.manifest.stimuli) {
     const Synthesis& made = run.of(stimulus.id);
-    const std::string expected = motion::to_answer(
+    const std::string expected = motion::to_message(
         motion::LiveMotion{made.motion, made.weights, motion::foot_plants(made.motion.clip)});
     const std::string name = file.filename().string() + ": " + stimulus.id;
     try {

@@ -1,4 +1,4 @@
-// What the motion core answers, as bytes (motion/live/live_answer.h), read.
+// What the motion core answers, as bytes (motion/live/live_message.h), read.
 
 import type { LiveDistance, LiveMotion } from "./core";
 

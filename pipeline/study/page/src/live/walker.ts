@@ -3,7 +3,7 @@
 
 import type { LiveInfo } from "./core";
 
-export interface WalkWish {
+export interface WalkRequest {
   /** Share of the mood's own speed: 0 stops, 1 walks, at most 1.2. */
   pace: number;
   /** To face, degrees about +Y from +Z; turned to the shorter way. */
@@ -37,7 +37,7 @@ export interface WalkerInfo {
 export interface Walker {
   readonly info: WalkerInfo;
   /** So many seconds later; more than a quarter of a second counts as that. */
-  advance(seconds: number, wish: WalkWish): WalkFrame;
+  advance(seconds: number, wish: WalkRequest): WalkFrame;
 }
 
 interface Exports {

@@ -1,6 +1,6 @@
 // A walker that somebody steers, on any page that has room for it.
 
-import { openWalker, type WalkFrame, type WalkWish, type Walker } from "../live/walker";
+import { openWalker, type WalkFrame, type WalkRequest, type Walker } from "../live/walker";
 import { element } from "../questionnaire/elements";
 import { MoodPanel, slider } from "./mood_panel";
 import { Steering, type Hold } from "./steering";
@@ -24,7 +24,7 @@ export interface WalkTimes {
 export interface MountedWalk {
   readonly walker: Walker;
   /** What is wanted of the walker now. */
-  wish(): WalkWish;
+  wish(): WalkRequest;
   /** Called with each frame that is shown, seconds since the one before, and what it took. */
   watch(seen: (frame: WalkFrame, seconds: number, times: WalkTimes) => void): void;
   /** Takes it off the page again. */
@@ -89,7 +89,7 @@ export async function mountWalk(place: HTMLElement, options: WalkOptions): Promi
 
   let seen: Parameters<MountedWalk["watch"]>[0] = () => undefined;
   let last = 0, told = 0, isReleased = false;
-  const wish = (): WalkWish => ({ ...steering.now(), moods: shares });
+  const wish = (): WalkRequest => ({ ...steering.now(), moods: shares });
   const show = (now: number): void => {
     if (isReleased) return;
     const seconds = last === 0 ? 0 : Math.min(0.25, Math.max(0, (now - last) / 1000));

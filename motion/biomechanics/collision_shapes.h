@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/pose.h"
+
+namespace mien::motion {
+
+/// A round cone (tapered capsule) around a segment, metres.
+struct RoundCone {
+  Vec3 from;
+  Vec3 to;
+  double from_radius = 0.0;
+  double to_radius = 0.0;
+};
+
+/// A part of the body that is tested for self-intersection.
+struct CollisionPart {
+  std::string_view name;  ///< "left forearm"
+  BodyJoint joint;        ///< whose frame it follows
+};
+
+/// Head, neck, chest, abdomen, pelvis, and on either side upper arm, forearm, hand, thigh, shank
+/// and foot.
+const std::vector<CollisionPart>& collision_parts();
+
+/// The shapes of the parts in a pose, in the order of `collision_parts`; radii of an adult of 1.75
+/// m, scaled to the body.
+std::vector<RoundCone> collision_shapes(const Skeleton& body, const JointTransforms& world);
+
+/// Penetration depth of two shapes, metres; negative: the distance between them.
+double penetration_depth(const RoundCone& a, const RoundCone& b);
+
+/// A pair of parts to test: not adjacent, nor with a common neighbour at one joint. `allowed` is
+/// their penetration while the body stands at ease, at least 0, because the shapes only approximate
+/// a body.
+struct CollisionPair {
+  int a = 0;
+  int b = 0;
+  double allowed = 0.0;
+};
+
+std::vector<CollisionPair> collision_pairs(const Skeleton& body);
+
+}  // namespace mien::motion

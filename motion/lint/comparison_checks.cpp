@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "motion/biomechanics/subject.h"
+#include "motion/lint/checks.h"
+#include "motion/lint/threshold_findings.h"
+#include "motion/math/filter.h"
+#include "motion/math/percentile.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// The ends of the limbs, by whose ways a motion is compared with its original: head, hands, feet.
+constexpr std::array<int, 5> limb_ends = {Head, LeftWrist, RightWrist, LeftAnkle, RightAnkle};
+
+/// Way of a limb's end as seen from the part of the trunk that carries the limb (chest or pelvis),
+/// in its frame, metres: what the limb itself does.
+std::vector<Vec3> limb_way(const LintSubject& subject, int end) {
+  const int base = end == LeftAnkle || end == RightAnkle ? Pelvis : Chest;
+  std::vector<Vec3> way;
+  for (const JointTransforms& world : subject.world) {
+    const Vec3 from_base = world.positions[end] - world.positions[base];
+    way.push_back(world.rotations[base].conjugate() * from_base);
+  }
+  return way;
+}
+
+/// `other`'s way at the moments that correspond to the frames of `subject`, linear between frames.
+std::vector<Vec3> at_moments_of(const LintSubject& subject, const LintSubject& other,
+                                const std::vector<Vec3>& way) {
+  std::vector<Vec3> result;
+  for (int t = 0; t < subject.frame_count(); ++t) {
+    const double frame = corresponding_frame(subject, t, other);
+    const auto whole = static_cast<size_t>(frame);
+    const double part = frame - std::floor(frame);
+    const size_t next = std::min(whole + 1, way.size() - 1);
+    result.push_back((1.0 - part) * way[whole] + part * way[next]);
+  }
+  return result;
+}
+
+constexpr double phase_window_seconds = 2.0;
+constexpr double farthest_seconds = 0.6;  // a limb half a second late is still found
+constexpr double smallest_way = 0.02;     // m; of what hardly moves the phase means nothing
+constexpr double least_correlation = 0.6;
+constexpr double least_gain = 0.05;  // in correlation, over no shift at all
+
+struct Window {
+  int first;
+  int last;  // included
+};
+
+std::vector<Window> windows(const LintSubject& subject) {
+  const int whole = subject.frame_count();
+  const int length =
+      std::min(whole, static_cast<int>(std::lround(phase_window_seconds * subject.rate())));
+  const int hop = std::max(1, length / 2);
+  if (subject.was_loop) return {{subject.start, subject.start + subject.frames - 1}};
+  std::vector<Window> result;
+  int first = 0;
+  for (; first + length < whole; first += hop) result.push_back({first, first + length - 1});
+  result.push_back({whole - length, whole - 1});
+  return result;
+}
+
+/// Correlation of what `way` does in the window with what `model` did `shift` frames earlier, over
+/// the frames that both have; empty when they are too few or hardly move.
+std::optional<double> correlation(const std::vector<Vec3>& way, const std::vector<Vec3>& model,
+                                  const Window& window, int shift) {
+  const int first = std::max(window.first, shift);
+  const int last = std::min(window.last, static_cast<int>(model.size()) - 1 + shift);
+  const int count = last - first + 1;
+  if (2 * count < window.last - window.first + 1 || count < 4) return std::nullopt;
+  Vec3 mean = Vec3::Zero();
+  Vec3 model_mean = Vec3::Zero();
+  for (int t = first; t <= last; ++t) {
+    mean += way[t] / count;
+    model_mean += model[t - shift] / count;
+  }
+  double both = 0.0;
+  double own = 0.0;
+  double of_model = 0.0;
+  for (int t = first; t <= last; ++t) {
+    const Vec3 a = way[t] - mean;
+    const Vec3 b = model[t - shift] - model_mean;
+    both += a.dot(b);
+    own += a.squaredNorm();
+    of_model += b.squaredNorm();
+  }
+  const double least = count * smallest_way * smallest_way;
+  if (own < least || of_model < least) return std::nullopt;
+  return both / std::sqrt(own * of_model);
+}
+
+/// The shift in frames, later being positive, at which the limb is most like its model.
+struct ShiftedCorrelation {
+  int shift = 0;
+  double correlation = 0.0;
+};
+
+/// Empty where the limb or its model hardly moves.
+std::optional<ShiftedCorrelation> best_correlation(const std::vector<Vec3>& way,
+                                                   const std::vector<Vec3>& model,
+                                                   const Window& window, double rate) {
+  const auto unshifted = correlation(way, model, window, 0);
+  if (!unshifted) return std::nullopt;
+  const int farthest = static_cast<int>(std::lround(farthest_seconds * rate));
+  ShiftedCorrelation best = {0, *unshifted};
+  // Outward from no shift at all, so that the nearest of equal shifts of a periodic motion wins.
+  for (int distance = 1; distance <= farthest; ++distance) {
+    for (const int shift : {distance, -distance}) {
+      const auto value = correlation(way, model, window, shift);
+      const double needed = best.correlation + (best.shift == 0 ? least_gain : 1e-6);
+      if (value && *value > needed) best = {shift, *value};
+    }
+  }
+  return best;
+}
+
+/// What most limbs share is no fault of one: the whole motion may be timed anew.
+double common_shift(const std::vector<std::optional<ShiftedCorrelation>>& limbs) {
+  std::vector<double> shifts;
+  for (const auto& limb : limbs) {
+    if (limb && limb->correlation > least_correlation) shifts.push_back(limb->shift);
+  }
+  return shifts.size() < 3 ? 0.0 : percentile(shifts, 50);
+}
+
+/// Values a frame of one limb: 0 where nothing is wrong.
+struct LimbFaults {
+  std::vector<double> shift;          ///< seconds
+  std::vector<double> dissimilarity;  ///< 1 − correlation
+};
+
+void take_greater(std::vector<double>& values, const Window& window, double value) {
+  for (int t = window.first; t <= window.last; ++t) values[t] = std::max(values[t], value);
+}
+
+std::vector<LimbFaults> limb_faults(const LintSubject& subject, const LintSubject& original) {
+  std::vector<std::vector<Vec3>> ways;
+  std::vector<std::vector<Vec3>> models;
+  for (const int joint : limb_ends) {
+    ways.push_back(limb_way(subject, joint));
+    models.push_back(at_moments_of(subject, original, limb_way(original, joint)));
+  }
+  const double seconds = pace(subject, original) / subject.rate();  // of the original, a frame
+  const std::vector<double> none(subject.world.size(), 0.0);
+  std::vector<LimbFaults> faults(limb_ends.size(), {none, none});
+  for (const Window& window : windows(subject)) {
+    std::vector<std::optional<ShiftedCorrelation>> limbs;
+    for (size_t i = 0; i < limb_ends.size(); ++i) {
+      limbs.push_back(best_correlation(ways[i], models[i], window, subject.rate()));
+    }
+    const double common = common_shift(limbs);
+    for (size_t i = 0; i < limb_ends.size(); ++i) {
+      if (!limbs[i]) continue;
+      take_greater(faults[i].dissimilarity, window, 1.0 - limbs[i]->correlation);
+      if (limbs[i]->correlation < least_correlation) continue;
+      const double shift = std::abs(limbs[i]->shift - common) * seconds;
+      take_greater(faults[i].shift, window, shift);
+    }
+  }
+  return faults;
+}
+
+constexpr double jerk_window_seconds = 0.5;
+constexpr double smooth_jerk = 10.0;  // m/s³; what is smoother is as good as still
+
+/// Root mean square of the jerk around each frame, m/s³.
+std::vector<double> jerks(const LintSubject& subject, int joint) {
+  const double rate = subject.rate();
+  std::vector<Vec3> way = low_pass(limb_way(subject, joint), std::min(10.0, 0.3 * rate), rate);
+  for (int order = 0; order < 3; ++order) way = derivative(way, rate);
+  const int count = static_cast<int>(way.size());
+  const int reach = static_cast<int>(std::lround(0.5 * jerk_window_seconds * rate));
+  std::vector<double> values;
+  for (int t = 0; t < count; ++t) {
+    const int first = std::max(0, t - reach);
+    const int last = std::min(count - 1, t + reach);
+    double sum = 0.0;
+    for (int i = first; i <= last; ++i) sum += way[i].squaredNorm();
+    values.push_back(std::sqrt(sum / (last - first + 1)));
+  }
+  return values;
+}
+
+}  // namespace
+
+Findings find_shifted_limbs(const LintSubject& subject, const LintOptions& options,
+                            const LintSubject& original) {
+  const std::vector<LimbFaults> faults = limb_faults(subject, original);
+  Findings findings;
+  for (size_t i = 0; i < limb_ends.size(); ++i) {
+    const std::string name(name_of(BodyJoint(limb_ends[i])));
+    const auto shifted = [&](double worst) {
+      return "The " + display_name(name) + " moves " + rounded(worst, 2) +
+             " s earlier or later than in the original, against the other limbs.";
+    };
+    const auto unlike = [&](double worst) {
+      return "The " + display_name(name) + " no longer moves as in the original: correlation " +
+             rounded(1.0 - worst, 2) + " at best.";
+    };
+    add_threshold_findings(findings, subject,
+                           {"limb-phase", name, "s", options.phase_shift_seconds, 0, 1, shifted},
+                           faults[i].shift);
+    add_threshold_findings(findings, subject,
+                           {"limb-phase", name, "", options.dissimilarity, 0, 1, unlike},
+                           faults[i].dissimilarity);
+  }
+  return findings;
+}
+
+Findings find_jerks(const LintSubject& subject, const LintOptions& options,
+                    const LintSubject& original) {
+  Findings findings;
+  for (const int joint : limb_ends) {
+    const double usual = std::max(percentile(jerks(original, joint), 90), smooth_jerk);
+    std::vector<double> ratios = jerks(subject, joint);
+    for (double& value : ratios) value /= usual;
+    const std::string name(name_of(BodyJoint(joint)));
+    const auto sentence = [&](double worst) {
+      return "The " + display_name(name) + " moves " + rounded(worst, 1) +
+             " times as jerkily as in the original.";
+    };
+    add_threshold_findings(findings, subject,
+                           {"jerk", name, "", options.jerk_ratio, 0, 2, sentence}, ratios);
+  }
+  return findings;
+}
+
+}  // namespace mien::motion

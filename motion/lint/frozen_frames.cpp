@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <array>
+
+#include "motion/lint/checks.h"
+#include "motion/lint/threshold_findings.h"
+#include "motion/math/rotation.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// A stretch of frames in which nothing moves.
+struct FrozenFrames {
+  int first;
+  int last;
+};
+
+double seconds_of(const FrozenFrames& frames, const LintSubject& subject) {
+  return (frames.last - frames.first) / subject.rate();
+}
+
+/// None of a motion that moves nowhere else for as long as frozen stretches last.
+std::vector<FrozenFrames> frozen_frames(const LintSubject& subject) {
+  std::vector<FrozenFrames> found;
+  const int steps = subject.frame_count() - 1;
+  for (int first = 0; first < steps; ++first) {
+    if (!is_frozen(subject, first)) continue;
+    int last = first + 1;
+    while (last < steps && is_frozen(subject, last)) ++last;
+    found.push_back({first, last});
+    first = last;
+  }
+  int frozen_steps = 0;
+  for (const FrozenFrames& frames : found) frozen_steps += frames.last - frames.first;
+  const bool moves = (steps - frozen_steps) / subject.rate() >= take_limits.frozen_seconds.warning;
+  return moves ? found : std::vector<FrozenFrames>();
+}
+
+double longest_frozen(const LintSubject& subject) {
+  double longest = 0.0;
+  for (const FrozenFrames& frames : frozen_frames(subject)) {
+    longest = std::max(longest, seconds_of(frames, subject));
+  }
+  return longest;
+}
+
+}  // namespace
+
+bool is_frozen(const LintSubject& subject, int step) {
+  const Pose& from = subject.clip.poses[step];
+  const Pose& to = subject.clip.poses[step + 1];
+  const double rate = subject.rate();
+  const Vec3 way = rate * (to.root_position - from.root_position) + subject.floor;
+  if (way.norm() > take_limits.frozen_m_s * subject.scale) return false;
+  for (size_t j = 0; j < to.rotations.size(); ++j) {
+    const Vec3 turn = log(from.rotations[j].conjugate() * to.rotations[j]);
+    if (rate * turn.norm() > take_limits.frozen_rad_s) return false;
+  }
+  return true;
+}
+
+Findings find_frozen(const LintSubject& subject, const LintSubject* original) {
+  Findings findings;
+  Levels levels = take_limits.frozen_seconds;
+  if (original) {
+    const double by_original = longest_frozen(*original) / pace(*original, subject);
+    levels = raised_levels(levels, std::array{by_original});
+  }
+  for (const FrozenFrames& frames : frozen_frames(subject)) {
+    const double seconds = seconds_of(frames, subject);
+    if (!(seconds > levels.warning)) continue;
+    Finding finding = graded_finding("frozen", seconds, "s", levels);
+    finding.first = frames.first;
+    finding.last = frames.last;
+    finding.sentence = "Nothing moves for " + rounded(seconds, 2) + " s: the recording is frozen.";
+    add_finding(findings, subject, std::move(finding));
+  }
+  return findings;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/biomechanics/subject.h"
+#include "motion/gait/foot_plant.h"
+
+namespace mien::motion {
+
+/// Accumulated horizontal slip of a planted foot in each frame of a plant, except its first and
+/// last 0.05 s, in which the foot lands and leaves; from zero, metres. Measured at the lowest part
+/// of the sole.
+std::vector<Vec3> planted_track(const LintSubject& subject, const FootPlant& plant);
+
+/// Largest slip, metres, of a planted foot between any two frames of a plant, rolling excluded: the
+/// extent of planted_track.
+double planted_slip(const LintSubject& subject, const FootPlant& plant);
+
+}  // namespace mien::motion

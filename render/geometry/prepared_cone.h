@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "render/math/vector.h"
+#include "render/scene/scene.h"
+
+namespace mien::render {
+
+/// A sphere or round cone prepared for intersection tests: the convex hull of two spheres, a and b.
+struct PreparedCone {
+  Vec3 a = Vec3::Zero();
+  Vec3 axis = Vec3::Zero();  ///< from a to b; zero for a sphere
+  float radius_a = 0.0f;
+  float radius_b = 0.0f;
+  float axis_squared = 0.0f;  ///< |axis|²
+  float slope = 0.0f;         ///< radius_a − radius_b
+  float side_squared = 0.0f;  ///< |axis|² − slope²: squared length of the side; zero for a sphere
+  int material = 0;
+  int part = 0;
+
+  Vec3 b() const { return a + axis; }
+};
+
+PreparedCone prepared_cone(const Sphere& sphere);
+PreparedCone prepared_cone(const RoundCone& round_cone);
+
+/// All spheres, then all round cones.
+std::vector<PreparedCone> prepared_cones(const Solids& solids);
+
+/// Unit outward normal at a point of the surface.
+Vec3 normal_at(const PreparedCone& cone, const Vec3& point);
+
+/// Rays as arrays, one value a lane; directions have unit length.
+struct RayLanes {
+  const float* origin_x;
+  const float* origin_y;
+  const float* origin_z;
+  const float* direction_x;
+  const float* direction_y;
+  const float* direction_z;
+};
+
+inline constexpr unsigned max_lanes = 16;
+
+/// Where each of `count` ≤ max_lanes lines enters and leaves the solid, as distances along the ray;
+/// enter > leave when it misses. The same bits on every machine.
+///
+/// The solid is convex and is the union of both spheres and the hull between them, so the interval
+/// is bounded by the extreme roots of the three surfaces; only roots of the (double) cone need a
+/// test of where they lie. Roots are found from the point of the line nearest to the solid's
+/// middle, which keeps them exact however far the ray comes from. Quadratic of the round cone after
+/// Quilez (2018).
+void intersect_lines(const PreparedCone& cone, const RayLanes& rays, unsigned count, float* enter,
+                     float* leave);
+
+/// The first of either that lies beyond `from`, of each line; infinity when there is none.
+void crossings_beyond(const float* from, const float* enter, const float* leave, unsigned count,
+                      float* distance);
+
+}  // namespace mien::render

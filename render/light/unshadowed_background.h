@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "render/light/floor_row.h"
+#include "render/light/lanes.h"
+#include "render/scene/camera.h"
+#include "render/scene/scene.h"
+
+namespace mien::render {
+
+/// Eight colours, one a lane.
+struct LaneColors {
+  LaneFloats red;
+  LaneFloats green;
+  LaneFloats blue;
+};
+
+/// `background_pixel` (floor.h) for eight rays, up to rounding and interpolation (UnshadowedRow).
+struct LaneBackgroundPixels {
+  LaneColors radiance;
+  LaneColors visible_albedo;
+  LaneVectors point;   ///< of the floor
+  LaneFloats share;    ///< of the floor, which the rest has faded from; 0: it is not shown
+  bool plain = false;  ///< all show floor without lines, of which nothing has faded
+};
+
+/// The background of a scene through one camera, without solids and their shadows: backdrop and
+/// floor, in closed form. The scene outlives it.
+class UnshadowedBackground {
+ public:
+  UnshadowedBackground(const Scene& scene, const CameraFrame& camera);
+
+ private:
+  friend class UnshadowedRow;
+  const Scene& scene_;
+  CameraFrame camera_;
+  std::vector<FloorLight> lights_;
+  std::vector<float> heights_;  // of the lights' lowest points above the floor, metres
+};
+
+/// A row of an UnshadowedBackground, eight pixels at a time. A light's irradiance is interpolated
+/// between every eighth pixel by cubic polynomials where that is exact to 0.00002 of it (by the
+/// fourth derivative of a point light's irradiance; larger lights vary less): before an upright
+/// perspective camera, in rows without fading, where eight pixels are less than a twentieth of the
+/// light's height apart on the floor.
+class UnshadowedRow {
+ public:
+  UnshadowedRow(const UnshadowedBackground& set, int y, int width);
+
+  /// Through the middles of the pixels x … x + 7 of the row; x is a multiple of eight.
+  LaneBackgroundPixels pixels(int x) const;
+
+ private:
+  LaneFloats light_at(std::size_t light, int x, const LaneVectors& points) const;
+
+  const UnshadowedBackground& set_;
+  FloorRow row_;
+  float down_;                             // from the optical axis, pixels
+  bool is_unfaded_;                        // all pixels show floor of which nothing has faded
+  std::vector<std::vector<float>> nodes_;  // of each light: what it gives pixels −8, 0, 8 …; none
+                                           // where it is not interpolated
+};
+
+}  // namespace mien::render

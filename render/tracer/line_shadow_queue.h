@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "render/light/line_shadow.h"
+#include "render/tracer/pixel.h"
+#include "render/tracer/prepared_scene.h"
+#include "render/tracer/tile.h"
+
+namespace mien::render {
+
+/// Line shadows (line_shadow.h) on the floor of a tile.
+struct TileLineShadows {
+  std::uint32_t lights = 0;               ///< bit i: light i is sampled by lines
+  float penumbra = 0.0f;                  ///< least width of a penumbra, pixels
+  std::vector<std::vector<int>> casters;  ///< of each light, the round cones that may hide it
+};
+
+/// How many samples share a line: some of one pixel, or all of several neighbours.
+struct SharedLine {
+  int samples;
+  int pixels;
+};
+
+/// Wide penumbrae change so little within a pixel that four samples share a line; where they are
+/// twice as wide, also four samples of two pixels, and where four times, eight of 2 × 2. Where
+/// pixels have one sample, 2 to 4 × 4 pixels share a line.
+SharedLine shared_line(const TileLineShadows& tile, int samples_per_pixel);
+
+/// A block of pixels that share a line, aligned to multiples of its size: a power of two of
+/// consecutive pixels on the Morton curve.
+struct PixelBlock {
+  int width;
+  int height;
+};
+PixelBlock block_of(const SharedLine& shared);
+
+/// The blocks of a tile whose pixels share a line, with the result for each.
+class FloorBlocks {
+ public:
+  /// Resets to blocks of that size, none requested.
+  void clear(const PixelBlock& size);
+
+  /// Requests the occlusion of these lights for the block of a pixel.
+  void add(int x, int y, std::uint32_t lights) { blocks_[number(x, y)].lights |= lights; }
+
+  /// Occluded irradiance over π of each sample of a pixel whose block was requested.
+  const Color& occluded(int x, int y) const { return blocks_[number(x, y)].occluded; }
+
+  const PixelBlock& size() const { return size_; }
+
+ private:
+  friend class LineShadowQueue;
+  struct Block {
+    std::uint32_t lights;
+    Color occluded;
+  };
+
+  std::size_t number(int x, int y) const {
+    return static_cast<std::size_t>((y % tile_size / size_.height) * across_ +
+                                    x % tile_size / size_.width);
+  }
+
+  PixelBlock size_{1, 1};
+  int across_ = tile_size;
+  int count_ = 0;
+  std::array<Block, static_cast<std::size_t>(tile_size* tile_size / 2)> blocks_;
+};
+
+/// Samples of the floor whose shadows are computed by line sampling, one line across each light
+/// (line_shadow.h), collected and resolved eight at a time. The occluded light is subtracted from
+/// the pixels, which, like the tile, must not move before `resolve`.
+class LineShadowQueue {
+ public:
+  LineShadowQueue(const PreparedScene& prepared, const TileLineShadows& tile)
+      : prepared_(prepared), tile_(tile) {}
+
+  const TileLineShadows& of_tile() const { return tile_; }
+
+  /// Queues the line of `sample`, for that many samples of a pixel that share it. Where pixels
+  /// share lines it only counts the samples: their block is queued later.
+  void enqueue(FloorPixel& pixel, int sample, int samples);
+
+  /// Queues the lines of all samples of a pixel.
+  void enqueue_all(FloorPixel& pixel);
+
+  /// Queues the lines of the requested blocks of a tile.
+  void enqueue_all(const Tile& tile, FloorBlocks& blocks);
+
+  /// Resolves the lines that are still queued.
+  void resolve();
+
+ private:
+  struct Query {
+    int x = 0;  // of the pixel, or of one of those that share the line
+    int y = 0;
+    std::uint32_t lights = 0;     // that may be hidden
+    int group = 0;                // of the pixel's samples
+    int samples = 0;              // of the pixel
+    FloorPixel* pixel = nullptr;  // takes the answer,
+    Color* block = nullptr;       // or this
+  };
+
+  void add(const Query& query);
+  void choose_lines(const SharedLine& shared);
+  void add_hidden(int light);
+
+  const PreparedScene& prepared_;
+  const TileLineShadows& tile_;
+  std::array<Query, lanes> queries_;
+  int count_ = 0;
+  LaneVectors points_;  // of the floor
+  LaneWords index_;     // of random numbers
+  LaneFloats across_;   // where on the first light, in [0, 1)
+  std::array<bool, lanes> meets_floor_{};
+  std::array<Color, lanes> occluded_;  // a sample
+  std::array<std::vector<LineInterval>, lanes> hidden_;
+};
+
+}  // namespace mien::render

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/geometry/bounding_volumes.h"
+#include "render/geometry/embree_scene.h"
+#include "render/geometry/shadow_mask.h"
+#include "render/light/floor_sky.h"
+#include "render/light/static_background.h"
+#include "render/math/filter.h"
+#include "render/math/sampler.h"
+#include "render/scene/camera.h"
+#include "render/scene/quality.h"
+#include "render/scene/scene.h"
+
+namespace mien::render {
+
+/// Everything that is fixed while a picture is rendered: the scene prepared for tracing, with
+/// bounds and masks of what its figure can hit or shadow. The scenes and the background outlive it.
+struct PreparedScene {
+  const Scene& scene;            ///< when the shutter opens
+  const Solids& solids;          ///< the figure's, in `scene`
+  const Solids* closing_solids;  ///< when the shutter closes; null: nothing moves
+  Quality quality;
+  PixelSampler sampler;  ///< of one pixel; others are for_pixel
+  CameraFrame camera;
+  std::optional<CameraFrame> closing_camera;  ///< none: the camera does not move
+  const Filter& filter;
+  EmbreeScene figure;
+  const StaticBackground& background;
+  const EmbreeScene* static_solids;       ///< null if there are none
+  BoundingSphere bounds;                  ///< of the figure
+  PixelMask pixel_mask;                   ///< where primary rays may meet the figure
+  std::vector<ShadowMask> shadow_masks;   ///< where it may hide each light from the floor
+  std::uint32_t line_lights;              ///< bit i: shadows of light i on the floor are by lines
+  std::vector<std::vector<int>> casters;  ///< of each light, the round cones that are not behind it
+  FloorSky floor_sky;                     ///< its occlusion of the sky on the floor
+  std::vector<float> opacities;           ///< of the figures
+  const Shapes* next_shapes = nullptr;    ///< the figure's in the next picture, for motion
+
+  /// Whether every sample renders its own background, because the rays of a pixel differ in origin
+  /// or time.
+  bool is_per_sample() const { return closing_camera || !camera.lens_right.isZero(); }
+};
+
+}  // namespace mien::render

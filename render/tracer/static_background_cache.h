@@ -1,0 +1,43 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "render/light/static_background.h"
+
+namespace mien::render {
+
+/// Static backgrounds shared by concurrent tracers: each is rendered by the first tracer that needs
+/// it and shared with all, as long as any uses it. Outlives the tracers.
+class StaticBackgroundCache {
+ public:
+  /// Shared ownership, because no tracer knows whether it is the last user.
+  using Handle = std::shared_ptr<const StaticBackground>;
+
+  /// The background of that name (static_background_name), made by `make` unless it exists. Waits
+  /// while another thread makes it, and makes it itself if that fails. Throws what `make` throws.
+  Handle get_or_make(const std::string& name, const std::function<StaticBackground()>& make);
+
+ private:
+  struct Entry {
+    std::weak_ptr<const StaticBackground> background;
+    bool in_progress = false;
+  };
+
+  void erase_expired();
+
+  std::mutex mutex_;
+  std::condition_variable ended_;  // notified when a background is done
+  std::map<std::string, Entry> entries_;
+};
+
+/// Looks up the rendered radiance of a background with static solids by its name, or calls `draw`
+/// and stores the result. The result is that of `draw`, bit for bit.
+using LightCache =
+    std::function<Framebuffer(const std::string& name, const std::function<Framebuffer()>& draw)>;
+
+}  // namespace mien::render

@@ -1,0 +1,191 @@
+// What is kept of the set from picture to picture, against drawing everything each time.
+
+#include "render/light/static_background.h"
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "render/tracer/tracer.h"
+
+namespace mien::render {
+namespace {
+
+/// An upright wall of two triangles from one place of the floor to another.
+Mesh wall(const Vec3& from, const Vec3& to, float height, int material) {
+  Mesh mesh;
+  const Vec3 up{0.0f, height, 0.0f};
+  mesh.positions = {from, to, to + up, from + up};
+  mesh.normals.assign(4, (to - from).cross(up).normalized());
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  mesh.material = material;
+  return mesh;
+}
+
+/// A figure between two walls, one of which it shades.
+Scene walled_scene() {
+  Scene scene;
+  scene.materials = {{.albedo = {0.7f, 0.4f, 0.2f}}, {.albedo = {0.5f, 0.5f, 0.6f}}};
+  scene.solids.spheres = {{.centre = {0.0f, 0.9f, 0.0f}, .radius = 0.3f}};
+  scene.solids.round_cones = {{.start = {0.0f, 0.1f, 0.0f}, .end = {0.0f, 0.8f, 0.0f}}};
+  scene.static_solids.meshes = {wall({-2.0f, 0.0f, -0.8f}, {2.0f, 0.0f, -0.8f}, 1.6f, 1),
+                                wall({-0.9f, 0.0f, 1.5f}, {-0.9f, 0.0f, -0.8f}, 0.7f, 1)};
+  scene.lights = {
+      softbox({1.5f, 3.0f, 3.0f}, {0.0f, 0.8f, 0.0f}, 0.8f, 0.8f, Color::Constant(9.0f))};
+  return scene;
+}
+
+const Camera camera{.position = {0.8f, 1.5f, 4.0f},
+                    .target = {0.0f, 0.7f, 0.0f},
+                    .vertical_field_of_view = 0.6f,
+                    .width = 48,
+                    .height = 32};
+
+/// Mean and variance of every channel over pictures with different noise.
+struct Pictures {
+  std::vector<double> mean;
+  std::vector<double> variance_of_mean;
+};
+
+Pictures pictures_of(const Scene& scene, Quality quality, int seeds) {
+  Tracer tracer;
+  std::vector<double> sum, squares;
+  for (int seed = 0; seed < seeds; ++seed) {
+    quality.seed = static_cast<std::uint64_t>(seed) + 1;
+    const Framebuffer framebuffer = tracer.trace(scene, camera, quality);
+    sum.resize(framebuffer.channels.size());
+    squares.resize(framebuffer.channels.size());
+    for (std::size_t i = 0; i < framebuffer.channels.size(); ++i) {
+      const auto value = static_cast<double>(framebuffer.channels[i]);
+      sum[i] += value;
+      squares[i] += value * value;
+    }
+  }
+  Pictures pictures;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    const double mean = sum[i] / seeds;
+    const double variance = std::max(0.0, squares[i] / seeds - mean * mean);
+    pictures.mean.push_back(mean);
+    pictures.variance_of_mean.push_back(variance / (seeds - 1));
+  }
+  return pictures;
+}
+
+/// The largest difference of any channel, in standard errors; differences of less than half a code
+/// value of 8 bits do not count.
+double largest_deviation(const Pictures& a, const Pictures& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.mean.size(); ++i) {
+    const double error = std::sqrt(a.variance_of_mean[i] + b.variance_of_mean[i]);
+    const double off = std::max(0.0, std::abs(a.mean[i] - b.mean[i]) - 0.002);
+    largest = std::max(largest, off / (error + 1e-6));
+  }
+  return largest;
+}
+
+// 4608 channels, each normal up to the few dozen seeds: 6 standard errors are met by chance less
+// than once in ten thousand runs.
+constexpr double beyond_chance = 6.0;
+
+TEST(StaticBackground, GivesTheMeanThatTracingAllOfItEachTimeGives) {
+  const Scene reused = walled_scene();
+  Scene whole = reused;
+  for (const Mesh& mesh : reused.static_solids.meshes) whole.solids.meshes.push_back(mesh);
+  whole.static_solids = {};
+  Quality quality{.samples_per_pixel = 16, .static_samples = 64};
+  const Pictures quick = pictures_of(reused, quality, 48);
+  quality.floor_sky_tolerance = 0.0f;
+  const Pictures brute = pictures_of(whole, quality, 48);
+  EXPECT_LT(largest_deviation(quick, brute), beyond_chance);
+
+  // The test can fail: a lamp a twentieth dimmer, or no shadow on the wall, is seen.
+  Scene dim = reused;
+  dim.lights[0].radiance *= 0.95f;
+  EXPECT_GT(largest_deviation(pictures_of(dim, quality, 16), brute), beyond_chance);
+  Scene shadowless = reused;
+  shadowless.solids.round_cones.clear();
+  EXPECT_GT(largest_deviation(pictures_of(shadowless, quality, 16), brute), beyond_chance);
+}
+
+TEST(StaticBackground, IsTheSameWhetherItIsKeptOrMadeAnew) {
+  const Scene scene = walled_scene();
+  Scene other = scene;
+  other.static_solids.meshes[0].positions[2].y() += 0.3f;
+  Tracer kept, fresh;
+  const Quality quality{.samples_per_pixel = 4, .static_samples = 8};
+  const Framebuffer first = kept.trace(scene, camera, quality);
+  const Framebuffer changed = kept.trace(other, camera, quality);
+  EXPECT_NE(changed, first);
+  EXPECT_EQ(changed, fresh.trace(other, camera, quality));
+  EXPECT_EQ(kept.trace(scene, camera, quality), first);
+
+  // All of the quality that shows in it counts, and so does what meshes are painted with.
+  Quality coarse = quality;
+  coarse.floor_sky_tolerance = 0.5f;
+  coarse.floor_sky_noise = 0.05f;
+  EXPECT_EQ(kept.trace(scene, camera, coarse), Tracer().trace(scene, camera, coarse));
+  Scene painted = scene;
+  Texture texture{1, 1, {Color::Constant(0.9f)}};
+  painted.textures = {&texture};
+  painted.materials[1].texture = 0;
+  for (Mesh& mesh : painted.static_solids.meshes)
+    mesh.uv.assign(mesh.positions.size(), {0.5f, 0.5f});
+  const Framebuffer light = kept.trace(painted, camera, quality);
+  texture.texels = {Color::Constant(0.1f)};
+  const Framebuffer dark = kept.trace(painted, camera, quality);
+  EXPECT_NE(dark, light);
+  EXPECT_EQ(dark, Tracer().trace(painted, camera, quality));
+}
+
+TEST(StaticBackground, ServesAPairOfCamerasByTurns) {
+  const Scene scene = walled_scene();
+  Camera right = camera;
+  right.position.x() += 0.06f;
+  const Quality quality{.samples_per_pixel = 4, .static_samples = 8};
+  const Framebuffer left_alone = Tracer().trace(scene, camera, quality);
+  const Framebuffer right_alone = Tracer().trace(scene, right, quality);
+  Tracer both;
+  for (int turn = 0; turn < 3; ++turn) {
+    EXPECT_EQ(both.trace(scene, camera, quality), left_alone);
+    EXPECT_EQ(both.trace(scene, right, quality), right_alone);
+  }
+}
+
+// What one set was made of serves the next.
+TEST(StaticBackground, ShowsNothingOfTheSetsBeforeIt) {
+  const Quality quality{.samples_per_pixel = 2, .static_samples = 4};
+  const Scene walled = walled_scene();
+  Scene open = walled;
+  open.static_solids = {};
+  Camera narrow = camera;
+  narrow.width = 40;
+  Tracer one;
+  for (int k = 0; k < 8; ++k) {
+    const Scene& scene = k % 3 == 1 ? walled : open;
+    Camera moved = k % 4 == 3 ? narrow : camera;
+    moved.position.x() += 0.1f * static_cast<float>(k);
+    EXPECT_EQ(one.trace(scene, moved, quality), Tracer().trace(scene, moved, quality)) << k;
+  }
+}
+
+TEST(StaticBackground, StaysWholeWhenTheFigureIsSeenThrough) {
+  Scene scene = walled_scene();
+  const Quality quality{.samples_per_pixel = 4, .static_samples = 8};
+  const Framebuffer solid = Tracer().trace(scene, camera, quality);
+  scene.figures[0].opacity = 0.0f;
+  const Framebuffer vanished = Tracer().trace(scene, camera, quality);
+  scene.figures[0].opacity = 1.0f;
+  scene.solids = {};
+  // Where the figure would be, the walls are drawn with fewer samples.
+  const auto light = [](const Framebuffer& framebuffer) {
+    return std::accumulate(framebuffer.channels.begin(), framebuffer.channels.end(), 0.0);
+  };
+  const double alone = light(Tracer().trace(scene, camera, quality));
+  EXPECT_NEAR(light(vanished), alone, 0.002 * alone);
+  EXPECT_GT(std::abs(light(solid) - alone), 0.01 * alone);
+}
+
+}  // namespace
+}  // namespace mien::render
