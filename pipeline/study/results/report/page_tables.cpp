@@ -18,7 +18,7 @@ std::string state_of(const ParticipantSummary& p, const Gathered& gathered) {
   if (p.is_excluded) state += (state.empty() ? "" : ", ") + std::string("left out");
   if (p.is_excluded && !is_too_short) state += ": attention checks";
   if (p.is_constant && !p.is_excluded)
-    state += std::string(state.empty() ? "" : "; ") + "kept, though always at the same place";
+    state += std::string(state.empty() ? "" : "; ") + "included; straight-lining";
   return state;
 }
 
@@ -34,8 +34,8 @@ std::string sessions_html(const Results& results) {
                         p.stalls, p.blurs)
                 .text(state_of(p, results.gathered))
                 .html();
-  return wide_table({"<participant", "trials", "answers", "checks passed", "median answer, s",
-                     "stalls", "window left", "<"},
+  return wide_table({"<participant", "trials", "answers", "checks passed",
+                     "median response time, s", "stalls", "tab switches", "<"},
                     rows);
 }
 

@@ -85,8 +85,7 @@ std::size_t judged_stimuli(const Gathered& gathered) {
 std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   const Gathered& gathered = results.gathered;
   std::string html = "<h1>" + html_escaped(gathered.title) + "</h1>\n";
-  if (gathered.simulated)
-    html += "<p class=\"simulated\">Simulated: nobody gave these answers. 模擬評定</p>\n";
+  if (gathered.simulated) html += "<p class=\"simulated\">Simulated answers. 模擬評定</p>\n";
   const std::size_t answers = gathered.ratings.size() + gathered.chosen.size() +
                               gathered.preferences.size() + gathered.words.size();
   html += fmt::format("<p class=\"quiet\">Study {}: {} of {} about {}",
@@ -113,7 +112,7 @@ std::string people_html(const Results& results) {
     html += paragraph("Left out:") + html_list("", names);
   }
   html += html_list("", unfinished_sentences(gathered)) + html_list("", gathered.notes);
-  html += part("What they say about themselves", demographics_html(results));
+  html += part("Demographics", demographics_html(results));
   html += "<details><summary>Every session</summary>\n" + sessions_html(results) + "</details>\n";
   return html;
 }
@@ -310,7 +309,7 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("levels", "Actors and other factors", levels_html(results, parts));
   parts.section("groups", "Groups of participants", groups_part(results, parts));
   parts.section("confusion", "Confusion", confusion_html(results, parts));
-  parts.section("correlations", "Scales together", parts.figures("correlations"));
+  parts.section("correlations", "Correlations", parts.figures("correlations"));
   parts.section("agreement", "Agreement", agreement_part(results));
   parts.section("catch", "Answered twice", catch_html(results));
   parts.section("preferences", "Pairs", parts.figures("preferences") + preferences_html(results));
