@@ -138,15 +138,15 @@ Variables variables_of(const Results& results) {
 
 std::string description_of(const Results& results) {
   const Gathered& gathered = results.gathered;
-  const std::string simulated = gathered.simulated ? "SIMULATED, nobody gave these answers: " : "";
+  const std::string simulated = gathered.simulated ? "SIMULATED answers: " : "";
   ordered_json description = {
       {"@context", "https://schema.org/"},
       {"@type", "Dataset"},
       {"name", gathered.title},
       {"description",
-       simulated + "answers to the questionnaire of the study " + gathered.study +
-           ", a row an answer, with the stimuli that were judged and who judged them. Tables and "
-           "figures made of them are in results and figures; codebook.csv tells all columns."},
+       simulated + "answers to the questionnaire of study " + gathered.study +
+           ", one row per answer, with the stimuli and participants. Derived tables and figures "
+           "are in results and figures; codebook.csv documents all columns."},
       {"schemaVersion", "Psych-DS 0.4.0"},
       {"keywords", {"questionnaire", "human motion", "ratings"}},
       {"variableMeasured", variables_of(results).list()}};
@@ -191,14 +191,15 @@ std::string codebook_of(const Results& results, const std::vector<ResultTable>& 
 std::string readme_of(const Results& results) {
   const DatasetPaths paths = dataset_paths(results.gathered.study);
   return "# " + results.gathered.title + "\n\n" +
-         (results.gathered.simulated ? "**Simulated: nobody gave these answers.**\n\n" : "") +
-         "Answers to the questionnaire of the study " + results.gathered.study +
-         ", as a Psych-DS dataset, and what mien study report made of them.\n\n"
-         "- report.html: everything on one page\n"
-         "- data/: the answers, a row each; the stimuli; the participants\n"
-         "- dataset_description.json: what each column of data/ means (JSON-LD)\n"
-         "- codebook.csv: the same, and the columns of results/\n"
-         "- results/: tables\n- figures/: the drawings as PDF, SVG and PNG\n" +
+         (results.gathered.simulated ? "**Simulated answers.**\n\n" : "") +
+         "Answers to the questionnaire of study " + results.gathered.study +
+         ", as a Psych-DS dataset, and the results computed from them by mien study report.\n\n"
+         "- report.html: all results on one page\n"
+         "- data/: the answers (one row each), the stimuli and the participants\n"
+         "- dataset_description.json: meaning of each column of data/ (JSON-LD)\n"
+         "- codebook.csv: meaning of each column of data/ and results/\n"
+         "- results/: tables\n"
+         "- figures/: figures as PDF, SVG and PNG\n" +
          (results.gathered.ratings.empty()
               ? std::string()
               : "- analysis/: R scripts that fit mixed models (lme4, ordinal) to " + paths.answers +
