@@ -35,15 +35,15 @@ ordered_json dataset_description(const Manifest& manifest) {
   ordered_json variables = ordered_json::array();
   for (const Column& column : answer_form.columns)
     variables.push_back(variable(column.name, column.meaning, column.unit));
-  variables.push_back(variable("consented_at", "when the participant agreed (ISO 8601, UTC)"));
-  variables.push_back(variable("finished", "1 when the participant came to the end"));
+  variables.push_back(variable("consented_at", "time of consent (ISO 8601, UTC)"));
+  variables.push_back(variable("finished", "1 if the participant finished"));
   for (const Demographic& question : questionnaire_of(manifest).demographics)
     variables.push_back(variable(question.id, question.ask));
   return {{"@context", "https://schema.org/"},
           {"@type", "Dataset"},
           {"name", title_of(manifest)},
-          {"description", fmt::format("Answers to the questionnaire of the study {}: one row an "
-                                      "answer, and one row a participant.",
+          {"description", fmt::format("Answers to the questionnaire of study {}: one row per "
+                                      "answer, and one row per participant.",
                                       manifest.study)},
           {"variableMeasured", variables}};
 }

@@ -15,21 +15,20 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr Column excluded_column = {"excluded", "",
-                                    "1 for answers of participants whom the report leaves out"};
+                                    "1 for answers of participants excluded from the report"};
 
-constexpr std::array stimulus_columns = {
-    Column{"stimulus", "", "the stimulus, as its study names it"},
-    Column{"made", "", "level of the factor made"},
-    Column{"emotion", "", "level of the factor emotion"},
-    Column{"setting", "", "levels of the other factors"}};
+constexpr std::array stimulus_columns = {Column{"stimulus", "", "stimulus id"},
+                                         Column{"made", "", "level of factor made"},
+                                         Column{"emotion", "", "level of the factor emotion"},
+                                         Column{"setting", "", "levels of the other factors"}};
 
 constexpr std::array participant_columns = {
-    Column{"participant", "", "who answered: the place in the design, no name"},
-    Column{"session", "", "random name of the browser session"},
-    Column{"design", "", "hash of the questionnaire that was run"},
-    Column{"consented_at", "", "when consent was given"},
-    Column{"finished", "", "whether the questionnaire was done to its end"},
-    Column{"simulated", "", "1 for participants whom nobody was"}};
+    Column{"participant", "", "participant id: position in the design, no name"},
+    Column{"session", "", "random id of the browser session"},
+    Column{"design", "", "hash of the questionnaire design"},
+    Column{"consented_at", "", "time of consent"},
+    Column{"finished", "", "whether the participant finished"},
+    Column{"simulated", "", "1 for simulated participants"}};
 
 std::string letters_and_figures(const std::string& text) {
   std::string kept;
@@ -131,7 +130,7 @@ Variables variables_of(const Results& results) {
       if (known != participant_columns.end()) variables.add(*known);
     }
     for (const std::string& question : results.demographics.questions())
-      variables.add(question, "what the participant answered to the question " + question);
+      variables.add(question, "participant's answer to the question " + question);
   }
   return variables;
 }
@@ -183,7 +182,7 @@ std::string codebook_of(const Results& results, const std::vector<ResultTable>& 
     add_columns(writer, path, table.form->rows, table.form->columns);
     if (results.gathered.simulated)
       writer.row({path, std::string(table.form->rows), "simulated", "",
-                  "1: reckoned from answers that nobody gave"});
+                  "1: computed from simulated answers"});
   }
   return writer.text();
 }

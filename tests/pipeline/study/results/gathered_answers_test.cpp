@@ -72,7 +72,7 @@ TEST(Gathered, RefusesAnswersOfAnotherDesignAndOfAnotherKind) {
   EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of the design \"ffff\" among"));
   rows = answers_to(manifest);
   rows[0].kind = "emotion";
-  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of the kind emotion, where"));
+  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of kind emotion, but"));
 }
 
 TEST(Gathered, RefusesWhatHoldsNothingThatCounts) {
