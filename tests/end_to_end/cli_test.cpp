@@ -300,12 +300,13 @@ TEST(CommandLine, CheckTellsWhatARunWouldStumbleOver) {
       "stimuli: [{id: a, weights: {normal: 1}, output: {presentation: {fade_in: 1, fade_out: 2}}}]"
       "\n");
   EXPECT_TRUE(fades.starts_with(
-      ":5:64: stimuli[0].output.presentation: the fades last 3 s and the film of \"a\" 1."))
+      ":5:64: stimuli[0].output.presentation: the fades last 3 s, but the film of \"a\" only 1."))
       << fades;
   const std::string light = faults_of(
       "equalize: [luminance]\nstimuli:\n  - {id: a, weights: {normal: 1}}\n"
       "  - {id: dots, weights: {normal: 1}, look: {figure: point-light}}\n");
-  EXPECT_TRUE(contains(light, ":5:11: equalize: no exposure makes \"dots\" as light as the others"))
+  EXPECT_TRUE(
+      contains(light, ":5:11: equalize: no exposure makes \"dots\" as bright as the others"))
       << light;
   EXPECT_EQ(faults_of("equalize: {luminance: {by: figure}}\nstimuli:\n"
                       "  - {id: a, weights: {normal: 1}}\n"

@@ -57,7 +57,7 @@ std::vector<FigureRow> rows_of(const SheetContent& content) {
   rows.push_back(row_of(content, content.created, "Created", "作成", created_colours));
   rows.push_back({"Overlay",
                   "重ね合わせ",
-                  {"target broad, created fine", "lighter limbs: left"},
+                  {"thick: target, thin: created", "lighter limbs: left side"},
                   ink,
                   {layer_of(content, content.target, target_pale, 1.7),
                    layer_of(content, content.created, created_colours, 0.6, false)}});

@@ -40,8 +40,7 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
   for (const auto& [name, value] : weights) {
     const auto found = std::ranges::find(repertoire.names, name, &RatedExample::name);
     if (found == repertoire.names.end()) {
-      throw Error(fmt::format("there is no example \"{}\"", name),
-                  "name one of the set's examples");
+      throw Error(fmt::format("there is no example \"{}\"", name), "name one of the examples");
     }
     result[found - repertoire.names.begin()] = value;
   }

@@ -47,9 +47,9 @@ TEST(Foils, AreInTheReportWithWhatTheyDifferIn) {
     for (std::size_t at = 0; (at = table.find(words, at)) != std::string::npos; ++at) ++found;
     return found;
   };
-  EXPECT_EQ(count("<td>meant to differ</td>"), 1);
+  EXPECT_EQ(count("<td>intended to differ</td>"), 1);
   EXPECT_EQ(count("<td>held</td>"), 3);
-  EXPECT_EQ(count("differs, too"), 0);
+  EXPECT_EQ(count("also differs"), 0);
   const Manifest without = parsed("").manifest;
   Motions others(without);
   EXPECT_EQ(foil_table(without.stimuli, others), "");
