@@ -45,7 +45,7 @@ struct Findings {
 /// How many motions were made; empty where all were.
 std::string sample_note(const Findings& findings) {
   if (findings.rehearsed >= findings.stimuli) return "";
-  return fmt::format("made {} of {} motions, a sample of each kind; --thorough makes all",
+  return fmt::format("synthesized {} of {} motions as a sample; --thorough checks all",
                      findings.rehearsed, findings.stimuli);
 }
 
@@ -156,20 +156,20 @@ Command check_command() {
   const auto options = std::make_shared<CheckOptions>();
   return {
       .name = "check",
-      .summary = "Find everything wrong with a manifest, or a file that it names",
+      .summary = "Check a manifest, or a file that it names, and list all faults",
       .options =
           {argument("manifest", &options->manifests,
                     "Manifests, or files of scales, recipes or a set (YAML)"),
-           option("--out,-o", &options->out, "As of run: where results would go").with_default(),
-           flag("--quick", &options->quick, "Make no motion: look at the files alone"),
+           option("--out,-o", &options->out, "Output folder, as for mien run").with_default(),
+           flag("--quick", &options->quick, "Check the files only; synthesize no motions"),
            flag("--thorough", &options->thorough,
-                fmt::format("Make all motions, and of a large study not {} of every kind alone",
+                fmt::format("Synthesize all motions of a large study instead of a sample of {}",
                             most_rehearsed)),
            flag("--json", &options->json, "Faults, warnings and notes as JSON on standard output")},
       .notes =
-          "Makes and stages the motions of a manifest without faults; draws nothing and writes no "
-          "file. Faults are told as file:line:column: path.to.key: what is wrong; how to mend "
-          "it.\n\nExample:\n  mien check my.yaml",
+          "If the manifest has no faults, its motions are synthesized and staged, but nothing is "
+          "rendered or written. Faults are printed as file:line:column: path.to.key: what is "
+          "wrong; how to fix it.\n\nExample:\n  mien check my.yaml",
       .run = [options](const Console& console) { return check(*options, console); }};
 }
 

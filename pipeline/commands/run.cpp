@@ -127,7 +127,7 @@ Command run_command() {
   const auto arguments = std::make_shared<ProductionArguments>();
   return {
       .name = "run",
-      .summary = "Make everything that a manifest asks for",
+      .summary = "Make everything that a manifest specifies",
       .options = all_of(production_options(*arguments),
                         flag("--exclusive", &arguments->exclusive,
                              "Refuse to work beside another process in the study's folder; without "

@@ -143,7 +143,7 @@ TEST_F(Archive, IsABagThatOthersUnpackAndCheck) {
   const auto packed = [&](const std::string& name) {
     const Ended ended = run_mien({"pack", study.string(), "-o", (scratch.path() / name).string()});
     EXPECT_EQ(ended.code, 0) << ended.errors;
-    EXPECT_TRUE(says(ended.output, "did not make it: my notes.txt\n")) << ended.output;
+    EXPECT_TRUE(says(ended.output, "not made by mien: my notes.txt\n")) << ended.output;
     return text_of(scratch.path() / name);
   };
   for (const std::string name : {"a.tar", "a.tar.gz", "a.tar.zst"}) {

@@ -99,7 +99,7 @@ TEST_F(FarmOnSlurm, MakesAStudyAndKnowsIt) {
 
   const Ended second = farm({"submit"});
   EXPECT_EQ(second.code, 2);
-  EXPECT_NE(second.errors.find("is with Slurm already"), std::string::npos) << second.errors;
+  EXPECT_NE(second.errors.find("has been submitted already"), std::string::npos) << second.errors;
 
   ASSERT_TRUE(cluster->wait_until_empty(120.0));
   EXPECT_TRUE(status()["complete"]) << farm({"logs"}).output;
@@ -139,7 +139,7 @@ TEST_F(FarmOnSlurm, HoldsAWrongSetUpUntilItIsResumed) {
   EXPECT_NE(told.find("held by Slurm: 1 job (" + job + "_1)\n  wrong set-up"), std::string::npos)
       << told;
   const Ended dry = farm({"resume"}, {"--dry-run"});
-  EXPECT_NE(dry.errors.find("is to be taken back"), std::string::npos) << dry.errors;
+  EXPECT_NE(dry.errors.find("is to be cancelled"), std::string::npos) << dry.errors;
   EXPECT_NE(dry.output.find("0002/6-rest.sbatch"), std::string::npos) << dry.output;
   EXPECT_FALSE(fs::exists(submission("0002")));
   EXPECT_FALSE(status()["held"].empty());
@@ -192,7 +192,7 @@ TEST_F(FarmOnSlurm, WaitsForAFolderThatIsAwayAndTakesScancel) {
       << told;
   const Ended submitted = farm({"submit"});
   EXPECT_NE(submitted.code, 0);
-  EXPECT_NE(submitted.errors.find("is the disk that holds it mounted"), std::string::npos)
+  EXPECT_NE(submitted.errors.find("check that its disk is mounted"), std::string::npos)
       << submitted.errors;
   EXPECT_FALSE(fs::exists(out)) << "it was made anew";
   must_run({"scancel", cancelled});

@@ -107,7 +107,7 @@ void refuse_lone_file(const std::string& file) {
 
 int regress(RegressOptions options, StudyArguments study, const Console& console) {
   if (options.before.empty())
-    throw Error("mien regress: before is missing", "mien regress --help tells more");
+    throw Error("mien regress: before is missing", "see mien regress --help");
   if (!options.now.empty()) {
     refuse_options(study.given, "is for studies, not for two files", "leave it out");
     options.tolerance.rotation_radians = options.rotation_degrees * motion::radians_per_degree;

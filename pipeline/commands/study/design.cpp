@@ -206,8 +206,8 @@ std::vector<CommandOption> power_options(DesignCommand& options) {
                  "With --power: answers (CSV) whose variances the raters have")
               .needs("--power"),
           option("--spread", &options.spread,
-                 "With --power: standard deviations of participants, stimuli and what is left, in "
-                 "the scale's points [0.5,0.5,0.8]")
+                 "With --power: standard deviations of participants, stimuli and residual, in the "
+                 "scale's points [0.5,0.5,0.8]")
               .needs("--power")
               .with_commas()
               .values(3, 3)

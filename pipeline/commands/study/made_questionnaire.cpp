@@ -54,13 +54,14 @@ MadeQuestionnaire made_questionnaire(const ProductionArguments& arguments, const
 }
 
 std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments) {
-  return {argument("manifest", &arguments.manifest,
-                   "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
-                   "one of mien manifests"),
-          option("--out", &arguments.out, "Folder in which studies are made").with_default(),
-          quality_option(arguments.quality),
-          option("--jobs,-j", &arguments.jobs, "Tasks at a time (default: one a processor)")
-              .between(1, 1024)};
+  return {
+      argument("manifest", &arguments.manifest,
+               "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
+               "one of mien manifests"),
+      option("--out", &arguments.out, "Folder in which studies are made").with_default(),
+      quality_option(arguments.quality),
+      option("--jobs,-j", &arguments.jobs, "Number of parallel tasks (default: one per processor)")
+          .between(1, 1024)};
 }
 
 }  // namespace mien::pipeline

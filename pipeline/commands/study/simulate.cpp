@@ -120,7 +120,7 @@ std::vector<CommandOption> people_options(SimulateCommand& options) {
               .between(0.0, 1000.0)
               .with_default(),
           option("--residual", &options.people.spread.residual,
-                 "Standard deviation of what is left of an answer, likewise")
+                 "Residual standard deviation of an answer, in scale points")
               .between(0.0, 1000.0)
               .with_default(),
           option("--attentive", &options.people.attentive, "Share of attention checks passed")

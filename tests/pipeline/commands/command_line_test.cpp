@@ -83,7 +83,7 @@ TEST(CommandValues, RefuseWhatTheyDoNotAllowAndRunNothing) {
       {{"sell", "a", "--names", ""}, "--names: empty; give a value, or leave it out"},
       {{"sell", "a", "--fruit", ""}, "--fruit: "},
       {{"sell", ""}, "place: empty; give a value, or leave it out"},
-      {{"sell", "a", "b"}, "mien sell: \"b\" is a word too many;"}};
+      {{"sell", "a", "b"}, "mien sell: unexpected argument \"b\";"}};
   for (const auto& [words, fault] : cases) {
     Market market;
     const auto [code, told] = ended(market, words);
