@@ -80,7 +80,7 @@ TEST_F(Archive, IsVerifiedInWordsAndAsJson) {
 TEST_F(Archive, HasFramesThatAreDrawnAgain) {
   const Ended drawn = verify({"--rerender", "6"});
   EXPECT_EQ(drawn.code, 0) << drawn.output << drawn.errors;
-  EXPECT_TRUE(says(drawn.output, "6 of 6 frames drawn again agree (seed 7)\n")) << drawn.output;
+  EXPECT_TRUE(says(drawn.output, "6 of 6 rerendered frames agree (seed 7)\n")) << drawn.output;
   EXPECT_EQ(drawn.output, verify({"--rerender", "6"}).output);
   EXPECT_NE(drawn.output, verify({"--rerender", "6", "--seed", "8"}).output);
   const std::string first = text_of(study / "frames/a/00000.png");

@@ -79,7 +79,7 @@ TEST(CommandLine, TellsInOneLineWhatIsMissing) {
             "mien study export: manifest and --folder are missing; write mien study export "
             "<manifest> --folder …; see mien study export --help\n");
   EXPECT_TRUE(contains(refusal({"regress", "approve", "study.yaml"}), "--why is missing; write"));
-  EXPECT_TRUE(contains(refusal({"regress"}), "mien regress: before is missing; "));
+  EXPECT_TRUE(contains(refusal({"regress"}), "mien regress: nothing to compare was given; "));
   EXPECT_TRUE(contains(refusal({"study"}), "mien study: a command is missing; it is one of "));
   EXPECT_TRUE(contains(refusal({"run", "a.yaml", "--jobs"}), "--jobs: value missing"));
 }

@@ -274,8 +274,9 @@ TEST_F(FarmOnSlurm, RefusesWhatNoNodeHasAndForgetsIt) {
   EXPECT_EQ(farm({"submit"}, {"--mem", "900T"}).code, 1);
   EXPECT_FALSE(fs::exists(submission()));
   const Ended nothing = farm({"resume"});
-  EXPECT_NE(nothing.errors.find("nothing has been submitted yet that Slurm did not refuse"),
-            std::string::npos)
+  EXPECT_NE(
+      nothing.errors.find("nothing has been submitted yet (Slurm refused earlier submissions)"),
+      std::string::npos)
       << nothing.errors;
   ASSERT_EQ(farm({"submit"}, {"--chunk", "4"}).code, 0);
   EXPECT_TRUE(fs::exists(submission("0002")));

@@ -84,18 +84,18 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   const Ended frozen = run_mien({"study", "design", study, "-o", (folder.path() / "p.csv").string(),
                                  "--freeze", bundle, "--out", made});
   ASSERT_EQ(frozen.code, 0) << frozen.errors;
-  EXPECT_NE(frozen.errors.find("nothing says how the answers will be looked at"), std::string::npos)
+  EXPECT_NE(frozen.errors.find("the manifest has no analysis plan"), std::string::npos)
       << frozen.errors;
   const std::string names = text_of(bundle);  // those of a zip stand in it as they are
   EXPECT_NE(names.find("dummy-report/report.html"), std::string::npos);
   EXPECT_NE(names.find("dummy-report/results/means.csv"), std::string::npos);
 
   const Ended same = report({answers, "--frozen", bundle, "--made", made});
-  EXPECT_NE(same.output.find("What was run is what was frozen in frozen.zip."), std::string::npos)
+  EXPECT_NE(same.output.find("The study was run as registered in frozen.zip."), std::string::npos)
       << same.output << same.errors;
   const Ended other = report(
       {answers, "--frozen", bundle, "--made", made, "--correction", "none", "--most-failed", "5"});
-  EXPECT_NE(other.output.find("What was run differs from what was frozen"), std::string::npos)
+  EXPECT_NE(other.output.find("The study differs from the one registered"), std::string::npos)
       << other.output;
   for (const char* told :
        {"--correction none was run, holm was frozen", "--most-failed 5 was run, 1 was frozen"})

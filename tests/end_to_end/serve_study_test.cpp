@@ -196,7 +196,7 @@ TEST_F(ServedStudy, IsRefusedWhereItCannotBeServed) {
   words.insert(words.end(), {"--url", "elsewhere"});
   const Ended no_url = run_program(words);
   EXPECT_EQ(no_url.code, 2);
-  EXPECT_NE(no_url.errors.find("is no address of a web server"), std::string::npos);
+  EXPECT_NE(no_url.errors.find("is not the address of a web server"), std::string::npos);
   fs::remove_all(folder.path() / "bin/pages");
   const Ended no_pages = run_program(command(manifest));
   EXPECT_EQ(no_pages.code, 2);
