@@ -130,7 +130,7 @@ TEST_F(Archive, IsNotPackedOverWhatIsThere) {
   std::ofstream(archive) << "somebody's";
   const Ended refused = run_mien({"pack", study.string(), "-o", archive});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_TRUE(says(refused.errors, "a.tar: is there already")) << refused.errors;
+  EXPECT_TRUE(says(refused.errors, "a.tar: exists already")) << refused.errors;
   EXPECT_EQ(text_of(archive), "somebody's");
   const Ended forced = run_mien({"pack", study.string(), "-o", archive, "--force", "--license",
                                  "CC-BY-4.0", "--contact-name", "A. Walker"});

@@ -97,8 +97,8 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
       {answers, "--frozen", bundle, "--made", made, "--correction", "none", "--most-failed", "5"});
   EXPECT_NE(other.output.find("The study differs from the one registered"), std::string::npos)
       << other.output;
-  for (const char* told :
-       {"--correction none was run, holm was frozen", "--most-failed 5 was run, 1 was frozen"})
+  for (const char* told : {"--correction none instead of the registered holm",
+                           "--most-failed 5 instead of the registered 1"})
     EXPECT_NE(other.output.find(told), std::string::npos) << other.output;
 }
 
