@@ -136,7 +136,8 @@ TEST_F(FarmOnSlurm, HoldsAWrongSetUpUntilItIsResumed) {
   EXPECT_EQ(status()["held"][0]["job"], job + "_1");
   EXPECT_NE(farm({"logs"}).output.find("ended with 78"), std::string::npos);
   const std::string told = farm({"status"}).output;
-  EXPECT_NE(told.find("held by Slurm: 1 job (" + job + "_1)\n  wrong set-up"), std::string::npos)
+  EXPECT_NE(told.find("held by Slurm: 1 job (" + job + "_1)\n  wrong configuration"),
+            std::string::npos)
       << told;
   const Ended dry = farm({"resume"}, {"--dry-run"});
   EXPECT_NE(dry.errors.find("is to be cancelled"), std::string::npos) << dry.errors;
@@ -188,7 +189,7 @@ TEST_F(FarmOnSlurm, WaitsForAFolderThatIsAwayAndTakesScancel) {
     return state_of(number, "1") == "RUNNING" && state_of(cancelled, "2") == "RUNNING";
   })) << state_of(number, "1");
   const std::string told = farm({"status"}).output;
-  EXPECT_NE(told.find("tiny is not there, and Slurm has jobs that work in it"), std::string::npos)
+  EXPECT_NE(told.find("tiny does not exist, but Slurm has jobs that work in it"), std::string::npos)
       << told;
   const Ended submitted = farm({"submit"});
   EXPECT_NE(submitted.code, 0);
