@@ -68,12 +68,12 @@ Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& bo
                   {"forces", "", unit, raised(levels, before), least_overload_seconds, 3, sentence},
                   measure(subject, body));
   };
-  add(presses, options.press, "body weights", "The feet press the floor with ",
+  add(presses, options.press, "body weights", "The feet press on the floor with ",
       " times the body's weight.");
   add(pulls, options.pull, "body weights", "The body is pulled to the floor with ",
-      " times the body's weight: it falls faster than things fall.");
-  add(frictions, options.friction, "", "The feet would slip: they push sideways with ",
-      " times what they press the floor with.");
+      " times the body's weight: it accelerates downwards faster than gravity.");
+  add(frictions, options.friction, "", "The feet would slip: horizontal force ",
+      " times the vertical force.");
   return findings;
 }
 
@@ -93,7 +93,7 @@ Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& b
     const std::string name(name_of(BodyJoint(joint.joint)));
     const auto sentence = [&](double worst) {
       return "The " + spoken(name) + " would need " + rounded(worst, 0) + " N·m, more than the " +
-             rounded(limit, 0) + " N·m that strong adults have.";
+             rounded(limit, 0) + " N·m of strong adults.";
     };
     add_stretches(findings, subject,
                   {"joint-torque", name, "N·m", raised(levels, before[j]), least_overload_seconds,

@@ -123,8 +123,8 @@ void add_moments(const WalkSegment& segment, double brisk, ScriptMoments& moment
   const double seconds = turns ? std::abs(segment.degrees) / turning_of(segment) : segment.seconds;
   if (!std::isfinite(seconds) || seconds < 0.0 || !std::isfinite(rate) ||
       !std::isfinite(segment.pace)) {
-    throw Error("a walk's script with a number that is none, or a time below 0",
-                "give seconds, degrees and shares");
+    throw Error("a walk script with an invalid number, or a time below 0",
+                "give seconds, degrees and weights");
   }
   double heading = moments.headings.empty() ? 0.0 : moments.headings.back();
   if (!segment.moods.empty()) {

@@ -46,7 +46,7 @@ FloorPath floor_path(std::span<const Vec3> polyline) {
   std::vector<Vec3> points;
   double length = 0.0;
   for (const Vec3& point : polyline) {
-    if (!point.allFinite()) throw Error("a path with a number that is none", "give metres");
+    if (!point.allFinite()) throw Error("a path with an invalid number", "give metres");
     const double piece = points.empty() ? 1.0 : (level(point) - points.back()).norm();
     if (piece < 1e-6) continue;
     if (!points.empty()) length += piece;

@@ -90,8 +90,8 @@ void check_segment(const WalkSegment& segment) {
   const bool numbers = std::isfinite(segment.seconds) && std::isfinite(segment.degrees) &&
                        std::isfinite(segment.pace) && std::isfinite(segment.turn_rate_deg);
   require_number(numbers && segment.seconds >= 0.0,
-                 "a walk's script with a number that is none, or a time below 0",
-                 "give seconds, degrees and shares");
+                 "a walk script with an invalid number, or a time below 0",
+                 "give seconds, degrees and weights");
   require_number(segment.pace >= 0.0 && segment.pace <= gait_paces.back(),
                  "a walk's pace is not between 0 and 1.2",
                  "1 is the style's own speed; choose a faster style for more");

@@ -72,7 +72,7 @@ std::string fault_inside(const fs::path& folder, std::string_view relative) {
     std::error_code unknown;
     if (!fs::is_symlink(fs::symlink_status(at, unknown))) continue;
     const fs::path target = fs::canonical(at, unknown);
-    if (unknown) return "is a link to what is not there";
+    if (unknown) return "is a broken link";
     if (!lies_below(target, real)) return "is behind a link that leads out of its folder";
   }
   return "";

@@ -228,10 +228,10 @@ TEST(CommandLine, RunTellsWhatAFileHoldsThatIsNoManifest) {
   for (const char* command : {"run", "plan"}) {
     const Ended ended = run_mien({command, scales});
     EXPECT_EQ(ended.code, 2);
-    EXPECT_EQ(ended.errors, scales +
-                                ":1:1: holds scales, and is no manifest; name it in one, as "
-                                "examples: {scales: mine.yaml}; mien check alone takes it as it "
-                                "is\n");
+    EXPECT_EQ(ended.errors,
+              scales +
+                  ":1:1: holds scales, and is not a manifest; refer to it in a manifest as "
+                  "examples: {scales: mine.yaml}; only mien check accepts it directly\n");
   }
 }
 
@@ -321,22 +321,21 @@ TEST(CommandLine, TellsStimuliThatARaterCannotTellApart) {
   const std::string file = scratch.write("m.yaml", twice).string();
   const std::string out = (scratch.path() / "out").string();
   const std::string remedy =
-      "; give one of them another motion or look; leave both if they are shown twice on purpose\n";
+      "; change the motion or look of one of them; ignore this if the repetition is intended\n";
   const Ended check = run_mien({"check", file});
   EXPECT_EQ(check.code, 0);
-  EXPECT_EQ(
-      check.errors,
-      "warning: " + file + ":7:5: stimuli[1]: a rater sees the same of \"b\" as of \"a\"" + remedy);
+  EXPECT_EQ(check.errors,
+            "warning: " + file + ":7:5: stimuli[1]: \"b\" looks identical to \"a\"" + remedy);
   EXPECT_EQ(json::parse(run_mien({"check", file, "--json"}).output)["warnings"].size(), 1u);
-  const std::string told = "warning: b: a rater sees the same as of \"a\"" + remedy;
+  const std::string told = "warning: b: looks identical to \"a\"" + remedy;
   EXPECT_TRUE(contains(run_mien({"plan", file, "--out", out}).errors, told));
   const Ended run = run_mien({"run", file, "--out", out});
   EXPECT_EQ(run.code, 0);
   EXPECT_TRUE(contains(run.errors, told)) << run.errors;
   EXPECT_TRUE(contains(text_of(scratch.path() / "out/small/metrics/warnings.csv"),
-                       "b,design,\"a rater sees the same as of \"\"a\"\";"));
+                       "b,design,\"looks identical to \"\"a\"\";"));
   EXPECT_TRUE(contains(text_of(scratch.path() / "out/small/report.html"),
-                       "<li>b: a rater sees the same as of &quot;a&quot;;"));
+                       "<li>b: looks identical to &quot;a&quot;;"));
 }
 
 TEST(CommandLine, CleanRemovesWhatTheManifestNoLongerMakes) {
@@ -664,7 +663,7 @@ TEST(CommandLine, RenderWarnsOfAPoseOfCalibration) {
                      "draft", "--still"})
         .errors;
   };
-  const char* sentence = "The take begins with another pose, as for calibration";
+  const char* sentence = "The take begins with a different pose, such as for calibration";
   EXPECT_TRUE(contains(errors_of("01_01.bvh"), sentence)) << errors_of("01_01.bvh");
   EXPECT_FALSE(contains(errors_of("02_01.amc"), sentence)) << errors_of("02_01.amc");
 }

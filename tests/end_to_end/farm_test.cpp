@@ -173,7 +173,7 @@ TEST_F(FarmOnSlurm, PassesScancelOnToTheWorker) {
   EXPECT_EQ(state_of(job, "1"), "CANCELLED");
   const std::string logs = farm({"logs"}).output;
   EXPECT_EQ(logs.find("==>"), std::string::npos) << logs;
-  EXPECT_NE(logs.find("jobs that were cancelled are left out"), std::string::npos) << logs;
+  EXPECT_NE(logs.find("cancelled jobs are not shown"), std::string::npos) << logs;
 }
 
 TEST_F(FarmOnSlurm, WaitsForAFolderThatIsAwayAndTakesScancel) {

@@ -68,7 +68,7 @@ TEST_F(WithoutSlurm, SaysWhatAnOptionTakesAndWhatAnItemIsCalled) {
   says(farm({"logs"}, {"film:oen"}), "did you mean \"film:one\"?");
   const Ended none = farm({"cancel"});
   EXPECT_EQ(none.code, 0) << none.errors;
-  EXPECT_NE(none.output.find("no job of this study waits or runs"), std::string::npos);
+  EXPECT_NE(none.output.find("no job of this study is queued or running"), std::string::npos);
 }
 
 TEST_F(WithoutSlurm, AWorkerPassesOverAnEmptyLineAndTellsOfEmptyParts) {

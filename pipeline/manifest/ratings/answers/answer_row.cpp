@@ -101,13 +101,13 @@ class AnswerRowReader {
       if (index < 0) {
         faults.push_back({place_of(table, table.header.front()), "",
                           fmt::format("there is no column {}", motion::in_quotes(column.name)),
-                          "give the file that the questionnaire wrote, with all of its columns"});
+                          "use the questionnaire's own file, with all its columns"});
       }
       index_.emplace(column.name, index);
     }
     if (faults.empty() && table.rows.empty())
-      faults.push_back({Place{table.file, 1, 1}, "", "holds no answers",
-                        "give the file once somebody has answered"});
+      faults.push_back(
+          {Place{table.file, 1, 1}, "", "holds no answers", "use the file once there are answers"});
   }
 
   AnswerRow row(const std::vector<CsvField>& fields) {
@@ -141,7 +141,7 @@ class AnswerRowReader {
   void read(std::string_view column, std::uint64_t& value) {
     const auto number = motion::as_number<std::uint64_t>(text(column));
     if (!number && !text(column).empty())
-      fault(column, fmt::format("{} is no {}", motion::in_quotes(text(column)), column),
+      fault(column, fmt::format("{} is not a valid {}", motion::in_quotes(text(column)), column),
             "write a whole number from 0 up");
     value = number.value_or(0);
   }
@@ -157,13 +157,13 @@ class AnswerRowReader {
 
   void refuse_empty(std::string_view column) {
     if (text(column).empty())
-      fault(column, fmt::format("the {} is not told", column),
-            "give the file as the questionnaire wrote it");
+      fault(column, fmt::format("the {} is missing", column),
+            "use the file as written by the questionnaire");
   }
 
   void refuse_other(std::string_view column, std::span<const std::string_view> words) {
     if (std::ranges::find(words, text(column)) == words.end())
-      fault(column, fmt::format("{} is no {}", motion::in_quotes(text(column)), column),
+      fault(column, fmt::format("{} is not a valid {}", motion::in_quotes(text(column)), column),
             fmt::format("there are {}", fmt::join(words, ", ")));
   }
 
@@ -185,7 +185,7 @@ class AnswerRowReader {
     const std::optional<double> value = amount(column);
     if (!value) return std::nullopt;
     if (*value == std::floor(*value) && *value <= 2e9) return static_cast<int>(*value);
-    fault(column, fmt::format("{} is no whole number", motion::excerpt(text(column))),
+    fault(column, fmt::format("{} is not a whole number", motion::excerpt(text(column))),
           "write a count");
     return std::nullopt;
   }
@@ -240,8 +240,7 @@ std::vector<Fault> doubled_answers(const std::vector<AnswerRow>& rows) {
         met.emplace(Key(row.participant, row.session, row.trial, row.stimulus, row.item), &row);
     if (is_new) continue;
     faults.push_back({row.place, "",
-                      fmt::format("participant {} answers trial {} on {} a second time "
-                                  "(the first: {})",
+                      fmt::format("participant {} answers trial {} on {} a second time (first: {})",
                                   motion::in_quotes(row.participant), row.trial,
                                   motion::in_quotes(row.item), to_string(first->second->place)),
                       "keep one of them"});
@@ -273,8 +272,9 @@ std::vector<std::string> tell_people_apart(std::vector<AnswerRow>& rows) {
     if (doubled.contains(row.participant)) row.participant += "/" + row.session;
   std::vector<std::string> told;
   for (const auto& [participant, of] : doubled)
-    told.push_back(fmt::format("participant {} is {} people: sessions {}",
-                               motion::in_quotes(participant), of.size(), fmt::join(of, ", ")));
+    told.push_back(
+        fmt::format("participant {} has {} different sessions, treated as different people: {}",
+                    motion::in_quotes(participant), of.size(), fmt::join(of, ", ")));
   return told;
 }
 

@@ -115,8 +115,8 @@ TEST(Verify, TellsWhatStandsInAFilesPlace) {
   fs::remove_all(study / "frames/a");
   write_file(study / "frames/a", "no folder");
   const std::string found = told(study);
-  EXPECT_NE(found.find("changed videos/b.mp4: is a pipe and no file\n"), std::string::npos);
-  EXPECT_NE(found.find("changed methods.md: is a folder and no file\n"), std::string::npos);
+  EXPECT_NE(found.find("changed videos/b.mp4: is a pipe, not a file\n"), std::string::npos);
+  EXPECT_NE(found.find("changed methods.md: is a folder, not a file\n"), std::string::npos);
   EXPECT_NE(found.find("changed references.bib: cannot be read ("), std::string::npos) << found;
   EXPECT_NE(found.find("changed frames/a: is no folder of frames\n"), std::string::npos);
 }

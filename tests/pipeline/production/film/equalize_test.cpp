@@ -415,7 +415,7 @@ TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
   const auto is_told = [&] {
     const std::vector<Fault> faults = check_meaning({.manifest = manifest});
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
-      return fault.wrong == "the camera of \"long\" says already how large its figure is seen";
+      return fault.wrong == "the camera of \"long\" already determines the size of its figure";
     });
   };
   EXPECT_FALSE(is_told());
@@ -429,7 +429,7 @@ TEST(Equalize, CannotMoveAPictureWhoseCameraIsGivenInNumbers) {
   const auto is_told = [&] {
     const std::vector<Fault> faults = check_meaning({.manifest = manifest});
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
-      return fault.wrong == "the camera of \"long\" says already where its figure is seen";
+      return fault.wrong == "the camera of \"long\" already determines the position of its figure";
     });
   };
   EXPECT_FALSE(is_told());

@@ -106,10 +106,10 @@ TEST(Foils, ThatCannotBeMadeAreRefused) {
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}}\n"
                         "  - {id: g, foil: {of: f, differ: speed}}\n")
-                .find("\"f\" is a foil itself; name the stimulus that it is of, \"low\""),
+                .find("\"f\" is itself a foil; name the stimulus of which it is a foil, \"low\""),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, hold: others}\n")
-                .find("a foil takes this from the stimulus"),
+                .find("a foil inherits this from its stimulus"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, factors: {my lab: k}}\n")
                 .find("is no name of a column"),
@@ -118,7 +118,7 @@ TEST(Foils, ThatCannotBeMadeAreRefused) {
                 .find("change nothing of its posture"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, modify: {emotion: sad}}\n")
-                .find("a foil takes this"),
+                .find("a foil inherits this"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, weights: {sad: 1}}\n"), "");
 }

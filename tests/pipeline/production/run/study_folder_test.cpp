@@ -306,7 +306,7 @@ TEST_F(StudyFolder, IsNotMadeAgainWithoutItsInputs) {
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(to_string(faults[0]), (out / "provenance.json").string() + ": there is no " +
                                       (out / "inputs/m.yaml").string() +
-                                      ", which it rests on; keep the folder inputs beside it");
+                                      ", which it depends on; keep the folder inputs beside it");
 }
 
 TEST(Codebook, IsThePageOfTables) {
