@@ -187,7 +187,7 @@ TEST_F(ServedStudy, IsTakenGoesOnAfterBeingKilledAndEndsWhenTold) {
   const Ended changed = run_program(command(folder.write("gaits.yaml", other).string()));
   EXPECT_EQ(changed.code, 2);
   EXPECT_FALSE(fs::exists(folder.path() / "out")) << "was made before it was refused";
-  EXPECT_NE(changed.errors.find("was begun with another questionnaire"), std::string::npos)
+  EXPECT_NE(changed.errors.find("was started with a different questionnaire"), std::string::npos)
       << changed.errors;
 }
 

@@ -140,10 +140,10 @@ std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest&
                 "name another file with --store");
   if (design && *design != design_hash(manifest, plan_sessions(manifest)))
     throw Error({file.string()},
-                "was begun with another questionnaire: its texts, plans or participants have "
+                "was started with a different questionnaire: texts, plans or participants have "
                 "changed since",
-                "serve the study as it was, or begin anew with --store and another file: "
-                "mien study report takes the answers of several");
+                "serve the unchanged study, or start again with another file (--store); mien study "
+                "report accepts several files of answers");
   return store;
 }
 

@@ -28,7 +28,8 @@ void take_given(Analysis& analysis, const ScaleSet& scales, const std::vector<st
       throw Error(fmt::format("--names: \"{}\" appears twice", name), how_to_name);
     }
     if (find_scale(scales, name) != nullptr) {
-      throw Error(fmt::format("--names: \"{}\" is a scale", name), "name the cluster otherwise");
+      throw Error(fmt::format("--names: \"{}\" is a scale", name),
+                  "use another name for the cluster");
     }
     analysis.clusters[c].name = name;
     for (const ScaleGroup& group : scales.groups) {

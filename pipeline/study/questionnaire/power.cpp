@@ -147,7 +147,7 @@ int least_number(const std::vector<int>& found, int studies, auto&& is_enough) {
 void check_level(const std::vector<std::string>& levels, const PowerQuestion& question,
                  const std::string& level) {
   if (std::ranges::find(levels, level) != levels.end()) return;
-  throw Error(fmt::format("no stimulus that is asked about has {}: {}", question.factor, level),
+  throw Error(fmt::format("no stimulus of the questionnaire has {}: {}", question.factor, level),
               motion::did_you_mean(level, levels));
 }
 
@@ -163,7 +163,7 @@ void check(const Manifest& manifest, const PowerQuestion& question) {
   const std::vector<std::string> factors = factors_of(manifest);
   if (std::ranges::find(factors, question.factor) == factors.end())
     throw Error(fmt::format("the stimuli have no factor {}", motion::in_quotes(question.factor)),
-                factors.empty() ? "give them factors: {…}"
+                factors.empty() ? "add factors: {…} to the stimuli"
                                 : motion::did_you_mean(question.factor, factors));
   std::vector<std::string> levels;
   for (const std::vector<std::string>& stimuli : subjects.stimuli)

@@ -64,7 +64,7 @@ const english = {
   trouble: "The questionnaire cannot be shown",
   elsewhere: "This questionnaire is open elsewhere",
   goOnThere: "It was begun in another window or browser. What is answered here is not saved: please go on there. If you cannot, ask the experimenter for another link.",
-  enough: "Enough people have taken part. Thank you for coming.",
+  enough: "All places in this study have been taken. Thank you for your interest.",
   resumed: "You go on where you stopped.",
   figure: "A moving figure, seen in three dimensions",
   video: "Video",
