@@ -79,10 +79,8 @@ void tell_dead_links(const Cleaning& cleaning, const fs::path& folder, const Cle
   const int links = options.stale ? 0 : dead_links(folder, cleaning);
   if (links == 0) return;
   console.out << fmt::format(
-      "report.html: {} of its links {} broken {}, until mien run makes the files again; {} lists "
-      "them\n",
-      links, options.dry_run ? "would lead" : "lead", options.dry_run ? "then" : "now",
-      not_kept_path);
+      "report.html: {} of its links {} broken until mien run makes the files again; see {}\n",
+      links, options.dry_run ? "would be" : "are", not_kept_path);
 }
 
 void tell(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
