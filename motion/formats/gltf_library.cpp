@@ -44,7 +44,7 @@ Container take_container(std::string_view bytes, const std::string& name) {
   constexpr size_t chunk_header = 8;
   Container container;
   if (bytes.size() < header + chunk_header || word_at(bytes, 4) != 2) {
-    throw Error({name}, "is no binary glTF file of version 2", "export it as glTF 2.0");
+    throw Error({name}, "is not a binary glTF file of version 2", "export it as glTF 2.0");
   }
   bytes = bytes.substr(0, word_at(bytes, 8));
   for (size_t at = header; bytes.size() >= at + chunk_header;) {

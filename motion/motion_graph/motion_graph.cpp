@@ -48,7 +48,7 @@ void check(const MotionGraphOptions& options) {
   double sum = 0.0;
   for (const double weight : options.cloud.joint_weights) {
     if (!(weight >= 0.0))
-      throw Error("a joint of a motion graph weighs less than 0", "use 0 to leave it out");
+      throw Error("a joint of a motion graph weighs less than 0", "use 0 to omit it");
     sum += weight;
   }
   if (sum <= 0.0) throw Error("no joint of a motion graph has a weight", "use 1 for all");
@@ -106,7 +106,7 @@ double sufficient_threshold(MotionGraph graph, const std::vector<DistanceMinimum
 [[noreturn]] void refuse_unconnected(const MotionGraph& graph,
                                      const std::vector<DistanceMinimum>& minima) {
   const double enough = sufficient_threshold(graph, minima);
-  throw Error("no part of the motion graph can be walked for ever at a threshold of " +
+  throw Error("no part of the motion graph can be walked endlessly at a threshold of " +
                   in_metres(graph.threshold_m),
               enough < 0.0
                   ? "the motions are too unlike or too short: add some that repeat"

@@ -127,8 +127,7 @@ void check_kind(const RenderOptions& options, const RenderPlan& plan) {
                 "add --still, and --output in .png");
   }
   if (output.shutter > 0.0) {
-    throw Error("--shutter: stills with a transparent background have no motion blur",
-                "leave it out");
+    throw Error("--shutter: stills with a transparent background have no motion blur", "omit it");
   }
   if (plan.look.camera.stereo_separation_m) {
     throw Error("--camera: stills with a transparent background cannot be stereo pairs",

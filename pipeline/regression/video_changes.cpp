@@ -31,7 +31,7 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
     const auto [was, is] = told_apart(before.worst_psnr_db, now.worst_psnr_db, 4);
     change.what.push_back(fmt::format("worst PSNR {} dB → {} dB", was, is));
   }
-  if (change.what.empty()) change.what.emplace_back("other bytes");
+  if (change.what.empty()) change.what.emplace_back("different content");
   return change;
 }
 

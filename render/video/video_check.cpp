@@ -199,7 +199,7 @@ void check_times(const std::string& name, const VideoSummary& video, const Video
     const bool ascends = i == 0 ? video.times[0] == 0.0 : video.times[i] > video.times[i - 1];
     if (!in_order || !ascends || std::abs(video.times[i] - nearest) > tolerance) {
       throw Error(name + ": picture " + std::to_string(i) + " is shown at " +
-                  fixed(video.times[i], 4) + " s, which is no frame's time");
+                  fixed(video.times[i], 4) + " s, which is not the time of a frame");
     }
   }
   // Two roundings: of the last frame's time and of its length.

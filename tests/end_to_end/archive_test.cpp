@@ -173,7 +173,7 @@ TEST_F(Archive, IsNotPackedWhenItIsNotWhatItWas) {
   EXPECT_FALSE(fs::exists(archive));
   const Ended ending = run_mien({"pack", study.string(), "-o", "a.zip"});
   EXPECT_EQ(ending.code, 2);
-  EXPECT_TRUE(says(ending.errors, "end it in .tar.zst, .tar.gz or .tar")) << ending.errors;
+  EXPECT_TRUE(says(ending.errors, "use the extension .tar.zst, .tar.gz or .tar")) << ending.errors;
 }
 
 }  // namespace

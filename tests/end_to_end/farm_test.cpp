@@ -202,9 +202,9 @@ TEST_F(FarmOnSlurm, WaitsForAFolderThatIsAwayAndTakesScancel) {
   fs::rename(away, out);
   ASSERT_TRUE(cluster->wait_until_empty(60.0));
   EXPECT_EQ(state_of(number, "1"), "COMPLETED");
-  EXPECT_NE(log_of("2-frames", number + "_1").find("mien farm: goes on; "), std::string::npos)
+  EXPECT_NE(log_of("2-frames", number + "_1").find("mien farm: continues after"), std::string::npos)
       << log_of("2-frames", number + "_1");
-  EXPECT_NE(farm({"logs"}, {"film:one"}).output.find("goes on"), std::string::npos);
+  EXPECT_NE(farm({"logs"}, {"film:one"}).output.find("continues after"), std::string::npos);
 }
 
 TEST_F(FarmOnSlurm, TellsOfJobsWhoseNodeDoesNotAnswer) {

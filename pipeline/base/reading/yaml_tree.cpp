@@ -144,7 +144,7 @@ class TreeBuilder : public YAML::EventHandler {
   void refuse_tag(const std::string& tag, const Place& place) {
     if (tag.empty() || tag == "?") return;
     if (tag.starts_with("tag:yaml.org,2002:")) return;
-    fault(place, "the tag " + motion::excerpt(tag) + " has no meaning here", "leave it out");
+    fault(place, "the tag " + motion::excerpt(tag) + " has no meaning here", "omit it");
   }
 
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,

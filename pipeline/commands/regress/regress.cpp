@@ -90,7 +90,7 @@ int regress_files(const RegressOptions& options, const Console& console) {
   }
   if (both([](const std::string& file) { return is_media(file); })) {
     if (!options.takes.empty())
-      throw Error({"--take"}, "applies to motions, not to images and videos", "leave it out");
+      throw Error({"--take"}, "applies to motions, not to images and videos", "omit it");
     return told(compared_media(options.before, options.now, options.perceptual), options, console);
   }
   throw Error({options.now}, "cannot be compared with " + options.before,
@@ -109,7 +109,7 @@ int regress(RegressOptions options, StudyArguments study, const Console& console
   if (options.before.empty())
     throw Error("mien regress: nothing to compare was given", "see mien regress --help");
   if (!options.now.empty()) {
-    refuse_options(study.given, "applies to studies, not to two files", "leave it out");
+    refuse_options(study.given, "applies to studies, not to two files", "omit it");
     options.tolerance.rotation_radians = options.rotation_degrees * motion::radians_per_degree;
     return regress_files(options, console);
   }

@@ -121,7 +121,7 @@ fs::path cleared_report_folder(const StudyArguments& arguments, const Manifest& 
                                                     : fs::path(arguments.production.out) /
                                                           (manifest.study + "-regression");
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw Error({folder.string()}, "is no folder", "name a folder for the report with --report");
+    throw Error({folder.string()}, "is not a folder", "name a folder for the report with --report");
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / report_mark))
     throw Error({folder.string()}, "exists, but was not written by mien regress",
                 "name a new folder with --report");
@@ -145,7 +145,7 @@ void refuse_other_folder(const fs::path& folder) {
     return entry.path().filename() == "editions" || entry.path().filename() == "stimuli";
   };
   if (is_folder && std::ranges::all_of(fs::directory_iterator(folder), is_ours)) return;
-  throw Error({folder.string()}, is_folder ? "exists, but is not a baseline" : "is no folder",
+  throw Error({folder.string()}, is_folder ? "exists, but is not a baseline" : "is not a folder",
               "name a new folder with --baseline");
 }
 

@@ -134,7 +134,7 @@ std::string ending(const BatchJob& job, const SlurmSite& site) {
   // `mien run` is a command for people, and has other codes.
   const int again = job.elements > 0 ? worker_transient : stopped_run;
   const std::string wrong = job.elements > 0 ? std::to_string(worker_bad_input) : "2";
-  text += job.elements > 0 ? "# $code is the worker's: mien farm worker --help tells them.\n"
+  text += job.elements > 0 ? "# $code is the worker's: see mien farm worker --help.\n"
                            : fmt::format(
                                  "# $code is that of mien run: 130 it was stopped, 2 bad "
                                  "input, 1 something failed. The job ends with a worker's: "

@@ -65,7 +65,7 @@ FilmSubject subject_named(const std::string& id, const Manifest& manifest, Motio
 class Rerendering {
  public:
   Rerendering(const FilmSubject& subject, const FramesToRerender& wanted, const Manifest& manifest,
-            const Equalized& alike, const StudyContents& contents, int threads)
+              const Equalized& alike, const StudyContents& contents, int threads)
       : wanted_(wanted),
         contents_(contents),
         output_(subject.film.output),
@@ -87,7 +87,7 @@ class Rerendering {
  private:
   std::vector<RerenderedFrame> of_another_length() const {
     return {{wanted_.film.id, wanted_.frames.front(), wanted_.film.kept, false,
-             "the film has " + std::to_string(shot_.frame_count()) + " frames now, and had " +
+             "the film has " + std::to_string(shot_.frame_count()) + " frames now, but had " +
                  std::to_string(wanted_.film.frames)}};
   }
 
@@ -95,7 +95,7 @@ class Rerendering {
                                               const std::function<void(double)>& progress) const {
     const ScratchFolder scratch;
     Store store(scratch.path());
-    const std::unique_ptr<FrameStore> drawn = store.frames("frames", "drawn again");
+    const std::unique_ptr<FrameStore> drawn = store.frames("frames", "rendered again");
     draw_frames(
         shot_, wanted_.frames, settings_, drawn.get(), [](int, const render::Image8&) {}, stop,
         progress);
@@ -140,7 +140,7 @@ EqualizedFilms equalized_in_tables(const Manifest& manifest, const fs::path& fol
     const fs::path table = folder / form.path;
     const auto refuse = [&](const std::string& wrong) {
       throw Error({table.string()}, wrong,
-                  "films of this study are made alike by it; keep metrics to draw frames again");
+                  "this study's films are equalized with it; keep metrics to render frames again");
     };
     const std::string hindrance = motion::hindrance_of(table, motion::most_of_table);
     if (!hindrance.empty()) refuse(hindrance);
@@ -217,8 +217,8 @@ std::vector<RerenderedFrame> rerender(const Manifest& manifest, const StudyConte
         done((static_cast<double>(w) + share) / static_cast<double>(wanted.size()),
              wanted[w].film.id);
     };
-    const Rerendering rerendering(subject, wanted[w], manifest, alike.of(wanted[w].film.id), contents,
-                              threads);
+    const Rerendering rerendering(subject, wanted[w], manifest, alike.of(wanted[w].film.id),
+                                  contents, threads);
     for (RerenderedFrame& frame : rerendering.draw(stop, progress))
       result.push_back(std::move(frame));
   }

@@ -85,11 +85,11 @@ StudyContents contents_of(const fs::path& study) {
   const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_table);
   if (!text.bytes) {
     throw Error({file.string()}, text.hindrance,
-                "mien run writes it when everything of the study is made");
+                "mien run writes it when the whole study has been made");
   }
   const auto refuse = [&] {
-    throw Error({file.string()}, "this is no provenance of a study",
-                "mien run writes it when everything of the study is made");
+    throw Error({file.string()}, "this is not the provenance of a study",
+                "mien run writes it when the whole study has been made");
   };
   if (motion::is_nested_deeper(*text.bytes, motion::deepest_document)) refuse();
   try {

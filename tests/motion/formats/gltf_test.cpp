@@ -413,7 +413,7 @@ TEST(Gltf, RefusesWhatIsWrongNamingTheFile) {
       {replaced(good, R"("2.0")", R"("1.0")"), "is not glTF of version 2"},
       {R"({"asset":{"version":"2.0"}})", "neither a skin nor an animation"},
       {std::string(100, '['), "nested more than 64 deep"},
-      {"glTF", "no binary glTF file of version 2"},
+      {"glTF", "not a binary glTF file of version 2"},
       {std::string("glTF\2\0\0\0\x14\0\0\0\xFF\0\0\0JSON", 20), "truncated"},
       {loop, "children of their own children"},
       {replaced(good, R"("children":[2])", R"("children":[7])"), "child that does not exist"},

@@ -71,7 +71,8 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
 
 void refuse_foreign_folder(const fs::path& folder) {
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw Error({folder.string()}, "is no folder", "name a folder for the questionnaire with -o");
+    throw Error({folder.string()}, "is not a folder",
+                "name a folder for the questionnaire with -o");
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / export_mark))
     throw Error({folder.string()}, "exists, but was not written by mien study export",
                 "name a new folder with -o");

@@ -60,7 +60,7 @@ std::string figure_list(const std::vector<ResultFigure>& figures, const Results&
 
 void clear_results_folder(const fs::path& folder) {
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw Error({folder.string()}, "is no folder", "name a folder for the report with -o");
+    throw Error({folder.string()}, "is not a folder", "name a folder for the report with -o");
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / results_mark))
     throw Error({folder.string()}, "exists, but was not written by mien study report",
                 "name a new folder with -o");
