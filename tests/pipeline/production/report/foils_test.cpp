@@ -115,7 +115,7 @@ TEST(Foils, ThatCannotBeMadeAreRefused) {
                 .find("is no name of a column"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: plain, differ: posture}}\n")
-                .find("change nothing of its posture"),
+                .find("do not change its posture"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, modify: {emotion: sad}}\n")
                 .find("a foil inherits this"),

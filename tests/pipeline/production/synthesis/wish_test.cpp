@@ -129,10 +129,10 @@ TEST(Hold, IsOfAdjectivesAloneAndNotOfWhatIsAskedFor) {
   EXPECT_NE(first_fault("  - {id: a, weights: {sad: 1}, hold: others}\n").find("adjectives"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: a, adjectives: {quickness: 0.4}, hold: [quickness]}\n")
-                .find("asked for already"),
+                .find("already requested"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: a, adjectives: {quickness: 0.4}, hold: {quickness: 0.5}}\n")
-                .find("asked for already"),
+                .find("already requested"),
             std::string::npos);
 }
 
