@@ -30,8 +30,8 @@ struct InterfacesCommand {
 void show(const std::vector<InterfaceSummary>& summaries, const Console& console) {
   console.out << "Simulated participants.\n\n";
   console.out << fmt::format("{:17} {:11} {:>12} {:>6} {:>17} {:>8} {:>17} {:>8} {:>6}\n", "method",
-                             "interface", "way", "count", "D, first (m)", "matches", "D, last (m)",
-                             "failed", "looks");
+                             "interface", "settings", "count", "D, first (m)", "matches",
+                             "D, last (m)", "failed", "looks");
   for (const InterfaceSummary& s : summaries) {
     const std::string way = s.step > 0.0 ? fmt::format("nearest {:g}", s.step) : "user";
     console.out << fmt::format(

@@ -90,7 +90,7 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
     add(made.held[i].first, fmt::format("held {:.2f}", made.held[i].second), "",
         made.held_reached[i].second);
   if (rows.empty()) return rows;
-  return html_table({"parameter", "", ">asked", ">reached", ">possible"}, rows);
+  return html_table({"parameter", "", ">requested", ">reached", ">feasible range"}, rows);
 }
 
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
@@ -110,7 +110,7 @@ std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Mo
       made.asked.empty() && made.held.empty()
           ? (count == 1 ? "scale without a requested value" : "scales without requested values")
           : (count == 1 ? "other scale" : "other scales"),
-      html_table({"scale", "", ">has"}, rows));
+      html_table({"scale", "", ">value"}, rows));
 }
 
 std::string weight_table(const Synthesis& made, Motions& motions) {

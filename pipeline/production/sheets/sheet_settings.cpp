@@ -56,7 +56,7 @@ void draw_parameter_titles(Canvas& canvas, const Box& box, const ParameterColumn
   canvas.text({columns.created, box.y + 4.0}, "created", number_style(created_colours.line, true));
   const TextStyle small = {.size = 6.5, .colour = quiet_ink, .align = Align::right};
   for (const double x : {columns.target_asked, columns.created_asked})
-    canvas.text({x, box.y + 12.0}, "asked", small);
+    canvas.text({x, box.y + 12.0}, "request", small);
   for (const double x : {columns.target, columns.created})
     canvas.text({x, box.y + 12.0}, "reached", small);
 }

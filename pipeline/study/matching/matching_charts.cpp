@@ -109,7 +109,7 @@ BarChart time_saved_chart(const MatchingEvaluation& evaluation, bool simulated) 
                                             .value = c.difference.mean,
                                             .low = c.difference.low(0.9),
                                             .high = c.difference.high(0.9),
-                                            .note = "against " + c.first,
+                                            .note = "vs. " + c.first,
                                             .second_note = fmt::format("n = {}", c.exact.pairs)};
                                }),
           .simulated = simulated};
