@@ -176,8 +176,8 @@ void add_confusion_figure(const Results& results, const Confusion& confusion,
               (confusion.of == "all" ? std::string("all videos") : confusion.of + " motions");
   map.words = confusion.by_points ? "Percentage of each row's points; outlined: intended emotion"
                                   : "Percentage of each row's choices; outlined: intended emotion";
-  map.rows_are = "shown";
-  map.columns_are = "seen";
+  map.rows_are = "intended";
+  map.columns_are = "perceived";
   map.column_names = confusion.columns;
   map.simulated = results.gathered.simulated;
   for (const ConfusionRow& row : confusion.rows) {
@@ -202,7 +202,7 @@ void add_recall_figure(const Results& results, const Confusion& confusion,
   BarChart chart;
   chart.title = "Recognition of emotions: " +
                 (confusion.of == "all" ? std::string("all videos") : confusion.of + " motions");
-  chart.axis = confusion.by_points ? "Share of points" : "Share of choices";
+  chart.axis = confusion.by_points ? "Proportion of points" : "Proportion of choices";
   chart.whiskers = "95 % interval (Wilson)";
   chart.line = confusion.chance;
   chart.line_name = fmt::format("chance {:.0f} %", 100.0 * confusion.chance);

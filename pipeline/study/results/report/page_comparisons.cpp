@@ -53,7 +53,7 @@ std::string best_seen_html(const Results& results) {
                 .html(best.is_found);
   }
   return wide_table(
-      {"<seen", "<setting", "<highest-rated video", "difference from the other videos",
+      {"<perceived", "<setting", "<highest-rated video", "difference from the other videos",
        "95 % interval", "n", "p, thesis", "p, paired", "p, corrected", "g<sub>z</sub>"},
       rows);
 }

@@ -50,7 +50,7 @@ std::string catch_summary_html(const Results& results) {
                     s.mean_difference, s.retest.r, interval_text(s.retest.low, s.retest.high))
             .text(s.is_excluded ? "excluded" : "")
             .html();
-  return wide_table({"<participant", "<asked", "repeated answers", "identical",
+  return wide_table({"<participant", "<item", "repeated answers", "identical",
                      "mean absolute difference", "test–retest r", "95 % interval", "<"},
                     rows);
 }
@@ -64,9 +64,9 @@ std::string catch_answers_html(const Results& results) {
                 .text(answer.first, answer.second)
                 .number(answer.difference ? decimal(*answer.difference) : "–")
                 .html();
-  return wide_table(
-      {"<participant", "<video", "<beside", "<asked", "trials", "<first", "<second", "difference"},
-      rows);
+  return wide_table({"<participant", "<video", "<reference", "<item", "trials", "<first", "<second",
+                     "difference"},
+                    rows);
 }
 
 std::string demographics_html(const Results& results) {
@@ -112,7 +112,7 @@ std::string recall_html(const Results& results) {
               .html(row.adjusted < results.gathered.alpha && row.recall > confusion.chance);
     }
   }
-  return wide_table({"<shown", "<of", "<by", "presentations", "recall", "95 % interval (Wilson)",
+  return wide_table({"<intended", "<of", "<by", "presentations", "recall", "95 % interval (Wilson)",
                      "chance", "top response", "p, binomial", "p, corrected"},
                     rows);
 }
@@ -142,7 +142,7 @@ std::string preferences_html(const Results& results) {
                 .number(fmt::format("{} of {}", c.for_one, c.trials), share_interval(c.low, c.high),
                         p_text(c.p), p_text(c.adjusted))
                 .html(c.adjusted < results.gathered.alpha);
-  return wide_table({"<one", "<other", "<asked", "first chosen", "95 % interval (Wilson)",
+  return wide_table({"<first", "<second", "<item", "first chosen", "95 % interval (Wilson)",
                      "p, binomial", "p, corrected"},
                     rows);
 }
