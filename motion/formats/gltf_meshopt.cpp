@@ -114,7 +114,7 @@ std::vector<unsigned char> unpacked(const Packed& packed,
   std::vector<unsigned char> decoded(count * stride);
   if (count == 0) return decoded;
   if (decode(mode, packed.bytes(buffers), count, stride, decoded.data()) != 0) {
-    packed.refuse("its bytes are damaged or of a newer version");
+    packed.refuse("its bytes are damaged or from a newer version");
   }
   filter(packed, packed.word("filter", "NONE"), count, stride, decoded.data());
   return decoded;

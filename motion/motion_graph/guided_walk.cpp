@@ -102,7 +102,7 @@ void refuse_straying(const FloorPath& path, const Clip& clip) {
     way = nearest_way(path, pose.root_position, way);
     if ((point_at(path, way) - level(pose.root_position)).norm() < lost) continue;
     throw Error("the motion graph strays from the path by more than a metre",
-                "add motions that turn as the path does, or raise the graph's threshold");
+                "add motions with such turns, or raise the graph's threshold");
   }
 }
 
@@ -168,7 +168,7 @@ ScriptMoments moments_of(std::span<const WalkSegment> script, double frame, doub
     add_wish(script, i, moments);
   }
   if (moments.speeds.empty())
-    throw Error("an empty script for a walk", "give one segment at least");
+    throw Error("an empty script for a walk", "give at least one segment");
   return moments;
 }
 

@@ -65,7 +65,7 @@ bool is_same_body(const Skeleton& a, const Skeleton& b) {
 
 void check_alike(const Clip& clip, const Clip& first) {
   if (!is_body(clip.body)) {
-    throw Error("the motion " + quoted(clip) + " is not of the canonical body",
+    throw Error("the motion " + quoted(clip) + " does not have the canonical body",
                 "map it to the body first (rig/body_mapping.h)");
   }
   if (!is_same_body(clip.body, first.body)) {

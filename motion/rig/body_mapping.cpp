@@ -257,7 +257,7 @@ BodyMapping recognise(std::span<const Recording> recordings) {
   for (const Recording& recording : recordings) {
     check_frames(recording);
     if (same_rig(first.skeleton, recording.skeleton)) continue;
-    throw Error(Place{recording.name}, "its rig is not that of " + first.name,
+    throw Error(Place{recording.name}, "its rig differs from that of " + first.name,
                 "calibrate recordings of different rigs separately");
   }
   const std::vector<JointTransforms> world = world_frames(first);

@@ -19,7 +19,7 @@ LiveMapping::LiveMapping(const Recording& first) : mapping_(recognise(first)), n
 
 LiveMapping::LiveMapping(const Recording& calibration, const Recording& first) : now_(first) {
   if (!same_rig(calibration.skeleton, first.skeleton)) {
-    throw Error(Place{calibration.name}, "its rig is not that of the stream",
+    throw Error(Place{calibration.name}, "its rig differs from that of the stream",
                 "calibrate with a recording of the same joints, offsets and unit");
   }
   mapping_ = recognise(calibration);

@@ -53,7 +53,7 @@ FloorPath floor_path(std::span<const Vec3> polyline) {
     points.push_back(level(point));
   }
   if (length < 0.1) {
-    throw Error("a path shorter than 0.1 m", "give two points at least that are apart");
+    throw Error("a path shorter than 0.1 m", "give at least two distinct points");
   }
   FloorPath path = in_steps(points, length);
   round_corners(path.points);

@@ -165,7 +165,7 @@ Steering steering_along(const FloorPath& path, double way, const Carriage& carri
 
 WalkedClip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script,
                          const ScriptedWalkOptions& options) {
-  require_number(!script.empty(), "an empty script for a walk", "give one segment at least");
+  require_number(!script.empty(), "an empty script for a walk", "give at least one segment");
   double heading = options.heading;
   Filming film = filming(gaits, options, options.place, heading);
   for (const WalkSegment& segment : script) {

@@ -81,7 +81,7 @@ void require_pair(const Clip& neutral, const Clip& styled, const StyleComponentO
                 "take style components from two motions of one kind");
   }
   if (options.components < 1) {
-    throw Error("a motion has no less than one component", "give components of 1 or more");
+    throw Error("a motion has at least one component", "give components of 1 or more");
   }
 }
 

@@ -13,7 +13,7 @@ std::string picture_hindrance(std::int64_t width, std::int64_t height, std::size
                            columns <= most_picture_values / channels &&
                            rows <= most_picture_values / channels / columns;
   if (is_readable) return "";
-  return "has " + size + ", more than are read: 8192 x 8192, or as many otherwise";
+  return "has " + size + ", more than the limit of 8192 x 8192 or the same number in another shape";
 }
 
 void require_readable_size(const std::string& name, std::int64_t width, std::int64_t height,

@@ -30,7 +30,7 @@ void check_layout(const Overlay& overlay, FaultList& list) {
   }
   if (!scenes::looks_along_lanes(overlay.film.look.camera)) return;
   list.add(member_path(overlay.film.path, "layout"),
-           "side by side, figures hide each other from a camera at their side",
+           "figures side by side hide each other in a side view",
            "choose camera: front, three-quarter or follow");
 }
 

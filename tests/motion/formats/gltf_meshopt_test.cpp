@@ -154,7 +154,7 @@ TEST(GltfPackedByMeshopt, IsRefusedInPlainWordsWhenItIsFaulty) {
                                            {"byteStride", 512, "byteStride 512"},
                                            {"count", 1u << 30, "too many elements"},
                                            {"count", -4, "count is no number"},
-                                           {"count", 900, "damaged or of a newer version"},
+                                           {"count", 900, "damaged or from a newer version"},
                                            {"buffer", 7, "there is no such buffer"},
                                            {"byteLength", 99999999, "reaches beyond its buffer"},
                                            {"byteLength", 3, "damaged"},

@@ -30,7 +30,7 @@ struct AnswerColumn {
 };
 
 constexpr auto answer_columns = std::to_array<AnswerColumn>({
-    {{"participant", "", "participant id: position in the design, no name"}, &Row::participant},
+    {{"participant", "", "participant id: position in the design, not a name"}, &Row::participant},
     {{"session", "", "random id of the browser session"}, &Row::session},
     {{"trial", "", "trial number in the participant's order, from 1"}, &Row::trial},
     {{"block", "", "practice, main, or the level of the blocking factor"}, &Row::block},

@@ -23,7 +23,7 @@ constexpr std::array stimulus_columns = {Column{"stimulus", "", "stimulus id"},
                                          Column{"setting", "", "levels of the other factors"}};
 
 constexpr std::array participant_columns = {
-    Column{"participant", "", "participant id: position in the design, no name"},
+    Column{"participant", "", "participant id: position in the design, not a name"},
     Column{"session", "", "random id of the browser session"},
     Column{"design", "", "hash of the questionnaire design"},
     Column{"consented_at", "", "time of consent"},

@@ -277,8 +277,8 @@ INSTANTIATE_TEST_SUITE_P(
              "pixels; use fewer pixels, or a larger size\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{target: a, created: normal, look: "
              "{camera: side}, layout: side-by-side}]\n",
-             "m.yaml:5:71: overlays[0].layout: side by side, figures hide each other from a camera "
-             "at their side; choose camera: front, three-quarter or follow\n"},
+             "m.yaml:5:71: overlays[0].layout: figures side by side hide each other in a side "
+             "view; choose camera: front, three-quarter or follow\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{target: a, created: normal, look: "
              "{figure: point-light}}]\n",
              "m.yaml:5:56: overlays[0].look.figure: the point lights of several motions cannot be "
