@@ -261,7 +261,7 @@ class AsfReader {
   void attach(int parent, int child, size_t place) {
     AsfBone& bone = file_.bones[static_cast<size_t>(child)];
     if (child == 0 || bone.parent >= 0) {
-      fail(cursor_, place, in_quotes(bone.name) + " gets a second parent",
+      fail(cursor_, place, in_quotes(bone.name) + " has a second parent",
            "list each bone once as a child; root is never a child");
     }
     bone.parent = parent;

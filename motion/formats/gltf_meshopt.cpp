@@ -74,7 +74,7 @@ void check_sizes(const Packed& packed, const std::string& mode, size_t count, si
   if (!is_vertices && !is_indices) packed.refuse("mode " + excerpt(mode) + " is not known");
   const bool fits =
       is_vertices ? stride > 0 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
-  if (!fits) packed.refuse("byteStride " + std::to_string(stride) + " is none of its mode");
+  if (!fits) packed.refuse("byteStride " + std::to_string(stride) + " does not fit its mode");
   if (count > most_bytes / stride) packed.refuse("it holds too many elements");
   if (mode == "TRIANGLES" && count % 3 != 0) packed.refuse("triangles have three corners");
 }

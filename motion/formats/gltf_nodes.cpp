@@ -107,7 +107,7 @@ GltfNodes take_nodes(const GltfFile& file) {
   }
   nodes.parents_first = depth_first(nodes, std::move(roots));
   if (nodes.parents_first.size() != count) {
-    refuse(file, "nodes are children of their own children", get_it_again);
+    refuse(file, "nodes are their own descendants", get_it_again);
   }
   return nodes;
 }

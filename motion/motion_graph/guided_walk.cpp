@@ -21,7 +21,7 @@ void check_options(const GuidedWalkOptions& options) {
   if (!(options.ahead_seconds > 0.0) || !(options.kept_seconds > 0.0) ||
       options.kept_seconds > options.ahead_seconds || !(options.between_seconds >= 0.0) ||
       options.most_edges < 1) {
-    throw Error("a guided walk that looks ahead by nothing, or by less than it keeps",
+    throw Error("a guided walk looks ahead by zero seconds, or by less than it keeps",
                 "2.5 s ahead and 0.8 s kept are usual");
   }
 }

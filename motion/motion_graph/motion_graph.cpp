@@ -37,7 +37,8 @@ void check(const MotionGraphOptions& options) {
                 "a third of a second is usual");
   }
   if (!(options.cloud.virtual_point_m >= 0.0)) {
-    throw Error("a motion graph's virtual points lie below 0 m off the bones", "0.1 m is usual");
+    throw Error("the distance of a motion graph's virtual points from the bones is negative",
+                "0.1 m is usual");
   }
   if (!(options.most_contact_change >= 0.0 && options.most_contact_change <= 1.0)) {
     throw Error("a motion graph's most_contact_change is no share", "choose it from 0 to 1");
@@ -198,7 +199,7 @@ MotionGraph with_motions(MotionGraph graph, std::span<const MotionInStep> motion
     if (clip.frame_count() != graph.clips[c].frame_count() || clip.loops ||
         clip.frames_per_second != graph.clips[c].frames_per_second) {
       throw Error("the motion " + quoted(clip) + " has not the frames of " +
-                      quoted(graph.clips[c]) + ", in whose place it is to stand",
+                      quoted(graph.clips[c]) + ", which it is to replace",
                   "put it in step first (in_step), and unroll loops");
     }
     graph.frame_seconds.push_back(motions[c].frame_seconds);

@@ -42,7 +42,7 @@ void tell_other_figure(const Skeleton& rig, const JointTransforms& world, const 
   const Vec3& arm = world.positions[keys.left.upper_arm];
   const double length = (world.positions[keys.left.forearm] - arm).norm();
   if ((world.positions[other] - arm).norm() < 0.1 * length) return;
-  warnings.push_back("The file holds another figure (" + rig.joints[other].name +
+  warnings.push_back("The file contains another figure (" + rig.joints[other].name +
                      " …); the one of " + rig.joints[keys.left.upper_arm].name + " is taken.");
 }
 

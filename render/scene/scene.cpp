@@ -139,7 +139,7 @@ void validate_textures(const Scene& scene) {
     require(texture != nullptr && texture->width > 0 && texture->height > 0 &&
                 texture->texels.size() == static_cast<std::size_t>(texture->width) *
                                               static_cast<std::size_t>(texture->height),
-            indexed("textures", i), "has not as many texels as its size says");
+            indexed("textures", i), "does not have as many texels as its size implies");
   }
 }
 

@@ -44,7 +44,7 @@ class Comparison {
   /// A decoded picture, shown for the frames first … last; several at a time, of other frames.
   void take(int first, int last, const Image8& picture) {
     if (!has_size(picture))
-      throw Error(name_ + ": the size is another one in frame " + std::to_string(first));
+      throw Error(name_ + ": the size differs in frame " + std::to_string(first));
     const FrameSketch sketch = written_.sketcher.sketch_of_rows(picture);
     const int count = static_cast<int>(written_.frames.size());
     for (int frame = first; frame <= std::min(last, count - 1); ++frame) {

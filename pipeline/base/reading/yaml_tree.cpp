@@ -96,7 +96,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchored_.find(anchor);
     if (found == anchored_.end()) {
-      fault(places_.at(mark), "this alias stands inside the value that it names",
+      fault(places_.at(mark), "this alias is inside the value that it refers to",
             "write the value out");
       throw Abandoned{};
     }

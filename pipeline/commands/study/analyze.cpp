@@ -196,7 +196,7 @@ int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
 int analyze(AnalyzeOptions options, const Console& console) {
   if (!options.stimuli.empty()) return calibrate_stimuli(options, console);
   if (options.examples.empty())
-    throw Error("what was rated was not specified",
+    throw Error("the rated stimuli were not specified",
                 "give --examples, or --stimuli with the folder of a study");
   options.analysis.clusters = cluster_count(options.clusters);
   const Manifest subject = manifest_of({options.examples, "", options.scales}, console);

@@ -268,7 +268,7 @@ class HttpServer::Listener {
 
   HttpResponse answer_to(const std::string& target, HttpRequest& request) {
     std::optional<std::vector<std::string>> path = plain_path(target);
-    if (!path) return http_refusal(404, "unknown", "there is nothing here", "check the address");
+    if (!path) return http_refusal(404, "unknown", "page not found", "check the address");
     request.path = std::move(*path);
     try {
       return answer_(request);

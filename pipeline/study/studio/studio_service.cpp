@@ -78,7 +78,7 @@ HttpResponse StudioService::answer(const HttpRequest& request) {
 /// Of those that ask for much that is not there, somebody is guessing.
 HttpResponse StudioService::unknown(const HttpRequest& request) {
   if (!wrong_rate_.allows(request.address)) return http_too_often();
-  return http_refusal(404, "unknown", "there is nothing here", "use the link as printed");
+  return http_refusal(404, "unknown", "page not found", "use the link as printed");
 }
 
 HttpResponse StudioService::read(const HttpRequest& request) {
@@ -138,7 +138,7 @@ HttpResponse StudioService::posted(const std::string& what, const Body& body) {
   if (what == "save") return save(body);
   if (what == "reload") return http_value(state_json(file_.reload()));
   if (what == "jobs") return begin_job(body);
-  return http_refusal(404, "unknown", "there is nothing here", "load the page again");
+  return http_refusal(404, "unknown", "page not found", "load the page again");
 }
 
 HttpResponse StudioService::studio_json() {

@@ -239,13 +239,13 @@ TEST(Acclaim, RefusesWhatIsWrongInTheSkeletonAtItsPlace) {
       {replaced(arm_asf, "upper lower\n", "upper hand\n"), "data/arm.asf:45:11",
        "there is no bone \"hand\""},
       {replaced(arm_asf, "upper lower\n", "stiff upper\n"), "data/arm.asf:45:11",
-       "\"upper\" gets a second parent"},
+       "\"upper\" has a second parent"},
       {replaced(arm_asf, "upper lower\n", "\n"), "data/arm.asf:27:3",
        "\"lower\" is not connected to the root"},
       {replaced(arm_asf, "upper lower\n", "lower lower\n"), "data/arm.asf:27:3",
        "\"lower\" is not connected to the root"},
       {replaced(arm_asf, "upper lower\n", "upper root\n"), "data/arm.asf:45:11",
-       "\"root\" gets a second parent"},
+       "\"root\" has a second parent"},
   };
   for (const auto& [text, place, words] : cases) {
     const std::string said = mien::test::refusal_of([&, &asf = text] { arm(arm_amc, asf); });

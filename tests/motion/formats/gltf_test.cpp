@@ -415,7 +415,7 @@ TEST(Gltf, RefusesWhatIsWrongNamingTheFile) {
       {std::string(100, '['), "nested more than 64 deep"},
       {"glTF", "not a binary glTF file of version 2"},
       {std::string("glTF\2\0\0\0\x14\0\0\0\xFF\0\0\0JSON", 20), "truncated"},
-      {loop, "children of their own children"},
+      {loop, "their own descendants"},
       {replaced(good, R"("children":[2])", R"("children":[7])"), "child that does not exist"},
       {replaced(good, R"("children":[2])", R"("children":[1])"), "node 1 has two parents"},
       {replaced(good, "[0,2,0]", "[0,2]"), "node 1 has a faulty transform"},

@@ -68,7 +68,7 @@ MatchingChange read_change(const nlohmann::json& text) {
   if (change.step != "guess" && change.step != "adjust")
     throw RecordFault("a change does not belong to any step of a trial");
   if (is_of_slider ? change.slider.empty() : !is_one_of(change.action, moments))
-    throw RecordFault("a change refers to nothing known");
+    throw RecordFault("a change refers to an unknown slider or event");
   if (is_of_slider && !change.value) throw RecordFault("a change has no value");
   return change;
 }
@@ -132,7 +132,7 @@ void check_matching_record(const MatchingFacts& facts, const Trial& trial,
   check_changes(known, record.changes);
   if (record.attempt < 1) throw RecordFault("a trial was never started");
   if (record.success && (record.d >= facts.threshold_m || record.time_s > facts.limit_s))
-    throw RecordFault("a match is not a match, or came too late");
+    throw RecordFault("a recorded match exceeds the threshold or the time limit");
   if (!record.success && record.time_s < facts.limit_s - clock_slack_s)
     throw RecordFault("a trial without a match ended before the limit");
 }

@@ -103,7 +103,7 @@ HttpResponse QuestionnaireService::unknown(const HttpRequest& request) {
   if (is_reading(request) && request.path.size() <= 3 && request.path.back().empty())
     return message_page(404, "This link is not valid. Please ask the experimenter for your link.",
                         "このリンクは登録されていません。実験者にお尋ねください。");
-  return http_refusal(404, "unknown", "there is nothing here", "check the address");
+  return http_refusal(404, "unknown", "page not found", "check the address");
 }
 
 HttpResponse QuestionnaireService::answer_session(const HttpRequest& request) {
@@ -188,7 +188,7 @@ HttpResponse QuestionnaireService::answer_media(const HttpRequest& request) cons
   const auto media =
       request.path.size() == 2 ? study_.media.find(request.path[1]) : study_.media.end();
   if (media == study_.media.end())
-    return http_refusal(404, "unknown", "there is nothing here", "check the address");
+    return http_refusal(404, "unknown", "page not found", "check the address");
   return http_file(request, media->second.file, media->second.type);
 }
 
