@@ -74,8 +74,9 @@ StudyContents contents_of(const fs::path& study) {
   contents.folder = study_folder_meant(study);
   std::error_code unknown;
   if (fs::is_regular_file(contents.folder, unknown)) {
-    throw Error({study.string()}, "is a file, and not the folder of a study",
-                "unpack an archive of mien pack first, as with tar -xf, and name the folder");
+    throw Error(
+        {study.string()}, "is a file, not the folder of a study",
+        "unpack archives of mien pack first, for example with tar -xf, and name the folder");
   }
   if (!fs::is_directory(contents.folder, unknown)) {
     throw Error({study.string()}, "there is no such study",
