@@ -46,8 +46,8 @@ std::vector<std::string> names_of(const ExampleFolder& folder,
   for (size_t i = 0; i < stems.size(); ++i) {
     if (const auto name = given.find(stems[i]); name != given.end()) names[i] = name->second;
     if (seen.insert(names[i]).second) continue;
-    throw Error({folder.path.string(), 0, 0}, "two motions are called " + in_quotes(names[i]),
-                "give one another label");
+    throw Error({folder.path.string(), 0, 0}, "two motions are named " + in_quotes(names[i]),
+                "rename one of them");
   }
   return names;
 }
@@ -61,15 +61,15 @@ std::vector<std::vector<double>> keytimes_of(const ExampleFolder& folder,
   for (const auto& [stem, times] : folder.keytimes) {
     const auto found = std::find(stems.begin(), stems.end(), stem);
     if (found == stems.end()) {
-      throw Error(place, "there are keytimes of " + in_quotes(stem) + " and no such file",
+      throw Error(place, "there are keytimes of " + in_quotes(stem) + " but no such file",
                   did_you_mean(stem, stems));
     }
     keytimes[static_cast<size_t>(found - stems.begin())] = times;
   }
   for (size_t i = 0; i < stems.size(); ++i) {
     if (!keytimes[i].empty()) continue;
-    throw Error(place, in_quotes(stems[i]) + " has no keytimes and others have",
-                "give it some, or leave it out with exclude");
+    throw Error(place, in_quotes(stems[i]) + " has no keytimes, unlike others",
+                "specify them, or omit it with exclude");
   }
   return keytimes;
 }
@@ -87,8 +87,8 @@ void make_blendable(const ExampleFolder& folder, LoadedExamples& loaded) {
                   in_quotes(examples[i].name) + " has " +
                       std::to_string(examples[i].keytimes.size()) + " keytimes and " +
                       in_quotes(examples[0].name) + " has " + std::to_string(key_count),
-                  "leave it out with exclude, take all motions whole with cycle: whole, or use "
-                  "each for itself with blend: false");
+                  "omit it with exclude, use whole motions with cycle: whole, or do not blend with "
+                  "blend: false");
     }
     if (i > 0) examples[i].clip = retarget(examples[i].clip, examples.front().clip.body);
   }
@@ -100,7 +100,7 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
   std::error_code failed;
   fs::directory_iterator entries(folder.path, failed);
   if (failed) {
-    throw Error({folder.path.string(), 0, 0}, "is no folder that can be read",
+    throw Error({folder.path.string(), 0, 0}, "is not a readable folder",
                 "name the folder that holds the motion files");
   }
   std::vector<fs::path> files;
@@ -116,7 +116,7 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
   if (files.empty()) {
     throw Error({folder.path.string(), 0, 0},
                 "holds no motion file that matches " + in_quotes(folder.include),
-                "BVH, AMC and glTF files are taken; mind upper and lower case");
+                "BVH, AMC and glTF files are accepted; check upper and lower case");
   }
   return files;
 }

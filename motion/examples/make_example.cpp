@@ -62,8 +62,8 @@ PreparedExample whole_example(const Clip& clip) {
 PreparedExample peaked_example(const Clip& clip) {
   const std::optional<double> peak = peak_seconds(clip);
   if (!peak) {
-    throw Error(Place{clip.name}, "hands and feet stay where they are, so nothing has a peak",
-                "leave it out, or give its keytimes by hand");
+    throw Error(Place{clip.name}, "hands and feet do not move, so there are no peaks",
+                "exclude it, or specify its keytimes");
   }
   PreparedExample prepared;
   prepared.frames = all_frames(clip);
@@ -77,15 +77,15 @@ void check_keytimes(const Clip& clip, const std::vector<double>& keytimes) {
   const double frame = 1.0 / clip.frames_per_second;
   const auto refuse = [&](const std::string& wrong) {
     throw Error(Place{clip.name}, "its keytimes " + wrong,
-                "give at least two ascending times from 0 to " +
-                    std::to_string(clip.duration_seconds()) + " s, a frame or more apart");
+                "give at least two times in ascending order from 0 to " +
+                    std::to_string(clip.duration_seconds()) + " s, at least one frame apart");
   };
   if (keytimes.size() < 2) refuse("are fewer than two");
   if (keytimes.front() < 0.0 || keytimes.back() > clip.duration_seconds() + 0.5 * frame) {
-    refuse("do not lie in the motion");
+    refuse("are not within the motion");
   }
   for (size_t k = 1; k < keytimes.size(); ++k) {
-    if (keytimes[k] - keytimes[k - 1] < 0.999 * frame) refuse("are not a frame apart");
+    if (keytimes[k] - keytimes[k - 1] < 0.999 * frame) refuse("are less than one frame apart");
   }
 }
 
@@ -152,11 +152,12 @@ Error bad_frames(const Clip& clip, const FrameRange& frames, const std::string& 
 PreparedExample example_of_frames(const Clip& clip, const FrameRange& frames) {
   if (frames.first < 0 || frames.last >= clip.frame_count() || frames.last - frames.first < 8) {
     throw bad_frames(clip, frames,
-                     "do not lie in the clip of " + std::to_string(clip.frame_count()) +
+                     "are not within the clip of " + std::to_string(clip.frame_count()) +
                          " frames with at least 8 between them");
   }
   auto cycle = cycle_of_loop(closed_loop(clip, frames.first, frames.last));
-  if (!cycle) throw bad_frames(clip, frames, "hold no gait cycle of one left and one right step");
+  if (!cycle)
+    throw bad_frames(clip, frames, "do not contain a gait cycle of one left and one right step");
   cycle->left_strike += frames.first;
   return looped_example(clip, *cycle, {frames.first, frames.last});
 }

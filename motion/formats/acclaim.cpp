@@ -59,7 +59,7 @@ class AmcReader {
 
   void parse_keyword(std::string_view word, size_t place) {
     if (!poses_.empty()) {
-      fail(cursor_, place, in_quotes(word) + " stands after the first frame",
+      fail(cursor_, place, in_quotes(word) + " appears after the first frame",
            "put it at the head of the file");
     }
     if (same_word(word, ":DEGREES")) radians_per_unit_ = radians_per_degree;
@@ -72,7 +72,7 @@ class AmcReader {
     const size_t place = cursor_.at;
     const double rate = at_line_end(cursor_) ? 0.0 : parse_number(cursor_, "samples per second");
     if (!(rate >= 1e-3 && rate <= 1e5)) {
-      fail(cursor_, place, "the samples per second are not usable", "120 is usual");
+      fail(cursor_, place, "the samples per second are not usable", "a common value is 120");
     }
     samples_per_second_ = rate;
   }
@@ -106,7 +106,7 @@ class AmcReader {
       fail(cursor_, frame_place_,
            "frame " + std::to_string(frame_number_) + " lacks bone " +
                in_quotes(skeleton_.skeleton.joints[j].name),
-           "get the file again if it was cut short, or check that the skeleton belongs to it");
+           "obtain the file again if it is truncated, or check that the skeleton belongs to it");
     }
   }
 
@@ -124,7 +124,7 @@ class AmcReader {
     const auto frame = static_cast<long>(poses_.size()) - 1;
     if (last_frame_with_[bone] == frame) {
       fail(cursor_, place,
-           "bone " + in_quotes(name) + " stands twice in frame " + std::to_string(frame_number_),
+           "bone " + in_quotes(name) + " appears twice in frame " + std::to_string(frame_number_),
            "remove one of the lines");
     }
     last_frame_with_[bone] = frame;
@@ -203,9 +203,9 @@ std::filesystem::path find_asf(const std::filesystem::path& amc) {
   }
   if (files.size() == 1) return files.front();
   throw Error({amc.string()},
-              files.empty() ? "there is no skeleton (.asf) beside this motion"
-                            : "several skeletons (.asf) stand beside this motion and none has "
-                              "its name",
+              files.empty()
+                  ? "there is no skeleton (.asf) beside this motion"
+                  : "there are several skeletons (.asf) beside this motion, none with its name",
               "put " + subject + ".asf into the same folder");
 }
 
@@ -232,9 +232,9 @@ Recording read_amc(const std::filesystem::path& path, const AcclaimOptions& opti
   Recording recording =
       parse_amc({amc, path.string()}, {asf, skeleton.string()}, options.frames_per_second);
   if (!options.skeleton && !has_name_for(skeleton, path)) {
-    recording.notes.push_back("The skeleton is that of " + skeleton.filename().string() +
-                              ", which has another name than the motion; it is the only one "
-                              "beside it.");
+    recording.notes.push_back(
+        "The skeleton is that of " + skeleton.filename().string() +
+        ", whose name differs from the motion's; it is the only one in the folder.");
   }
   return recording;
 }

@@ -45,7 +45,7 @@ void require_all_reached(const TextCursor& cursor, const AsfFile& file,
     if (reached[b]) continue;
     fail(cursor, file.bones[b].place,
          "bone " + in_quotes(file.bones[b].name) + " is not connected to the root",
-         "name it in :hierarchy after its parent");
+         "list it in :hierarchy after its parent");
   }
 }
 

@@ -165,7 +165,7 @@ class AsfReader {
     parse_lines([&](std::string_view word, size_t place) {
       if (!same_word(word, "begin")) {
         fail(cursor_, place, "expected begin, found " + in_quotes(word),
-             "each bone stands between begin and end");
+             "each bone is enclosed by begin and end");
       }
       skip_line(cursor_);
       parse_bone(place);
@@ -177,7 +177,7 @@ class AsfReader {
     bone.place = place;
     for (;;) {
       if (section_ends()) {
-        fail(cursor_, place, "this bone has no end", "close it by a line that says end");
+        fail(cursor_, place, "this bone has no end", "add a line with end");
       }
       if (!is_comment_or_empty(cursor_)) {
         const size_t at = cursor_.at;
@@ -261,8 +261,8 @@ class AsfReader {
   void attach(int parent, int child, size_t place) {
     AsfBone& bone = file_.bones[static_cast<size_t>(child)];
     if (child == 0 || bone.parent >= 0) {
-      fail(cursor_, place, in_quotes(bone.name) + " gets a second parent",
-           "name each bone once as a child; root is nobody's");
+      fail(cursor_, place, in_quotes(bone.name) + " has a second parent",
+           "list each bone once as a child; root is never a child");
     }
     bone.parent = parent;
     file_.bones[static_cast<size_t>(parent)].children.push_back(child);

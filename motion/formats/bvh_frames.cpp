@@ -25,7 +25,7 @@ void expect_label(TextCursor& cursor, std::string_view label) {
       ++cursor.at;
     } else {
       fail(cursor, start, "expected \"" + std::string(label) + ":\"",
-           at_end(cursor) ? "the file was cut short: get it again"
+           at_end(cursor) ? "the file is truncated: obtain it again"
                           : "MOTION is followed by Frames: and Frame Time:");
     }
   }
@@ -63,7 +63,7 @@ struct ShortLine {
   fail(cursor, line.place,
        "this frame ends after " + std::to_string(line.taken) + " of " + std::to_string(channels) +
            " numbers",
-       at_end(cursor) ? "the file was cut short: get it again"
+       at_end(cursor) ? "the file is truncated: obtain it again"
                       : "give each frame a number for every channel");
 }
 
@@ -97,7 +97,7 @@ double parse_bvh_frame_rate(TextCursor& cursor) {
   if (!(seconds >= 1e-5 && seconds <= longest_frame_seconds)) {
     const std::string written(in_quotes(cursor.text.substr(place, cursor.at - place)));
     fail(cursor, place, "a frame time of " + written + " seconds",
-         "give the seconds between two frames, not how many there are in a second: " +
+         "give the seconds between two frames, not the number of frames per second: " +
              frame_time_of(seconds));
   }
   const size_t end = cursor.at;

@@ -137,7 +137,7 @@ class HierarchyReader {
   bool parse_outer_statement(std::string_view word, size_t place) {
     if (same_word(word, "ROOT")) {
       if (!joints().empty()) {
-        fail(cursor_, place, "a second ROOT", "keep one figure a file: split it at the roots");
+        fail(cursor_, place, "a second ROOT", "keep one figure per file: split it at the roots");
       }
       open_joint("ROOT", place);
       return true;
@@ -146,18 +146,18 @@ class HierarchyReader {
     const std::string expected = joints().empty() ? "ROOT" : "MOTION";
     fail(cursor_, place,
          "expected " + expected + ", found " + (word.empty() ? "the end" : in_quotes(word)),
-         word.empty() ? "the file was cut short: get it again" : "check the braces above");
+         word.empty() ? "the file is truncated: obtain it again" : "check the braces above");
   }
 
   [[noreturn]] void refuse_in_joint(std::string_view word, size_t place) {
     const std::string name = in_quotes(joints()[static_cast<size_t>(open_.back().joint)].name);
     if (word.empty() || same_word(word, "MOTION")) {
       fail(cursor_, place, "joint " + name + " is not closed by \"}\"",
-           word.empty() ? "the file was cut short: get it again" : "add the closing brace");
+           word.empty() ? "the file is truncated: obtain it again" : "add the closing brace");
     }
     if (channel_named(word)) {
       fail(cursor_, place, "joint " + name + " names more channels than CHANNELS counts",
-           "make the count after CHANNELS that of the names");
+           "correct the count after CHANNELS");
     }
     fail(cursor_, place, "unknown word " + in_quotes(word) + " in joint " + name,
          "a joint holds OFFSET, CHANNELS, JOINT and End Site");
@@ -222,7 +222,7 @@ class HierarchyReader {
     }
     const size_t which = static_cast<size_t>(channel->axis) + (channel->rotation ? 3 : 0);
     if (std::exchange(named[which], true)) {
-      fail(cursor_, place, in_quotes(word) + " stands twice in one joint", "remove one");
+      fail(cursor_, place, in_quotes(word) + " appears twice in one joint", "remove one");
     }
     channel->joint = joint;
     hierarchy_.channels.push_back(*channel);

@@ -29,7 +29,7 @@ std::vector<Pose> parse_frames(TextCursor& cursor, const BvhHierarchy& hierarchy
     fail(cursor, count_place,
          "\"Frames:\" says " + std::to_string(count) + ", but the file holds " +
              std::to_string(poses.size()),
-         "correct the number, or get the file again if it was cut short");
+         "correct the number, or obtain the file again if it is truncated");
   }
   return poses;
 }

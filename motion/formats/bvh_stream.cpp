@@ -121,7 +121,7 @@ std::optional<Pose> BvhStream::next() {
   }
   const TextCursor cursor{text_, file_, 0, first_line_};
   if (text_.size() > longest_number * channels + longest_rest) {
-    fail(cursor, 0, "this frame has no end", "end each frame with the end of its line");
+    fail(cursor, 0, "this frame is incomplete", "end each frame with a line break");
   }
   if (finished_ && numbers_ > 0) {
     const std::string plain = without_bvh_comments(text_);

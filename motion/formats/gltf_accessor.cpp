@@ -124,7 +124,7 @@ size_t size_of_index(const GltfFile& file, int type, std::string_view use) {
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
       return 4;
     default:
-      refuse_use(file, use, "indices of a type that glTF does not know");
+      refuse_use(file, use, "indices of a type that glTF does not support");
   }
 }
 
@@ -177,7 +177,7 @@ std::vector<double> accessor_numbers(const GltfFile& file, int index, size_t com
   const tinygltf::Accessor& accessor = accessor_at(file, index, use);
   const size_t number_size = size_of_number(accessor);
   if (number_size == 0 || components_of(accessor) != components) {
-    refuse_use(file, use, "an accessor of a type that is not meant for this");
+    refuse_use(file, use, "an accessor of an unsuitable type");
   }
   // Without a buffer view the values are zeros, so nothing in the file bounds their number.
   constexpr size_t most_zeros = 1 << 20;
@@ -209,7 +209,7 @@ std::vector<int> accessor_indices(const GltfFile& file, int index, size_t compon
   const size_t size = size_of_index(file, accessor.componentType, use);
   const bool is_plain = accessor.bufferView >= 0 && !accessor.sparse.isSparse;
   if (!is_plain || components_of(accessor) != components) {
-    refuse_use(file, use, "an accessor of a type that is not meant for this");
+    refuse_use(file, use, "an accessor of an unsuitable type");
   }
   const Bytes view = bytes_of_view(file, accessor.bufferView, use);
   const auto stride = file.model.bufferViews[static_cast<size_t>(accessor.bufferView)].byteStride;

@@ -162,7 +162,7 @@ JointSet chosen(const GltfFile& file, std::vector<JointSet> figures,
     others += (others.empty() ? "" : ", ") + title_of(file, other.root);
   }
   notes.push_back("The file holds " + std::to_string(figures.size() + 1) + " figures; that of " +
-                  title_of(file, figure.root) + " is taken, without that of " + others + ".");
+                  title_of(file, figure.root) + " is used, without that of " + others + ".");
   return figure;
 }
 

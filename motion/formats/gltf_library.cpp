@@ -44,14 +44,14 @@ Container parse_container(std::string_view bytes, const std::string& name) {
   constexpr size_t chunk_header = 8;
   Container container;
   if (bytes.size() < header + chunk_header || word_at(bytes, 4) != 2) {
-    throw Error({name}, "is no binary glTF file of version 2", "export it as glTF 2.0");
+    throw Error({name}, "is not a binary glTF file of version 2", "export it as glTF 2.0");
   }
   bytes = bytes.substr(0, word_at(bytes, 8));
   for (size_t at = header; bytes.size() >= at + chunk_header;) {
     const size_t length = word_at(bytes, at);
     const std::uint32_t type = word_at(bytes, at + 4);
     at += chunk_header;
-    if (length > bytes.size() - at) throw Error({name}, "the file was cut short", get_it_again);
+    if (length > bytes.size() - at) throw Error({name}, "the file is truncated", get_it_again);
     if (type == json_chunk && container.json.empty()) container.json = bytes.substr(at, length);
     if (type == binary_chunk && !container.binary) container.binary = bytes.substr(at, length);
     at += std::min((length + 3) / 4 * 4, bytes.size() - at);
@@ -111,10 +111,10 @@ Json parse_json(std::string_view text, const std::string& name) {
   // The library walks through values recursively.
   constexpr size_t deepest = 64;
   if (is_nested_deeper(text, deepest))
-    throw Error({name}, "lists nested more than 64 deep", "this is no glTF figure");
+    throw Error({name}, "lists nested more than 64 deep", "this is not a glTF figure");
   try {
     Json json = Json::parse(text.begin(), text.end());
-    if (!json.is_object()) throw Error({name}, "is no glTF file", get_it_again);
+    if (!json.is_object()) throw Error({name}, "is not a glTF file", get_it_again);
     drop_unread_sections(json);
     return json;
   } catch (const Json::parse_error& error) {

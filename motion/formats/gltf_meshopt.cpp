@@ -74,7 +74,7 @@ void check_sizes(const Packed& packed, const std::string& mode, size_t count, si
   if (!is_vertices && !is_indices) packed.refuse("mode " + excerpt(mode) + " is not known");
   const bool fits =
       is_vertices ? stride > 0 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
-  if (!fits) packed.refuse("byteStride " + std::to_string(stride) + " is none of its mode");
+  if (!fits) packed.refuse("byteStride " + std::to_string(stride) + " does not fit its mode");
   if (count > most_bytes / stride) packed.refuse("it holds too many elements");
   if (mode == "TRIANGLES" && count % 3 != 0) packed.refuse("triangles have three corners");
 }
@@ -114,7 +114,7 @@ std::vector<unsigned char> unpacked(const Packed& packed,
   std::vector<unsigned char> decoded(count * stride);
   if (count == 0) return decoded;
   if (decode(mode, packed.bytes(buffers), count, stride, decoded.data()) != 0) {
-    packed.refuse("its bytes are damaged or of a newer version");
+    packed.refuse("its bytes are damaged or from a newer version");
   }
   filter(packed, packed.word("filter", "NONE"), count, stride, decoded.data());
   return decoded;

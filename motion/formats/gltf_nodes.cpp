@@ -107,7 +107,7 @@ GltfNodes parse_nodes(const GltfFile& file) {
   }
   nodes.parents_first = depth_first(nodes, std::move(roots));
   if (nodes.parents_first.size() != count) {
-    refuse(file, "nodes are children of their own children", get_it_again);
+    refuse(file, "nodes are their own descendants", get_it_again);
   }
   return nodes;
 }
@@ -121,7 +121,7 @@ int common_root(const GltfFile& file, const GltfNodes& nodes, const std::vector<
     if (counts[static_cast<size_t>(node)] == all) root = node;
   }
   if (root == -1) {
-    refuse(file, "the joints do not hang together", "join them under one root node");
+    refuse(file, "the joints are not connected", "join them under one root node");
   }
   return root;
 }

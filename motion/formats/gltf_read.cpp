@@ -49,7 +49,7 @@ std::vector<NodeInWorld> in_world(const GltfFigure& figure,
 
 void require_usable(const GltfFile& file, const Vec3& position) {
   if (!position.allFinite() || position.cwiseAbs().maxCoeff() > 1e9) {
-    refuse(file, "a joint lies further away than any motion goes", "check the scales of the nodes");
+    refuse(file, "a joint is too far away", "check the scales of the nodes");
   }
 }
 
@@ -159,7 +159,7 @@ std::optional<GltfTake> chosen_take(const GltfFile& file, const std::vector<Gltf
   if (found != takes.end()) return *found;
   if (names.empty()) {
     refuse(file, "there is no animation, and so no take " + in_quotes(*wanted),
-           "leave the take out for the pose of the nodes");
+           "omit the take for the pose of the nodes");
   }
   refuse(file, "there is no take " + in_quotes(*wanted),
          "it holds " + listed(names) + ": choose one of these");
@@ -169,7 +169,7 @@ void note_choice(Recording& recording, bool was_asked_for) {
   if (was_asked_for || recording.takes.size() < 2) return;
   recording.notes.push_back("The file holds " + std::to_string(recording.takes.size()) +
                             " motions (" + listed(recording.takes) + "); " +
-                            in_quotes(recording.take) + " is taken, for no take was chosen.");
+                            in_quotes(recording.take) + " is used, because no take was chosen.");
 }
 
 Recording recording_of(const GltfFile& file, const std::optional<std::string>& wanted) {

@@ -56,7 +56,7 @@ void require_good_times(const GltfFile& file, const GltfTrack& track) {
 
 void require_good_values(const GltfFile& file, const GltfTrack& track) {
   for (const double number : track.numbers) {
-    if (std::abs(number) > 1e12) refuse(file, "a key is larger than any motion", get_it_again);
+    if (std::abs(number) > 1e12) refuse(file, "the value of a key is too large", get_it_again);
   }
   if (track.part != Part::rotation) return;
   for (size_t key = 0; key < track.times.size(); ++key) {

@@ -39,14 +39,14 @@ Recording read_motion(const std::filesystem::path& path, const std::optional<std
     throw Error({path.string(), 0, 0}, "is a folder", "name a motion file in it");
   }
   if (take && is_motion_file(path) && !may_hold_takes(path)) {
-    throw Error({path.string(), 0, 0}, "holds one motion, so that no take can be chosen",
-                "leave the take out; glTF files (.gltf, .glb) may hold several");
+    throw Error({path.string(), 0, 0}, "holds one motion, so no take can be chosen",
+                "omit the take; glTF files (.gltf, .glb) can hold several");
   }
   if (extension == ".bvh") return read_bvh(path);
   if (extension == ".amc") return read_amc(path);
   if (extension == ".gltf" || extension == ".glb") return read_gltf(path, take);
-  throw Error({path.string(), 0, 0}, "is no motion file that can be read",
-              "BVH (.bvh), Acclaim (.amc) and glTF (.gltf, .glb) can");
+  throw Error({path.string(), 0, 0}, "is not a motion file that can be read",
+              "use BVH (.bvh), Acclaim (.amc) or glTF (.gltf, .glb)");
 }
 
 Recording read_take(const std::filesystem::path& path, const std::string& take) {
@@ -57,8 +57,8 @@ void write_motion(const Recording& recording, const std::filesystem::path& path)
   const std::string extension = extension_of(path);
   if (extension == ".bvh") return write_bvh(recording, path);
   if (extension == ".glb") return write_glb(recording, path);
-  throw Error({path.string(), 0, 0}, "is no motion file that can be written",
-              "BVH (.bvh) and binary glTF (.glb) can");
+  throw Error({path.string(), 0, 0}, "is not a motion file that can be written",
+              "use BVH (.bvh) or binary glTF (.glb)");
 }
 
 }  // namespace mien::motion

@@ -21,10 +21,10 @@ void require_reasonable_size(const Place& place, size_t joints, size_t frames) {
     throw Error(place, "more than " + std::to_string(most_joints) + " joints",
                 "keep the joints of one figure");
   }
-  throw Error(place,
-              std::to_string(frames) + " frames of " + std::to_string(joints) +
-                  " joints are more than can be held",
-              "cut the motion into shorter files");
+  throw Error(
+      place,
+      std::to_string(frames) + " frames of " + std::to_string(joints) + " joints are too many",
+      "cut the motion into shorter files");
 }
 
 }  // namespace mien::motion

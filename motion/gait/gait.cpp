@@ -153,7 +153,7 @@ std::optional<GaitCycle> cycle_by_similarity(const Clip& clip) {
   cycle->starts_left = false;
   cycle->steadiness = 1.0 / (1.0 + 0.2 * seam_cost(clip, place->start, place->end));
   cycle->warnings.push_back(
-      "The take is too short for two strikes of one foot; the cycle is cut where the pose "
+      "The take is too short for two heel strikes of one foot; the cycle ends where the pose "
       "repeats.");
   return cycle;
 }
@@ -179,7 +179,7 @@ std::optional<GaitCycle> half_cycle(const Clip& clip) {
     cycle->is_half = true;
     cycle->steadiness = least_steadiness;
     cycle->warnings.push_back(
-        "The take holds no full cycle; one step and its mirror image stand for it.");
+        "The take contains no full cycle; one step and its mirror image are used instead.");
     return cycle;
   }
   return std::nullopt;

@@ -42,7 +42,7 @@ void add_shared_place_remarks(const ExampleSet& set, Interpolator& interpolator)
     }
     interpolator.remarks.push_back(listed(names) +
                                    " have the same parameters: they share their weight equally, "
-                                   "and none of them can be made alone");
+                                   "and none of them can be used alone");
   }
 }
 
@@ -53,21 +53,20 @@ void add_dependence_remarks(Interpolator& interpolator, Eigen::Index asked) {
   const std::string what = listed({interpolator.names.begin(), interpolator.names.begin() + asked});
   if (count == 1) {
     interpolator.remarks.push_back(
-        "all examples have the same parameters, so every wish gives the same motion");
+        "all examples have the same parameters, so every request gives the same motion");
     return;
   }
   if (places.cols() + 1 > count) {
-    interpolator.remarks.push_back(what + " are more parameters than " +
-                                   counted(count, "different example") +
-                                   " can tell apart: wishes are met only as far as the examples "
-                                   "differ");
+    interpolator.remarks.push_back(
+        what + " are more parameters than " + counted(count, "different example") +
+        " can distinguish: requests are met only as far as the examples differ");
     return;
   }
   const int rank = spread_rank(places);
   if (rank < places.cols()) {
     interpolator.remarks.push_back(
         what + " depend on each other over these examples: they vary in " +
-        counted(rank, "direction") + " only, and wishes off it have no effect");
+        counted(rank, "direction") + " only, and requests outside it have no effect");
   }
 }
 
@@ -101,7 +100,7 @@ void add_grid_error_remark(const GridOfWeights& grid, const Eigen::MatrixXd& pla
   if (least > 0.95) return;
   interpolator.remarks.push_back(
       "the grid of " + counted(grid.grid.cells, "cell") +
-      " a parameter does not reach every example: one has a weight of only " +
+      " per parameter does not represent every example: one has a weight of only " +
       std::to_string(static_cast<int>(std::lround(100.0 * std::max(0.0, least)))) +
       " % at its own parameters");
 }
@@ -291,7 +290,7 @@ InterpolatedWeights weights_at(const Interpolator& interpolator,
             result.weights = of_places(path.weights);
             result.remarks.push_back("clicks: " + click_log(path, interpolator.names));
             if (!path.arrived) {
-              result.remarks.push_back("no further click came nearer to what was asked for");
+              result.remarks.push_back("no further click came closer to the requested values");
             }
           },
           [&](const DirectShares&) { result.weights = direct_weights(parameters.transpose()); },

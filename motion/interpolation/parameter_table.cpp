@@ -62,7 +62,7 @@ Eigen::Index parameter_row(const std::string& name, const ParameterTable& table)
   const int row = table.find(name);
   if (row >= 0) return row;
   throw Error("the examples have no parameter \"" + name + "\"",
-              "name a scale that was rated, or a feature that all examples have");
+              "use a rated scale, or a feature that all examples have");
 }
 
 Eigen::MatrixXd places_of_examples(std::span<const std::string> parameters,

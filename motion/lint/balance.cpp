@@ -87,11 +87,13 @@ Findings find_lost_balance(const LintSubject& subject, const BodyOnFloor& body,
         margins(subject, body));
   };
   add(standing_margins, options.standing_margin_metres, standing_seconds,
-      "The body would fall over: standing, its centre of mass is ", " cm outside its feet.");
+      "The body would fall: while standing, its centre of mass is ", " cm outside its feet.");
   add(lateral_margins, options.lateral_margin_metres, falling_seconds,
-      "The body would fall sideways: it is on its way ", " cm over the outer edge of its foot.");
+      "The body would fall sideways: its centre of mass moves ",
+      " cm over the outer edge of its foot.");
   add(pressure_margins, options.pressure_margin_metres, falling_seconds,
-      "The body moves as if held: the floor would have to push ", " cm beside its feet.");
+      "The body moves as if supported from outside: the floor would have to push ",
+      " cm beside its feet.");
   return findings;
 }
 

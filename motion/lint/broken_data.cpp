@@ -32,7 +32,7 @@ void find_non_finite(const Clip& clip, Findings& findings) {
     }
     const std::string name = joint_name(clip, j);
     const auto sentence = [&](double) {
-      return "The " + display_name(name) + " has numbers that are none (NaN or infinite).";
+      return "The " + display_name(name) + " has invalid numbers (NaN or infinite).";
     };
     add_threshold_findings(findings, as_given(clip),
                            {"non-finite", name, "", {0.5, 0.5}, 0, 1, sentence}, broken);
@@ -46,7 +46,7 @@ void find_non_unit(const Clip& clip, const LintOptions& options, Findings& findi
     const std::string name = joint_name(clip, j);
     const auto sentence = [&](double worst) {
       return "The quaternion of the " + display_name(name) +
-             " is no rotation: its length is off by " + rounded(worst, 6) + ".";
+             " is not a valid rotation: its length is off by " + rounded(worst, 6) + ".";
     };
     add_threshold_findings(findings, as_given(clip),
                            {"rotation-not-unit", name, "", options.unit_error, 0, 1, sentence},
@@ -96,7 +96,7 @@ void find_bone_drift(const Clip& clip, const LintOptions& options, Findings& fin
     for (double& length : lengths) length = std::abs(length - usual) / whole;
     const std::string name = joint_name(clip, j);
     const auto sentence = [&](double worst) {
-      return "The bone that carries the " + display_name(name) + " changes its length by " +
+      return "The bone leading to the " + display_name(name) + " changes its length by " +
              rounded(100.0 * worst, 1) + " %.";
     };
     add_threshold_findings(findings, as_given(clip),

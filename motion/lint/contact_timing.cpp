@@ -88,8 +88,7 @@ Findings find_shifted_contacts(const LintSubject& subject, const LintOptions& op
     if (!plant) {
       if (duration < shortest_plant) continue;
       add_fault(subject, levels,
-                {expected, duration, "does not stand still where it did in the original."},
-                findings);
+                {expected, duration, "is not planted where it was in the original."}, findings);
       continue;
     }
     const double start_shift = (plant->first - expected.first) * seconds;

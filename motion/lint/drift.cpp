@@ -138,7 +138,7 @@ Findings find_walk_on_spot(const LintSubject& subject, const LintSubject* origin
   finding.threshold = slowest_treadmill_m_s;
   finding.unit = "m/s";
   finding.sentence =
-      "Walks on the spot: the floor would move at " + rounded(subject.floor.norm(), 2) + " m/s.";
+      "Walks in place: the floor would move at " + rounded(subject.floor.norm(), 2) + " m/s.";
   return {finding};
 }
 

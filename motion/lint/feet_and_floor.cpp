@@ -81,7 +81,7 @@ Findings find_floating(const LintSubject& subject, const LintOptions& options,
                        const LintSubject* original) {
   Findings findings;
   const auto sentence = [](double worst) {
-    return "The body hangs in the air: the lower foot is " + rounded(100.0 * worst, 1) +
+    return "The body floats: the lower foot is " + rounded(100.0 * worst, 1) +
            " cm above the floor.";
   };
   const Levels levels = raised_levels(

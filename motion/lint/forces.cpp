@@ -69,12 +69,12 @@ Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& bo
         {"forces", "", unit, raised_levels(levels, before), least_overload_seconds, 3, sentence},
         measure(subject, body));
   };
-  add(presses, options.press, "body weights", "The feet press the floor with ",
+  add(presses, options.press, "body weights", "The feet press on the floor with ",
       " times the body's weight.");
   add(pulls, options.pull, "body weights", "The body is pulled to the floor with ",
-      " times the body's weight: it falls faster than things fall.");
-  add(frictions, options.friction, "", "The feet would slip: they push sideways with ",
-      " times what they press the floor with.");
+      " times the body's weight: it accelerates downwards faster than gravity.");
+  add(frictions, options.friction, "", "The feet would slip: horizontal force ",
+      " times the vertical force.");
   return findings;
 }
 
@@ -93,8 +93,8 @@ Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& b
                            limit * options.torque_ratio.error};
     const std::string name(name_of(BodyJoint(joint.joint)));
     const auto sentence = [&](double worst) {
-      return "The " + display_name(name) + " would need " + rounded(worst, 0) +
-             " N·m, more than the " + rounded(limit, 0) + " N·m that strong adults have.";
+      return "The " + display_name(name) + " would need " + rounded(worst, 0) + " N·m, more than the " +
+             rounded(limit, 0) + " N·m of strong adults.";
     };
     add_threshold_findings(findings, subject,
                            {"joint-torque", name, "N·m", raised_levels(levels, before[j]),

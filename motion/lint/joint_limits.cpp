@@ -123,7 +123,7 @@ Findings find_fast_joints(const LintSubject& subject, const LintOptions& options
     const std::string name(name_of(BodyJoint(j)));
     const auto sentence = [&](double worst) {
       return "The " + display_name(name) + " turns at " + rounded(worst, 0) +
-             " rad/s, faster than people can.";
+             " rad/s, faster than humanly possible.";
     };
     const Levels levels = raised_levels(is_leg(j) ? options.leg_speed : options.arm_speed,
                                         original ? speeds(*original, j) : std::vector<double>());

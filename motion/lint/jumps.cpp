@@ -183,7 +183,7 @@ Findings find_jumps(const LintSubject& subject, const LintOptions& options) {
   for (int j = 0; j < subject.clip.body.size(); ++j) {
     const std::string& name = subject.clip.body.joints[j].name;
     const auto sentence = [&](double worst) {
-      return "The " + display_name(name) + " leaps by " + rounded(worst, 0) +
+      return "The " + display_name(name) + " jumps by " + rounded(worst, 0) +
              "° from one frame to the next.";
     };
     const std::vector<double> leaps =
@@ -193,7 +193,7 @@ Findings find_jumps(const LintSubject& subject, const LintOptions& options) {
                            without_seams(subject, leaps));
   }
   const auto sentence = [](double worst) {
-    return "The whole body leaps by " + rounded(100.0 * worst, 0) +
+    return "The whole body jumps by " + rounded(100.0 * worst, 0) +
            " cm from one frame to the next.";
   };
   add_threshold_findings(
@@ -220,9 +220,10 @@ Findings find_calibration_pose(const LintSubject& subject, const LintOptions& op
       finding.threshold = take_limits.calibration_joints;
       finding.unit = "joints";
       finding.severity = Severity::error;
-      finding.sentence = std::string("The take begins with another pose, as for calibration: ") +
-                         std::to_string(leaping[i]) +
-                         (leaping[i] == 1 ? " joint leaps" : " joints leap at once") + " after it.";
+      finding.sentence =
+          std::string("The take begins with a different pose, such as for calibration: ") +
+          std::to_string(leaping[i]) + (leaping[i] == 1 ? " joint jumps" : " joints jump at once") +
+          " after it.";
       return {finding};
     }
     has_moved = has_moved || !is_frozen(subject, i);
@@ -236,15 +237,15 @@ Findings find_broken_seam(const LintSubject& subject, const LintOptions& options
   for (int j = 0; j < subject.clip.body.size(); ++j) {
     const std::string& name = subject.clip.body.joints[j].name;
     const auto sentence = [&](double worst) {
-      return "The loop does not close: the " + display_name(name) + " leaps by " +
-             rounded(worst, 1) + "° at its seam.";
+      return "The loop does not close: the " + display_name(name) + " jumps by " + rounded(worst, 1) +
+             "° at its seam.";
     };
     const std::vector<double> steps = in_degrees(excesses(turns(subject.clip, j)));
     add_seam(subject, {"loop-seam", name, "°", options.seam_degrees, 0, 1, sentence},
              seam_excess(subject, steps), findings);
   }
   const auto sentence = [](double worst) {
-    return "The loop does not close: the whole body leaps by " + rounded(100.0 * worst, 1) +
+    return "The loop does not close: the whole body jumps by " + rounded(100.0 * worst, 1) +
            " cm at its seam.";
   };
   add_seam(subject, {"loop-seam", "", "m", options.seam_metres, 0, 1, sentence},

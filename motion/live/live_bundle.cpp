@@ -226,7 +226,7 @@ LiveBundle parse_live_bundle(std::string_view bytes) {
   if (version != live_bundle_version) {
     throw Error("the motions for the browser are of version " + std::to_string(version) + " and " +
                     std::to_string(live_bundle_version) + " is read here",
-                "export them with the same mien as the page");
+                "export them with the same version of mien as the page");
   }
   const std::string_view body = bytes.substr(head_bytes);
   if (reserved != 0 || head.take<std::uint64_t>() != body.size() ||

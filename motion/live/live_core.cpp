@@ -25,7 +25,7 @@ void check_values(const LiveSetting& setting) {
   if (setting.sliders.size() != setting.values.size()) {
     throw Error("there are " + std::to_string(setting.sliders.size()) + " sliders and " +
                     std::to_string(setting.values.size()) + " values",
-                "give one value a slider");
+                "give one value per slider");
   }
   for (std::size_t i = 0; i < setting.sliders.size(); ++i) {
     const double value = setting.values[i];
@@ -37,7 +37,7 @@ void check_values(const LiveSetting& setting) {
   std::sort(names.begin(), names.end());
   const auto twin = std::adjacent_find(names.begin(), names.end());
   if (twin != names.end()) {
-    throw Error("slider \"" + *twin + "\" is there twice", "give each slider once");
+    throw Error("slider \"" + *twin + "\" appears twice", "give each slider once");
   }
 }
 

@@ -82,30 +82,31 @@ Clip with_root_of(Clip clip, const Clip& other) {
 void write_remarks(ModificationReport& report, const Modification& asked, bool stays) {
   char text[160];
   if (std::abs(report.tempo / asked.tempo - 1.0) > tempo_tolerance) {
-    std::snprintf(text, sizeof text,
-                  "the tempo came out as %.3f, where %.3f was asked for: a motion lasts a whole "
-                  "number of frames",
-                  report.tempo, asked.tempo);
+    std::snprintf(
+        text, sizeof text,
+        "tempo %.3f instead of the requested %.3f, because a motion lasts a whole number of frames",
+        report.tempo, asked.tempo);
     report.remarks.emplace_back(text);
   }
   if (asked.repair != FootRepair::none && report.plants == 0) {
-    report.remarks.push_back("no foot stands on the floor: feet were not repaired");
+    report.remarks.push_back("no foot is planted: feet were not locked");
   }
   if (report.plants > 0) {
     std::snprintf(
-        text, sizeof text, "feet slid by up to %.1f mm in %d plants before repair, %.1f mm after",
+        text, sizeof text, "foot sliding of up to %.1f mm in %d contacts was reduced to %.1f mm",
         1000.0 * report.drift_before_repair, report.plants, 1000.0 * report.drift_after_repair);
     report.remarks.emplace_back(text);
   }
   if (std::abs(report.travel_ratio - 1.0) > 0.01) {
+    const char* change = report.travel_ratio < 1.0 ? "distance travelled fell to %.0f %%"
+                                                   : "distance travelled rose to %.0f %%";
     std::snprintf(text, sizeof text,
-                  stays ? "the steps became %.0f %% as long; the loop stays in its place"
-                        : "the way became %.0f %% of what it was",
+                  stays ? "step length changed to %.0f %%; the loop stays in place" : change,
                   100.0 * report.travel_ratio);
     report.remarks.emplace_back(text);
   }
   if (report.largest_limit_excess > radians_per_degree) {
-    std::snprintf(text, sizeof text, "a joint was bent back by up to %.0f° at its limit",
+    std::snprintf(text, sizeof text, "joint limits reduced rotations by up to %.0f°",
                   report.largest_limit_excess / radians_per_degree);
     report.remarks.emplace_back(text);
   }
@@ -163,8 +164,8 @@ Finished finished_with_feet_apart(const Clip& timed, const Clip& reference,
   }
   char text[160];
   std::snprintf(text, sizeof text,
-                "the thighs were turned inwards by %.0f %% of what was asked for: at the whole of "
-                "it, steps would be %.1f cm wide",
+                "the thighs were rotated inwards by %.0f %% of the requested angle: at the full "
+                "angle, steps would be %.1f cm wide",
                 100.0 * clean, 100.0 * *closest);
   report.remarks.emplace_back(text);
   return best;
@@ -221,7 +222,7 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   check(m);
   if (!is_body(clip.body)) {
     throw Error("\"" + clip.name + "\" does not move the canonical body",
-                "map its recording to the body first");
+                "map its recording to the canonical body first");
   }
   ModifiedClip result{clip, {}};
   if (is_identity(m) || clip.frame_count() < 2) return result;
@@ -246,7 +247,7 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   const std::vector<FootPlant> stands = in_time(plants);
   if (at_contacts && contact_frames(contacts, original.frame_count()).empty()) {
     report.remarks.emplace_back(
-        "no foot comes to the floor, so acceleration at contacts changed nothing");
+        "there are no foot contacts, so acceleration at contacts had no effect");
   }
   Finished done = finished_with_feet_apart(with_tempo(moved, m.tempo), reference, stands, m,
                                            in_time(contacts), report);

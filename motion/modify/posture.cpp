@@ -166,7 +166,7 @@ const std::vector<PostureUnitName>& posture_units() {
       {shoulder_abduction, "shoulder-abduction", "spreads both upper arms from the body"},
       {shoulder_flexion, "shoulder-flexion", "lifts both upper arms forward"},
       {shoulder_internal_rotation, "shoulder-internal-rotation",
-       "turns both upper arms inwards about their length"},
+       "rotates both upper arms inwards about their axes"},
       {elbow_flexion, "elbow-flexion", "bends both elbows"},
       {wrist_flexion, "wrist-flexion", "bends both palms towards the forearms"},
       {hip_abduction, "hip-abduction", "spreads both thighs"},

@@ -151,7 +151,7 @@ void check_versions(std::span<const MotionGraph> versions, std::span<const MoodC
   }
   if (!alike) {
     throw Error("versions of different motion graphs cannot be mixed",
-                "make them of one graph (with_motions)");
+                "derive them from one graph (with_motions)");
   }
   for (const MoodChange& from : moods) {
     double sum = 0.0;
@@ -160,8 +160,8 @@ void check_versions(std::span<const MotionGraph> versions, std::span<const MoodC
       sum += weight;
     }
     if (!(sum > 0.0) || !std::isfinite(sum) || from.moods.size() > versions.size()) {
-      throw Error("weights of a motion graph's versions that are none",
-                  "give a weight of at least 0 a version, not all 0");
+      throw Error("invalid weights of a motion graph's versions",
+                  "give each version a weight of at least 0, not all 0");
     }
   }
 }
@@ -207,12 +207,12 @@ Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
 WalkedClip walked_clip(std::span<const MotionGraph> versions, const GraphWalk& walk,
                        std::span<const MoodChange> moods, const GraphWalkOptions& options) {
   check_versions(versions, moods);
-  if (walk.edges.empty())
-    throw Error("a walk over a motion graph without a frame", "give it an edge");
+  if (walk.edges.empty()) throw Error("a walk over a motion graph has no frames", "add an edge");
   const Mix mix = mixed(versions, walk, moods);
   if (!options.added_headings.empty() && options.added_headings.size() != mix.frames.size()) {
-    throw Error("headings are added to a walk over a motion graph that has other frames",
-                "give one a frame of the walk");
+    throw Error(
+        "headings are added to a walk over a motion graph with a different number of frames",
+        "give one per frame of the walk");
   }
   Clip clip = untimed_clip(mix, options);
   std::vector<FootPlant> plants = plants_of(versions.front(), mix.frames);

@@ -21,7 +21,7 @@ void check_options(const GuidedWalkOptions& options) {
   if (!(options.ahead_seconds > 0.0) || !(options.kept_seconds > 0.0) ||
       options.kept_seconds > options.ahead_seconds || !(options.between_seconds >= 0.0) ||
       options.most_edges < 1) {
-    throw Error("a guided walk that looks ahead by nothing, or by less than it keeps",
+    throw Error("a guided walk looks ahead by zero seconds, or by less than it keeps",
                 "2.5 s ahead and 0.8 s kept are usual");
   }
 }
@@ -102,7 +102,7 @@ void refuse_straying(const FloorPath& path, const Clip& clip) {
     way = nearest_way(path, pose.root_position, way);
     if ((point_at(path, way) - horizontal(pose.root_position)).norm() < lost) continue;
     throw Error("the motion graph strays from the path by more than a metre",
-                "add motions that turn as the path does, or raise the graph's threshold");
+                "add motions with such turns, or raise the graph's threshold");
   }
 }
 
@@ -123,8 +123,8 @@ void add_moments(const WalkSegment& segment, double brisk, ScriptMoments& moment
   const double seconds = turns ? std::abs(segment.degrees) / turning_of(segment) : segment.seconds;
   if (!std::isfinite(seconds) || seconds < 0.0 || !std::isfinite(rate) ||
       !std::isfinite(segment.pace)) {
-    throw Error("a walk's script with a number that is none, or a time below 0",
-                "give seconds, degrees and shares");
+    throw Error("a walk script with an invalid number, or a time below 0",
+                "give seconds, degrees and weights");
   }
   double heading = moments.headings.empty() ? 0.0 : moments.headings.back();
   if (!segment.moods.empty()) {
@@ -168,7 +168,7 @@ ScriptMoments moments_of(std::span<const WalkSegment> script, double frame, doub
     add_goal(script, i, moments);
   }
   if (moments.speeds.empty())
-    throw Error("an empty script for a walk", "give one segment at least");
+    throw Error("an empty script for a walk", "give at least one segment");
   return moments;
 }
 

@@ -37,7 +37,8 @@ void check(const MotionGraphOptions& options) {
                 "a third of a second is usual");
   }
   if (!(options.cloud.virtual_point_m >= 0.0)) {
-    throw Error("a motion graph's virtual points lie below 0 m off the bones", "0.1 m is usual");
+    throw Error("the distance of a motion graph's virtual points from the bones is negative",
+                "0.1 m is usual");
   }
   if (!(options.most_contact_change >= 0.0 && options.most_contact_change <= 1.0)) {
     throw Error("a motion graph's most_contact_change is no share", "choose it from 0 to 1");
@@ -48,7 +49,7 @@ void check(const MotionGraphOptions& options) {
   double sum = 0.0;
   for (const double weight : options.cloud.joint_weights) {
     if (!(weight >= 0.0))
-      throw Error("a joint of a motion graph weighs less than 0", "use 0 to leave it out");
+      throw Error("a joint of a motion graph weighs less than 0", "use 0 to omit it");
     sum += weight;
   }
   if (sum <= 0.0) throw Error("no joint of a motion graph has a weight", "use 1 for all");
@@ -65,7 +66,7 @@ bool is_same_body(const Skeleton& a, const Skeleton& b) {
 
 void check_alike(const Clip& clip, const Clip& first) {
   if (!is_body(clip.body)) {
-    throw Error("the motion " + quoted(clip) + " is not of the canonical body",
+    throw Error("the motion " + quoted(clip) + " does not have the canonical body",
                 "map it to the body first (rig/body_mapping.h)");
   }
   if (!is_same_body(clip.body, first.body)) {
@@ -106,7 +107,7 @@ double sufficient_threshold(MotionGraph graph, const std::vector<DistanceMinimum
 [[noreturn]] void refuse_unconnected(const MotionGraph& graph,
                                      const std::vector<DistanceMinimum>& minima) {
   const double enough = sufficient_threshold(graph, minima);
-  throw Error("no part of the motion graph can be walked for ever at a threshold of " +
+  throw Error("no part of the motion graph can be walked endlessly at a threshold of " +
                   in_metres(graph.threshold_m),
               enough < 0.0
                   ? "the motions are too unlike or too short: add some that repeat"
@@ -198,8 +199,8 @@ MotionGraph with_motions(MotionGraph graph, std::span<const SynchronisedMotion> 
     if (clip.frame_count() != graph.clips[c].frame_count() || clip.loops ||
         clip.frames_per_second != graph.clips[c].frames_per_second) {
       throw Error("the motion " + quoted(clip) + " has not the frames of " +
-                      quoted(graph.clips[c]) + ", in whose place it is to stand",
-                  "synchronise it first (synchronised), and unroll loops");
+                      quoted(graph.clips[c]) + ", which it is to replace",
+                  "put it in step first (synchronised), and unroll loops");
     }
     graph.frame_seconds.push_back(motions[c].frame_seconds);
     in_tempo = in_tempo || !motions[c].frame_seconds.empty();

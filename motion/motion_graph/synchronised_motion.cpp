@@ -12,8 +12,9 @@ void check_keytimes(std::span<const double> keytimes, const Clip& clip) {
                keytimes.back() <= clip.duration_seconds() + 1e-9;
   for (std::size_t i = 1; i < keytimes.size(); ++i) sound = sound && keytimes[i] > keytimes[i - 1];
   if (!sound) {
-    throw Error("the keytimes of \"" + clip.name + "\" do not ascend within it",
-                "give two at least, the first and the last frame's among them");
+    throw Error(
+        "the keytimes of \"" + clip.name + "\" are not in ascending order or lie outside it",
+        "give at least two, including those of the first and the last frame");
   }
 }
 
@@ -26,7 +27,7 @@ SynchronisedMotion synchronised(const Clip& version, std::span<const double> ver
   if (version_keytimes.size() != reference_keytimes.size()) {
     throw Error(
         "the keytimes of \"" + version.name + "\" and \"" + reference.name + "\" do not correspond",
-        "give as many of each");
+        "give the same number for both");
   }
   const TimeWarp warp =
       make_time_warp(reference_keytimes, version_keytimes, WarpShape::monotone, false);

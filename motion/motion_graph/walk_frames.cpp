@@ -79,8 +79,8 @@ std::vector<WalkFrame> frames_of(const MotionGraph& graph, const GraphWalk& walk
   for (const int number : walk.edges) {
     const GraphEdge& edge = graph.edges.at(static_cast<std::size_t>(number));
     if (node >= 0 && edge.from != node) {
-      throw Error("a walk over a motion graph leaps from node to node",
-                  "every edge has to begin where the one before ends");
+      throw Error("consecutive edges of a walk over a motion graph are not connected",
+                  "each edge must begin where the previous one ends");
     }
     node = edge.to;
     const GraphNode& from = graph.nodes[static_cast<std::size_t>(edge.from)];

@@ -183,8 +183,8 @@ GraphWalk search_walk(const MixedGraph& mixed, const std::vector<WalkState>& sta
       if (state.played >= kept) break;
     }
     if (state.way < way + 0.02 || state.seconds > longest_seconds) {
-      throw Error("the motion graph does not get on along what it is to follow",
-                  "add motions that walk and turn so, or raise its threshold");
+      throw Error("the motion graph cannot follow the path any further",
+                  "add motions that walk and turn in this way, or raise its threshold");
     }
   }
   return walk;

@@ -24,7 +24,7 @@ void refuse_nonsense(const KnockStyle& style, double frames_per_second) {
       style.knock_seconds > 0.0 && frames_per_second > 0.0) {
     return;
   }
-  throw Error("a knock needs one hit at least, and times and a frame rate above 0",
+  throw Error("a knock needs at least one hit, and times and a frame rate above 0",
               "correct the style");
 }
 

@@ -42,7 +42,7 @@ void warn_of_other_figure(const Skeleton& rig, const JointTransforms& world, con
   const Vec3& arm = world.positions[keys.left.upper_arm];
   const double length = (world.positions[keys.left.forearm] - arm).norm();
   if ((world.positions[other] - arm).norm() < 0.1 * length) return;
-  warnings.push_back("The file holds another figure (" + rig.joints[other].name +
+  warnings.push_back("The file contains another figure (" + rig.joints[other].name +
                      " …); the one of " + rig.joints[keys.left.upper_arm].name + " is taken.");
 }
 
@@ -106,8 +106,8 @@ void warn_of_all_fours(BodyMapping& mapping, const RigMotion& motion) {
   if (!goes_on_all_fours(motion)) return;
   mapping.confidence *= 0.5;
   mapping.warnings.push_back(
-      "The figure goes on all fours: unless it is a human who crawls, it is an animal, and what is "
-      "said of its body does not hold.");
+      "The figure is on all fours: unless it is a crawling human, it is an animal, and the body "
+      "measurements are not valid.");
 }
 
 void warn_of_missing(BodyMapping& mapping) {
@@ -119,7 +119,7 @@ void warn_of_missing(BodyMapping& mapping) {
   }
   if (missing.empty()) return;
   mapping.warnings.push_back("The rig has no joint for " + missing +
-                             "; filled in by average proportions.");
+                             "; filled in from average proportions.");
 }
 
 double mean_confidence(const MappedJoints& joints) {
@@ -141,8 +141,7 @@ Error on_all_fours(const Recording& recording) {
   return Error(
       Place{recording.name},
       "its " + std::to_string(recording.skeleton.size()) +
-          " joints are not recognised as a human figure: by their shape it goes on all "
-          "fours",
+          " joints are not recognised as a human figure: the shape is that of a quadruped",
       "name the joints in a common way (LeftUpLeg, LeftLeg, LeftFoot, LeftArm, …) if it is "
       "a human who crawls, or draw it as a stick figure");
 }
@@ -220,8 +219,8 @@ void check_joints(const Recording& recording, const BodyMapping& mapping) {
   for (const MappedJoint& joint : mapping.joints) {
     for (int rig_joint : joint.group) {
       if (rig_joint < recording.skeleton.size()) continue;
-      throw Error(Place{recording.name}, "it has other joints than the rig that was calibrated",
-                  "recognise this recording by itself");
+      throw Error(Place{recording.name}, "its joints differ from those of the calibrated rig",
+                  "use the recording without calibration");
     }
   }
 }
@@ -258,8 +257,8 @@ BodyMapping recognise(std::span<const Recording> recordings) {
   for (const Recording& recording : recordings) {
     check_frames(recording);
     if (same_rig(first.skeleton, recording.skeleton)) continue;
-    throw Error(Place{recording.name}, "its rig is not that of " + first.name,
-                "calibrate recordings of different rigs apart");
+    throw Error(Place{recording.name}, "its rig differs from that of " + first.name,
+                "calibrate recordings of different rigs separately");
   }
   const std::vector<JointTransforms> world = world_frames(first);
   std::optional<Found> found = find_joints(first, world);
@@ -330,8 +329,7 @@ RigAnalysis analyse_rig(const Recording& recording) {
     result.rejection = error.what();
     result.warnings = recording.notes;
     result.warnings.push_back(result.rejection);
-    result.warnings.push_back(
-        "It is shown as it is: unscaled, a unit of the file for a metre, and +Y up.");
+    result.warnings.push_back("It is shown as it is: unscaled (1 unit = 1 m), with +Y up.");
   }
   double lowest = 0.0;
   const std::vector<JointTransforms> world = world_frames(recording);

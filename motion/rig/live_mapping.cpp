@@ -10,8 +10,8 @@ namespace mien::motion {
 LiveMapping::LiveMapping(const Recording& first) : mapping_(recognise(first)), now_(first) {
   if (!rest_calibration(rig_motion(first, mapping_.joints, mapping_.to_y_up))) {
     throw Error(Place{first.name},
-                "with all angles zero its rig does not stand, so that the hierarchy and one frame "
-                "do not tell how its limbs are turned",
+                "its rig does not stand when all angles are zero, so the orientation of its limbs "
+                "cannot be derived from the hierarchy and one frame",
                 "give a recording of the same rig to calibrate with (--calibration)");
   }
   floor_ = recorded_floor(first, mapping_);
@@ -19,7 +19,7 @@ LiveMapping::LiveMapping(const Recording& first) : mapping_(recognise(first)), n
 
 LiveMapping::LiveMapping(const Recording& calibration, const Recording& first) : now_(first) {
   if (!same_rig(calibration.skeleton, first.skeleton)) {
-    throw Error(Place{calibration.name}, "its rig is not that of the stream",
+    throw Error(Place{calibration.name}, "its rig differs from that of the stream",
                 "calibrate with a recording of the same joints, offsets and unit");
   }
   mapping_ = recognise(calibration);

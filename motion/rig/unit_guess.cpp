@@ -30,14 +30,16 @@ UnitGuess guess_unit(double height, const std::string& format) {
   if (is_metric && height > doll && height < giant) return {};
   const std::optional<double> known = known_unit(height);
   if (!known) {
-    return {1.7 / height, "The figure stands " + number(height) +
-                              " units tall, which fits no known unit of length; it is scaled to "
-                              "1.70 m."};
+    return {
+        1.7 / height,
+        "The figure stands " + number(height) +
+            " units tall, which does not fit any known unit of length; it is scaled to 1.70 m."};
   }
   if (!is_metric) return {*known, ""};
-  return {*known, "The figure stands " + number(height) +
-                      " m tall by the unit of glTF, as no human does; a unit is taken for " +
-                      number(*known) + " m."};
+  return {*known,
+          "The figure stands " + number(height) +
+              " m tall in the unit of glTF, which is implausible; the unit is assumed to be " +
+              number(*known) + " m."};
 }
 
 }  // namespace mien::motion

@@ -46,14 +46,14 @@ FloorPath floor_path(std::span<const Vec3> polyline) {
   std::vector<Vec3> points;
   double length = 0.0;
   for (const Vec3& point : polyline) {
-    if (!point.allFinite()) throw Error("a path with a number that is none", "give metres");
+    if (!point.allFinite()) throw Error("a path with an invalid number", "give metres");
     const double piece = points.empty() ? 1.0 : (horizontal(point) - points.back()).norm();
     if (piece < 1e-6) continue;
     if (!points.empty()) length += piece;
     points.push_back(horizontal(point));
   }
   if (length < 0.1) {
-    throw Error("a path shorter than 0.1 m", "give two points at least that are apart");
+    throw Error("a path shorter than 0.1 m", "give at least two distinct points");
   }
   FloorPath path = in_steps(points, length);
   round_corners(path.points);

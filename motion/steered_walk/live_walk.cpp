@@ -49,10 +49,8 @@ Pose advance(LiveWalk& walk, double seconds, const WalkRequest& request) {
     throw Error("a walker cannot go back in time", "give the seconds since the frame before");
   }
   if (!is_sound(request) || request.moods.size() > walk.moods.size()) {
-    throw Error(
-        "a wish for the walker with a number that is none, a mood below 0 or more moods than it "
-        "has",
-        "give pace, degrees, and a weight a mood");
+    throw Error("a walker request with an invalid number, a mood below 0 or too many moods",
+                "give pace, degrees, and a weight for each mood");
   }
   advance(walk.gaits, steering_of(request), std::min(seconds, longest_frame), walk.walker);
   return pose_of(walk.gaits, walk.walker);

@@ -90,8 +90,8 @@ void check_segment(const WalkSegment& segment) {
   const bool numbers = std::isfinite(segment.seconds) && std::isfinite(segment.degrees) &&
                        std::isfinite(segment.pace) && std::isfinite(segment.turn_rate_deg);
   require_number(numbers && segment.seconds >= 0.0,
-                 "a walk's script with a number that is none, or a time below 0",
-                 "give seconds, degrees and shares");
+                 "a walk script with an invalid number, or a time below 0",
+                 "give seconds, degrees and weights");
   require_number(segment.pace >= 0.0 && segment.pace <= gait_paces.back(),
                  "a walk's pace is not between 0 and 1.2",
                  "1 is the style's own speed; choose a faster style for more");
@@ -164,7 +164,7 @@ Steering steering_along(const FloorPath& path, double way, const RootMotion& roo
 
 WalkedClip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script,
                          const ScriptedWalkOptions& options) {
-  require_number(!script.empty(), "an empty script for a walk", "give one segment at least");
+  require_number(!script.empty(), "an empty script for a walk", "give at least one segment");
   double heading = options.heading;
   Filming film = filming(gaits, options, options.place, heading);
   for (const WalkSegment& segment : script) {

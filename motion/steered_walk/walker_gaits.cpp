@@ -187,7 +187,7 @@ std::array<LegCycle, 2> legs_of(const FittedGait& gait, const Skeleton& body, do
 }
 
 WalkerGaits fit_walker(std::span<const WalkStyle> moods, const Skeleton& body) {
-  if (moods.empty()) throw Error("a walker without a mood", "give one style at least");
+  if (moods.empty()) throw Error("a walker needs a style", "give at least one style");
   WalkerGaits gaits;
   gaits.body = body;
   for (const WalkStyle& style : moods) gaits.moods.push_back(fit_mood(style, body));

@@ -26,12 +26,12 @@ bool changes_posture(const Modification& modification) {
 Error tempo_refused(double tempo) {
   char wrong[120];
   std::snprintf(wrong, sizeof wrong,
-                tempo < 1.0 ? "tempo %g cannot be streamed: the motion would fall behind for ever"
-                            : "tempo %g cannot be streamed: it would show what has not come yet",
+                tempo < 1.0
+                    ? "tempo %g cannot be streamed: the motion would fall behind without limit"
+                    : "tempo %g cannot be streamed: it would need future frames",
                 tempo);
   return Error(wrong,
-               "leave the tempo out (--leave-out tempo), or modify the whole motion once it has "
-               "been recorded");
+               "omit the tempo (--leave-out tempo), or modify the whole motion after recording");
 }
 
 }  // namespace
@@ -73,19 +73,19 @@ void check_streamable(const Modification& m) {
   check(m);
   if (m.tempo != 1.0) throw tempo_refused(m.tempo);
   if (m.variation != 0.0) {
-    throw Error("variation cannot be streamed: its curves run over the whole motion",
-                "leave the variation out (--leave-out variation), or modify the whole motion once "
-                "it has been recorded");
+    throw Error(
+        "variation cannot be streamed: its curves span the whole motion",
+        "omit the variation (--leave-out variation), or modify the whole motion after recording");
   }
   if (m.acceleration != 0.0 && m.acceleration_place == AccelerationPlace::contacts) {
     throw Error(
-        "acceleration at contacts cannot be streamed: contacts are found on the whole motion",
+        "acceleration at contacts cannot be streamed: contacts are detected in the whole motion",
         "accelerate at pauses (acceleration_at: pauses)");
   }
   if (!changes_paths(m)) return;
   if (m.signal == RotationSignal::quaternions) {
     throw Error("paths by quaternions cannot be streamed: they need the mean of the whole motion",
-                "let the signal be direction-vectors");
+                "use the signal direction-vectors");
   }
   if (m.gains && m.gains->bands.size() > most_bands) {
     throw Error("gains of " + std::to_string(m.gains->bands.size()) + " bands cannot be streamed",

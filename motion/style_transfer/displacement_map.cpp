@@ -56,7 +56,7 @@ CubicSpline spline_of(std::vector<DisplacementKey> keys, const DisplacementMapOp
     if (key.seconds <= times.back()) {
       throw Error("two displacements of " + std::string(name_of(key.joint)) + " are at " +
                       in_milliseconds(key.seconds),
-                  "leave one of them out");
+                  "remove one of them");
     }
     const auto row = static_cast<Eigen::Index>(times.size());
     values.row(row) << key.turn.transpose(), key.shift.transpose();

@@ -92,7 +92,7 @@ MotionCurves retimed(const MotionCurves& curves, const std::vector<NewPeriod>& p
 
 EmotionTransform emotion_transform(const Clip& neutral, const Clip& emotional) {
   if (neutral.loops != emotional.loops) {
-    throw Error("of \"" + neutral.name + "\" and \"" + emotional.name + "\" one repeats, one not",
+    throw Error("of \"" + neutral.name + "\" and \"" + emotional.name + "\" only one is cyclic",
                 "take the emotion transform from two motions of one kind");
   }
   const BodyJoint effector = busiest_effector(neutral);

@@ -14,7 +14,7 @@ using Spectrum = Eigen::MatrixXcd;
 
 void require_loop(const Clip& clip) {
   if (clip.loops) return;
-  throw Error("the motion \"" + clip.name + "\" does not repeat, so it has no Fourier series",
+  throw Error("the motion \"" + clip.name + "\" is not cyclic, so it has no Fourier series",
               "use a gait cycle, or another method");
 }
 

@@ -92,7 +92,7 @@ LtiStyleModel fit_lti_style(const Clip& neutral, const Clip& styled,
                             const LtiStyleOptions& options) {
   require_options(options);
   if (neutral.loops != styled.loops) {
-    throw Error("of \"" + neutral.name + "\" and \"" + styled.name + "\" one repeats, one not",
+    throw Error("of \"" + neutral.name + "\" and \"" + styled.name + "\" only one is cyclic",
                 "learn a style from two motions of one kind");
   }
   LtiStyleModel model;

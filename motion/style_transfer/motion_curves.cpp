@@ -19,7 +19,7 @@ constexpr double timing_cutoff_hz = 4.0;
 
 void require_curves(const Clip& clip) {
   if (!is_body(clip.body)) {
-    throw Error("the motion \"" + clip.name + "\" is not of the canonical body",
+    throw Error("the motion \"" + clip.name + "\" does not have the canonical body",
                 "use the motion of a human figure");
   }
   if (clip.frame_count() < 4) {

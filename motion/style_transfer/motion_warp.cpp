@@ -47,9 +47,9 @@ void require_keys(const Clip& motion, const std::vector<WarpKey>& keys,
     }
     if (!key.at) continue;
     if (*key.at < 0.0 || *key.at > new_duration + 1e-9 || *key.at <= last_at) {
-      throw Error(which + " is moved to " + seconds_text(*key.at) +
-                      ", out of the result or of the keys' order",
-                  "move it to a time between those of its neighbours");
+      throw Error(
+          which + " is moved to " + seconds_text(*key.at) + ", outside the result or out of order",
+          "move it to a time between those of its neighbours");
     }
     last_at = *key.at;
   }
@@ -228,7 +228,7 @@ Clip motion_warped(const Clip& motion, const std::vector<WarpKey>& given,
 std::vector<WarpKey> keys_towards(const Example& motion, const Example& styled) {
   if (motion.keytimes.size() != styled.keytimes.size() || motion.clip.loops != styled.clip.loops) {
     throw Error("\"" + motion.name + "\" and \"" + styled.name + "\" have different keytimes",
-                "use two motions of one kind, or give keys by hand");
+                "use two motions of the same kind, or specify keys");
   }
   std::vector<WarpKey> keys;
   const size_t count = motion.keytimes.size() - (motion.clip.loops ? 1 : 0);

@@ -77,11 +77,11 @@ Matrix joint_shares(const Matrix& mixing) {
 
 void require_pair(const Clip& neutral, const Clip& styled, const StyleComponentOptions& options) {
   if (neutral.loops != styled.loops) {
-    throw Error("of \"" + neutral.name + "\" and \"" + styled.name + "\" one repeats, one not",
+    throw Error("of \"" + neutral.name + "\" and \"" + styled.name + "\" only one is cyclic",
                 "take style components from two motions of one kind");
   }
   if (options.components < 1) {
-    throw Error("a motion has no less than one component", "give components of 1 or more");
+    throw Error("a motion has at least one component", "give components of 1 or more");
   }
 }
 

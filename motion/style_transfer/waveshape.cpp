@@ -30,7 +30,8 @@ void require_shape(const JointWaveshape& joint) {
   }
   for (size_t k = 1; k < shape.points.size(); ++k) {
     if (shape.points[k].first <= shape.points[k - 1].first) {
-      throw Error(whose + " has points that do not ascend", "sort them by the first number");
+      throw Error(whose + " has points that are not in ascending order",
+                  "sort them by the first number");
     }
   }
 }

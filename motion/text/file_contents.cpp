@@ -39,17 +39,18 @@ std::string status_error(const struct stat& status, std::uintmax_t most_bytes) {
     case S_IFREG:
       break;
     case S_IFDIR:
-      return "is a folder and no file";
+      return "is a folder, not a file";
     case S_IFIFO:
-      return "is a pipe and no file";
+      return "is a pipe, not a file";
     case S_IFSOCK:
-      return "is a socket and no file";
+      return "is a socket, not a file";
     default:
-      return "is a device and no file";
+      return "is a device, not a file";
   }
   const auto size = static_cast<std::uintmax_t>(status.st_size);
   if (size <= most_bytes) return "";
-  return "has " + size_text(size) + ", more than the " + size_text(most_bytes) + " that are read";
+  return "has " + size_text(size) + ", more than the " + size_text(most_bytes) +
+         " that can be read";
 }
 
 /// An open file that closes itself.
@@ -83,7 +84,7 @@ FileReading read_to_end(int file, std::uintmax_t size, std::uintmax_t most_bytes
     if (count < 0 && errno != EINTR) return failed_reading(unreadable(errno));
     bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (bytes.size() > most_bytes)
-      return failed_reading("has more than the " + size_text(most_bytes) + " that are read");
+      return failed_reading("has more than the " + size_text(most_bytes) + " that can be read");
     if (count == 0) return {std::move(bytes), ""};
   }
 }
@@ -112,8 +113,7 @@ FileReading bytes_of_file(const std::filesystem::path& path, std::uintmax_t most
 std::string read_contents(const std::filesystem::path& path) {
   FileReading reading = bytes_of_file(path, max_recording_bytes);
   if (reading.bytes && is_lfs_pointer(*reading.bytes))
-    throw Error({path.string()},
-                "is a pointer of git LFS: it stands for the file, which is not here",
+    throw Error({path.string()}, "is a git LFS pointer; the file itself has not been fetched",
                 "run: git lfs pull");
   if (reading.bytes) return *std::move(reading.bytes);
   throw Error({path.string()}, reading.error, "give the path of a motion file");

@@ -14,8 +14,7 @@ namespace {
 using std::string_view_literals::operator""sv;
 
 constexpr std::string_view export_again = "export the motion as BVH or glTF, and name that file";
-constexpr std::string_view download_again =
-    "download the file itself, not the page that shows or offers it";
+constexpr std::string_view download_again = "download the file itself, not a page about it";
 
 /// Magic bytes of a kind of file.
 struct Signature {
@@ -69,22 +68,23 @@ std::string_view from_first_letter(std::string_view bytes) {
 void refuse_other_motion(std::string_view bytes, std::string_view file, FileKind kind) {
   const std::string_view text = from_first_letter(bytes);
   if (kind != FileKind::gltf && bytes.starts_with("glTF")) {
-    refuse(file, "is a binary glTF file", "give it the ending .glb");
+    refuse(file, "is a binary glTF file", "rename it to .glb");
   }
   if (kind != FileKind::gltf && text.starts_with('{')) {
-    refuse(file, "is JSON text and no motion of this kind",
-           "give it the ending .gltf if it is a glTF file");
+    refuse(file, "is JSON text, not a motion of this format",
+           "rename it to .gltf if it is a glTF file");
   }
   if (kind != FileKind::bvh && begins_with(text, "hierarchy")) {
-    refuse(file, "is a BVH file", "give it the ending .bvh");
+    refuse(file, "is a BVH file", "rename it to .bvh");
   }
 }
 
 }  // namespace
 
 void require_kind(std::string_view bytes, std::string_view file, FileKind kind) {
-  if (bytes.empty()) refuse(file, "is empty", "get the file again");
-  if (from_first_letter(bytes).empty()) refuse(file, "holds nothing but blanks", "get it again");
+  if (bytes.empty()) refuse(file, "is empty", "obtain the file again");
+  if (from_first_letter(bytes).empty())
+    refuse(file, "contains only white space", "obtain it again");
   for (const Signature& signature : signatures) {
     if (bytes.starts_with(signature.bytes)) refuse(file, signature.is, signature.remedy);
   }

@@ -15,11 +15,11 @@ namespace {
 
 const char* remedy_of(const std::error_code& code) {
   if (code == std::errc::no_space_on_device || code == std::error_code(EDQUOT, code.category()))
-    return "; make room, and try again";
-  if (code == std::errc::no_such_file_or_directory) return "; make its folder first";
+    return "; free some space, and try again";
+  if (code == std::errc::no_such_file_or_directory) return "; create its folder first";
   if (code == std::errc::permission_denied || code == std::errc::operation_not_permitted ||
       code == std::errc::read_only_file_system)
-    return "; name a folder that can be written to";
+    return "; name a writable folder";
   if (code == std::errc::is_a_directory) return "; name a file";
   return "";
 }

@@ -72,7 +72,7 @@ std::string fault_inside(const fs::path& folder, std::string_view relative) {
     std::error_code unknown;
     if (!fs::is_symlink(fs::symlink_status(at, unknown))) continue;
     const fs::path target = fs::canonical(at, unknown);
-    if (unknown) return "is a link to what is not there";
+    if (unknown) return "is a broken link";
     if (!lies_below(target, real)) return "is behind a link that leads out of its folder";
   }
   return "";
@@ -85,7 +85,7 @@ std::string fault_of_name(std::string_view name) {
   if (name == "." || name == "..") return leads_out;
   if (name.front() == '/' || name.front() == '\\') return absolute;
   if (has_drive(name)) return "begins with a drive letter";
-  if (name.find_first_of("/\\") != std::string_view::npos) return "is a path and no name";
+  if (name.find_first_of("/\\") != std::string_view::npos) return "is a path, not a name";
   if (std::ranges::any_of(name, is_control)) return "holds a control character";
   if (is_reserved(name)) return "is reserved on Windows";
   if (name.back() == '.' || name.back() == ' ') return "ends with a dot or a space";

@@ -30,10 +30,10 @@ std::string_view word_at(const TextCursor& cursor) {
   const std::string_view word = word_at(cursor);
   if (word.empty()) {
     fail(cursor, cursor.at, "expected a number, " + std::string(meaning),
-         at_end(cursor) ? "the text ends here: was the file cut short?" : "add the number");
+         at_end(cursor) ? "the text ends here; the file may be truncated" : "add the number");
   }
   const bool comma = word.find(',') != std::string_view::npos;
-  fail(cursor, cursor.at, in_quotes(word) + " is not a usable number, " + std::string(meaning),
+  fail(cursor, cursor.at, in_quotes(word) + " is not a valid number, " + std::string(meaning),
        comma ? "write decimals with a point and separate numbers by spaces"
              : "give a finite decimal number below 1e12");
 }
@@ -137,7 +137,7 @@ long parse_count(TextCursor& cursor, std::string_view meaning) {
   const std::from_chars_result result =
       std::from_chars(word.data(), word.data() + word.size(), value);
   if (result.ec != std::errc{} || result.ptr != word.data() + word.size() || value < 0) {
-    fail(cursor, cursor.at, in_quotes(word) + " is not a usable count, " + std::string(meaning),
+    fail(cursor, cursor.at, in_quotes(word) + " is not a valid count, " + std::string(meaning),
          "give a whole number, 0 or more");
   }
   cursor.at += word.size();

@@ -36,20 +36,17 @@ constexpr std::size_t most_rehearsed = 50;
 /// A manifest's faults, or those of a file of scales, recipes or a set.
 struct Findings {
   std::vector<Fault> faults;
-  std::vector<Fault> warnings;        ///< of a manifest without faults
-  std::vector<std::string> possible;  ///< what adjectives can be, of a manifest without faults
+  std::vector<Fault> warnings;                ///< of a manifest without faults
+  std::vector<RequestedParameter> requested;  ///< of a manifest without faults
   std::size_t stimuli = 0;
   std::size_t rehearsed = 0;  ///< stimuli whose motions were made
 };
 
-/// How many motions were made, and what adjectives can be.
-std::vector<std::string> notes_of(const Findings& findings) {
-  std::vector<std::string> notes;
-  if (findings.rehearsed < findings.stimuli)
-    notes.push_back(fmt::format("made {} of {} motions, of every kind; --thorough makes all",
-                                findings.rehearsed, findings.stimuli));
-  notes.insert(notes.end(), findings.possible.begin(), findings.possible.end());
-  return notes;
+/// How many motions were made; empty where all were.
+std::string sample_note(const Findings& findings) {
+  if (findings.rehearsed >= findings.stimuli) return "";
+  return fmt::format("synthesized {} of {} motions as a sample; --thorough checks all",
+                     findings.rehearsed, findings.stimuli);
 }
 
 nlohmann::ordered_json as_json(const Fault& fault) {
@@ -63,8 +60,11 @@ class JsonFindings {
   void add(const std::string& file, const Findings& findings) {
     add("faults", findings.faults);
     add("warnings", findings.warnings);
-    for (const std::string& note : notes_of(findings))
-      result_["notes"].push_back({{"file", file}, {"text", note}});
+    const auto note = [&](const std::string& text) {
+      result_["notes"].push_back({{"file", file}, {"text", text}});
+    };
+    if (const std::string sample = sample_note(findings); !sample.empty()) note(sample);
+    for (const RequestedParameter& parameter : findings.requested) note(to_sentence(parameter));
   }
 
   std::string text() {
@@ -123,7 +123,7 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
   findings.faults = rehearse(rehearsed, motions);
   findings.stimuli = reading.manifest.stimuli.size();
   findings.rehearsed = rehearsed.stimuli.size();
-  if (findings.faults.empty()) findings.possible = feasible_ranges(reading.manifest, motions);
+  if (findings.faults.empty()) findings.requested = requested_parameters(reading.manifest, motions);
   return findings;
 }
 
@@ -132,7 +132,8 @@ void tell(const Findings& findings, const std::string& file, const Console& cons
   if (!findings.warnings.empty())
     console.err << fault_lines(findings.warnings, "warning: ") << '\n';
   if (findings.faults.empty()) console.out << file << ": no faults\n";
-  for (const std::string& note : notes_of(findings)) console.out << note << '\n';
+  if (const std::string note = sample_note(findings); !note.empty()) console.out << note << '\n';
+  console.out << feasibility_table(findings.requested);
 }
 
 int check(const CheckOptions& options, const Console& console) {
@@ -155,20 +156,20 @@ Command check_command() {
   const auto options = std::make_shared<CheckOptions>();
   return {
       .name = "check",
-      .summary = "Find everything wrong with a manifest, or a file that it names",
+      .summary = "Check a manifest, or a file that it names, and list all faults",
       .options =
           {argument("manifest", &options->manifests,
                     "Manifests, or files of scales, recipes or a set (YAML)"),
-           option("--out,-o", &options->out, "As of run: where results would go").with_default(),
-           flag("--quick", &options->quick, "Make no motion: look at the files alone"),
+           option("--out,-o", &options->out, "Output folder, as for mien run").with_default(),
+           flag("--quick", &options->quick, "Check the files only; synthesize no motions"),
            flag("--thorough", &options->thorough,
-                fmt::format("Make all motions, and of a large study not {} of every kind alone",
+                fmt::format("Synthesize all motions of a large study instead of a sample of {}",
                             most_rehearsed)),
            flag("--json", &options->json, "Faults, warnings and notes as JSON on standard output")},
       .notes =
-          "Makes and stages the motions of a manifest without faults; draws nothing and writes no "
-          "file. Faults are told as file:line:column: path.to.key: what is wrong; how to mend "
-          "it.\n\nExample:\n  mien check my.yaml",
+          "If the manifest has no faults, its motions are synthesized and staged, but nothing is "
+          "rendered or written. Faults are printed as file:line:column: path.to.key: what is "
+          "wrong; how to fix it.\n\nExample:\n  mien check my.yaml",
       .run = [options](const Console& console) { return check(*options, console); }};
 }
 

@@ -79,10 +79,8 @@ void tell_dead_links(const Cleaning& cleaning, const fs::path& folder, const Cle
   const int links = options.stale ? 0 : dead_links(folder, cleaning);
   if (links == 0) return;
   console.out << fmt::format(
-      "report.html: {} of its links {} nowhere {}, until mien run makes that again; {} tells what "
-      "it is\n",
-      links, options.dry_run ? "would lead" : "lead", options.dry_run ? "then" : "now",
-      not_kept_path);
+      "report.html: {} of its links {} broken until mien run makes the files again; see {}\n",
+      links, options.dry_run ? "would be" : "are", not_kept_path);
 }
 
 void tell(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
@@ -96,7 +94,7 @@ void tell(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& 
   }
   for (const std::string& path : shown_paths(cleaning.changed))
     console.out << (options.dry_run ? "would leave " : "left ") << path
-                << ", which was changed since it was made\n";
+                << ", which was changed after it was made\n";
   tell_dead_links(cleaning, folder, options, console);
   if (cleaning.removed.empty() && cleaning.changed.empty()) {
     console.out << folder.string() << ": nothing to remove\n";
@@ -117,9 +115,9 @@ ordered_json as_json(const Cleaning& cleaning, const fs::path& folder,
 
 int clean(const CleanOptions& options, const Console& console) {
   if (!options.stale && options.keep.empty()) {
-    throw Error("it is not said what to remove",
-                "--stale removes what the manifest no longer makes, --keep videos,sheets all other "
-                "kinds");
+    throw Error("nothing to remove was specified",
+                "use --stale to remove what the manifest no longer makes, or --keep videos,sheets "
+                "to remove all other kinds");
   }
   const fs::path folder = study_folder(options, console);
   const Cleaning cleaning = cleaned(options, folder, console);
@@ -137,25 +135,25 @@ Command clean_command() {
   const auto options = std::make_shared<CleanOptions>();
   return {
       .name = "clean",
-      .summary = "Remove artifacts that nobody needs any more",
-      .options = {argument(
-                      "study", &options->study,
-                      "Manifest (YAML), or the name of one of mien manifests; with --keep also the "
-                      "folder of a study, or its provenance.json"),
-                  flag("--stale", &options->stale,
-                       "What the manifest does not make any more: mien plan lists it"),
-                  choice("--keep", options->keep, kinds_by_name(),
-                         "All but these kinds, separated by commas")
-                      .excludes("--stale"),
-                  flag("--dry-run", &options->dry_run, "Tell what would go, and remove nothing"),
-                  option("--out,-o", &options->out,
-                         "Folder of all studies; results are in <out>/<study>")
-                      .with_default(),
-                  flag("--json", &options->json, "What was removed as JSON on standard output")},
+      .summary = "Remove artifacts that are no longer needed",
+      .options =
+          {argument("study", &options->study,
+                    "Manifest (YAML), or the name of one of mien manifests; with --keep also the "
+                    "folder of a study, or its provenance.json"),
+           flag("--stale", &options->stale,
+                "Remove what the manifest no longer makes (listed by mien plan)"),
+           choice("--keep", options->keep, kinds_by_name(),
+                  "Remove all kinds of artifacts except these, separated by commas")
+               .excludes("--stale"),
+           flag("--dry-run", &options->dry_run, "List what would be removed, and remove nothing"),
+           option("--out,-o", &options->out, "Folder of all studies; results are in <out>/<study>")
+               .with_default(),
+           flag("--json", &options->json, "List of removed files as JSON on standard output")},
       .notes =
-          "Only what mien made and nobody has changed is removed. provenance.json, inputs/ and the "
-          "report stay. What --keep removed stands in not-kept.json: mien verify knows that it is "
-          "not missing, and mien run makes it again.\n\nExamples:\n"
+          "Only files that mien made and that are unchanged are removed. provenance.json, inputs/ "
+          "and the report are kept. not-kept.json records what --keep removed, so that mien verify "
+          "does not report it as missing; mien run makes it again.\n\n"
+          "Examples:\n"
           "  mien clean --stale my.yaml\n"
           "  mien clean out/my-study --keep videos,sheets --dry-run",
       .run = [options](const Console& console) { return clean(*options, console); }};

@@ -169,7 +169,7 @@ std::string zsh_option(const CommandPage& page, const CommandOption& option) {
 }
 
 std::string zsh_options(const CommandPage& page) {
-  std::string lines = " \\\n    '(- *)'{-h,--help}'[Say what it takes]'";
+  std::string lines = " \\\n    '(- *)'{-h,--help}'[Show help]'";
   for (const CommandOption& option : page.command.named_options()) {
     lines += " \\\n    " + zsh_option(page, option);
   }
@@ -195,7 +195,7 @@ std::string zsh_group(const Command& program, const CommandPage& page) {
                          zsh_function(page.name + " " + command.name));
   }
   if (&page.command == &program) {
-    names += "    'help:Say what a command takes'\n";
+    names += "    'help:Show help for a command'\n";
     calls += "        help) " + zsh_function(program.name) + " ;;\n";
   }
   return fmt::format(
@@ -217,10 +217,10 @@ std::string command_that_lists(const CommandPage& page, const CommandOption& arg
 Command completion_command() {
   const auto shell = std::make_shared<std::string>();
   return {.name = "completion",
-          .summary = "Print the script that lets a shell complete commands",
-          .options = {argument("shell", shell.get(), "For which shell").one_of({"bash", "zsh"})},
+          .summary = "Print the shell completion script",
+          .options = {argument("shell", shell.get(), "Shell").one_of({"bash", "zsh"})},
           .notes =
-              "The Debian package brings both. Without it:\n"
+              "The Debian package installs both. Without the package, add:\n"
               "  source <(mien completion bash)     in ~/.bashrc\n"
               "  source <(mien completion zsh)      in ~/.zshrc, after compinit",
           .run = [shell](const Console& console) {

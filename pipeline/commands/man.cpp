@@ -172,13 +172,13 @@ std::string exit_codes_in_roff() {
 constexpr char files_in_roff[] = R"(.SH FILES
 .TP
 \fIout/\fRstudy
-What a run makes of a manifest, in the current folder;
-\fIreport.html\fR shows it on one page.
+Output of a run, in the current folder;
+\fIreport.html\fR presents it on one page.
 .TP
 \fI../share/mien/manifests\fR
-From the folder of the program: the manifests that came with it, which
+Relative to the program: the manifests installed with it, which
 .B mien manifests
-lists, and the JSON Schemas that editors help with.
+lists, and the JSON Schemas for editors.
 )";
 
 }  // namespace
@@ -190,7 +190,7 @@ std::string manual_page(const Command& program, const std::string& version,
   page += ".SH NAME\nmien \\- make human motion stimuli\n.SH SYNOPSIS\n" + usage_in_roff(pages[0]);
   page += ".SH DESCRIPTION\n" + running_text(program.summary);
   page += "Results go to standard output, progress and faults to standard error.\n";
-  page += ".SH OPTIONS\n.TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nSay what a command takes.\n";
+  page += ".SH OPTIONS\n.TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nShow help for a command.\n";
   for (const CommandOption& option : program.named_options()) page += option_in_roff(option);
   page += ".SH COMMANDS\n";
   for (std::size_t i = 1; i < pages.size(); ++i) page += command_in_roff(pages[i]);

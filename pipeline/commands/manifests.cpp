@@ -66,7 +66,7 @@ std::vector<std::string> files_named_in(const std::string& text, const fs::path&
 int show_manifest(const std::string& name, const Console& console) {
   const fs::path folder = installed_manifests();
   if (folder.empty()) {
-    throw Error("no manifests came with this program",
+    throw Error("no manifests are installed with this program",
                 "install it with its manifests (share/mien/manifests beside bin)");
   }
   if (name.empty()) {
@@ -81,7 +81,7 @@ int show_manifest(const std::string& name, const Console& console) {
   const std::string text = read_file(*file);
   console.out << with_schema_of(folder, text);
   for (const std::string& other : files_named_in(text, *file)) {
-    console.err << "it names a file that has to lie beside it: mien manifests "
+    console.err << "it names a file that must be beside it: mien manifests "
                 << motion::shell_path(other) << " > " << motion::shell_path(other) << '\n';
   }
   return exit_done;
@@ -93,13 +93,13 @@ Command manifests_command() {
   const auto name = std::make_shared<std::string>();
   return {
       .name = "manifests",
-      .summary = "List the manifests that came with mien, or print one",
-      .options = {argument("name", name.get(),
-                           "Manifest, or file of scales or recipes, that is printed")
+      .summary = "List the manifests installed with mien, or print one",
+      .options = {argument("name", name.get(), "Manifest, or file of scales or recipes, to print")
                       .optional()},
       .notes =
-          "A manifest that mien does not find where it is said to be is looked for among these, "
-          "with and without manifests/ before its name and .yaml behind it.\n\nExamples:\n"
+          "Wherever a command takes a manifest that is not found as a file, it is looked up among "
+          "these; manifests/ and .yaml may be omitted.\n\n"
+          "Examples:\n"
           "  mien run quickstart\n"
           "  mien manifests quickstart > my.yaml",
       .run = [name](const Console& console) { return show_manifest(*name, console); }};

@@ -34,11 +34,10 @@ Verification sound(const StudyContents& contents, const Console& console) {
   const Verification verification = verified(contents, threads, console);
   if (verification.is_sound()) return verification;
   tell(verification, contents, {console.err, console.err, console.err_is_terminal, console.stop});
-  throw Error({contents.folder.string()}, "is not what its provenance tells, and is not packed",
+  throw Error({contents.folder.string()}, "differs from its provenance and is not packed",
               "mien run " + motion::shell_path(contents.provenance().string()) + " --out " +
                   motion::shell_path(fs::absolute(contents.folder).parent_path().string()) +
-                  " makes good what is missing or damaged; mien clean is how to leave something "
-                  "out");
+                  " restores what is missing or damaged; use mien clean to leave something out");
 }
 
 int run_pack(const PackOptions& options, const Console& console) {
@@ -46,7 +45,7 @@ int run_pack(const PackOptions& options, const Console& console) {
   const fs::path archive = options.output.empty() ? contents.study + ".tar.zst" : options.output;
   refuse_archive(contents, archive);
   if (!options.force && fs::exists(fs::symlink_status(archive))) {
-    throw Error({archive.string()}, "is there already, and nothing is packed",
+    throw Error({archive.string()}, "exists already; nothing was packed",
                 "--force replaces it, -o names another file");
   }
   const Verification verification = sound(contents, console);
@@ -74,7 +73,7 @@ int run_pack(const PackOptions& options, const Console& console) {
     return exit_done;
   }
   for (const auto& path : extra)
-    console.out << "packed too, though mien did not make it: " << path.get<std::string>() << '\n';
+    console.out << "also packed, though not made by mien: " << path.get<std::string>() << '\n';
   console.out << fmt::format("{}: {}, {} files of {}\n", archive.string(),
                              size_text(fs::file_size(archive)), payload.size(), size_text(bytes));
   return exit_done;
@@ -82,12 +81,12 @@ int run_pack(const PackOptions& options, const Console& console) {
 
 std::vector<CommandOption> info_options(BagInfo& info) {
   return {option("--organization", &info.organization,
-                 "Whose study it is (Source-Organization of bag-info.txt)"),
-          option("--contact-name", &info.contact_name, "Whom to ask (Contact-Name)"),
-          option("--contact-email", &info.contact_email, "Where to ask (Contact-Email)"),
+                 "Organization that owns the study (Source-Organization of bag-info.txt)"),
+          option("--contact-name", &info.contact_name, "Contact person (Contact-Name)"),
+          option("--contact-email", &info.contact_email, "Contact e-mail address (Contact-Email)"),
           option("--description", &info.description,
-                 "What it is, instead of the command that made it (External-Description)"),
-          option("--license", &info.license, "Under what licence: CC-BY-4.0, say (License)")};
+                 "Description, instead of the command that made it (External-Description)"),
+          option("--license", &info.license, "Licence, for example CC-BY-4.0 (License)")};
 }
 
 }  // namespace
@@ -95,20 +94,20 @@ std::vector<CommandOption> info_options(BagInfo& info) {
 Command pack_command() {
   const auto options = std::make_shared<PackOptions>();
   return {.name = "pack",
-          .summary = "Put a finished study into one file for an archive",
+          .summary = "Pack a finished study into one archive file",
           .options = all_of(
               argument("study", &options->study, "Folder of a study, or its provenance.json"),
               option("-o,--output", &options->output,
-                     "Archive, .tar.zst, .tar.gz or .tar; <study>.tar.zst without it"),
-              flag("--force", &options->force, "Replace an archive that is there"),
+                     "Archive to write: .tar.zst, .tar.gz or .tar (default: <study>.tar.zst)"),
+              flag("--force", &options->force, "Replace an existing archive"),
               info_options(options->info),
-              flag("--json", &options->json, "What was packed as JSON on standard output")),
+              flag("--json", &options->json, "List of packed files as JSON on standard output")),
           .notes =
-              "A bag (BagIt, RFC 8493): everything of the study in data/, its SHA-256 sums beside "
-              "it, for sha256sum -c manifest-sha256.txt. The same study with the same options "
-              "gives the same bytes. The study is verified first, and refused when something is "
-              "missing or changed.\n"
-              "\nExamples:\n"
+              "The archive is a bag (BagIt, RFC 8493): the study in data/, with SHA-256 sums "
+              "beside it for sha256sum -c manifest-sha256.txt. The same study with the same "
+              "options gives the same bytes. The study is verified first, and refused if anything "
+              "is missing or changed.\n\n"
+              "Examples:\n"
               "  mien pack out/my-study -o my-study.tar.zst\n"
               "  mien pack out/my-study --organization \"University of Somewhere\" --license "
               "CC-BY-4.0\n"

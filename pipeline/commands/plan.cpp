@@ -38,6 +38,12 @@ ordered_json as_json(const Task& task, const TaskOutcome& planned) {
           {"inputs", task.inputs}, {"products", products}, {"cost_s", task.cost_seconds}};
 }
 
+ordered_json sentences(const std::vector<RequestedParameter>& requested) {
+  ordered_json list = ordered_json::array();
+  for (const RequestedParameter& parameter : requested) list.push_back(to_sentence(parameter));
+  return list;
+}
+
 void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                const Manifest& manifest, const std::string& folder,
                const std::vector<std::string>& stale, const Console& console) {
@@ -49,7 +55,7 @@ void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                                {"folder", folder},
                                {"cost_s", cost_of(graph, planned)},
                                {"tasks", tasks},
-                               {"adjectives", feasible_ranges(manifest)},
+                               {"adjectives", sentences(requested_parameters(manifest))},
                                {"warnings", told_repetitions(manifest)},
                                {"stale", stale}};
   console.out << result.dump(2) << '\n';
@@ -62,8 +68,9 @@ void show_table(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
     console.out << fmt::format("{:8}{:>9}  {}\n", word_for(planned[i].state),
                                as_duration(task.cost_seconds), task.id);
   }
-  console.out << fmt::format("about {} on one processor\n", as_duration(cost_of(graph, planned)));
-  for (const std::string& line : feasible_ranges(manifest)) console.out << line << '\n';
+  console.out << fmt::format("estimated time on one processor: {}\n",
+                             as_duration(cost_of(graph, planned)));
+  console.out << feasibility_table(requested_parameters(manifest));
 }
 
 int show_plan(const ProductionArguments& arguments, const Console& console) {
@@ -88,14 +95,15 @@ int show_plan(const ProductionArguments& arguments, const Console& console) {
 
 Command plan_command() {
   const auto arguments = std::make_shared<ProductionArguments>();
-  return {.name = "plan",
-          .summary = "Show what a run would do, without doing it",
-          .options = production_options(*arguments),
-          .notes =
-              "cached: present; due: will be made; waiting: depends on what is due. Files are told "
-              "by their receipts and sizes: one that was damaged and kept its size is found by "
-              "run, which reads them all. Times are estimates.\n\nExample:\n  mien plan quickstart",
-          .run = [arguments](const Console& console) { return show_plan(*arguments, console); }};
+  return {
+      .name = "plan",
+      .summary = "Show what a run would make and how long it would take",
+      .options = production_options(*arguments),
+      .notes =
+          "cached: up to date; due: will be made; waiting: depends on a task that is due. Files "
+          "are checked by receipt and size only; run also reads their contents. Times are "
+          "estimates.\n\nExample:\n  mien plan quickstart",
+      .run = [arguments](const Console& console) { return show_plan(*arguments, console); }};
 }
 
 }  // namespace mien::pipeline

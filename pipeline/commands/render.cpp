@@ -105,8 +105,8 @@ int still_frame(const scenes::Shot& shot, const RenderOptions& options, double f
   if (moment == "middle") return shot.actors.front().trail ? last : last / 2;
   const double seconds = motion::as_number<double>(moment).value_or(-1.0);
   if (!(seconds >= 0.0 && seconds * fps < last + 1.0)) {
-    throw Error(fmt::format("--still: {} is no moment of the motion", motion::in_quotes(moment)),
-                fmt::format("write seconds from 0 to {:.2f}, or no number", last / fps));
+    throw Error(fmt::format("--still: {} is outside the motion", motion::in_quotes(moment)),
+                fmt::format("write seconds from 0 to {:.2f}, or omit the number", last / fps));
   }
   return std::min(static_cast<int>(std::lround(seconds * fps)), last);
 }
@@ -121,8 +121,8 @@ void tell_size(const scenes::Shot& shot, const Look& look, const Console& consol
   } else if (shot.cameras.cameras.size() == 1 && pixels < small_figure * camera.height &&
              shot.step.isZero() && !look.camera.figure_px && !look.camera.position) {
     console.err << fmt::format(
-        "note: the figure is {:.0f} of {} pixels tall because its way has to "
-        "be in the picture; --camera follow or --in-place show it larger\n",
+        "note: the figure is only {:.0f} of {} pixels tall because its whole path has to be in the "
+        "image; use --camera follow or --in-place to show it larger\n",
         pixels, camera.height);
   }
 }
@@ -197,15 +197,15 @@ std::vector<CommandOption> file_options(RenderOptions& options) {
                "created (blue), reference (red)")
           .values(1, 3),
       take_option(options.take),
-      option("--layout", &options.layout, "Of several motions")
+      option("--layout", &options.layout, "Motions to use of several")
           .one_of({"superimposed", "side-by-side"})
           .with_default(),
       option("-o,--output", &options.out,
              "Video (" + video_endings() +
-                 ") or contact sheet (.png), in a folder that is made if need be; <file>.mp4 in "
-                 "this folder without it"),
+                 ") or contact sheet (.png) to write; its folder is created if necessary (default: "
+                 "<file>.mp4 in the current folder)"),
       flag("--repeat", &options.repeat,
-           "Animated pictures (webp, gif, apng): repeat for ever instead of playing once")};
+           "Animated images (webp, gif, apng): loop forever instead of playing once")};
 }
 
 /// How they are shown.
@@ -219,47 +219,50 @@ std::vector<CommandOption> look_options(LookOptions& look) {
               .with_default(),
           option("--scene", &look.scene,
                  "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "
-                 "sets); studio, or void for point lights, without it")};
+                 "sets); default: studio, or void for point lights")};
 }
 
 /// Stills, dots and noise.
 std::vector<CommandOption> picture_options(RenderOptions& options) {
   return {
       option("--still", &options.still,
-             "One picture (.png) instead of a contact sheet: of that moment in seconds, or of the "
-             "middle (a trail's end) without a number")
+             "A still (.png) instead of a contact sheet, at that time in seconds (default: the "
+             "middle, or the end of a trail)")
           .values(0, 1)
           .with_default("middle"),
-      option("--dots", &options.dots, "Also write where the point lights are (CSV)"),
-      option("--seed", &options.seed, "Of what is random about point lights").with_default(),
-      option("--background", &options.background,
-             "Of a still: shown, transparent, or shadow (the figure and its shadow alone)")
+      option("--dots", &options.dots, "Also write the positions of the point lights (CSV)"),
+      option("--seed", &options.seed, "Random seed of point lights").with_default(),
+      option(
+          "--background", &options.background,
+          "Background of a still: shown, transparent, or shadow (only the figure and its shadow)")
           .one_of({"shown", "transparent", "shadow"})
           .with_default(),
-      option("--jobs,-j", &options.jobs, "Threads (default: one a processor)").between(1, 1024)};
+      option("--jobs,-j", &options.jobs, "Number of threads (default: one per processor)")
+          .between(1, 1024)};
 }
 
 }  // namespace
 
 Command render_command() {
   const auto options = std::make_shared<RenderOptions>();
-  return {.name = "render",
-          .summary = "Make a video of a motion file",
-          .options = all_of(file_options(*options), options->output.options(),
-                            look_options(options->look), picture_options(*options)),
-          .notes =
-              "Units, up axis, ground and camera are found by themselves.\n\nExamples:\n"
-              "  mien render walk.bvh\n  mien render walk.bvh -o side.mp4 --camera side --size "
-              "1920x1080\n"
-              "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
-              "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
-              "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"
-              "Endings: .mp4 is H.264, .lossless.mp4 H.264 in lossless RGB, .webm VP9, .av1.webm "
-              "AV1, .mkv\n"
-              "FFV1 (lossless); .webp, .gif and .apng are animated pictures. Each file is decoded "
-              "again and\n"
-              "held against the frames.",
-          .run = [options](const Console& console) { return render_file(*options, console); }};
+  return {
+      .name = "render",
+      .summary = "Make a video of a motion file",
+      .options = all_of(file_options(*options), options->output.options(),
+                        look_options(options->look), picture_options(*options)),
+      .notes =
+          "Units, up axis, floor and camera are determined automatically.\n\n"
+          "Examples:\n"
+          "  mien render walk.bvh\n"
+          "  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080\n"
+          "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
+          "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
+          "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"
+          "Endings: .mp4 is H.264, .lossless.mp4 H.264 in lossless RGB, .webm VP9, .av1.webm AV1, "
+          ".mkv\n"
+          "FFV1 (lossless); .webp, .gif and .apng are animated images. Each file is decoded and\n"
+          "compared with the rendered frames.",
+      .run = [options](const Console& console) { return render_file(*options, console); }};
 }
 
 }  // namespace mien::pipeline

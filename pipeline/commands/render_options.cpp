@@ -88,11 +88,11 @@ std::string default_of(const json& schema) {
 fs::path file_of(const RenderOptions& options) {
   if (options.out.empty()) return fs::path(options.files.front()).stem().concat(".mp4");
   if (fs::path(options.out).extension() == ".exr" && !options.still) {
-    throw Error("--output: only a still has layers", "add --still, or end it in .png");
+    throw Error("--output: only a still has layers", "add --still, or use the extension .png");
   }
   if (is_picture(options.out) || render::video_kind_of(options.out)) return options.out;
-  throw Error("--output: " + motion::in_quotes(options.out) + " is neither a video nor a picture",
-              "end it in " + video_endings() + " (video) or .png (contact sheet)");
+  throw Error("--output: " + motion::in_quotes(options.out) + " is neither a video nor an image",
+              "use the extension " + video_endings() + " (video) or .png (contact sheet)");
 }
 
 bool is_cut_out(const RenderOptions& options) { return options.background != "shown"; }
@@ -117,18 +117,21 @@ void check_as_manifest(const RenderPlan& plan, const Places& places) {
 /// Stills and cut-outs, which no manifest has.
 void check_kind(const RenderOptions& options, const RenderPlan& plan) {
   if (options.still && !is_picture(plan.out)) {
-    throw Error("--still: a still is a picture", "end --output in .png, or in .exr for its layers");
+    throw Error("--still: a still is an image",
+                "use an --output file ending in .png, or in .exr for layers");
   }
   if (!is_cut_out(options)) return;
   const Output& output = plan.settings.output;
   if (!is_still(options, plan) || output.frames == FrameFormat::layers) {
-    throw Error("--background: only a still can be cut out", "add --still, and --output in .png");
+    throw Error("--background: only stills can have a transparent background",
+                "add --still, and --output in .png");
   }
   if (output.shutter > 0.0) {
-    throw Error("--shutter: cut-outs have no motion blur", "leave it out");
+    throw Error("--shutter: stills with a transparent background have no motion blur", "omit it");
   }
   if (plan.look.camera.stereo_separation_m) {
-    throw Error("--camera: cut-outs are of one eye", "leave stereo out");
+    throw Error("--camera: stills with a transparent background cannot be stereo pairs",
+                "omit stereo");
   }
 }
 
@@ -203,11 +206,11 @@ std::string video_endings() {
 fs::path output_of(const RenderOptions& options) {
   if (options.out.empty()) return fs::path(options.files.front()).stem().concat(".mp4");
   if (fs::path(options.out).extension() == ".exr" && !options.still) {
-    throw Error("--output: only a still has layers", "add --still, or end it in .png");
+    throw Error("--output: only a still has layers", "add --still, or use the extension .png");
   }
   if (is_picture(options.out) || render::video_kind_of(options.out)) return options.out;
-  throw Error("--output: " + motion::in_quotes(options.out) + " is neither a video nor a picture",
-              "end it in " + video_endings() + " (video) or .png (contact sheet)");
+  throw Error("--output: " + motion::in_quotes(options.out) + " is neither a video nor an image",
+              "use the extension " + video_endings() + " (video) or .png (contact sheet)");
 }
 
 scenes::Layout layout_of(const RenderOptions& options) {

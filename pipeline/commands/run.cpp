@@ -127,14 +127,15 @@ Command run_command() {
   const auto arguments = std::make_shared<ProductionArguments>();
   return {
       .name = "run",
-      .summary = "Make everything that a manifest asks for",
+      .summary = "Make everything that a manifest specifies",
       .options = all_of(production_options(*arguments),
                         flag("--exclusive", &arguments->exclusive,
-                             "Refuse to work beside another process in the study's folder; without "
-                             "it, two share the work")),
+                             "Refuse to run while another process works in the study's folder (by "
+                             "default, both share the work)")),
       .notes =
-          "What is there and unchanged is not made again; an interrupted run goes on where it "
-          "stopped.\n\nExamples:\n"
+          "What exists and is unchanged is not made again; an interrupted run continues where it "
+          "stopped.\n\n"
+          "Examples:\n"
           "  mien run quickstart\n"
           "  mien run my.yaml --only target-1,guess-1 --quality draft",
       .run = [arguments](const Console& console) { return run_production(*arguments, console); }};

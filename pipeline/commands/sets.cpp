@@ -30,8 +30,8 @@ int show_set(const std::string& name, const Console& console) {
 Command sets_command() {
   const auto name = std::make_shared<std::string>();
   return {.name = "sets",
-          .summary = "List the sets for looks, or print one to change",
-          .options = {argument("name", name.get(), "Set whose file is printed").optional()},
+          .summary = "List the built-in sets, or print one as a starting point",
+          .options = {argument("name", name.get(), "Set to print").optional()},
           .notes =
               "Example:\n  mien sets studio > my.set.yaml\n"
               "  mien render walk.bvh --scene my.set.yaml",

@@ -35,7 +35,7 @@ std::string counted(int count, const std::string& noun) {
 /// Recordings and characters have no copies in the study's folder.
 std::string elsewhere_text(const StudyContents& contents) {
   const int count = contents.inputs_elsewhere;
-  return count == 0 ? "" : fmt::format(" ({} elsewhere, not looked at)", count);
+  return count == 0 ? "" : fmt::format(" ({} elsewhere, not checked)", count);
 }
 
 /// What was removed on purpose is told by its folder: "not kept  metrics: 23 files".

@@ -53,8 +53,8 @@ Rerendered rerender(const StudyContents& contents, const VerifyOptions& options,
   result.changes = changes_since(contents.provenance(), manifest);
   const std::vector<KeptFilm> films = kept_films(manifest, contents);
   if (films.empty()) {
-    throw Error({contents.folder.string()}, "has neither frames nor videos with their records left",
-                "leave --rerender out; mien clean --keep videos,metrics keeps what it needs");
+    throw Error({contents.folder.string()}, "has neither frames nor videos with records",
+                "omit --rerender; mien clean --keep videos,metrics keeps what it needs");
   }
   ProgressBar bar(console.err, console.err_is_terminal);
   result.frames = rerender(manifest, contents, drawn_by_lot(films, options.rerender, result.seed),
@@ -71,7 +71,7 @@ void tell(const Rerendered& drawn, const Console& console) {
                                frame.against, frame.how);
   }
   const auto agree = std::ranges::count(drawn.frames, true, &RerenderedFrame::agrees);
-  console.out << fmt::format("{} of {} frames drawn again agree (seed {})\n", agree,
+  console.out << fmt::format("{} of {} rerendered frames agree (seed {})\n", agree,
                              drawn.frames.size(), drawn.seed);
 }
 
@@ -110,26 +110,27 @@ Command verify_command() {
   const auto options = std::make_shared<VerifyOptions>();
   return {
       .name = "verify",
-      .summary = "Compare everything of a finished study with its provenance",
+      .summary = "Verify a finished study against its provenance",
       .options = {argument("study", &options->study,
                            "Folder of a study, its provenance.json, or an unpacked archive of it"),
                   option("--rerender", &options->rerender,
-                         "Draw so many frames again, by lot, and compare them")
+                         "Render so many randomly chosen frames again and compare them")
                       .between(1, 1'000'000),
                   option("--seed", &options->seed,
-                         "Of the lot that --rerender draws; the study's own without it"),
-                  option("--jobs,-j", &options->jobs, "Files at a time (default: one a processor)")
+                         "Random seed for --rerender (default: that of the study)"),
+                  option("--jobs,-j", &options->jobs,
+                         "Number of files read in parallel (default: one per processor)")
                       .between(1, 1024),
-                  flag("--json", &options->json, "What was found as JSON on standard output")},
+                  flag("--json", &options->json, "Findings as JSON on standard output")},
       .notes =
-          "Every artifact is hashed and decoded, frame by frame, every copied input hashed. Tells "
-          "what is missing, changed or extra (in the folder, and made by nobody that is known), "
-          "and what mien clean has removed. Ends with 1 when something is missing or changed, or a "
-          "frame that was drawn again differs; what is extra is only told.\n"
-          "\nA frame that is drawn again has to have the bytes of the frame that was kept. Where "
-          "only a video was kept, it has to be the frame that the video shows: in every pixel for "
-          "lossless kinds, else as nearly as the least like frame was when the film was made.\n"
-          "\nExamples:\n"
+          "Every artifact is hashed and decoded frame by frame, and every copied input is hashed. "
+          "The report lists what is missing, changed or extra (of unknown origin), and what mien "
+          "clean removed. Exit code: 1 if anything is missing or changed, or a rerendered frame "
+          "differs; extra files are reported only.\n\n"
+          "A rerendered frame must have the same bytes as the frame that was kept. If only a video "
+          "was kept, the rerendered frame must match the video: exactly for lossless formats, "
+          "otherwise at least as closely as the worst frame when the film was made.\n\n"
+          "Examples:\n"
           "  mien verify out/my-study\n"
           "  mien verify out/my-study --rerender 20",
       .run = [options](const Console& console) { return run_verify(*options, console); }};

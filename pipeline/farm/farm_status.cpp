@@ -116,8 +116,8 @@ std::string ailment_now(const fs::path& folder, const std::string& key,
   if (fs::exists(folder, unknown)) return disk_ailment(folder);
   const bool has_jobs = queue && !live_jobs_called(*queue, key).empty();
   return has_jobs ? folder.string() +
-                        " is not there, and Slurm has jobs that work in it: is the "
-                        "disk that holds it mounted on this machine?"
+                        " does not exist, but Slurm has jobs that work in it: check that its disk "
+                        "is mounted on this machine"
                   : "";
 }
 

@@ -63,21 +63,21 @@ std::string larger_chunk(const std::function<Submission(const Cutting&)>& cut, C
     cutting.chunk_frames *= 2;
     const int jobs = cut(cutting).jobs();
     if (room.has_room_for(jobs))
-      return fmt::format("--chunk {} makes {} of it", cutting.chunk_frames, jobs);
+      return fmt::format("--chunk {} gives {} jobs", cutting.chunk_frames, jobs);
   }
   return "";
 }
 
 [[noreturn]] void refuse(const Submission& submission, const JobRoom& room,
                          const std::string& larger) {
-  const std::string wait = room.taken > 0 ? "wait until others have ended" : "";
+  const std::string wait = room.taken > 0 ? "wait until other jobs have ended" : "";
   std::string remedy = larger.empty() || wait.empty() ? larger + wait : larger + "; or " + wait;
-  if (remedy.empty()) remedy = "ask who runs the cluster for a larger MaxJobCount";
+  if (remedy.empty()) remedy = "ask the cluster's administrators for a larger MaxJobCount";
   throw Error(
-      fmt::format("the study needs {} jobs, and Slurm has room for {}: it takes {} at a time of "
-                  "everybody (MaxJobCount), and has {} now, those that ended some minutes ago too",
-                  submission.jobs(), std::max(0, room.most - 1 - room.taken), room.most - 1,
-                  room.taken),
+      fmt::format(
+          "the study needs {} jobs, but Slurm has room for {}: it accepts {} jobs of all users "
+          "(MaxJobCount) and has {} now, including those that ended in the last minutes",
+          submission.jobs(), std::max(0, room.most - 1 - room.taken), room.most - 1, room.taken),
       remedy);
 }
 

@@ -14,8 +14,9 @@ using nlohmann::ordered_json;
 /// Text between double braces is replaced where the template is used, and nothing undoes that.
 std::string plain(const std::string& text) {
   if (text.find("{{") == std::string::npos && text.find("}}") == std::string::npos) return text;
-  throw Error("Open Job Description cannot name \"" + text + "\": it has double braces",
-              "rename it");
+  throw Error(
+      "Open Job Description cannot name \"" + text + "\", because it contains double braces",
+      "rename it");
 }
 
 /// A text, not a path: an absolute path may not be the default of one.
@@ -26,7 +27,7 @@ ordered_json parameter(const char* name, const char* description, const std::str
 
 ordered_json parameters(const StudyCall& call) {
   return {parameter("Mien", "The program", call.program.string()),
-          parameter("Manifest", "What to make", call.manifest.string()),
+          parameter("Manifest", "Items to make", call.manifest.string()),
           parameter("Out", "Folder of all studies, shared by all workers", call.out.string())};
 }
 
@@ -89,9 +90,9 @@ ordered_json open_job_template(const std::vector<Stage>& stages, const StudyCall
   steps.push_back(rest_step(before, call, request));
   return {{"specificationVersion", "jobtemplate-2023-09"},
           {"name", "mien " + call.study},
-          {"description", "Makes the study " + call.study +
-                              ": motions, frames, films, sheets, report. What is there is not made "
-                              "again."},
+          {"description",
+           "Makes the study " + call.study +
+               ": motions, frames, films, sheets, report. Existing results are not made again."},
           {"parameterDefinitions", parameters(call)},
           {"steps", steps}};
 }
@@ -99,8 +100,8 @@ ordered_json open_job_template(const std::vector<Stage>& stages, const StudyCall
 std::string open_job_text(const ordered_json& job, const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (ending == ".json" || ending == ".yaml" || ending == ".yml") return job.dump(2) + "\n";
-  throw Error("-o " + file.string() + ": a job template is a .json or a .yaml file",
-              "give it one of these endings");
+  throw Error("-o " + file.string() + ": a job template must be a .json or .yaml file",
+              "use one of these extensions");
 }
 
 }  // namespace mien::pipeline

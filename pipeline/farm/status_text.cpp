@@ -56,8 +56,8 @@ std::string disk_text(const FarmStatus& status) {
   if (status.disk.empty()) return "";
   if (!status.is_active()) return status.disk + "\n";
   return fmt::format(
-      "{}\n  jobs wait for it where they run, {} an attempt, and go on by themselves when it is "
-      "well; after {} attempts they are held\n",
+      "{}\n  running jobs wait for it, {} per attempt, and continue on their own when it is "
+      "available; after {} attempts they are held\n",
       status.disk, as_duration(folder_patience_seconds), most_restarts + 1);
 }
 
@@ -87,10 +87,10 @@ ordered_json troubles_json(const FarmStatus& status, JobTrouble::Kind kind) {
 std::string status_text(const FarmStatus& status) {
   std::string text = status.folder + ":";
   if (status.is_complete) {
-    text += " all is done, at a glance; mien verify " + motion::shell_path(status.folder) +
-            " reads every byte\n";
+    text += " everything is done, judging by receipts and sizes; mien verify " +
+            motion::shell_path(status.folder) + " reads every byte\n";
   } else {
-    text += status.is_active() ? "\n" : " nobody works on it\n";
+    text += status.is_active() ? "\n" : " no worker is active\n";
   }
   for (const Share& share : status.stages) {
     text += share_text(share);
@@ -101,7 +101,8 @@ std::string status_text(const FarmStatus& status) {
   text += waiting_text(status);
   text += disk_text(status);
   text += troubles_text(status.troubles);
-  if (!status.failed.empty()) text += "failed (mien farm logs " + status.words + " shows more):\n";
+  if (!status.failed.empty())
+    text += "failed (mien farm logs " + status.words + " shows details):\n";
   for (const FailedItem& failed : status.failed) text += failed_text(failed);
   for (const std::string& loss : status.losses) text += loss + "\n";
   if (status.seconds_left) {
@@ -111,10 +112,9 @@ std::string status_text(const FarmStatus& status) {
   }
   if (status.without_slurm.empty()) return text;
   // What Slurm itself wrote stands below.
-  text += "nothing is known of jobs: " +
-          status.without_slurm.substr(0, status.without_slurm.find('\n')) + "\n";
+  text += "jobs unknown: " + status.without_slurm.substr(0, status.without_slurm.find('\n')) + "\n";
   if (!status.is_complete && !status.is_active())
-    text += "mien run " + status.words + " makes what is missing, as mien farm worker does\n";
+    text += "mien run " + status.words + " makes what is missing, and so does mien farm worker\n";
   return text;
 }
 

@@ -154,11 +154,11 @@ std::string undo(const Submission& submission, const std::vector<SubmittedJob>& 
   try {
     slurm.cancel(taken);
   } catch (const std::exception& fault) {
-    return fmt::format("\nwhat Slurm had taken before could not be taken back (scancel {}): {}",
+    return fmt::format("\nthe jobs accepted before could not be cancelled (scancel {}): {}",
                        fmt::join(taken, " "), fault.what());
   }
   withdraw(submission, journal, why);
-  return done.empty() ? "" : "\nwhat Slurm had taken of the submission before is taken back";
+  return done.empty() ? "" : "\nthe jobs accepted before were cancelled";
 }
 
 /// The journal may not be writable any more: the job's comment tells whose it is.
@@ -181,8 +181,8 @@ std::string submit_one(const Submission& submission, const SubmissionJob& one,
         {one.job.name, submitted(script, one.job, slurm, before), one.job.elements});
   } catch (const SlurmSilence& silence) {
     throw SlurmSilence(silence.what() +
-                       std::string("\nwhat Slurm has taken stays: mien farm status shows it, mien "
-                                   "farm resume submits the rest"));
+                       std::string("\nthe jobs accepted so far remain: mien farm status shows "
+                                   "them, mien farm resume submits the rest"));
   } catch (const std::exception& fault) {
     throw SlurmFault(fault.what() + undo(submission, done.jobs, slurm, journal, fault.what()));
   }
@@ -264,9 +264,8 @@ void write_submission(const Submission& submission, const SubmissionJournal& jou
   }
   make_folder(submission.folder.parent_path());
   if (!fs::create_directory(submission.folder)) {
-    throw std::runtime_error(
-        submission.folder.string() +
-        " has just been made by another submission; mien farm status shows it");
+    throw std::runtime_error(submission.folder.string() +
+                             " was just created by another submission; see mien farm status");
   }
   try {
     write_files(submission, files);

@@ -23,9 +23,9 @@ WorkItem work_item(const std::string& text) {
                 "they are " + chunk_item(item.task, 1, item.chunks) + " to " +
                     chunk_item(item.task, item.chunks, item.chunks));
   }
-  throw Error(motion::in_quotes(text) + " is no work item",
-              "write a task of mien plan, like film:walk, or a part of a film's frames, like "
-              "film:walk[3/12]");
+  throw Error(motion::in_quotes(text) + " is not a work item",
+              "write a task listed by mien plan, such as film:walk, or a chunk of a film's frames, "
+              "such as film:walk[3/12]");
 }
 
 }  // namespace mien::pipeline

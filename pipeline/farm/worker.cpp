@@ -34,7 +34,7 @@ const Task& task_meant(const TaskGraph& graph, const WorkItem& item) {
   const Task& task = graph.task(item.task);
   if (item.chunks > 0 && !task.make_part)
     throw Error(motion::in_quotes(item.task) + " is not made in chunks",
-                "only films are: leave [ ] out");
+                "only films are; omit [ ]");
   return task;
 }
 

@@ -23,8 +23,8 @@ bool has_levels(const Stimulus& stimulus, const StimulusChoice& choice) {
 const Questionnaire& questionnaire_of(const Manifest& manifest) {
   if (manifest.questionnaire) return *manifest.questionnaire;
   if (manifest.matching)
-    throw Error(manifest.file.string() + " has a matching experiment and no questionnaire",
-                "its trials are for mien study evaluate");
+    throw Error(manifest.file.string() + " has a matching experiment but no questionnaire",
+                "evaluate its trials with mien study evaluate");
   throw Error(manifest.file.string() + " has no questionnaire",
               "add questionnaire: {participants: …, scales: […]}, or matching: {participants: …}");
 }

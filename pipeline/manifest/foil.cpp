@@ -76,8 +76,8 @@ void check_original(const Stimulus& original, const Stimulus& foil, FaultList& l
   for (const ModificationStep& step : original.modify) {
     if (!step.style) continue;
     list.add(path,
-             motion::in_quotes(original.id) + " is modified by a method that has no such aspects",
-             "name a stimulus with an emotion, or with changes of its own");
+             motion::in_quotes(original.id) + " is modified by a method without separate aspects",
+             "name a stimulus with an emotion or manual changes");
     return;
   }
   const auto has_aspect = [&](const ModificationStep& step) {
@@ -85,9 +85,9 @@ void check_original(const Stimulus& original, const Stimulus& foil, FaultList& l
   };
   if (std::ranges::any_of(original.modify, has_aspect)) return;
   list.add(member_path(path, "differ"),
-           "the modifications of " + motion::in_quotes(original.id) + " change nothing of its " +
-               aspect + ", so its foil would be the same motion",
-           "name another aspect, or a stimulus that differs in it");
+           "the modifications of " + motion::in_quotes(original.id) + " do not change its " +
+               aspect + ", so the foil would be the same motion",
+           "name another aspect, or a stimulus in which it is changed");
 }
 
 /// The stimulus that a foil is of; nullptr, and told, where there is none.
@@ -96,13 +96,13 @@ const Stimulus* original_of(const Stimulus& foil, const Manifest& manifest, Faul
   const std::string& of = foil.foil->of;
   const auto named = std::ranges::find(manifest.stimuli, of, &Stimulus::id);
   if (named == manifest.stimuli.end()) {
-    list.add(path, motion::in_quotes(of) + " is no stimulus",
+    list.add(path, motion::in_quotes(of) + " is not a stimulus",
              motion::did_you_mean(of, possible_originals(manifest)));
     return nullptr;
   }
   if (!named->foil) return &*named;
-  list.add(path, motion::in_quotes(of) + " is a foil itself",
-           "name the stimulus that it is of, " + motion::in_quotes(named->foil->of));
+  list.add(path, motion::in_quotes(of) + " is itself a foil",
+           "name the stimulus of which it is a foil, " + motion::in_quotes(named->foil->of));
   return nullptr;
 }
 
@@ -117,8 +117,8 @@ std::vector<Fault> resolve_foils(Manifest& manifest) {
     const std::string path = member_path(foil.path, "foil");
     for (const char* key : {"modify", "interpolation", "hold"}) {
       if (list.was_given(member_path(foil.path, key)))
-        list.add(member_path(foil.path, key), "a foil takes this from the stimulus that it is of",
-                 "leave it out, or give it to " + motion::in_quotes(foil.foil->of));
+        list.add(member_path(foil.path, key), "a foil inherits this from its stimulus",
+                 "omit it, or set it in " + motion::in_quotes(foil.foil->of));
     }
     const Stimulus* original = original_of(foil, manifest, list);
     if (original == nullptr) continue;

@@ -11,7 +11,7 @@ namespace mien::pipeline {
 namespace {
 
 constexpr char repetition_remedy[] =
-    "give one of them another motion or look; leave both if they are shown twice on purpose";
+    "change the motion or look of one of them; ignore this if the repetition is intended";
 
 /// Whether its pictures depend on the stimulus's id.
 bool is_own_by_chance(const scenes::PointLightOptions& dots) {
@@ -53,7 +53,7 @@ std::vector<Repetition> repetitions_in(const Manifest& manifest) {
 }
 
 std::string to_sentence(const Repetition& repetition) {
-  return "a rater sees the same as of \"" + repetition.first + "\"; " + repetition_remedy;
+  return "looks identical to \"" + repetition.first + "\"; " + repetition_remedy;
 }
 
 std::vector<std::string> told_repetitions(const Manifest& manifest) {
@@ -65,7 +65,7 @@ std::vector<std::string> told_repetitions(const Manifest& manifest) {
 
 Fault told_at_its_place(const Repetition& repetition, const Places& places) {
   return {place_of(places, repetition.path), repetition.path,
-          "a rater sees the same of \"" + repetition.id + "\" as of \"" + repetition.first + "\"",
+          "\"" + repetition.id + "\" looks identical to \"" + repetition.first + "\"",
           repetition_remedy};
 }
 

@@ -198,7 +198,7 @@ Baseline approve(Rendition& now, const fs::path& folder, const Approval& approva
   if (is_baseline(folder)) baseline = read_baseline(folder);
   if (!baseline.study.empty() && baseline.study != manifest.study)
     throw Error({(folder / "baseline.json").string()},
-                "is of the study " + motion::in_quotes(baseline.study),
+                "belongs to the study " + motion::in_quotes(baseline.study),
                 "name another folder with --baseline");
   baseline.folder = folder;
   baseline.study = manifest.study;

@@ -12,10 +12,9 @@ namespace mien::pipeline {
 namespace {
 
 [[noreturn]] void throw_damage(const std::filesystem::path& file, const std::string& what) {
-  throw Error(
-      {file.string()}, what,
-      "take it from where the baseline is kept (git checkout, git lfs pull), or approve the "
-      "stimulus again");
+  throw Error({file.string()}, what,
+              "restore it from version control (git checkout, git lfs pull), or approve the "
+              "stimulus again");
 }
 
 template <class Read>
@@ -47,7 +46,7 @@ render::Image8 approved_picture(const Baseline& baseline, const std::string& id,
   const auto& frames = baseline.find(id)->key_frames;
   const auto key = std::ranges::find(frames, frame, &KeyFrame::frame);
   if (key == frames.end() || key->pixels != hash_of_pixels(picture))
-    throw_damage(file, "is not the picture that was approved");
+    throw_damage(file, "differs from the approved image");
   return picture;
 }
 

@@ -36,7 +36,7 @@ std::vector<std::string> library_changes(const Origin& before, const Origin& now
     }
   }
   for (const auto& [name, version] : before.libraries) {
-    if (!now.libraries.contains(name)) texts.push_back(name + " " + version + " is gone");
+    if (!now.libraries.contains(name)) texts.push_back(name + " " + version + " was removed");
   }
   if (before.processor != now.processor)
     texts.push_back("processor " + before.processor + " → " + now.processor);
@@ -59,11 +59,11 @@ std::vector<Attribution> origin_causes(const StimulusStates& states, Cause code,
   const auto changed = library_changes(states.approved.origin, states.now.origin);
   if (!changed.empty()) causes.push_back({Cause::environment, joined(changed), evidence, {}});
   if (causes.empty()) {
-    causes.push_back({Cause::unknown,
-                      "the same program, libraries and files",
-                      evidence + "; nothing that is known of has changed: chance in the program, "
-                                 "or a baseline that was damaged",
-                      {}});
+    causes.push_back(
+        {Cause::unknown,
+         "the same program, libraries and files",
+         evidence + "; no known change: nondeterminism in the program, or a damaged baseline",
+         {}});
   }
   return causes;
 }
@@ -120,7 +120,7 @@ std::string asked_text(const StimulusStates& states, Aspect aspect) {
     if (change.aspect == aspect) own.push_back(all.back());
   }
   if (!own.empty()) return joined(own);
-  return all.empty() ? "what stimuli of the study have in common" : joined(all);
+  return all.empty() ? "equalization across the study's stimuli" : joined(all);
 }
 
 std::vector<Attribution> motion_causes(const StimulusStates& states) {
@@ -130,19 +130,19 @@ std::vector<Attribution> motion_causes(const StimulusStates& states) {
     if (!files.empty()) {
       causes.push_back({Cause::motion,
                         joined(files),
-                        "a file that the approved motion was made from is another now",
+                        "a file from which the approved motion was made has changed",
                         {}});
     } else {
       causes = origin_causes(states, Cause::synthesis, states.approved.origin.motion_code,
                              states.now.origin.motion_code,
-                             "made again from what was approved, the motion is another");
+                             "made again from the approved inputs, the motion differs");
     }
   }
   if (states.motion_asked()) {
     causes.push_back(
         {Cause::motion,
          asked_text(states, Aspect::motion),
-         "made by this program, what was approved and what is asked for now are different motions",
+         "with this program, the approved and the current specification give different motions",
          {}});
   }
   return causes;
@@ -153,12 +153,12 @@ std::vector<Attribution> program_causes(const StimulusStates& states) {
   if (states.scene_remade() && !files.empty()) {
     return {{Cause::scene,
              joined(files),
-             "a file that the approved scene was made from is another now",
+             "a file from which the approved scene was made has changed",
              {}}};
   }
   return origin_causes(states, Cause::renderer, states.approved.origin.film_code,
                        states.now.origin.film_code,
-                       "drawn again from the approved motion and scene, the picture is another");
+                       "rendered again from the approved motion and scene, the image differs");
 }
 
 Attribution encoder_cause(const StimulusFacts& before, const StimulusFacts& now) {
@@ -170,7 +170,7 @@ Attribution encoder_cause(const StimulusFacts& before, const StimulusFacts& now)
   if (root.empty() && ffmpeg(before) != ffmpeg(now))
     root = "FFmpeg " + ffmpeg(before) + " → " + ffmpeg(now);
   if (root.empty()) root = "the encoder";
-  return {Cause::encoder, root, "all key frames are the same, the video's bytes are not", {}};
+  return {Cause::encoder, root, "all key frames are identical, but the video's bytes differ", {}};
 }
 
 CauseShares cause_shares(const Exchanged& can, double program_error,

@@ -213,8 +213,9 @@ class StimulusComparer {
     if (states.drawing_asked()) add_settings(Cause::drawing, Aspect::drawing, states, {});
     if (result_.causes.empty()) add_causes(program_causes(states), {});
     for (Attribution& cause : result_.causes)
-      cause.evidence = "what was approved cannot be made again, so nothing could be exchanged: " +
-                       hindrance_.value();
+      cause.evidence =
+          "the approved state cannot be made again, so causes could not be isolated: " +
+          hindrance_.value();
   }
 
   void find_causes() {
@@ -264,8 +265,8 @@ class StimulusComparer {
                     std::optional<double> share) {
     result_.causes.push_back({cause, asked_text(states, aspect),
                               aspect == Aspect::scene
-                                  ? "exchanged alone, the scene changes the picture"
-                                  : "the same motion and scene, drawn in another way",
+                                  ? "changing the scene alone changes the image"
+                                  : "same motion and scene, different rendering",
                               share});
   }
 

@@ -47,7 +47,7 @@ void plant_in_picture(const ComparedStudy& study, int frame, Gate& gate) {
     float& light = planted.mean[3 * block + c];
     light = planted_factor * light + planted_light;
   }
-  gate.picture_defect = fmt::format("a block of {0} x {0} pixels lighter by half", block_pixels);
+  gate.picture_defect = fmt::format("a block of {0} x {0} pixels 50 % brighter", block_pixels);
   gate.picture_caught = noise_test(approved, planted, 1).is_bias;
 }
 

@@ -20,15 +20,14 @@ using Json = nlohmann::ordered_json;
 /// What merging and git LFS leave in place of a file.
 void refuse_text(const fs::path& file, const std::string& text) {
   if (motion::is_lfs_pointer(text))
-    throw Error({file.string()},
-                "is a pointer of git LFS: it stands for the file, which is not here",
+    throw Error({file.string()}, "is a git LFS pointer; the file itself has not been fetched",
                 "run: git lfs pull");
   const std::size_t mark = ("\n" + text).find("\n<<<<<<< ");
   if (mark == std::string::npos) return;
   const auto line =
       std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(mark), '\n');
   throw Error({file.string(), static_cast<int>(line) + 1, 0}, "holds a merge conflict",
-              "take one side (git checkout --ours or --theirs, of the whole folder), look at the "
+              "resolve it (git checkout --ours or --theirs, for the whole folder), look at the "
               "study, and approve it");
 }
 
@@ -40,8 +39,8 @@ std::string library_words(const Json::exception& error) {
 }
 
 constexpr char keep_remedy[] =
-    "take it from where the baseline is kept (git checkout), or remove the folder and approve the "
-    "study again";
+    "restore it from version control (git checkout), or remove the folder and approve the study "
+    "again";
 
 /// Reads one document of a baseline and makes something of it.
 template <class Make>
@@ -51,18 +50,17 @@ auto from_document(const fs::path& file, const Make& make) {
   const std::string text = read_file(file);
   refuse_text(file, text);
   if (motion::is_nested_deeper(text, motion::max_json_depth))
-    throw Error({file.string()}, "holds something else than a baseline does", keep_remedy);
+    throw Error({file.string()}, "is not a valid baseline file", keep_remedy);
   try {
     return make(Json::parse(text), text);
   } catch (const Json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     throw Error({file.string(), static_cast<int>(std::count(text.begin(), end, '\n')) + 1, 0},
-                "is cut off or damaged: no JSON from here on", keep_remedy);
+                "is truncated or damaged: invalid JSON from here on", keep_remedy);
   } catch (const Json::exception& error) {
-    throw Error({file.string()}, "lacks what a baseline holds: " + library_words(error),
-                keep_remedy);
+    throw Error({file.string()}, "lacks part of a baseline: " + library_words(error), keep_remedy);
   } catch (const std::logic_error&) {  // no number where one should be
-    throw Error({file.string()}, "holds something else than a baseline does", keep_remedy);
+    throw Error({file.string()}, "is not a valid baseline file", keep_remedy);
   }
 }
 
@@ -75,7 +73,8 @@ void refuse_damage(const fs::path& file, const std::string& text, const Json& js
       end != std::string::npos &&
       text.substr(end) == std::string(checksum_key) + hash_of(text.substr(0, end)) + "\"\n}\n";
   if (!is_whole)
-    throw Error({file.string()}, "is not as it was written: its checksum is another", keep_remedy);
+    throw Error({file.string()}, "was changed after it was written: its checksum differs",
+                keep_remedy);
 }
 
 /// What stands for a large file until git LFS fetches it.
@@ -88,7 +87,7 @@ bool is_pointer(const fs::path& file) {
 std::string damage_of(const fs::path& file, const Hash& hash) {
   if (!fs::is_regular_file(file)) return "is missing";
   if (is_pointer(file)) return "was not fetched by git LFS";
-  return hash_of_file(file) == hash ? "" : "is not what was approved";
+  return hash_of_file(file) == hash ? "" : "differs from what was approved";
 }
 
 /// Files that an edition has beside those that it was approved with: its manifest may name a
@@ -101,7 +100,7 @@ void add_unknown_files(std::vector<Fault>& faults, const Baseline& baseline,
     const std::string path = entry.path().lexically_relative(baseline.folder).generic_string();
     if (!entry.is_directory() && !baseline.sums.contains(path))
       faults.push_back(
-          {{entry.path().string()}, "was not there when it was approved", "remove it"});
+          {{entry.path().string()}, "did not exist when the study was approved", "remove it"});
   }
 }
 
@@ -122,8 +121,8 @@ void add_damaged_sums(std::vector<Fault>& faults, const Baseline& baseline) {
 StimulusFacts own_facts(StimulusFacts facts, const std::string& id, const fs::path& file) {
   const Place place{file.string()};
   if (facts.id != id)
-    throw Error(place, "tells of the stimulus " + motion::in_quotes(facts.id),
-                "take it from where the baseline is kept (git checkout), or approve it again");
+    throw Error(place, "describes the stimulus " + motion::in_quotes(facts.id),
+                "restore it from version control (git checkout), or approve it again");
   motion::safe_component(facts.edition, place);
   for (const auto& [name, hash] : facts.files) motion::safe_names(name, place);
   for (const VideoFacts& video : facts.videos) motion::safe_names(video.record.file, place);
@@ -149,8 +148,8 @@ Baseline read_baseline(const fs::path& folder) {
   std::vector<std::string> ids;
   from_document(folder / "baseline.json", [&](const Json& json, const std::string& text) {
     if (json.at("baseline") != baseline_version)
-      throw Error({(folder / "baseline.json").string()}, "was written by a newer mien",
-                  "update mien to the one that the study was approved with");
+      throw Error({(folder / "baseline.json").string()}, "was written by a newer version of mien",
+                  "update mien to the version with which the study was approved");
     refuse_damage(folder / "baseline.json", text, json);
     baseline.sums = json.value("sums", std::map<std::string, Hash>{});
     for (const auto& [path, hash] : baseline.sums) {
@@ -182,11 +181,10 @@ void check_files(const Baseline& baseline) {
       const fs::path file = baseline.folder / "stimuli" / facts.id / name;
       const std::string damage = damage_of(file, hash);
       if (!damage.empty())
-        faults.push_back(
-            {{file.string()},
-             damage,
-             "take it from where the baseline is kept (git checkout, git lfs pull), or "
-             "approve the stimulus again"});
+        faults.push_back({{file.string()},
+                          damage,
+                          "restore it from version control (git checkout, git lfs pull), or "
+                          "approve the stimulus again"});
     }
   }
   if (!faults.empty()) throw Faults(std::move(faults));

@@ -60,12 +60,11 @@ StimulusComparison appeared(const std::string& id, const ComparedStudy& study) {
   if (before != nullptr) {
     comparison.former_id = before->id;
     comparison.reasons.push_back(
-        fmt::format("was called {}: the motion and the scene are the same", before->id));
+        fmt::format("was renamed from {}: motion and scene are the same", before->id));
   }
-  comparison.reasons.push_back(
-      fmt::format("is not in the baseline; when it is as it should be: mien regress approve {} "
-                  "--only {} --why \"…\"",
-                  motion::shell_path(study.now.manifest().file.string()), id));
+  comparison.reasons.push_back(fmt::format(
+      "is not in the baseline; if it is as intended: mien regress approve {} --only {} --why \"…\"",
+      motion::shell_path(study.now.manifest().file.string()), id));
   show_now(comparison, study);
   return comparison;
 }
@@ -76,11 +75,12 @@ StimulusComparison gone(const StimulusFacts& approved, const ComparedStudy& stud
                         const std::vector<StimulusComparison>& others) {
   StimulusComparison comparison{.id = approved.id, .verdict = Verdict::gone};
   comparison.reasons.emplace_back(
-      "is in the baseline, and not in the manifest any more: approve it too, and it goes");
+      "is in the baseline but no longer in the manifest; approving it removes it from the "
+      "baseline");
   const auto heir = std::ranges::find(others, approved.id, &StimulusComparison::former_id);
   if (heir != others.end())
     comparison.reasons.push_back(
-        fmt::format("is called {} now: the motion and the scene are the same", heir->id));
+        fmt::format("was renamed to {}: motion and scene are the same", heir->id));
   if (study.pictures == nullptr || approved.key_frames.empty()) return comparison;
   const int frame = approved.key_frames[approved.key_frames.size() / 2].frame;
   study.pictures->put_before(approved.id, frame,

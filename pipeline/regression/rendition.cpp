@@ -32,7 +32,7 @@ void equalize(const Manifest& manifest, const SharedDeterminants& shared, Motion
   for (const TaskOutcome& outcome : run(graph, store, threads, stop, {})) {
     if (outcome.state == TaskState::interrupted) throw Interrupted{};
     if (outcome.state == TaskState::failed)
-      throw Error(outcome.error, "mien check tells what can be made alike");
+      throw Error(outcome.error, "mien check shows what can be equalized");
   }
 }
 

@@ -27,9 +27,9 @@ std::string content_text(const SettingChange& change) {
   std::vector<std::string> texts;
   for (const auto& [name, content] : before.items()) {
     if (!now.contains(name))
-      texts.push_back(name + " is gone");
+      texts.push_back(name + " was removed");
     else if (now.at(name) != content)
-      texts.push_back(name + " is another (" + content.get<std::string>() + " → " +
+      texts.push_back(name + " has changed (" + content.get<std::string>() + " → " +
                       now.at(name).get<std::string>() + ")");
   }
   for (const auto& [name, content] : now.items()) {
@@ -39,7 +39,7 @@ std::string content_text(const SettingChange& change) {
   std::string text = fmt::to_string(fmt::join(told, ", "));
   if (texts.size() > most_told)
     text += " and " + std::to_string(texts.size() - most_told) + " more files";
-  return change.path + (text.empty() ? " is another" : ": " + text);
+  return change.path + (text.empty() ? " has changed" : ": " + text);
 }
 
 /// What of sRGB's 256 codes a channel of a linear colour is, if it is one.
@@ -96,7 +96,7 @@ std::string change_text(const SettingChange& change) {
   if (change.path.ends_with(content_words)) return content_text(change);
   const auto shown = [&](const std::string& value) { return shown_value(change.path, value); };
   if (change.before.empty()) return change.path + " " + shown(change.now) + " is new";
-  if (change.now.empty()) return change.path + " " + shown(change.before) + " is gone";
+  if (change.now.empty()) return change.path + " " + shown(change.before) + " was removed";
   return change.path + " " + shown(change.before) + " → " + shown(change.now);
 }
 

@@ -62,7 +62,7 @@ std::string excess_text(const motion::MotionDifference& motion, const motion::Ex
   const motion::MotionLength& before = motion.timing.before;
   const motion::MotionLength& now = motion.timing.now;
   if (excess.measure == "frame-rate")
-    return both_told("frame-rate: {} → {} frames a second",
+    return both_told("frame-rate: {} → {} frames per second",
                      told_apart(before.frames_per_second, now.frames_per_second, 4));
   if (excess.measure == "duration")
     return both_told("duration: {} s → {} s; the limit is ",
@@ -108,7 +108,7 @@ void judge_parts(StimulusComparison& comparison, const RegressionLimits& limits)
                                  length_text(worst.peak.value), worst.joint->part,
                                  worst.peak.frame / motion.frames_per_second(), worst.limit_mm);
   if (excesses.size() > 1)
-    text += fmt::format("; {} more {} beyond theirs", excesses.size() - 1,
+    text += fmt::format("; {} more {} beyond tolerance", excesses.size() - 1,
                         excesses.size() == 2 ? "part is" : "parts are");
   comparison.reasons.push_back(std::move(text));
 }

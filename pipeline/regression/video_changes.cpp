@@ -20,8 +20,8 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
     change.what.push_back(fmt::format("{} frames/s → {}", was, is));
   }
   if (before.identical != now.identical)
-    change.what.emplace_back(now.identical ? "shows its frames exactly now"
-                                           : "shows its frames no longer exactly");
+    change.what.emplace_back(now.identical ? "now shows its frames exactly"
+                                           : "no longer shows its frames exactly");
   if (!now.identical) {
     constexpr double best_psnr_db = 100.0;
     const double was = before.identical ? best_psnr_db : before.worst_psnr_db;
@@ -31,7 +31,7 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
     const auto [was, is] = told_apart(before.worst_psnr_db, now.worst_psnr_db, 4);
     change.what.push_back(fmt::format("worst PSNR {} dB → {} dB", was, is));
   }
-  if (change.what.empty()) change.what.emplace_back("other bytes");
+  if (change.what.empty()) change.what.emplace_back("different content");
   return change;
 }
 
@@ -45,7 +45,7 @@ std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,
     const auto same = std::ranges::find_if(
         now, [&](const VideoFacts& video) { return video.record.format == old.record.format; });
     if (same == now.end()) {
-      changes.push_back({old.record.format, {"is not made any more"}, false, 0.0});
+      changes.push_back({old.record.format, {"is no longer made"}, false, 0.0});
     } else if (same->hash != old.hash) {
       changes.push_back(video_change(old.record, same->record));
     }

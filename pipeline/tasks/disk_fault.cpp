@@ -44,11 +44,11 @@ struct Ailment {
 };
 
 Ailment ailment_of(const std::error_code& code, const std::string& folder) {
-  constexpr const char* make_room = "make room, and the same command goes on from here";
+  constexpr const char* make_room = "free some space, and run the same command again to continue";
   if (code == std::errc::no_space_on_device)
     return {"the disk that holds " + folder + " is full", make_room};
   if (code == std::error_code(EDQUOT, std::generic_category()))
-    return {"your quota of the disk that holds " + folder + " is used up", make_room};
+    return {"your quota on the disk that holds " + folder + " is used up", make_room};
   if (code == std::errc::read_only_file_system) {
     return {folder + " cannot be written to (" + code.message() + ")",
             "make the disk writable, or choose another folder with --out"};
@@ -61,7 +61,7 @@ Ailment absence_of(const fs::path& folder, const std::error_code& told) {
   const std::error_code now = code_of_disk(folder);
   if (!is_away(now) || (told && !is_away(told))) return {};
   return {folder.string() + " is not there (" + now.message() + ")",
-          "bring back the disk that held it, and the same command goes on from here"};
+          "restore the disk that held it, and run the same command again to continue"};
 }
 
 std::string in_words(const Ailment& ailment) {

@@ -73,8 +73,9 @@ std::optional<fs::path> FrameStore::find(const std::string& name) {
 }
 
 void FrameStore::note_damage(const std::string& name) {
-  store_->note_repair(path_ + "/" + name +
-                      ": was damaged, changed or removed since it was drawn, and is drawn again");
+  store_->note_repair(
+      path_ + "/" + name +
+      ": was damaged, changed or removed after it was rendered, and is rendered again");
 }
 
 /// What the receipt of a published sequence of this key says of a frame.

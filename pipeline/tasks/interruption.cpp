@@ -41,7 +41,7 @@ void SignalWatch::watch() {
   int signal = 0;
   while (sigwait(&signals, &signal) == 0 && !closing_) {
     if (source_.request_stop()) {
-      std::fputs("\ninterrupted: stopping; what is done is kept (Ctrl-C to stop at once)\n",
+      std::fputs("\ninterrupted: stopping; finished work is kept (Ctrl-C to stop at once)\n",
                  stderr);
     } else if (signal == SIGINT) {
       motion::remove_unfinished_results();

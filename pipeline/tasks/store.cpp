@@ -78,7 +78,7 @@ std::vector<Nondeterminism> Store::nondeterminism() const {
 
 void Store::note_damage(const std::string& path) {
   state_->note_repair(path +
-                      ": was damaged, changed or removed since it was made, and is made again");
+                      ": was damaged, changed or removed after it was made, and is made again");
 }
 
 std::vector<std::string> Store::repairs() const {

@@ -96,8 +96,8 @@ void Store::State::refuse_absence() const {
   const auto now = disk_of(folder);
   if (now && *now == disk) return;
   throw DiskFault(folder.string() +
-                  (now ? " lies on another disk than before" : " is not there any more") +
-                  "; bring back the disk that held it, and the same command goes on from here");
+                  (now ? " is on another disk than before" : " no longer exists") +
+                  "; restore the disk that held it, and run the same command again to continue");
 }
 
 void Store::State::in_attempt(const std::function<void(const fs::path&)>& work) {
@@ -109,7 +109,7 @@ void Store::State::in_attempt(const std::function<void(const fs::path&)>& work) 
     if (const std::string fault = disk_fault(folder, error); !fault.empty()) throw DiskFault(fault);
     std::error_code unknown;
     if (fs::exists(attempt.folder(), unknown) || unknown) throw;
-    throw WriteFailure(std::string(error.what()) + " (the folder was cleared away)");
+    throw WriteFailure(std::string(error.what()) + " (the folder was removed)");
   }
 }
 
@@ -185,7 +185,7 @@ void Store::State::set_aside(const fs::path& obstacle) {
   if (error && fs::exists(fs::symlink_status(obstacle)))
     throw fs::filesystem_error("is in the way and cannot be moved", obstacle, error);
   note_repair(obstacle.lexically_relative(folder).generic_string() +
-              ": something else lay in its place, and is now in " +
+              ": another file was in its place, and has been moved to " +
               aside.lexically_relative(folder).generic_string());
 }
 

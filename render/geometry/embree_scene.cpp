@@ -191,7 +191,7 @@ EmbreeDevice::EmbreeDevice(const std::string& instruction_set) : instruction_set
   if (instruction_set_.empty()) instruction_set_ = machine_has("avx2") ? "avx2" : "sse4.2";
   if (!machine_has(instruction_set_))
     throw Error("this machine has no " + instruction_set_ +
-                " instructions, which Embree is pinned to");
+                " instructions, which Embree was set to use");
   device_ = rtcNewDevice(("isa=" + instruction_set_).c_str());
   if (device_ == nullptr) throw Error("Embree cannot start with isa=" + instruction_set_);
 }

@@ -33,7 +33,7 @@ Image8 contact_sheet(std::span<const Image8> pictures, const ContactSheet& layou
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const Image8& picture = pictures[i];
     if (picture.width != width || picture.height != height) {
-      throw std::invalid_argument("contact_sheet: the pictures are not of one size");
+      throw std::invalid_argument("contact_sheet: the pictures differ in size");
     }
     const int left = layout.gap + static_cast<int>(i) % columns * (width + layout.gap);
     const int top = layout.gap + static_cast<int>(i) / columns * (height + layout.gap);

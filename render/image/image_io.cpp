@@ -36,7 +36,7 @@ template <class Channel>
 Image<Channel> read_png_of(const std::filesystem::path& path) {
   PngFile file(path);
   if (file.channels() != 3) fail(path, "does not have three channels");
-  if (file.bits() != bits_of<Channel>) fail(path, "has another number of bits a channel");
+  if (file.bits() != bits_of<Channel>) fail(path, "has a different number of bits per channel");
   require_readable_size(path.string(), file.width(), file.height(), 3);
   Image<Channel> image(file.width(), file.height());
   file.read(image.channels.data());

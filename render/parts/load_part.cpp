@@ -40,7 +40,7 @@ const void* load_part(const std::string& name, const std::string& purpose, int e
   void* const entry = part == nullptr ? nullptr : dlsym(part, "mien_part");
   if (entry == nullptr) throw fail(dlerror());
   const void* const interface = reinterpret_cast<PartEntry*>(entry)(edition);
-  if (interface == nullptr) throw fail("it is of another build");
+  if (interface == nullptr) throw fail("it belongs to a different build");
   return interface;
 }
 

@@ -81,11 +81,11 @@ void require_index(int index, int count, const std::string& where) {
 
 void validate(const Mesh& mesh, const Counts& counts, const std::string& where) {
   const auto vertices = static_cast<int>(mesh.positions.size());
-  require(mesh.normals.size() == mesh.positions.size(), where + ".normals", "not one a vertex");
+  require(mesh.normals.size() == mesh.positions.size(), where + ".normals", "not one per vertex");
   require(mesh.uv.empty() || mesh.uv.size() == mesh.positions.size(), where + ".uv",
-          "not one a vertex");
+          "not one per vertex");
   require(mesh.triangle_parts.empty() || mesh.triangle_parts.size() == mesh.triangles.size(),
-          where + ".triangle_parts", "not one a triangle");
+          where + ".triangle_parts", "not one per triangle");
   for (const Vec3& position : mesh.positions)
     require(position.allFinite(), where + ".positions", "not finite");
   for (const Vec3& normal : mesh.normals)
@@ -141,7 +141,7 @@ void validate_textures(const Scene& scene) {
     require(texture != nullptr && texture->width > 0 && texture->height > 0 &&
                 texture->texels.size() == static_cast<std::size_t>(texture->width) *
                                               static_cast<std::size_t>(texture->height),
-            indexed("textures", i), "has not as many texels as its size says");
+            indexed("textures", i), "does not have as many texels as its size implies");
   }
 }
 

@@ -148,7 +148,7 @@ struct Decoding {
     if (frame.width != first.width || frame.height != first.height)
       throw Error(path + ": frame " + std::to_string(index) + " has " + size_text(frame) +
                   " pixels, and the video " + size_text(first) +
-                  "; encode it again with one size of all frames");
+                  "; encode it again with the same size for all frames");
     const double tick = av_q2d(stream->time_base);
     const double seconds = static_cast<double>(frame.best_effort_timestamp) * tick;
     const double duration = duration_of(frame) * tick;

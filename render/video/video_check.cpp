@@ -44,7 +44,7 @@ class Comparison {
   /// A decoded picture, shown for the frames first … last; several at a time, of other frames.
   void take(int first, int last, const Image8& picture) {
     if (!has_size(picture))
-      throw Error(name_ + ": the size is another one in frame " + std::to_string(first));
+      throw Error(name_ + ": the size differs in frame " + std::to_string(first));
     const FrameSketch sketch = written_.sketcher.sketch_of_rows(picture);
     const int count = static_cast<int>(written_.frames.size());
     for (int frame = first; frame <= std::min(last, count - 1); ++frame) {
@@ -200,7 +200,7 @@ void check_times(const std::string& name, const VideoSummary& video, const Video
     const bool ascends = i == 0 ? video.times[0] == 0.0 : video.times[i] > video.times[i - 1];
     if (!in_order || !ascends || std::abs(video.times[i] - nearest) > tolerance) {
       throw Error(name + ": picture " + std::to_string(i) + " is shown at " +
-                  fixed(video.times[i], 4) + " s, which is no frame's time");
+                  fixed(video.times[i], 4) + " s, which is not the time of a frame");
     }
   }
   // Two roundings: of the last frame's time and of its length.

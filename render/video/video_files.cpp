@@ -40,7 +40,7 @@ class LibavWriter final : public VideoEncoder {
 
   void write(const Image8& frame) override {
     require(frame.width == format_.width && frame.height == format_.height, path_.string(),
-            "a frame has another size than the video");
+            "a frame differs in size from the video");
     AVFrame& picture = stream_.picture();
     convert(frame, picture);
     stream_.send();

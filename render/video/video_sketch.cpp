@@ -143,14 +143,14 @@ FrameSketcher::FrameSketcher(int width, int height, int row_step)
 
 FrameSketch FrameSketcher::sketch(const Image8& frame) const {
   if (frame.width != width_ || frame.height != whole_height_) {
-    throw std::invalid_argument("FrameSketcher: a frame of another size");
+    throw std::invalid_argument("FrameSketcher: a frame of a different size");
   }
   return sketch_from(frame.channels.data(), std::ptrdiff_t{3} * row_step_ * width_);
 }
 
 FrameSketch FrameSketcher::sketch_of_rows(const Image8& rows) const {
   if (rows.width != width_ || rows.height != height_) {
-    throw std::invalid_argument("FrameSketcher: rows of another size");
+    throw std::invalid_argument("FrameSketcher: rows of a different size");
   }
   return sketch_from(rows.channels.data(), std::ptrdiff_t{3} * width_);
 }

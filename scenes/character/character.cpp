@@ -83,10 +83,11 @@ motion::BodyMapping recognised(const motion::Recording& recording, bool is_mirro
     if (!is_mirrored || !toes_point_backwards(recording, mapping)) return mapping;
     return motion::recognise(with_other_sides(recording));
   } catch (const Error&) {
-    throw Error({name},
-                "its " + std::to_string(recording.skeleton.size()) +
-                    " joints are not recognised as a human figure",
-                "name them as Mixamo, VRM or Rigify do (LeftUpLeg, LeftLeg, LeftFoot, LeftArm, …)");
+    throw Error(
+        {name},
+        "its " + std::to_string(recording.skeleton.size()) +
+            " joints are not recognised as a human figure",
+        "use the joint names of Mixamo, VRM or Rigify (LeftUpLeg, LeftLeg, LeftFoot, LeftArm, …)");
   }
 }
 
@@ -164,7 +165,8 @@ Character character_of(const CharacterFile& file) {
   character.textures = std::move(paint.textures);
   const double extent = extent_of(character.rig);
   if (!(extent > 1e-9)) {
-    motion::refuse(file.gltf, "all joints lie in one place", "export the figure in its bind pose");
+    motion::refuse(file.gltf, "all joints are at the same point",
+                   "export the figure in its bind pose");
   }
   motion::Recording recording = bind_recording(rig, file.gltf.name);
   for (motion::Joint& joint : recording.skeleton.joints) joint.offset *= assumed_extent / extent;

@@ -30,7 +30,7 @@ render::Texture decoded(const CharacterFile& file, std::span<const unsigned char
   try {
     return render::read_texture(bytes, use, kind);
   } catch (const render::Error& error) {
-    throw Error({file.gltf.name}, std::string("a picture does not decode: ") + error.what(),
+    throw Error({file.gltf.name}, std::string("a picture cannot be decoded: ") + error.what(),
                 "export its pictures as PNG, JPEG or WebP");
   }
 }
@@ -98,7 +98,7 @@ float scale_of(const CharacterFile& file, const json& bumps, const std::string& 
   const auto scale = bumps.find("scale");
   if (scale == bumps.end()) return 1.0f;
   if (!scale->is_number() || !(std::abs(scale->get<double>()) <= 100.0)) {
-    motion::refuse(file.gltf, use + ": no scale of normals", get_it_again);
+    motion::refuse(file.gltf, use + ": it has no valid normal scale", get_it_again);
   }
   return scale->get<float>();
 }

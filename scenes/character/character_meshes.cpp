@@ -34,7 +34,7 @@ struct Primitive {
     if (index < 0) return {};
     const std::string named = use + ", " + attribute;
     std::vector<double> result = motion::accessor_numbers(file.gltf, index, components, named);
-    if (result.size() != components * vertices) refuse(attribute + ": not one a vertex");
+    if (result.size() != components * vertices) refuse(attribute + ": not one per vertex");
     return result;
   }
 
@@ -100,12 +100,12 @@ std::vector<std::vector<Influence>> influences_of(const Primitive& primitive, si
     const int accessor = primitive.accessor("JOINTS_" + set);
     const std::vector<double> weights = primitive.numbers("WEIGHTS_" + set, 4, vertices);
     if (accessor < 0 || weights.empty()) {
-      if (set == "0") primitive.refuse("it follows a skin but has no joints or weights");
+      if (set == "0") primitive.refuse("it has a skin but no joints or weights");
       break;
     }
     const std::vector<int> joints = motion::accessor_indices(primitive.file.gltf, accessor, 4,
                                                              primitive.use + ", JOINTS_" + set);
-    if (joints.size() != 4 * vertices) primitive.refuse("JOINTS_" + set + ": not one a vertex");
+    if (joints.size() != 4 * vertices) primitive.refuse("JOINTS_" + set + ": not one per vertex");
     for (size_t i = 0; i < joints.size(); ++i) {
       if (!(weights[i] > 0.0)) continue;
       if (static_cast<size_t>(joints[i]) >= joint_count) {
@@ -190,7 +190,7 @@ SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const 
   mesh.positions = vectors_of(
       motion::accessor_numbers(primitive.file.gltf, accessor, 3, primitive.use + ", POSITION"));
   const size_t vertices = mesh.positions.size();
-  if (vertices > most_vertices) primitive.refuse("it has more vertices than any figure");
+  if (vertices > most_vertices) primitive.refuse("it has more vertices than supported");
   mesh.triangles = triangles_of(corners_of(primitive, vertices), mode);
   mesh.normals = vectors_of(primitive.numbers("NORMAL", 3, vertices));
   put_uv(primitive, vertices, mesh);
@@ -232,8 +232,7 @@ std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BindP
       if (mode >= triangles_mode) {
         meshes.push_back(mesh_of(primitive, placed, rig, mode, unsupported));
         vertices += meshes.back().positions.size();
-        if (vertices > most_vertices)
-          primitive.refuse("there are more vertices than any figure has");
+        if (vertices > most_vertices) primitive.refuse("there are more vertices than supported");
       }
     }
   }

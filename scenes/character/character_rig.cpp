@@ -294,7 +294,7 @@ motion::Skeleton skeleton_of(const CharacterFile& file, const BindPoseRig& rig) 
                             : Vec3(Vec3::Zero());
     joint.offset = rig.bind[j].translation() - from;
     if (!joint.offset.allFinite() || joint.offset.norm() > 1e9) {
-      motion::refuse(file.gltf, "a joint lies too far away", "check the scales of the nodes");
+      motion::refuse(file.gltf, "a joint is too far away", "check the scales of the nodes");
     }
     skeleton.joints.push_back(std::move(joint));
   }

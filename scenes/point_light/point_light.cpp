@@ -159,9 +159,8 @@ std::vector<Dot> with_limited_lifetime(const std::vector<Dot>& dots,
     if (joints[d].limb >= 0) limbs.push_back(d);
   }
   if (limbs.empty()) {
-    throw Error("these dots have no limbs to spend a limited lifetime on",
-                "name both ends of a limb, LeftElbow and LeftWrist for example, or leave lifetime "
-                "out");
+    throw Error("these dots are not on limbs, as a limited lifetime requires",
+                "name both ends of a limb, such as LeftElbow and LeftWrist, or omit lifetime");
   }
   std::vector<Dot> result = dots;
   for (std::size_t d = 0; d < dots.size(); ++d) {
@@ -234,8 +233,8 @@ Vec3 changed_step(const PointLightOptions& options, const DotStage& stage) {
 std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& options,
                              const DotStage& stage) {
   if (options.scrambled && options.lifetime > 0) {
-    throw Error("scrambled dots have no limbs to spend a limited lifetime on",
-                "leave scrambled or lifetime out");
+    throw Error("scrambled dots are not on limbs, as a limited lifetime requires",
+                "omit scrambled or lifetime");
   }
   const std::uint64_t seed = options.seed.value_or(stage.seed);
   const std::vector<DotJoint> joints = dot_joints(clip.body, options);

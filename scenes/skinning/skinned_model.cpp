@@ -132,11 +132,11 @@ void normalize(std::vector<Influence>& influences) {
 
 void validate(const SkinnedMesh& mesh, int joint_count) {
   const size_t count = mesh.positions.size();
-  require(mesh.normals.size() == count, "normals: one a vertex is needed");
-  require(mesh.uv.empty() || mesh.uv.size() == count, "uv: one a vertex is needed");
-  require(mesh.influences.size() == count, "influences: one list a vertex is needed");
+  require(mesh.normals.size() == count, "normals: one per vertex is needed");
+  require(mesh.uv.empty() || mesh.uv.size() == count, "uv: one per vertex is needed");
+  require(mesh.influences.size() == count, "influences: one list per vertex is needed");
   require(mesh.triangle_parts.empty() || mesh.triangle_parts.size() == mesh.triangles.size(),
-          "triangle_parts: one a triangle is needed");
+          "triangle_parts: one per triangle is needed");
   for (size_t v = 0; v < count; ++v) {
     require(mesh.positions[v].allFinite() && mesh.positions[v].cwiseAbs().maxCoeff() < 1e6,
             "positions: a number is not finite or too large");

@@ -23,7 +23,7 @@ namespace {
 
 void require_body(const motion::Clip& clip, const std::string& figure) {
   if (motion::is_body(clip.body)) return;
-  throw Error({clip.name}, figure + " needs a human body, and this motion has none",
+  throw Error({clip.name}, figure + " needs a human body, which this motion does not have",
               "draw it as a stick figure");
 }
 

@@ -189,10 +189,10 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   const bool together = performances.size() > 1;
   if (together && std::holds_alternative<PointLightOptions>(look.figure)) {
     throw Error("the point lights of several motions cannot be told apart",
-                "give them another figure, or render each alone");
+                "give them another figure, or render them separately");
   }
   if (together && look.layout == Layout::side_by_side && looks_along_lanes(look.camera)) {
-    throw Error("side by side, figures hide each other from a camera at their side",
+    throw Error("figures side by side hide each other in a side view",
                 "choose front, three-quarter or follow, or layout: superimposed");
   }
   if (auto* dots = std::get_if<PointLightOptions>(&look.figure)) dots->size_px *= look.pixel_scale;

@@ -32,8 +32,8 @@ class EndlessInputs : public testing::Test {
       scratch.write("sparse" + ending, "");
       fs::resize_file(sparse, std::uintmax_t{1} << 40);
     }
-    return {{pipe, "is a pipe and no file"},
-            {device, "is a device and no file"},
+    return {{pipe, "is a pipe, not a file"},
+            {device, "is a device, not a file"},
             {sparse, "has 1 TiB, more than the "}};
   }
 

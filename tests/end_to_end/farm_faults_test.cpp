@@ -141,7 +141,7 @@ TEST_F(FarmThatFails, TakesBackWhatWaitsOfAStudyThatWasEdited) {
   EXPECT_FALSE(status()["outdated"].empty()) << status().dump();
   const Ended resumed = farm("resume");
   ASSERT_EQ(resumed.code, 0) << resumed.errors;
-  EXPECT_NE(resumed.errors.find("before it was edited, and are taken back"), std::string::npos)
+  EXPECT_NE(resumed.errors.find("before it was edited, and are cancelled"), std::string::npos)
       << resumed.errors;
   ASSERT_TRUE(cluster->wait_until_empty(240.0));
   EXPECT_TRUE(status()["complete"]) << farm("logs").output;

@@ -99,7 +99,7 @@ TEST_F(FarmOnSlurm, MakesAStudyAndKnowsIt) {
 
   const Ended second = farm({"submit"});
   EXPECT_EQ(second.code, 2);
-  EXPECT_NE(second.errors.find("is with Slurm already"), std::string::npos) << second.errors;
+  EXPECT_NE(second.errors.find("has been submitted already"), std::string::npos) << second.errors;
 
   ASSERT_TRUE(cluster->wait_until_empty(120.0));
   EXPECT_TRUE(status()["complete"]) << farm({"logs"}).output;
@@ -136,10 +136,11 @@ TEST_F(FarmOnSlurm, HoldsAWrongSetUpUntilItIsResumed) {
   EXPECT_EQ(status()["held"][0]["job"], job + "_1");
   EXPECT_NE(farm({"logs"}).output.find("ended with 78"), std::string::npos);
   const std::string told = farm({"status"}).output;
-  EXPECT_NE(told.find("held by Slurm: 1 job (" + job + "_1)\n  wrong set-up"), std::string::npos)
+  EXPECT_NE(told.find("held by Slurm: 1 job (" + job + "_1)\n  wrong configuration"),
+            std::string::npos)
       << told;
   const Ended dry = farm({"resume"}, {"--dry-run"});
-  EXPECT_NE(dry.errors.find("is to be taken back"), std::string::npos) << dry.errors;
+  EXPECT_NE(dry.errors.find("is to be cancelled"), std::string::npos) << dry.errors;
   EXPECT_NE(dry.output.find("0002/6-rest.sbatch"), std::string::npos) << dry.output;
   EXPECT_FALSE(fs::exists(submission("0002")));
   EXPECT_FALSE(status()["held"].empty());
@@ -172,7 +173,7 @@ TEST_F(FarmOnSlurm, PassesScancelOnToTheWorker) {
   EXPECT_EQ(state_of(job, "1"), "CANCELLED");
   const std::string logs = farm({"logs"}).output;
   EXPECT_EQ(logs.find("==>"), std::string::npos) << logs;
-  EXPECT_NE(logs.find("jobs that were cancelled are left out"), std::string::npos) << logs;
+  EXPECT_NE(logs.find("cancelled jobs are not shown"), std::string::npos) << logs;
 }
 
 TEST_F(FarmOnSlurm, WaitsForAFolderThatIsAwayAndTakesScancel) {
@@ -188,11 +189,11 @@ TEST_F(FarmOnSlurm, WaitsForAFolderThatIsAwayAndTakesScancel) {
     return state_of(number, "1") == "RUNNING" && state_of(cancelled, "2") == "RUNNING";
   })) << state_of(number, "1");
   const std::string told = farm({"status"}).output;
-  EXPECT_NE(told.find("tiny is not there, and Slurm has jobs that work in it"), std::string::npos)
+  EXPECT_NE(told.find("tiny does not exist, but Slurm has jobs that work in it"), std::string::npos)
       << told;
   const Ended submitted = farm({"submit"});
   EXPECT_NE(submitted.code, 0);
-  EXPECT_NE(submitted.errors.find("is the disk that holds it mounted"), std::string::npos)
+  EXPECT_NE(submitted.errors.find("check that its disk is mounted"), std::string::npos)
       << submitted.errors;
   EXPECT_FALSE(fs::exists(out)) << "it was made anew";
   must_run({"scancel", cancelled});
@@ -201,9 +202,9 @@ TEST_F(FarmOnSlurm, WaitsForAFolderThatIsAwayAndTakesScancel) {
   fs::rename(away, out);
   ASSERT_TRUE(cluster->wait_until_empty(60.0));
   EXPECT_EQ(state_of(number, "1"), "COMPLETED");
-  EXPECT_NE(log_of("2-frames", number + "_1").find("mien farm: goes on; "), std::string::npos)
+  EXPECT_NE(log_of("2-frames", number + "_1").find("mien farm: continues after"), std::string::npos)
       << log_of("2-frames", number + "_1");
-  EXPECT_NE(farm({"logs"}, {"film:one"}).output.find("goes on"), std::string::npos);
+  EXPECT_NE(farm({"logs"}, {"film:one"}).output.find("continues after"), std::string::npos);
 }
 
 TEST_F(FarmOnSlurm, TellsOfJobsWhoseNodeDoesNotAnswer) {
@@ -274,8 +275,9 @@ TEST_F(FarmOnSlurm, RefusesWhatNoNodeHasAndForgetsIt) {
   EXPECT_EQ(farm({"submit"}, {"--mem", "900T"}).code, 1);
   EXPECT_FALSE(fs::exists(submission()));
   const Ended nothing = farm({"resume"});
-  EXPECT_NE(nothing.errors.find("nothing has been submitted yet that Slurm did not refuse"),
-            std::string::npos)
+  EXPECT_NE(
+      nothing.errors.find("nothing has been submitted yet (Slurm refused earlier submissions)"),
+      std::string::npos)
       << nothing.errors;
   ASSERT_EQ(farm({"submit"}, {"--chunk", "4"}).code, 0);
   EXPECT_TRUE(fs::exists(submission("0002")));

@@ -23,7 +23,7 @@ TEST_F(WithoutSlurm, ADryRunPrintsJobsAndWritesNothing) {
   const Ended ended = farm({"submit"}, {"--dry-run", "--chunk", "4", "--mem", "1G"});
   EXPECT_EQ(ended.code, 0) << ended.errors;
   for (const char* words :
-       {"1-motions    1 element", "2-frames", "film:one[1/", "6-rest       what is left",
+       {"1-motions    1 element", "2-frames", "film:one[1/", "6-rest       the rest",
         "#SBATCH --mem=\"1G\"", "tables films design report"}) {
     EXPECT_NE(ended.output.find(words), std::string::npos) << words;
   }
@@ -63,12 +63,12 @@ TEST_F(WithoutSlurm, SaysWhatAnOptionTakesAndWhatAnItemIsCalled) {
   const auto says = [](const Ended& ended, const char* words) {
     EXPECT_NE(ended.errors.find(words), std::string::npos) << ended.errors;
   };
-  says(farm({"submit"}, {"--time", "1h"}), "\"1h\" is no time that Slurm takes; write minutes");
-  says(farm({"submit"}, {"--mem", "2 GB"}), "\"2 GB\" is no amount of memory");
+  says(farm({"submit"}, {"--time", "1h"}), "\"1h\" is not a valid Slurm time limit; write minutes");
+  says(farm({"submit"}, {"--mem", "2 GB"}), "\"2 GB\" is not a valid amount of memory");
   says(farm({"logs"}, {"film:oen"}), "did you mean \"film:one\"?");
   const Ended none = farm({"cancel"});
   EXPECT_EQ(none.code, 0) << none.errors;
-  EXPECT_NE(none.output.find("no job of this study waits or runs"), std::string::npos);
+  EXPECT_NE(none.output.find("no job of this study is queued or running"), std::string::npos);
 }
 
 TEST_F(WithoutSlurm, AWorkerPassesOverAnEmptyLineAndTellsOfEmptyParts) {

@@ -68,7 +68,7 @@ class MotionStream : public testing::Test {
 TEST_F(MotionStream, IsTheSameFromAFileAndFromAPipeThatIsFedSlowly) {
   const Ended whole = stream({walk, bow});
   ASSERT_EQ(whole.code, 0) << whole.errors;
-  EXPECT_NE(whole.errors.find("0 frames (0 ms) late"), std::string::npos) << whole.errors;
+  EXPECT_NE(whole.errors.find("latency 0 frames (0 ms)"), std::string::npos) << whole.errors;
   const std::string out = scratch.path() / "out.bvh";
   const Ended live = fed({bow, "-o", out, "--lines"}, [&](int descriptor, Running&) {
     write_to(descriptor, head);
@@ -129,7 +129,7 @@ TEST_F(MotionStream, TellsItsDelayAndItsError) {
   EXPECT_LT(report["error"]["largest_metres"], 0.01);
   EXPECT_GT(report["feet"]["largest_drift_metres"],
             report["feet"]["largest_drift_of_source_metres"]);
-  EXPECT_NE(ended.errors.find("feet are not repaired"), std::string::npos);
+  EXPECT_NE(ended.errors.find("feet are not locked"), std::string::npos);
   // The file is whole: it says how many frames there are.
   EXPECT_EQ(run_mien({"motion", "info", out}).code, 0);
   EXPECT_EQ(stream({walk, "paths: 1.8", "--still-legs", "--measure", "--json", told}).code, 0);
@@ -165,7 +165,7 @@ TEST_F(MotionStream, LeavesNothingHalfWrittenWhenItsInputBreaks) {
   }
   const Ended cut = stream({scratch.write("cut.bvh", head + frames.substr(0, 5001)), bow});
   EXPECT_EQ(cut.code, 2);
-  EXPECT_NE(cut.errors.find("cut short"), std::string::npos) << cut.errors;
+  EXPECT_NE(cut.errors.find("truncated"), std::string::npos) << cut.errors;
   const Ended empty = stream({scratch.write("empty.bvh", head), bow});
   EXPECT_EQ(empty.code, 2);
   EXPECT_NE(empty.errors.find("no frame came"), std::string::npos) << empty.errors;
@@ -177,7 +177,7 @@ TEST_F(MotionStream, EndsWhenItsReaderGoes) {
                    mien_with({}).front(), walk, bow});
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(lines_of(ended.output), 3);
-  EXPECT_NE(ended.errors.find("has closed it"), std::string::npos) << ended.errors;
+  EXPECT_NE(ended.errors.find("the reader closed the stream"), std::string::npos) << ended.errors;
 }
 
 TEST_F(MotionStream, KeepsWhatHasComeWhenItIsInterrupted) {

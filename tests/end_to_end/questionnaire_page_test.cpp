@@ -253,10 +253,11 @@ TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {
     return run.at(who).get<std::string>().find(what) != std::string::npos;
   };
   EXPECT_EQ(run.at("reloads"), 1);
-  for (const char* who : {"mouse", "keys", "joined"}) EXPECT_TRUE(says(who, "are saved")) << who;
+  for (const char* who : {"mouse", "keys", "joined"})
+    EXPECT_TRUE(says(who, "have been saved")) << who;
   for (const char* who : {"early", "late"}) EXPECT_TRUE(says(who, "open elsewhere")) << who;
   EXPECT_TRUE(says("phone", "larger screen"));
-  EXPECT_TRUE(says("refusing", "nothing was recorded"));
+  EXPECT_TRUE(says("refusing", "nothing has been recorded"));
   // Neither the phone nor who refused has taken a plan.
   EXPECT_EQ(run.at("participants"), (json{3, 3, 4}));
   EXPECT_EQ(run.at("states"), (json{"done", "done", "waiting", "done"}));

@@ -124,7 +124,8 @@ TEST_F(Regress, RefusesWhatItCannotCompare) {
 TEST_F(Regress, TellsWhatIsMissingOfALoneFile) {
   const Ended refused = run_mien({"regress", walk().string()});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.errors.find("a second file is missing"), std::string::npos) << refused.errors;
+  EXPECT_NE(refused.errors.find("a second file to compare with is missing"), std::string::npos)
+      << refused.errors;
 }
 
 TEST_F(Regress, KnowsAFileThatGitHasNotFetched) {
@@ -140,7 +141,7 @@ TEST_F(Regress, RefusesFoldersWithoutPictures) {
   fs::create_directory(empty);
   const Ended refused = run_mien({"regress", empty.string(), empty.string()});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.errors.find("holds no pictures"), std::string::npos) << refused.errors;
+  EXPECT_NE(refused.errors.find("is a folder without images"), std::string::npos) << refused.errors;
 }
 
 }  // namespace

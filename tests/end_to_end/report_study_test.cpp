@@ -58,8 +58,8 @@ TEST_F(ReportedStudy, GoesFromDesignOverAnswersToTables) {
   EXPECT_NE(design.output.find("p006,"), std::string::npos);
   const Ended ended = report({(folder.path() / "export").string()});
   ASSERT_EQ(ended.code, 0) << ended.errors;
-  EXPECT_NE(ended.output.find("6 of 6 people count"), std::string::npos) << ended.output;
-  EXPECT_NE(text_of(out / "report.html").find("12 answers of 6 people about 2 videos"),
+  EXPECT_NE(ended.output.find("6 of 6 participants analysed"), std::string::npos) << ended.output;
+  EXPECT_NE(text_of(out / "report.html").find("12 answers of 6 participants about 2 videos"),
             std::string::npos);
   EXPECT_NE(text_of(out / "results/comparisons.csv").find("modified-neutral,sad"),
             std::string::npos);
@@ -72,7 +72,7 @@ TEST_F(ReportedStudy, TakesAnswersOfMorePeopleThanWerePlanned) {
   const Ended ended = report({more});
   ASSERT_EQ(ended.code, 0) << ended.errors;
   EXPECT_EQ(ended.errors, "");
-  EXPECT_NE(ended.output.find("8 of 8 people count"), std::string::npos) << ended.output;
+  EXPECT_NE(ended.output.find("8 of 8 participants analysed"), std::string::npos) << ended.output;
   EXPECT_EQ(text_of(out / "report.html").find("the manifest"), std::string::npos);
 }
 
@@ -84,21 +84,21 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   const Ended frozen = run_mien({"study", "design", study, "-o", (folder.path() / "p.csv").string(),
                                  "--freeze", bundle, "--out", made});
   ASSERT_EQ(frozen.code, 0) << frozen.errors;
-  EXPECT_NE(frozen.errors.find("nothing says how the answers will be looked at"), std::string::npos)
+  EXPECT_NE(frozen.errors.find("the manifest has no analysis plan"), std::string::npos)
       << frozen.errors;
   const std::string names = text_of(bundle);  // those of a zip stand in it as they are
   EXPECT_NE(names.find("dummy-report/report.html"), std::string::npos);
   EXPECT_NE(names.find("dummy-report/results/means.csv"), std::string::npos);
 
   const Ended same = report({answers, "--frozen", bundle, "--made", made});
-  EXPECT_NE(same.output.find("What was run is what was frozen in frozen.zip."), std::string::npos)
+  EXPECT_NE(same.output.find("The study was run as registered in frozen.zip."), std::string::npos)
       << same.output << same.errors;
   const Ended other = report(
       {answers, "--frozen", bundle, "--made", made, "--correction", "none", "--most-failed", "5"});
-  EXPECT_NE(other.output.find("What was run differs from what was frozen"), std::string::npos)
+  EXPECT_NE(other.output.find("The study differs from the one registered"), std::string::npos)
       << other.output;
-  for (const char* told :
-       {"--correction none was run, holm was frozen", "--most-failed 5 was run, 1 was frozen"})
+  for (const char* told : {"--correction none instead of the registered holm",
+                           "--most-failed 5 instead of the registered 1"})
     EXPECT_NE(other.output.find(told), std::string::npos) << other.output;
 }
 
@@ -115,12 +115,13 @@ TEST_F(ReportedStudy, CountsWhatWasSavedTwiceOnce) {
 TEST_F(ReportedStudy, TellsWhoDidNotFinishAndLeavesThemOutWhenAsked) {
   const std::string cut = cut_short();
   const Ended kept = report({cut});
-  EXPECT_NE(kept.errors.find("\"p006\" did not finish (1 of 2 trials): what was answered counts"),
+  EXPECT_NE(kept.errors.find("\"p006\" did not finish (1 of 2 trials): answers given are included"),
             std::string::npos)
       << kept.errors;
-  EXPECT_NE(kept.output.find("6 of 6 people count"), std::string::npos);
+  EXPECT_NE(kept.output.find("6 of 6 participants analysed"), std::string::npos);
   const Ended left_out = report({cut, "--unfinished", "leave-out"});
-  EXPECT_NE(left_out.output.find("5 of 6 people count"), std::string::npos) << left_out.output;
+  EXPECT_NE(left_out.output.find("5 of 6 participants analysed"), std::string::npos)
+      << left_out.output;
 }
 
 TEST_F(ReportedStudy, RefusesAnswersSeparatedBySemicolons) {

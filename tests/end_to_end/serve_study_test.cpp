@@ -187,7 +187,7 @@ TEST_F(ServedStudy, IsTakenGoesOnAfterBeingKilledAndEndsWhenTold) {
   const Ended changed = run_program(command(folder.write("gaits.yaml", other).string()));
   EXPECT_EQ(changed.code, 2);
   EXPECT_FALSE(fs::exists(folder.path() / "out")) << "was made before it was refused";
-  EXPECT_NE(changed.errors.find("was begun with another questionnaire"), std::string::npos)
+  EXPECT_NE(changed.errors.find("was started with a different questionnaire"), std::string::npos)
       << changed.errors;
 }
 
@@ -196,7 +196,7 @@ TEST_F(ServedStudy, IsRefusedWhereItCannotBeServed) {
   words.insert(words.end(), {"--url", "elsewhere"});
   const Ended no_url = run_program(words);
   EXPECT_EQ(no_url.code, 2);
-  EXPECT_NE(no_url.errors.find("is no address of a web server"), std::string::npos);
+  EXPECT_NE(no_url.errors.find("is not the address of a web server"), std::string::npos);
   fs::remove_all(folder.path() / "bin/pages");
   const Ended no_pages = run_program(command(manifest));
   EXPECT_EQ(no_pages.code, 2);

@@ -167,7 +167,7 @@ TEST_F(StudioPage, ChangesTheQuickstartAndMakesIt) {
 
   // What was changed, and nothing else: comments stay.
   const std::string saved = seen.at("saved");
-  EXPECT_NE(saved.find("# of simulated raters, and every output says so"), std::string::npos);
+  EXPECT_NE(saved.find("# simulated ratings, marked as such in all output"), std::string::npos);
   EXPECT_NE(saved.find("quickness: 0.9, clearness: 0.6"), std::string::npos);
   EXPECT_NE(saved.find("head-flexion: 10"), std::string::npos);
   EXPECT_TRUE(seen.at("kept").get<bool>());

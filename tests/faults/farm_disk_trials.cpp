@@ -109,7 +109,7 @@ void wait_on_ailing_disk(const Illness& illness, const fs::path& manifest, const
   disk.resize(ample_room);
   Trial::expect_code(Trial::ended(job), 0, illness.name + ", then well", figures);
   const std::string log = text_of(submission / "log/tiny-1-motions-1_1.log");
-  if (log.find("mien farm: goes on") == std::string::npos)
+  if (log.find("mien farm: continues after") == std::string::npos)
     figures.complaints.push_back(illness.name + ": the log tells " + log);
   ++figures.studies;
 }

@@ -40,7 +40,7 @@ std::string describe_shift(const TimeShift& shift) {
 std::string describe_gap(const FrameGap& gap, double rate) {
   const int frames = std::abs(gap.frames);
   return frames_told(frames) + (frames == 1 ? " was " : " were ") +
-         (gap.frames < 0 ? "left out" : "put in") + " at " + in_seconds(gap.frame / rate);
+         (gap.frames < 0 ? "excluded" : "put in") + " at " + in_seconds(gap.frame / rate);
 }
 
 std::string describe_pace(const TimingDifference& timing) {
@@ -56,16 +56,16 @@ std::string ordinal(int number) {
 std::string describe_whole(const WholeBodyChange& whole) {
   switch (whole.kind) {
     case WholeChange::mirrored:
-      return "the motion is mirrored: left and right do each other's part";
+      return "the motion is mirrored: left and right are exchanged";
     case WholeChange::flipped:
-      return "the motion is mirrored, but left joints are still called left";
+      return "the motion is mirrored, but joint names are unchanged";
     case WholeChange::renamed_sides:
-      return "left and right joints have changed names; the motion is where it was";
+      return "the names of left and right joints are exchanged; the motion is unchanged";
     case WholeChange::swapped_turns:
-      return "left and right joints have each other's rotations";
+      return "the rotations of left and right joints are exchanged";
     case WholeChange::scaled:
       return "all lengths are " + formatted("%.4g", whole.scale) +
-             " times as long, as of another unit; the motion is the same but for that";
+             " times as long, as with another unit; otherwise the motion is the same";
     case WholeChange::moved:
     case WholeChange::none:
       break;
@@ -95,7 +95,7 @@ std::string describe_root(const MotionDifference& difference) {
   if (heading.value > rounding_radians)
     add("heads up to " + in_degrees(heading.value) + " elsewhere");
   if (tilt.value > rounding_radians) add("leans up to " + in_degrees(tilt.value) + " otherwise");
-  return text.empty() ? "" : "the figure " + text + "; its poses are the same";
+  return text.empty() ? "" : "the figure " + text + "; its poses are unchanged";
 }
 
 std::string describe_turn(const MotionDifference& difference, const JointDifference& joint) {
@@ -145,7 +145,7 @@ std::string describe_slide(const MotionDifference& difference) {
   const FootDifference& foot = feet[left ? 0 : 1];
   if (foot.slide_m < least_reported_slide_m) return "";
   return std::string(left ? "left" : "right") + " foot slides up to " +
-         in_centimetres(foot.slide_m) + " where it stood" + at_time(foot.slide_seconds);
+         in_centimetres(foot.slide_m) + " while planted" + at_time(foot.slide_seconds);
 }
 
 /// Describes changes of parts of the body.
@@ -170,8 +170,8 @@ std::string describe_parts(const MotionDifference& difference) {
 std::string describe_names(const MotionDifference& difference) {
   const auto& [was, is] = difference.renamed.front();
   const std::size_t count = difference.renamed.size();
-  return std::to_string(count) + (count == 1 ? " joint is" : " joints are") +
-         " called otherwise (" + was + " is " + is + " now); the motion is the same";
+  return std::to_string(count) + (count == 1 ? " joint is" : " joints are") + " renamed (" + was +
+         " is " + is + " now); the motion is the same";
 }
 
 std::string describe_rest(const MotionDifference& difference) {

@@ -90,14 +90,15 @@ void compare_frames(ComparedRecordings& result, const Frame& before, const Frame
   std::ostringstream text;
   const double grown = now.metres_per_unit / before.metres_per_unit;
   if (std::abs(std::log(grown)) > 0.1) {
-    text << "By the figure's size a unit of the file seems to be " << now.metres_per_unit
-         << " m now and was " << before.metres_per_unit << " m; both are taken as it was.";
+    text << "Judging by the figure's size, the unit of the file is " << now.metres_per_unit
+         << " m now and was " << before.metres_per_unit
+         << " m before; both are read with the earlier unit.";
     result.remarks.push_back(text.str());
   }
   if (angle_between(before.to_y_up, now.to_y_up) > 0.1)
     result.remarks.emplace_back(
-        "By how the figure stands another axis of the file points up now; both are taken as it "
-        "was.");
+        "Judging by the figure, a different axis points up now; both are read with the earlier "
+        "axis.");
 }
 
 std::vector<std::string> parts_of(const Skeleton& skeleton,

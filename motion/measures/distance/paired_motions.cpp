@@ -30,8 +30,8 @@ void require_numbers(const Clip& clip) {
   if (broken == clip.poses.end()) return;
   throw Error(Place{clip.name},
               "frame " + std::to_string(broken - clip.poses.begin()) +
-                  " holds a number that is none (not finite)",
-              "make the motion again; mien motion lint tells where it is broken");
+                  " holds an invalid number (not finite)",
+              "make the motion again; mien motion lint shows where it is faulty");
 }
 
 /// Joints by their side and word, in the skeleton's order: what stands opposite to what.

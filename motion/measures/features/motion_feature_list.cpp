@@ -28,7 +28,7 @@ constexpr std::array<MotionFeature, motion_feature_count> features = {{
     {"sigma-torso-lr", "side-to-side sway of the torso", "胴体の左右の揺れ", degrees,
      lateral_swing},
     {"sigma-head-lr", "side-to-side sway of the head", "頭の左右の揺れ", degrees, lateral_swing},
-    {"sigma-com-pos-lr", "side-to-side way of the centre of mass", "重心の左右の揺れ", metres,
+    {"sigma-com-pos-lr", "lateral displacement of the centre of mass", "重心の左右の揺れ", metres,
      lateral_swing, reconstructed},
     {"sigma-com-vel-lr", "side-to-side speed changes of the centre of mass",
      "重心の左右の速さの変化", metres_per_second, lateral_swing, reconstructed},

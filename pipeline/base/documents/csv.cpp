@@ -135,7 +135,7 @@ void refuse_repeated_columns(const CsvTable& table) {
   for (const CsvField& field : table.header) {
     if (met.insert(field.text).second) continue;
     throw Error(place_of(table, field),
-                "the column " + motion::in_quotes(field.text) + " is there twice",
+                "the column " + motion::in_quotes(field.text) + " appears twice",
                 "rename one of the two");
   }
 }
@@ -145,8 +145,8 @@ void refuse_header(const CsvTable& table, const std::vector<CsvField>& row) {
   if (row.size() == 1 ||
       !std::ranges::equal(row, table.header, {}, &CsvField::text, &CsvField::text))
     return;
-  throw Error(place_of(table, row.front()), "the header stands here again",
-              "keep the first one alone");
+  throw Error(place_of(table, row.front()), "the header is repeated here",
+              "keep only the first one");
 }
 
 bool needs_quotes(const std::string& field) {

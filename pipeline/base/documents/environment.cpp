@@ -22,7 +22,7 @@ void append_value(std::string_view inside, const Environment& environment, Expan
   const std::size_t mark = inside.find(":-");
   const std::string name(inside.substr(0, mark));
   if (!is_name(name)) {
-    result.wrong = "\"${" + std::string(inside) + "}\" names no environment variable";
+    result.wrong = "\"${" + std::string(inside) + "}\" is not a valid environment variable";
     result.remedy = "write ${NAME} or ${NAME:-default}";
     return;
   }

@@ -9,8 +9,7 @@ std::string failure_text(const std::exception& failure) {
   const bool is_memory = dynamic_cast<const std::bad_alloc*>(&failure) != nullptr ||
                          dynamic_cast<const std::length_error*>(&failure) != nullptr;
   if (!is_memory) return failure.what();
-  return "there is not enough memory for this; give it more, or ask for less: smaller pictures, "
-         "shorter motions, fewer --jobs";
+  return "not enough memory; provide more, or use smaller images, shorter motions or fewer --jobs";
 }
 
 }  // namespace mien::pipeline

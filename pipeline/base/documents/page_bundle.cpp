@@ -21,9 +21,9 @@ fs::path page_bundle(const std::string& name) {
   std::error_code unknown;
   const fs::path page = page_beside(fs::read_symlink("/proc/self/exe", unknown), name);
   if (!page.empty()) return page;
-  throw Error("the pages that people see in a browser are not built",
-              "start with ./mien in the sources, which brings Node.js and builds them; an "
-              "installed mien has them if they were built before its package was");
+  throw Error("the web pages are not built",
+              "run ./mien in the source tree, which installs Node.js and builds them; an installed "
+              "mien has them if its package was built with them");
 }
 
 }  // namespace mien::pipeline

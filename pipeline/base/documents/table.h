@@ -20,7 +20,7 @@ struct Column {
 /// the study's codebook tells.
 struct TableForm {
   std::string_view path;  ///< "metrics/distances.csv"
-  std::string_view rows;  ///< what a row is: "a compared pair"
+  std::string_view rows;  ///< what a row is of: "compared pair"
   std::span<const Column> columns;
 };
 

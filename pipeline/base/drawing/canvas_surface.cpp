@@ -266,7 +266,7 @@ class CairoCanvas final : public Canvas {
   void require_japanese() const {
     set("速さ 明瞭さ 骨盤 かわいい", {});
     if (pango_layout_get_unknown_glyphs_count(layout_.get()) == 0) return;
-    throw Error("no font on this machine has Japanese letters", "install fonts-noto-cjk");
+    throw Error("no font on this machine has Japanese characters", "install fonts-noto-cjk");
   }
 
   void set(std::string_view utf8, const TextStyle& style) const {

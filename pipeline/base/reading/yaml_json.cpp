@@ -85,8 +85,8 @@ class Converter {
     path_bytes_ += path.size();
     if (path_bytes_ <= most_bytes) return false;
     if (!was_too_long) {
-      faults_.push_back({node.place, "", "the paths of the values so far have more than 256 MiB",
-                         "use shorter names, or nest them less"});
+      faults_.push_back({node.place, "", "the paths of the values exceed 256 MiB in total",
+                         "use shorter names, or less nesting"});
     }
     return true;
   }

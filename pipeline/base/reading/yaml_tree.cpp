@@ -96,7 +96,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchored_.find(anchor);
     if (found == anchored_.end()) {
-      fault(places_.at(mark), "this alias stands inside the value that it names",
+      fault(places_.at(mark), "this alias is inside the value that it refers to",
             "write the value out");
       throw Abandoned{};
     }
@@ -144,7 +144,7 @@ class TreeBuilder : public YAML::EventHandler {
   void refuse_tag(const std::string& tag, const Place& place) {
     if (tag.empty() || tag == "?") return;
     if (tag.starts_with("tag:yaml.org,2002:")) return;
-    fault(place, "the tag " + motion::excerpt(tag) + " has no meaning here", "leave it out");
+    fault(place, "the tag " + motion::excerpt(tag) + " has no meaning here", "omit it");
   }
 
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,

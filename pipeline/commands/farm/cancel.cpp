@@ -23,7 +23,7 @@ void note_cancelled(const std::vector<JobFate>& fates, const SubmissionJournal& 
       if (!fate.live().empty()) journal.note_cancel(fate.journal.comment, fate.journal.job);
     }
   } catch (const std::exception& fault) {
-    console.err << "note: " << fault.what() << "; the jobs are cancelled all the same\n";
+    console.err << "note: " << fault.what() << "; the jobs are cancelled nevertheless\n";
   }
 }
 
@@ -44,11 +44,11 @@ int cancel_study(const CancelCommand& command, const Console& console) {
                        .dump(2)
                 << '\n';
   } else if (jobs.empty()) {
-    console.out << study.folder.string() << ": no job of this study waits or runs\n";
+    console.out << study.folder.string() << ": no job of this study is queued or running\n";
   } else {
     console.out << study.folder.string() << ": " << jobs.size()
                 << (jobs.size() == 1 ? " job" : " jobs")
-                << " cancelled; what is done stays, and mien farm resume goes on from here\n";
+                << " cancelled; finished work is kept, and mien farm resume continues from here\n";
   }
   return exit_done;
 }
@@ -58,10 +58,10 @@ int cancel_study(const CancelCommand& command, const Console& console) {
 Command farm_cancel_command() {
   const auto options = std::make_shared<CancelCommand>();
   return {.name = "cancel",
-          .summary = "Take the jobs of a study back, and no others",
+          .summary = "Cancel the jobs of a study",
           .options = all_of(
               farm_options(options->study),
-              flag("--json", &options->json, "What was cancelled as JSON on standard output")),
+              flag("--json", &options->json, "List of cancelled jobs as JSON on standard output")),
           .notes = "Example:\n  mien farm cancel my.yaml",
           .run = [options](const Console& console) { return cancel_study(*options, console); }};
 }

@@ -42,7 +42,7 @@ Command farm_export_command() {
   const auto options = std::make_shared<ExportCommand>();
   return {
       .name = "export",
-      .summary = "A study as a job of other render farms",
+      .summary = "Export a study as a job for other render farms",
       .options =
           {argument(
                "manifest", &options->study.manifest,
@@ -56,10 +56,11 @@ Command farm_export_command() {
                .with_default(),
            quality_option(options->study.quality),
            option("--chunk", &options->chunk,
-                  "Frames that a task draws at most: auto, or a number"),
-           option("--jobs,-j", &options->jobs, "Processors of a task (1)").between(1, 1024)},
+                  "Maximum number of frames per task: auto, or a number"),
+           option("--jobs,-j", &options->jobs, "Processors per task (1)").between(1, 1024)},
       .notes =
-          "All of the study, whether it is there or not: tasks find what is.\n\nExample:\n"
+          "The job covers the whole study; tasks skip what exists already.\n\n"
+          "Example:\n"
           "  mien farm export my.yaml --format openjd -o my.job.json --out /shared/studies",
       .run = [options](const Console& console) { return export_study(*options, console); }};
 }

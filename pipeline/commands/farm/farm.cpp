@@ -63,13 +63,13 @@ std::string study_words(const FarmArguments& arguments) {
 
 Command farm_command() {
   return {.name = "farm",
-          .summary = "Make a study on many machines, with Slurm or without",
+          .summary = "Run a study on many machines, with or without Slurm",
           .commands = {farm_submit_command(), farm_status_command(), farm_logs_command(),
                        farm_resume_command(), farm_cancel_command(), farm_export_command(),
                        farm_worker_command()},
           .notes =
-              "mien farm submit hands a study to Slurm, status shows how it goes, and resume "
-              "submits what is missing, whatever happened. What is there is never made again. "
+              "mien farm submit submits a study to Slurm, status shows its progress, and resume "
+              "submits whatever is missing after any failure. Nothing that exists is made again. "
               "Without Slurm, start workers."};
 }
 

@@ -72,11 +72,10 @@ void show_failures(const FarmStudy& study, const LogsCommand& command, const Con
   });
   if (!troubles.empty()) console.out << "without a log:\n" << troubles_text(troubles);
   if (logs.empty() && troubles.empty())
-    console.out << study.folder.string() << ": no log of a failure\n";
+    console.out << study.folder.string() << ": no logs of failed jobs\n";
   if (cancelled_count > 0) {
-    console.out << "jobs that were cancelled are left out: " << cancelled_count
-                << "; mien farm logs " << study_words(command.study)
-                << " ITEM shows the log of one item\n";
+    console.out << "cancelled jobs are not shown: " << cancelled_count << "; mien farm logs "
+                << study_words(command.study) << " ITEM shows the log of one item\n";
   }
 }
 
@@ -85,8 +84,8 @@ void show_item(const FarmStudy& study, const LogsCommand& command, const Console
   logs.add(logs_of(command.item, study.folder));
   if (logs.empty()) {
     (void)graph_of_items(study.production.graph(), {command.item});  // says what was meant
-    throw Error("no job that was to make " + command.item + " has written a log",
-                "mien farm status tells what waits");
+    throw Error("no job for " + command.item + " has written a log",
+                "mien farm status shows what is waiting");
   }
   logs.show(command.lines, console);
 }
@@ -105,17 +104,18 @@ int show_logs(const LogsCommand& command, const Console& console) {
 
 Command farm_logs_command() {
   const auto options = std::make_shared<LogsCommand>();
-  return {.name = "logs",
-          .summary = "The last lines that jobs wrote: of what failed",
-          .options = all_of(farm_options(options->study),
-                            argument("item", &options->item,
-                                     "Of this item instead: film:walk, or film:walk[3/12]")
-                                .optional(),
-                            option("--lines,-n", &options->lines, "How many lines of each")
-                                .between(1, 10000)
-                                .with_default()),
-          .notes = "Examples:\n  mien farm logs my.yaml\n  mien farm logs my.yaml film:target-1",
-          .run = [options](const Console& console) { return show_logs(*options, console); }};
+  return {
+      .name = "logs",
+      .summary = "Show the last log lines of failed jobs",
+      .options = all_of(farm_options(options->study),
+                        argument("item", &options->item,
+                                 "Show the log of this item instead: film:walk, or film:walk[3/12]")
+                            .optional(),
+                        option("--lines,-n", &options->lines, "Number of lines per log")
+                            .between(1, 10000)
+                            .with_default()),
+      .notes = "Examples:\n  mien farm logs my.yaml\n  mien farm logs my.yaml film:target-1",
+      .run = [options](const Console& console) { return show_logs(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -69,7 +69,7 @@ ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
   if (!memory.unknown.empty()) {
     console.err << "note: " << memory.unknown.front()
                 << (memory.unknown.size() > 1 ? " and others" : "")
-                << ": too little memory, as Slurm says; --mem asks for more\n";
+                << ": out of memory according to Slurm; request more with --mem\n";
   }
   return needs;
 }
@@ -80,10 +80,9 @@ JournalSubmission asked_again(const ResumeCommand& command, const JournalContent
   const JournalSubmission* earlier = last_accepted(journal);
   if (earlier == nullptr) {
     throw Error(study.folder.string() + ": nothing has been submitted yet" +
-                    (journal.submissions.empty() ? "" : " that Slurm did not refuse"),
-                "mien farm submit " + study_words(command.study) +
-                    " does, or without Slurm mien run " + study_words(command.study) +
-                    " makes what is missing");
+                    (journal.submissions.empty() ? "" : " (Slurm refused earlier submissions)"),
+                "use mien farm submit " + study_words(command.study) +
+                    ", or without Slurm mien run " + study_words(command.study));
   }
   JournalSubmission asked = asked_for(command.options, *earlier);
   asked.quality = command.study.quality;
@@ -103,13 +102,13 @@ void take_back(const std::vector<std::string>& jobs, const char* why, const Resu
   if (!command.dry_run) slurm.cancel(jobs);
   console.err << "note: " << jobs.size() << (jobs.size() == 1 ? " job is " : " jobs are ") << why
               << (jobs.size() == 1 ? ", and is" : ", and are")
-              << (command.dry_run ? " to be taken back\n" : " taken back\n");
+              << (command.dry_run ? " to be cancelled\n" : " cancelled\n");
 }
 
 void take_back(const InTheWay& jobs, const ResumeCommand& command, const Slurm& slurm,
                const Console& console) {
-  take_back(jobs.outdated, "of the study as it was before it was edited", command, slurm, console);
-  take_back(jobs.obsolete, "held, or waiting to make what is left", command, slurm, console);
+  take_back(jobs.outdated, "of the study before it was edited", command, slurm, console);
+  take_back(jobs.obsolete, "held, or waiting for what is missing", command, slurm, console);
 }
 
 /// The new jobs are written down before any other is taken back: on a disk that is full all stays
@@ -147,7 +146,7 @@ int resume_study(const ResumeCommand& command, const Console& console) {
   if (!command.dry_run) sweep_submissions(all_fates, work, study, console);
   if (work.is_done(study)) {
     take_back(in_the_way, command, slurm, console);
-    console.out << study.folder.string() << ": nothing to do, all is done\n";
+    console.out << study.folder.string() << ": nothing to do, everything is done\n";
     return exit_done;
   }
   asked.number = next_submission(study.folder);
@@ -157,7 +156,7 @@ int resume_study(const ResumeCommand& command, const Console& console) {
   if (submission.elements() == 0 && waits_for_rest(fates)) {
     take_back(in_the_way, command, slurm, console);
     console.out << study.folder.string()
-                << ": nothing to submit, jobs that wait or run make what is missing\n";
+                << ": nothing to submit; queued and running jobs make what is missing\n";
     return exit_done;
   }
   in_the_way.obsolete = obsolete_jobs(fates);
@@ -177,19 +176,21 @@ int resume_study(const ResumeCommand& command, const Console& console) {
 
 Command farm_resume_command() {
   const auto options = std::make_shared<ResumeCommand>();
-  return {.name = "resume",
-          .summary = "Submit what is missing and what no job in the queue makes",
-          .options = all_of(
-              farm_options(options->study), submission_options(options->options),
-              flag("--dry-run", &options->dry_run,
-                   "Print the jobs and their batch files; write, cancel and submit nothing"),
-              flag("--json", &options->json, "What was submitted as JSON on standard output")),
-          .notes =
-              "Asks for what the last submission asked for, unless told otherwise; twice the "
-              "memory where a job\nran out of it. Jobs that Slurm holds are taken back and "
-              "submitted anew.\n\nExample:\n"
-              "  mien farm resume my.yaml --out /shared/studies",
-          .run = [options](const Console& console) { return resume_study(*options, console); }};
+  return {
+      .name = "resume",
+      .summary = "Submit what is missing and not covered by queued jobs",
+      .options = all_of(
+          farm_options(options->study), submission_options(options->options),
+          flag("--dry-run", &options->dry_run,
+               "Print the jobs and their batch files; write, cancel and submit nothing"),
+          flag("--json", &options->json, "List of submitted jobs as JSON on standard output")),
+      .notes =
+          "Resources are those of the last submission unless options say otherwise, with twice the "
+          "memory for\n"
+          "jobs that ran out of it. Jobs that Slurm holds are cancelled and submitted again.\n\n"
+          "Example:\n"
+          "  mien farm resume my.yaml --out /shared/studies",
+      .run = [options](const Console& console) { return resume_study(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -25,14 +25,14 @@ int chunk_frames(const std::string& chunk) {
   if (chunk == "auto") return 0;
   const auto frames = motion::as_number<int>(chunk);
   if (frames && *frames > 0) return *frames;
-  throw Error("--chunk: \"" + chunk + "\" is no number of frames", "write auto, or 1 or more");
+  throw Error("--chunk: \"" + chunk + "\" is not a number of frames", "write auto, or 1 or more");
 }
 
 /// `option` and what it takes: "--mem", "amount of memory".
 void refuse_unlike(const std::string& value, const char* form, const std::string& option,
                    const std::string& what, const std::string& remedy) {
   if (value.empty() || std::regex_match(value, std::regex(form))) return;
-  throw Error(option + ": \"" + value + "\" is no " + what, remedy);
+  throw Error(option + ": \"" + value + "\" is not a valid " + what, remedy);
 }
 
 /// Seconds that an estimated second of drawing really takes, as far as this study's workers know.
@@ -64,13 +64,13 @@ std::vector<Stage> stages_that(const FarmStudy& study, const DueWork& work,
 void tell_longer_elements(const FittingSubmission& fitting, const Cutting& asked,
                           const Console& console) {
   if (fitting.cutting.element_seconds <= asked.element_seconds) return;
-  console.err << "note: elements of up to " << as_duration(fitting.cutting.element_seconds)
+  console.err << "note: array elements of up to " << as_duration(fitting.cutting.element_seconds)
               << " instead of " << as_duration(asked.element_seconds)
-              << ", because Slurm takes no more jobs here (MaxJobCount)\n";
+              << ", because Slurm accepts no more jobs here (MaxJobCount)\n";
 }
 
 std::string element_words(int elements) {
-  return elements == 0 ? "what is left"
+  return elements == 0 ? "the rest"
                        : fmt::format("{} element{}", elements, elements == 1 ? "" : "s");
 }
 
@@ -85,15 +85,16 @@ double longest(const SubmissionJob& job) {
 std::vector<CommandOption> submission_options(SubmissionOptions& options) {
   return {
       option("--chunk", &options.chunk,
-             "Frames that an element of a job array draws at most: auto, so that it takes about "
-             "five minutes, or a number"),
-      option("--partition", &options.partition, "Slurm's partition"),
-      option("--time", &options.time, "Time limit of an element: minutes, HH:MM:SS or D-HH:MM:SS"),
-      option("--mem", &options.memory, "Memory of an element: 2G"),
-      option("--account", &options.account, "Slurm's account"),
-      option("--array-limit", &options.array_limit, "Elements of an array that run at once")
+             "Maximum number of frames per element of a job array: auto (about five minutes of "
+             "work), or a number"),
+      option("--partition", &options.partition, "Slurm partition"),
+      option("--time", &options.time, "Time limit per element: minutes, HH:MM:SS or D-HH:MM:SS"),
+      option("--mem", &options.memory, "Memory per element: 2G"),
+      option("--account", &options.account, "Slurm account"),
+      option("--array-limit", &options.array_limit,
+             "Maximum number of array elements running at once")
           .between(1, 1'000'000),
-      option("--jobs,-j", &options.jobs, "Processors of an element (1)").between(1, 1024)};
+      option("--jobs,-j", &options.jobs, "Processors per element (1)").between(1, 1024)};
 }
 
 const JournalSubmission* last_accepted(const JournalContent& journal) {
@@ -108,13 +109,13 @@ const JournalSubmission* last_accepted(const JournalContent& journal) {
 }
 
 JournalSubmission asked_for(const SubmissionOptions& options, JournalSubmission earlier) {
-  refuse_unlike(options.time, R"((\d+|(\d+-)?\d+(:\d+){0,2}))", "--time", "time that Slurm takes",
+  refuse_unlike(options.time, R"((\d+|(\d+-)?\d+(:\d+){0,2}))", "--time", "Slurm time limit",
                 "write minutes (90), HH:MM:SS (1:30:00) or D-HH:MM:SS (1-12:00:00)");
   refuse_unlike(options.memory, R"(\d+[KMGT]?)", "--mem", "amount of memory",
                 "write one like 500M or 2G");
-  refuse_unlike(options.partition, R"([\w.,+-]+)", "--partition", "name of a partition",
+  refuse_unlike(options.partition, R"([\w.,+-]+)", "--partition", "partition name",
                 "sinfo lists the partitions");
-  refuse_unlike(options.account, R"([\w.,+-]+)", "--account", "name of an account",
+  refuse_unlike(options.account, R"([\w.,+-]+)", "--account", "account name",
                 "write letters and digits");
   const auto take = [](const std::string& given, std::string& to) {
     if (!given.empty()) to = given;
@@ -136,10 +137,9 @@ void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm) {
   if (!most || request.processors <= *most) return;
   throw Error(
       fmt::format("--jobs {}: no node of {} has more than {} processor{}", request.processors,
-                  request.partition.empty() ? "the partition that jobs get by themselves"
-                                            : request.partition,
-                  *most, *most == 1 ? "" : "s"),
-      "ask for as many at most, or for another --partition: sinfo -N -l lists the nodes");
+                  request.partition.empty() ? "the default partition" : request.partition, *most,
+                  *most == 1 ? "" : "s"),
+      "request at most that many, or another --partition; sinfo -N -l lists the nodes");
 }
 
 bool DueWork::is_done(const FarmStudy& study) const {
@@ -171,8 +171,7 @@ void sweep_submissions(const std::vector<JobFate>& fates, const DueWork& work,
   const int removed = remove_submissions(spent_submissions(fates, due, study.folder), study.folder);
   if (removed == 0) return;
   console.err << "note: batch files and logs of " << removed << " older submission"
-              << (removed == 1 ? "" : "s")
-              << ", of which all is made or wanted no more, are removed\n";
+              << (removed == 1 ? "" : "s") << " removed (finished or obsolete)\n";
 }
 
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked) {
@@ -203,8 +202,9 @@ Submission fitting_submission(const FarmStudy& study, const StudyCall& call, con
 void tell_submitted(const Submission& submission, const Submitted& submitted,
                     const FarmArguments& arguments, bool json, const Console& console) {
   if (!submitted.unnoted.empty()) {
-    console.err << "note: " << submitted.unnoted
-                << "; Slurm has the jobs all the same, and mien farm resume notes their numbers\n";
+    console.err
+        << "note: " << submitted.unnoted
+        << "; the jobs are submitted nevertheless, and mien farm resume records their numbers\n";
   }
   if (json) {
     ordered_json rows = ordered_json::array();
@@ -224,7 +224,7 @@ void tell_submitted(const Submission& submission, const Submitted& submitted,
     console.out << fmt::format("  job {:<8} {:<12} {}\n", job.job, job.name,
                                element_words(job.elements));
   }
-  console.out << "mien farm status " << study_words(arguments) << " shows how it goes\n";
+  console.out << "mien farm status " << study_words(arguments) << " shows the progress\n";
 }
 
 void tell_dry_run(const Submission& submission, const Console& console) {

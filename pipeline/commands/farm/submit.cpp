@@ -27,17 +27,18 @@ void refuse_absent_folder(const JournalContent& journal, const std::vector<Queue
   throw Error("Slurm has jobs of this study (" + live.front() +
                   (live.size() > 1 ? fmt::format(" and {} more", live.size() - 1) : "") +
                   "), but " + study.folder.string() + " knows of none",
-              "is the disk that holds it mounted on this machine? Where the folder was removed, "
-              "scancel ends them");
+              "check that its disk is mounted on this machine; if the folder was removed, end the "
+              "jobs with scancel");
 }
 
 void refuse_second(const std::vector<std::string>& live, const FarmArguments& arguments) {
   if (live.empty()) return;
   const std::string words = study_words(arguments);
-  throw Error("the study is with Slurm already: " + std::to_string(live.size()) +
-                  (live.size() == 1 ? " job of it waits or runs" : " jobs of it wait or run"),
+  throw Error("the study has been submitted already: " + std::to_string(live.size()) +
+                  (live.size() == 1 ? " of its jobs is queued or running"
+                                    : " of its jobs are queued or running"),
               "mien farm status " + words + " shows them, mien farm resume " + words +
-                  " submits what they leave out, mien farm cancel " + words + " ends them");
+                  " submits what they do not cover, mien farm cancel " + words + " cancels them");
 }
 
 /// What the site allows, or what most allow where there is no Slurm to ask.
@@ -76,7 +77,7 @@ int submit_study(const SubmitCommand& command, const Console& console) {
   const DueWork work = due_work(study, asked, {});
   sweep_submissions(fates, work, study, console);
   if (work.is_done(study)) {
-    console.out << study.folder.string() << ": nothing to do, all is done\n";
+    console.out << study.folder.string() << ": nothing to do, everything is done\n";
     return exit_done;
   }
   const Submission submission =
@@ -92,15 +93,16 @@ int submit_study(const SubmitCommand& command, const Console& console) {
 Command farm_submit_command() {
   const auto options = std::make_shared<SubmitCommand>();
   return {.name = "submit",
-          .summary = "Hand a study to Slurm as job arrays",
+          .summary = "Submit a study to Slurm as job arrays",
           .options = all_of(
               farm_options(options->study), submission_options(options->options),
               flag("--dry-run", &options->dry_run,
                    "Print the jobs and their batch files; write and submit nothing"),
-              flag("--json", &options->json, "What was submitted as JSON on standard output")),
+              flag("--json", &options->json, "List of submitted jobs as JSON on standard output")),
           .notes =
-              "The batch files are in <out>/<study>/farm/0001, 0002, …: read them, change them, "
-              "submit them again.\n\nExamples:\n"
+              "The batch files are in <out>/<study>/farm/0001, 0002, …; they can be read, changed "
+              "and submitted again.\n\n"
+              "Examples:\n"
               "  mien farm submit my.yaml --out /shared/studies --time 1:00:00 --mem 2G\n"
               "  mien farm submit my.yaml --dry-run",
           .run = [options](const Console& console) { return submit_study(*options, console); }};

@@ -52,12 +52,12 @@ std::vector<std::string> words_of(const std::string& text) {
 
 std::vector<std::string> items_in_line(const std::string& file, int line) {
   if (!std::ifstream(file))
-    throw WrongSetup(file + ": cannot be read", "it is a stage's list of items");
+    throw WrongSetup(file + ": cannot be read", "give a list of items written by mien farm submit");
   const std::vector<std::vector<std::string>> lines = lines_of_list(file);
   if (lines.size() < static_cast<std::size_t>(line)) {
     throw WrongSetup(
-        fmt::format("{}: has {} lines, and line {} is wanted", file, lines.size(), line),
-        "was the array submitted with another list?");
+        fmt::format("{}: has {} lines, but line {} was requested", file, lines.size(), line),
+        "check that the array was submitted with this list");
   }
   return lines[static_cast<std::size_t>(line) - 1];
 }
@@ -68,13 +68,13 @@ std::vector<std::string> items_of(const WorkerArguments& arguments, const Consol
     for (std::string& word : words_of(text)) items.push_back(std::move(word));
   }
   if (arguments.list.empty() && items.empty())
-    throw WrongSetup("there is nothing to make", "name items with --tasks, or --list and --line");
+    throw WrongSetup("no items were given", "name items with --tasks, or --list and --line");
   if (arguments.list.empty()) return items;
   const std::vector<std::string> listed = items_in_line(arguments.list, arguments.line);
   items.insert(items.end(), listed.begin(), listed.end());
   if (listed.empty()) {
-    console.err << fmt::format("note: {}:{}: the line is empty, and nothing is made of it\n",
-                               arguments.list, arguments.line);
+    console.err << fmt::format("note: {}:{}: the line is empty and is skipped\n", arguments.list,
+                               arguments.line);
   }
   return items;
 }
@@ -91,9 +91,8 @@ void tell_empty_chunks(const std::vector<std::string>& items, const Production& 
     if (item.chunks == 0 || length == lengths.end()) continue;
     const auto [first, end] = range_of({item.chunk, item.chunks}, length->second);
     if (first < end) continue;
-    console.err << fmt::format(
-        "note: {}: the film has {} frames, and none of them is in this part\n", text,
-        length->second);
+    console.err << fmt::format("note: {}: the film has {} frames, none of which is in this chunk\n",
+                               text, length->second);
   }
 }
 
@@ -108,7 +107,7 @@ void tell(const WorkResult& result, const Console& console) {
     console.err << error << "\n  (" << items << ")\n";
   for (const Nondeterminism& met : result.nondeterminism) console.err << to_string(met) << '\n';
   if (result.was_interrupted)
-    console.err << "interrupted; what is done is kept, and the same command goes on from here\n";
+    console.err << "interrupted; finished work is kept, and the same command continues from here\n";
 }
 
 /// The command that makes an item again, without what changes from job to job.
@@ -126,7 +125,8 @@ int make_items(const WorkerArguments& arguments, const Console& console) {
   if (items.empty()) return exit_done;
   const fs::path file = manifest_meant(arguments.production.manifest, console);
   if (!fs::exists(file))
-    throw WrongSetup(file.string() + ": is not there", "does this machine see the shared folder?");
+    throw WrongSetup(file.string() + ": does not exist",
+                     "check that this machine has access to the shared folder");
   Production production(load_manifest(file, process_environment(), arguments.production.out),
                         options_of(arguments.production));
   const fs::path folder = folder_of(arguments.production, production.manifest());
@@ -134,8 +134,8 @@ int make_items(const WorkerArguments& arguments, const Console& console) {
   if (!arguments.expected.empty() && arguments.expected != key) {
     throw WrongSetup("this is not the study that was submitted (" + key + " instead of " +
                          arguments.expected + ")",
-                     "the manifest, one of its files, mien's version or the processor's "
-                     "instruction set is another; mien farm resume submits it as it is now");
+                     "the manifest, one of its files, the version of mien or the processor's "
+                     "instruction set differs; mien farm resume submits the study as it is now");
   }
   const TaskGraph graph = graph_of_items(production.graph(), items);
   WorkResult result;
@@ -172,28 +172,29 @@ int worker(const WorkerArguments& arguments, const Console& console) {
 
 Command farm_worker_command() {
   const auto arguments = std::make_shared<WorkerArguments>();
-  return {.name = "worker",
-          .summary = "Make items of a study, as one process of many: what a job of a farm runs",
-          .options =
-              all_of(manifest_options(arguments->production),
-                     option("--tasks", &arguments->tasks,
-                            "Items: tasks of mien plan (film:walk-1), or chunks of a film's frames "
-                            "(film:walk-1[3/12])"),
-                     option("--list", &arguments->list, "File with a line of items for each job")
-                         .needs("--line"),
-                     option("--line", &arguments->line, "The line to make, from 1")
-                         .between(1, 100000000)
-                         .needs("--list"),
-                     option("--expect", &arguments->expected,
-                            "Key of the study that was submitted: another one is not made")),
-          .notes =
-              "Any number of workers may work on a study at a time, on machines that share its "
-              "folder; what they need and is not there they make themselves.\nExit codes: 0 made, "
-              "65 bad input, 70 failed, 74 the disk is full, read-only or away, 75 stopped or "
-              "perhaps better next time, 78 the set-up is wrong.\n\nExamples:\n"
-              "  mien farm worker my.yaml --tasks \"film:walk-1[1/2]\"\n"
-              "  mien farm worker my.yaml --list films.tasks --line 3",
-          .run = [arguments](const Console& console) { return worker(*arguments, console); }};
+  return {
+      .name = "worker",
+      .summary = "Make items of a study as one of many processes; this is what farm jobs run",
+      .options = all_of(
+          manifest_options(arguments->production),
+          option("--tasks", &arguments->tasks,
+                 "Items: tasks of mien plan (film:walk-1), or chunks of a film's frames "
+                 "(film:walk-1[3/12])"),
+          option("--list", &arguments->list, "File with one line of items per job").needs("--line"),
+          option("--line", &arguments->line, "Line of the list to make, from 1")
+              .between(1, 100000000)
+              .needs("--list"),
+          option("--expect", &arguments->expected,
+                 "Key of the submitted study; a study with another key is refused")),
+      .notes =
+          "Any number of workers can work on a study at once, on machines that share its folder; "
+          "each makes whatever it needs that is missing.\n"
+          "Exit codes: 0 done, 65 bad input, 70 failed, 74 disk full, read-only or unavailable, 75 "
+          "interrupted or temporary failure, 78 wrong configuration.\n\n"
+          "Examples:\n"
+          "  mien farm worker my.yaml --tasks \"film:walk-1[1/2]\"\n"
+          "  mien farm worker my.yaml --list films.tasks --line 3",
+      .run = [arguments](const Console& console) { return worker(*arguments, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -77,7 +77,7 @@ CLI::Validator limits_of(const CommandOption& option) {
 
 /// A value that is empty, as a shell's unset variable is: never meant as leaving the option out.
 std::string fault_of_empty(const std::string& given) {
-  return given.empty() ? "empty; give a value, or leave it out" : "";
+  return given.empty() ? "empty; give a value, or omit it" : "";
 }
 
 void add_option(CLI::App& app, const CommandOption& option) {

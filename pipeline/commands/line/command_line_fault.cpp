@@ -54,7 +54,7 @@ std::string least_line(const CLI::App& command) {
 }
 
 std::string help_line(const CLI::App& command) {
-  return name_with_parents(command) + " --help tells more";
+  return "see " + name_with_parents(command) + " --help";
 }
 
 /// What was needed and not given.
@@ -105,8 +105,7 @@ std::string told_by_parser(const CLI::App& command, const CLI::ParseError& fault
 std::string valueless_fault(const CLI::App& command, const CLI::ParseError& fault) {
   const std::string wrong = fault.what();
   if (fault.get_name() != "ArgumentMismatch" || !wrong.ends_with(" missing")) return "";
-  return fmt::format("{}: a value is missing after it; {}", wrong.substr(0, wrong.find(':')),
-                     help_line(command));
+  return fmt::format("{}: value missing; {}", wrong.substr(0, wrong.find(':')), help_line(command));
 }
 
 std::string no_command_fault(const CLI::App& command) {
@@ -128,7 +127,7 @@ std::string told_fault(const CLI::App& command, const std::vector<std::string>& 
       return no_command_fault(command);
   }
   if (fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extras.empty())
-    return fmt::format("{} is a word too many; {}", motion::in_quotes(extras.front()),
+    return fmt::format("unexpected argument {}; {}", motion::in_quotes(extras.front()),
                        help_line(command));
   const std::string told = valueless_fault(command, fault);
   return told.empty() ? told_by_parser(command, fault) : told;

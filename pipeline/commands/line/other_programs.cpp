@@ -26,10 +26,10 @@ namespace {
 constexpr char started_by[] = "MIEN_STARTED_BY";
 
 std::runtime_error not_there(const std::string& program, const std::string& command) {
-  return std::runtime_error(fmt::format(
-      "{}: the program that has mien {} is not there; the package of mien brings it, and in its "
-      "source tree ./mien {} builds it",
-      program, command, command));
+  return std::runtime_error(
+      fmt::format("{}: the program for mien {} was not found; it is part of the mien package, and "
+                  "./mien {} builds it in the source tree",
+                  program, command, command));
 }
 
 std::filesystem::path own_path() {
@@ -46,12 +46,12 @@ Command told_by(const OtherProgram& other) {
   const CommandEnd end = run_command({program, "--commands"}, std::chrono::seconds(30));
   if (end.is_missing) throw not_there(program, other.command);
   if (!end.is_done())
-    throw std::runtime_error(program + " does not tell its commands: " + end.errors);
+    throw std::runtime_error(program + " does not list its commands: " + end.errors);
   const nlohmann::json told = nlohmann::json::parse(end.output);
   if (told.at("version") != program_version())
-    throw std::runtime_error(fmt::format("{} is of version {}, mien of {}; install or build both",
-                                         program, told.at("version").get<std::string>(),
-                                         program_version()));
+    throw std::runtime_error(
+        fmt::format("{} has version {}, but mien has {}; install or build both", program,
+                    told.at("version").get<std::string>(), program_version()));
   return told.at("program").get<Command>();
 }
 
@@ -80,7 +80,7 @@ void refuse_other_version() {
   ::unsetenv(started_by);
   if (starter == program_version()) return;
   throw std::runtime_error(fmt::format(
-      "this program is of version {}, mien that started it of {}; install or build both",
+      "this program has version {}, but mien, which started it, has {}; install or build both",
       program_version(), starter));
 }
 

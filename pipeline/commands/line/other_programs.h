@@ -14,11 +14,12 @@ struct OtherProgram {
   const char* program;
 };
 inline constexpr OtherProgram regress_program{
-    "regress", "Tell whether a study or a motion is what it was, and what changed if not",
+    "regress", "Compare a study or a motion with an approved state, and report changes",
     "mien-regress"};
 inline constexpr OtherProgram studio_program{
-    "studio", "Make motions with sliders in the browser, into a manifest", "mien-study"};
-inline constexpr OtherProgram study_program{"study", "Rating studies", "mien-study"};
+    "studio", "Edit a manifest's motions with sliders in the browser", "mien-study"};
+inline constexpr OtherProgram study_program{
+    "study", "Design, run and analyse rating studies and matching experiments", "mien-study"};
 inline constexpr OtherProgram other_programs[] = {regress_program, studio_program, study_program};
 
 /// As `mien --help` lists it; what is below it, its program tells.

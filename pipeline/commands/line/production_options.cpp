@@ -8,7 +8,7 @@
 namespace mien::pipeline {
 
 CommandOption quality_option(std::string& quality) {
-  return option("--quality", &quality, "Instead of the manifest's quality")
+  return option("--quality", &quality, "Quality to use instead of the manifest's")
       .one_of({"draft", "standard", "final"});
 }
 
@@ -19,7 +19,7 @@ std::vector<CommandOption> manifest_options(ProductionArguments& arguments) {
       option("--out,-o", &arguments.out, "Folder of all studies; results go to <out>/<study>")
           .with_default(),
       quality_option(arguments.quality),
-      option("--jobs,-j", &arguments.jobs, "Tasks at a time (default: one a processor)")
+      option("--jobs,-j", &arguments.jobs, "Number of parallel tasks (default: one per processor)")
           .between(1, 1024)};
 }
 
@@ -49,7 +49,7 @@ ProductionOptions options_of(const ProductionArguments& arguments) {
 void tell_stale(const std::vector<std::string>& stale, const ProductionArguments& arguments,
                 const Console& console) {
   if (stale.empty()) return;
-  console.out << "left from earlier runs:\n";
+  console.out << "left over from earlier runs:\n";
   for (const std::string& path : stale) console.out << "  " << path << '\n';
   const std::string out =
       arguments.out == "out" ? "" : " --out " + motion::shell_path(arguments.out);

@@ -119,11 +119,11 @@ void keep_standard_streams_open() {
 }
 
 constexpr char examples[] = R"(Examples:
-  mien run quickstart                      make everything that a manifest asks for
-  mien manifests quickstart > my.yaml      the same manifest, to begin your own with
-  mien check my.yaml                       what is wrong with a manifest, if anything
+  mien run quickstart                      make everything that a manifest specifies
+  mien manifests quickstart > my.yaml      print it as a starting point for your own
+  mien check my.yaml                       check a manifest for faults
   mien render walk.bvh                     a video of any motion file
-  mien motion info walk.bvh                what is in a motion file
+  mien motion info walk.bvh                show the contents of a motion file
 )";
 
 /// "Exit codes: 0 done, …"
@@ -153,7 +153,7 @@ void give_back_pictures() {
   } catch (const std::exception& failure) {
     std::cerr << "mien: " << failure_text(failure) << '\n';
   } catch (...) {
-    std::cerr << "mien: it failed, and nothing says why\n";
+    std::cerr << "mien: failed for an unknown reason\n";
   }
   std::_Exit(exit_failed);
 }
@@ -165,7 +165,7 @@ Command program_of(std::vector<Command> commands) {
           .summary =
               "mien makes human motion stimuli: from adjectives to walks, videos and comparison "
               "sheets.",
-          .options = {flag("--version", {}, "Display program version information and exit")},
+          .options = {flag("--version", {}, "Show the version and exit")},
           .commands = std::move(commands),
           .notes = examples + ("\n" + told_exit_codes()) +
                    "Progress and faults go to standard error, results to standard output."};

@@ -64,18 +64,18 @@ Command motion_blend_command() {
   const auto options = std::make_shared<BlendCommandOptions>();
   return {
       .name = "blend",
-      .summary = "Mix motions by weights",
+      .summary = "Blend motions by weights",
       .options =
           {option("--examples", &options->examples, examples_help).required(),
-           option("--weights", &options->weights, "Shares by name: normal=0.6,proud=0.4")
+           option("--weights", &options->weights, "Weights by name: normal=0.6,proud=0.4")
                .required(),
            option("-o,--output", &options->out, "File to write: .bvh or .glb").required(),
            option("--fps", &options->fps, "Frames per second").between(1.0, 240.0).with_default(),
            option("--cycles", &options->cycles, "Repetitions of a loop")
                .between(1, 1000)
                .with_default(),
-           flag("--in-place", &options->in_place, "Walk on the spot"),
-           flag("--no-foot-lock", &options->no_foot_lock, "Leave planted feet as blended")},
+           flag("--in-place", &options->in_place, "Walk in place"),
+           flag("--no-foot-lock", &options->no_foot_lock, "Do not lock planted feet to the floor")},
       .notes =
           "Example:\n  mien motion blend --examples builtin:walks-10 --weights happy=0.7,tired=0.3 "
           "-o mix.bvh",

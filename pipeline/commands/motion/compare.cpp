@@ -44,13 +44,13 @@ struct Basis {
 
   std::string warning() const {
     if (target == created) return "";
-    return "a gait cycle is compared with a motion that has none: the distance says little";
+    return "a gait cycle is compared with a motion without one, so the distance means little";
   }
 };
 
 constexpr char meaning_of_match[] =
-    "match says that D is below the threshold of the adjective paper's matching task, at which a "
-    "trial ends; whether people see a difference, it does not say";
+    "match means that D is below the threshold that ends a trial of the adjective paper's matching "
+    "task; it is not a measure of perceptibility";
 
 ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
   ordered_json per_joint = ordered_json::object();
@@ -82,7 +82,7 @@ void show_text(const motion::Distance& distance, const Basis& basis, const Conso
       distance.mean, distance.matches() ? "below" : "not below", motion::distance_threshold_m);
   console.out << fmt::format("D_sum    {:.3f} m\nMPJPE    {:.1f} mm\n", distance.sum,
                              1000.0 * distance.mpjpe);
-  console.out << fmt::format("over     {} of the target, {} of the other\n", basis.target,
+  console.out << fmt::format("over     {} of the target, {} of the other motion\n", basis.target,
                              basis.created);
   show_takes(basis, console);
   if (!basis.warning().empty()) console.out << "warning: " << basis.warning() << '\n';
@@ -123,23 +123,24 @@ Command motion_compare_command() {
   return {.name = "compare",
           .summary = "Measure the distance between two motions",
           .options = all_of(
-              argument("target", &options->target, "Motion file that was to be matched"),
-              argument("created", &options->created, "Motion file that was made"),
+              argument("target", &options->target, "Motion file of the target"),
+              argument("created", &options->created, "Motion file to compare with it"),
               takes_option(options->takes),
               option("--align", &options->align,
-                     "pelvis: place and heading removed in every frame; world: at the start only")
+                     "pelvis: remove position and heading in every frame; world: at the start only")
                   .one_of({"pelvis", "world"})
                   .with_default(),
               flag("--as-captured", &options->as_captured,
-                   "Leave planted feet where they are; else those of both are locked first, as "
-                   "those of blends are"),
+                   "Do not lock planted feet; by default those of both motions are locked to the "
+                   "floor first, as in blends"),
               flag("--json", &options->json, "As JSON")),
           .notes =
               "Walks are compared over their steadiest gait cycle, keytime by keytime; motions "
               "without a cycle over their whole duration. D is the mean distance of 20 joints at "
               "11 times. Its threshold of 0.06 m ends a trial of the adjective paper's matching "
-              "task; it does not say that people see no difference.\n\n"
-              "Example:\n  mien motion compare captured.bvh made.bvh --json",
+              "task; it is not a measure of perceptibility.\n\n"
+              "Example:\n"
+              "  mien motion compare captured.bvh made.bvh --json",
           .run = [options](const Console& console) { return compare(*options, console); }};
 }
 

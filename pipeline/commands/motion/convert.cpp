@@ -24,7 +24,7 @@ struct ConvertOptions {
 int convert(const ConvertOptions& options, const Console& console) {
   std::error_code unknown;
   if (std::filesystem::equivalent(options.in, options.out, unknown)) {
-    throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
+    throw Error(Place{options.out}, "is the input file", "name another file to write");
   }
   motion::Recording recording = read_told(options.in, options.take, console);
   const bool is_glb = std::filesystem::path(options.out).extension() == ".glb";
@@ -48,19 +48,20 @@ int convert(const ConvertOptions& options, const Console& console) {
 
 Command motion_convert_command() {
   const auto options = std::make_shared<ConvertOptions>();
-  return {.name = "convert",
-          .summary = "Write a motion in another format",
-          .options = all_of(argument("in", &options->in, "Motion file"),
-                            argument("out", &options->out,
-                                     "File to write: .bvh, in the unit of what is read, or .glb, "
-                                     "in metres and with +Y up"),
-                            take_option(options->take),
-                            flag("--body", &options->body,
-                                 "Map it onto the canonical body: 21 joints, metres, +Y up")),
-          .notes =
-              "Examples:\n  mien motion convert walk.bvh walk.glb\n"
-              "  mien motion convert 02_01.amc walk.bvh --body",
-          .run = [options](const Console& console) { return convert(*options, console); }};
+  return {
+      .name = "convert",
+      .summary = "Convert a motion to another format",
+      .options = all_of(
+          argument("in", &options->in, "Motion file"),
+          argument("out", &options->out,
+                   "File to write: .bvh, in the unit of the input, or .glb, in metres with +Y up"),
+          take_option(options->take),
+          flag("--body", &options->body,
+               "Map it onto the canonical body: 21 joints, metres, +Y up")),
+      .notes =
+          "Examples:\n  mien motion convert walk.bvh walk.glb\n"
+          "  mien motion convert 02_01.amc walk.bvh --body",
+      .run = [options](const Console& console) { return convert(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -60,7 +60,9 @@ MeasuredFile measured(const std::string& file, const std::string& take,
 
 std::vector<std::string> warnings_of(const MeasuredFile& measured) {
   if (!measured.prepared.cycle) {
-    return {"No gait cycle was found: the whole motion is measured, without steps."};
+    return {
+        "No gait cycle was found; features are measured over the whole motion, without step "
+        "features."};
   }
   return measured.prepared.cycle->warnings;
 }
@@ -151,7 +153,7 @@ void show_table(const std::vector<MeasuredFile>& all, const Console& console) {
       if (motion::motion_features()[i].group == group) show_row(i, all, console);
     }
   }
-  console.out << "\n* not legible in the published tables and reconstructed\n";
+  console.out << "\n* illegible in the published tables; reconstructed\n";
 }
 
 int show_features(const FeaturesOptions& options, const Console& console) {
@@ -173,31 +175,30 @@ int show_features(const FeaturesOptions& options, const Console& console) {
 
 Command motion_features_command() {
   const auto options = std::make_shared<FeaturesOptions>();
-  return {
-      .name = "features",
-      .summary = "Measure the 51 features of a walk that motions can be made from",
-      .options = all_of(
-          argument("files", &options->files, "Motion files"), take_option(options->take),
-          option("--masses", &options->masses,
-                 "Masses of the body's segments: male, female (de Leva 1996), winter (Winter 2009)")
-              .one_of({"male", "female", "winter"})
-              .with_default(),
-          option("--sideways", &options->sideways,
-                 "Sideways angles of arms, legs and feet count outward from the body, or all to "
-                 "the left")
-              .one_of({"outward", "left"})
-              .with_default(),
-          flag("--json", &options->json, "As JSON"),
-          flag("--csv", &options->csv, "As a table with a row a motion and feature")
-              .excludes("--json")),
-      .notes =
-          "Measures the steadiest gait cycle; the whole motion where there is none. \"mu\" is a "
-          "mean, \"sigma\" a standard deviation over the cycle; fb is forward and backward, lr "
-          "left and right, v up and down.\n\n"
-          "Examples:\n"
-          "  mien motion features walk.bvh\n"
-          "  mien motion features --csv captures/*.bvh > features.csv",
-      .run = [options](const Console& console) { return show_features(*options, console); }};
+  return {.name = "features",
+          .summary = "Measure the 51 motion features from which motions can be specified",
+          .options = all_of(
+              argument("files", &options->files, "Motion files"), take_option(options->take),
+              option("--masses", &options->masses,
+                     "Body segment masses: male, female (de Leva 1996), winter (Winter 2009)")
+                  .one_of({"male", "female", "winter"})
+                  .with_default(),
+              option("--sideways", &options->sideways,
+                     "Sign of lateral angles of arms, legs and feet: outward from the body, or all "
+                     "to the left")
+                  .one_of({"outward", "left"})
+                  .with_default(),
+              flag("--json", &options->json, "As JSON"),
+              flag("--csv", &options->csv, "As a table with one row per motion and feature")
+                  .excludes("--json")),
+          .notes =
+              "Measures the steadiest gait cycle, or the whole motion if there is none. \"mu\" is "
+              "a mean, \"sigma\" a standard deviation over the cycle; fb is forward and backward, "
+              "lr left and right, v up and down.\n\n"
+              "Examples:\n"
+              "  mien motion features walk.bvh\n"
+              "  mien motion features --csv captures/*.bvh > features.csv",
+          .run = [options](const Console& console) { return show_features(*options, console); }};
 }
 
 }  // namespace mien::pipeline

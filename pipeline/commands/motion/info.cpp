@@ -90,7 +90,7 @@ void show_cycles(const motion::MotionSummary& summary, const Console& console) {
     console.out << fmt::format("  frames {:5} to {:5}  {:.2f} s  {:.2f} m/s  steadiness {:.2f}{}\n",
                                cycle.start_frame, cycle.end_frame, cycle.keytimes.back(),
                                cycle.speed_m_s, cycle.steadiness,
-                               is_steadiest ? "  (an example would be made of this one)" : "");
+                               is_steadiest ? "  (used when the file is an example)" : "");
   }
 }
 
@@ -98,7 +98,7 @@ void show_text(const motion::MotionSummary& summary, const Console& console) {
   console.out << fmt::format("frames   {} at {:.4g} frames per second, {:.2f} s\n", summary.frames,
                              summary.frames_per_second, summary.duration_seconds);
   if (summary.takes.size() > 1) {
-    console.out << fmt::format("takes    {} ({} is shown)\n", fmt::join(summary.takes, ", "),
+    console.out << fmt::format("takes    {} (showing {})\n", fmt::join(summary.takes, ", "),
                                summary.take);
   }
   console.out << fmt::format("rig      {}, {} joints", summary.rig, summary.joint_names.size());
@@ -131,7 +131,7 @@ int show_info(const InfoOptions& options, const Console& console) {
 Command motion_info_command() {
   const auto options = std::make_shared<InfoOptions>();
   return {.name = "info",
-          .summary = "Show what is in a motion file and how it was recognised",
+          .summary = "Show the contents of a motion file and how its rig was recognised",
           .options = all_of(argument("file", &options->file, "Motion file"),
                             take_option(options->take), flag("--json", &options->json, "As JSON")),
           .notes = "Example:\n  mien motion info walk.bvh --json | jq .speed_m_s",

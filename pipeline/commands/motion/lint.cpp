@@ -50,7 +50,7 @@ struct LintedFile {
 motion::Clip as_loop(motion::Clip clip) {
   if (clip.frame_count() < 3) {
     throw Error(fmt::format("\"{}\" has {} frames", clip.name, clip.frame_count()),
-                "a loop has 3 at least; leave --loop out");
+                "a loop needs at least 3; omit --loop");
   }
   const motion::Vec3& last = clip.poses.back().root_position;
   motion::Vec3 way = 2.0 * last - clip.poses[clip.poses.size() - 2].root_position -
@@ -155,7 +155,7 @@ void show_table(const std::vector<LintedFile>& all, const Console& console) {
                                counted(errors, "error"), counted(warnings, "warning"),
                                one.motion.frames, one.motion.frames / one.motion.frames_per_second);
     if (!one.is_human) {
-      console.out << "  no human was recognised: only the data was checked\n";
+      console.out << "  no human body was recognised; only the data were checked\n";
     }
     for (const motion::Finding& finding : one.motion.findings) {
       console.out << fmt::format("  {:7}  {:>11}  {:18} {}\n", motion::name_of(finding.severity),
@@ -179,7 +179,7 @@ void require_timeline(const LintCommand& command) {
                 "timelines are .png or .svg files");
   }
   if (command.files.size() == 1) return;
-  throw Error(fmt::format("--timeline draws one motion, and there are {}", command.files.size()),
+  throw Error(fmt::format("--timeline draws one motion, but {} were given", command.files.size()),
               "draw them one by one");
 }
 
@@ -190,8 +190,8 @@ int show_findings(const LintCommand& command, const Console& console) {
     original = as_asked(clip_of(read_told(command.original, command.original_take, console)),
                         command.loop);
     if (!motion::is_body(original->body)) {
-      throw Error(fmt::format("no human was recognised in \"{}\"", command.original),
-                  "the original must be a motion of a human");
+      throw Error(fmt::format("no human body was recognised in \"{}\"", command.original),
+                  "the original must be a human motion");
     }
   }
   std::vector<LintedFile> all;
@@ -218,8 +218,7 @@ std::string footer() {
                         check.needs_original ? " (--original)" : "");
   }
   return text +
-         "\nExit code: 0 when nothing is worse than a warning, 1 when there are errors, 2 for bad "
-         "input.\n\n"
+         "\nExit code: 0 without errors (warnings are allowed), 1 with errors, 2 for bad input.\n\n"
          "Examples:\n"
          "  mien motion lint captures/*.bvh\n"
          "  mien motion lint sad.bvh --original walk.bvh --timeline faults.png\n"
@@ -230,27 +229,29 @@ std::string footer() {
 
 Command motion_lint_command() {
   const auto options = std::make_shared<LintCommand>();
-  return {.name = "lint",
-          .summary = "Find what no body does: faults of motions, where and how bad",
-          .options = all_of(
-              argument("files", &options->files, "Motion files"), take_option(options->take),
-              option("--original", &options->original,
-                     "The motion before it was modified: what it did already counts less, and "
-                     "timing is compared"),
-              option("--original-take", &options->original_take, "Likewise of the original")
-                  .needs("--original"),
-              option("--mass", &options->mass_kg,
-                     "Of the body, kg; joints of heavier bodies may give more torque")
-                  .between(1.0, 500.0)
-                  .with_default(),
-              flag("--loop", &options->loop,
-                   "The files hold one cycle each, which goes on from the last frame to the first"),
-              flag("--errors-only", &options->errors_only, "Leave warnings out"),
-              option("--timeline", &options->timeline, "Draw the findings over time: .png or .svg"),
-              flag("--json", &options->json, "As JSON"),
-              flag("--csv", &options->csv, "As a table with a row a finding").excludes("--json")),
-          .notes = footer(),
-          .run = [options](const Console& console) { return show_findings(*options, console); }};
+  return {
+      .name = "lint",
+      .summary =
+          "Find implausible movement: foot sliding, jumps, overstretched joints and other faults",
+      .options = all_of(
+          argument("files", &options->files, "Motion files"), take_option(options->take),
+          option("--original", &options->original,
+                 "The unmodified motion; faults that it already has weigh less, and timing is "
+                 "compared"),
+          option("--original-take", &options->original_take, "The same for the original")
+              .needs("--original"),
+          option("--mass", &options->mass_kg,
+                 "Body mass in kg; heavier bodies are allowed larger joint torques")
+              .between(1.0, 500.0)
+              .with_default(),
+          flag("--loop", &options->loop,
+               "Each file holds one cycle, whose last frame continues with the first"),
+          flag("--errors-only", &options->errors_only, "Omit warnings"),
+          option("--timeline", &options->timeline, "Draw the findings over time: .png or .svg"),
+          flag("--json", &options->json, "As JSON"),
+          flag("--csv", &options->csv, "As a table with one row per finding").excludes("--json")),
+      .notes = footer(),
+      .run = [options](const Console& console) { return show_findings(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -55,7 +55,7 @@ MotionSource::MotionSource(const std::string& file) : name_(file) {
     throw Error(Place{file}, "is a folder", "name a BVH file, or - for standard input");
   }
   if (motion::is_motion_file(file) && !is_bvh(file)) {
-    throw Error(Place{file}, "cannot be streamed: its format comes as a whole",
+    throw Error(Place{file}, "cannot be streamed, because this format must be read as a whole",
                 "write it as BVH, with mien motion convert, or use mien motion modify");
   }
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);

@@ -33,7 +33,7 @@ struct ModifyOptions {
 int modify_file(const ModifyOptions& options, const Console& console) {
   std::error_code unknown;
   if (fs::equivalent(options.in, options.out, unknown)) {
-    throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
+    throw Error(Place{options.out}, "is the input file", "name another file to write");
   }
   Stimulus stimulus = stimulus_of({options.in, options.change, options.recipes, options.on_fault});
   stimulus.clip->take = options.take;
@@ -85,18 +85,20 @@ Command motion_modify_command() {
       .options = all_of(
           argument("in", &options->in, "Motion file"),
           argument("change", &options->change,
-                   "An emotion, or what stands behind `modify:` in a manifest"),
+                   "An emotion, or the value of `modify:` in a manifest"),
           argument("out", &options->out, "File to write: .bvh or .glb"), take_option(options->take),
           option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
               .with_default(),
-          option("--on-fault", &options->on_fault, "When the change breaks the motion")
+          option("--on-fault", &options->on_fault,
+                 "What to do if the change makes the motion faulty")
               .one_of({"warn", "fail", "revert", "reduce"})
               .with_default(),
-          option("--fps", &options->fps, "Frames per second to write; the file's without it")
+          option("--fps", &options->fps, "Frames per second to write (default: that of the file)")
               .between(1.0, 1000.0)),
       .notes =
-          "The result is of the canonical body (21 joints, metres, +Y up). What names examples "
-          "(method:, pose: of\nan example) needs a manifest. Examples:\n"
+          "The result has the canonical body (21 joints, metres, +Y up). Changes that refer to "
+          "examples (method:,\n"
+          "pose: of an example) require a manifest. Examples:\n"
           "  mien motion modify walk.bvh sad sad.bvh\n"
           "  mien motion modify walk.bvh 'emotion: angry, strength: 0.6' angry.glb\n"
           "  mien motion modify walk.bvh '[{emotion: sad}, {tempo: 1.2}]' brisk-sad.bvh\n"
@@ -111,19 +113,19 @@ Command motion_emotions_command() {
     bool posture = false;
   };
   const auto options = std::make_shared<Options>();
-  return {
-      .name = "emotions",
-      .summary = "List the emotions that motions can get",
-      .options = {option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
-                      .with_default(),
-                  flag("--yaml", &options->yaml, "Print the recipes as the file that they are"),
-                  flag("--posture", &options->posture, "List the turns that posture: may name")},
-      .notes =
-          "A file of recipes of your own:\n"
-          "  mien motion emotions --yaml > my.recipes.yaml",
-      .run = [options](const Console& console) {
-        return emotions(options->recipes, options->yaml, options->posture, console);
-      }};
+  return {.name = "emotions",
+          .summary = "List the emotions that can be applied to motions",
+          .options = {option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
+                          .with_default(),
+                      flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
+                      flag("--posture", &options->posture,
+                           "List the rotations that posture: may name")},
+          .notes =
+              "To start your own file of recipes:\n"
+              "  mien motion emotions --yaml > my.recipes.yaml",
+          .run = [options](const Console& console) {
+            return emotions(options->recipes, options->yaml, options->posture, console);
+          }};
 }
 
 }  // namespace mien::pipeline

@@ -51,8 +51,8 @@ motion::Modification modification_of(const StreamOptions& options) {
   if (stimulus.modify.size() != 1 || stimulus.modify.front().style) {
     throw Error(
         stimulus.modify.size() > 1 ? "several changes one after the other"
-                                   : "a change that learns from examples",
-        "a stream takes one change of paths, acceleration and posture: write it as one map");
+                                   : "a change based on examples",
+        "a stream supports one change of paths, acceleration and posture; write it as one map");
   }
   motion::Modification modification =
       motion::scaled(modifications_of(stimulus, {}).front(), stimulus.modify.front().strength);
@@ -105,7 +105,7 @@ ordered_json as_json(const LiveReport& report) {
 }
 
 std::string error_text(const motion::StreamError& error) {
-  return fmt::format("{:.1f} mm at the most ({}, frame {}), {:.1f} mm on the average (RMS)",
+  return fmt::format("maximum {:.1f} mm ({}, frame {}), RMS {:.1f} mm",
                      1000.0 * error.largest_metres, motion::name_of(error.joint), error.frame,
                      1000.0 * error.rms_metres);
 }
@@ -114,9 +114,8 @@ void tell(const LiveReport& report, const Console& console) {
   const double milliseconds = 1000.0 / report.frames_per_second;
   for (const std::string& warning : report.warnings) console.err << "warning: " << warning << '\n';
   console.err << fmt::format(
-      "{} frames at {:g} a second, {} frames ({:.0f} ms) late; {:.2f} ms of computing a frame, "
-      "{:.2f} "
-      "at the most\n",
+      "{} frames at {:g} per second; latency {} frames ({:.0f} ms); computing time per frame "
+      "{:.2f} ms, at most {:.2f} ms\n",
       report.frames, report.frames_per_second, report.delay.frames(),
       report.delay.frames() * milliseconds, report.mean_computing_ms, report.most_computing_ms);
   if (report.largest_lag != 0.0) {
@@ -126,15 +125,16 @@ void tell(const LiveReport& report, const Console& console) {
   }
   if (!report.measured) return;
   const LiveMeasurement& measured = *report.measured;
-  console.err
-      << "error against the whole motion modified: " << error_text(measured.error) << '\n'
-      << "of which paths and posture, without soft joint limits and acceleration: "
-      << error_text(measured.of_paths_and_posture) << '\n'
-      << "error of calibrating beforehand: " << error_text(measured.calibration) << '\n'
-      << fmt::format(
-             "feet are not repaired: planted ones slid by up to {:.0f} mm ({:.0f} mm before "
-             "the change), in {} plants\n",
-             1000.0 * measured.drift_m, 1000.0 * measured.drift_of_source_m, measured.plants);
+  console.err << "error relative to modifying the whole motion: " << error_text(measured.error)
+              << '\n'
+              << "of paths and posture alone, without soft joint limits and acceleration: "
+              << error_text(measured.of_paths_and_posture) << '\n'
+              << "error of the calibration: " << error_text(measured.calibration) << '\n'
+              << fmt::format(
+                     "feet are not locked: planted feet slid by up to {:.0f} mm ({:.0f} mm before "
+                     "the change) in {} contacts\n",
+                     1000.0 * measured.drift_m, 1000.0 * measured.drift_of_source_m,
+                     measured.plants);
 }
 
 /// Lets frames through at the rate at which they were captured.
@@ -189,7 +189,7 @@ void refuse_own_input(const StreamOptions& options) {
   std::error_code unknown;
   for (const std::string& written : {options.out, options.json}) {
     if (written.empty() || !std::filesystem::equivalent(options.in, written, unknown)) continue;
-    throw Error(Place{written}, "is the motion that is read", "name another file to write");
+    throw Error(Place{written}, "is the input file", "name another file to write");
   }
 }
 
@@ -203,7 +203,7 @@ int stream_motion(const StreamOptions& options, const Console& console) {
   if (console.stop.stop_requested() && !live.has_begun()) return exit_interrupted;
   const LiveReport report = live.finish();
   sink.publish();
-  if (!is_read) console.err << "whoever read the stream has closed it\n";
+  if (!is_read) console.err << "the reader closed the stream\n";
   tell(report, console);
   if (!options.json.empty()) write_file(options.json, as_json(report).dump(2) + "\n");
   return console.stop.stop_requested() ? exit_interrupted : exit_done;
@@ -215,34 +215,35 @@ Command motion_stream_command() {
   const auto options = std::make_shared<StreamOptions>();
   return {
       .name = "stream",
-      .summary = "Change the emotional content of a motion while it is captured",
+      .summary = "Change the emotional content of a motion during capture",
       .options =
           {argument("in", &options->in, "BVH file or pipe, - for standard input"),
            argument("change", &options->change,
-                    "An emotion, or what stands behind `modify:` in a manifest"),
-           option("-o,--out", &options->out, "BVH file to write; else standard output"),
-           flag("--lines", &options->lines, "Write the frames' lines without the hierarchy"),
+                    "An emotion, or the value of `modify:` in a manifest"),
+           option("-o,--out", &options->out, "BVH file to write (default: standard output)"),
+           flag("--lines", &options->lines, "Write frame lines only, without the hierarchy"),
            option("--delay", &options->delay_ms,
-                  "Milliseconds that frames may come late; without it the fewest that keep path "
-                  "lengths within 1 cm, and none for posture and acceleration")
+                  "Latency in milliseconds (default: the least that keeps path lengths within 1 "
+                  "cm; none for posture and acceleration)")
                .between(0.0, 10000.0),
            option("--leave-out", &options->leave_out,
-                  "Part of the change that is not done: tempo, variation, acceleration, paths")
+                  "Parts of the change to leave out: tempo, variation, acceleration, paths")
                .one_of({"tempo", "variation", "acceleration", "paths"}),
            flag("--still-legs", &options->still_legs,
-                "Change path lengths of trunk, head and arms alone, so that feet do not slide"),
+                "Change path lengths of trunk, head and arms only, so that feet do not slide"),
            option("--calibration", &options->calibration,
-                  "A recording of the same rig that tells how it is built and where its floor is"),
+                  "A recording of the same rig from which its proportions and floor are measured"),
            option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
                .with_default(),
            flag("--measure", &options->measure,
-                "Keep all frames, and tell at the end how far they are from what is made of the "
-                "whole motion"),
-           flag("--paced", &options->paced, "Take frames no faster than they were captured"),
-           option("--json", &options->json, "File for the delay and what was measured, as JSON")},
+                "Keep all frames, and report at the end how far they are from modifying the whole "
+                "motion"),
+           flag("--paced", &options->paced, "Read frames no faster than they were captured"),
+           option("--json", &options->json, "File for latency and measurements, as JSON")},
       .notes =
-          "Frames are written as soon as they are there; what was done is told on standard error. "
-          "Feet are\nnot repaired, and tempo and variation cannot be streamed. Examples:\n"
+          "Frames are written as soon as they are available; a summary goes to standard error. "
+          "Planted feet are\n"
+          "not locked, and tempo and variation cannot be streamed. Examples:\n"
           "  capture | mien motion stream - 'emotion: sad' --leave-out tempo > sad.bvh\n"
           "  mien motion stream walk.bvh 'posture: {head-flexion: 20}' --paced | viewer\n"
           "  mien motion stream walk.bvh 'paths: 1.6' --measure -o longer.bvh",

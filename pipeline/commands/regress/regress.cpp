@@ -34,7 +34,7 @@ struct RegressOptions {
 };
 
 constexpr char study_group[] = "Of a study";
-constexpr char files_group[] = "How much is no difference between two files";
+constexpr char files_group[] = "Tolerances for two files";
 
 /// What is of no use there must not seem to be of use.
 void refuse_options(const std::vector<std::string>& given, const char* wrong, const char* remedy) {
@@ -50,19 +50,19 @@ int compared(const std::function<int()>& comparison, const Console& console) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    console.err << "mien: could not be compared: " << failure_text(error) << '\n';
+    console.err << "mien: comparison failed: " << failure_text(error) << '\n';
     return exit_bad_input;
   }
 }
 
 void require_file(const std::string& file) {
   if (std::filesystem::is_directory(file) && !is_media(file))
-    throw Error({file}, "is a folder that holds no pictures",
-                "name a folder of pictures (PNG, EXR, JPEG, TIFF), or a file");
+    throw Error({file}, "is a folder without images",
+                "name a folder of images (PNG, EXR, JPEG, TIFF), or a file");
   if (std::filesystem::exists(file)) return;
   throw Error({file}, "no such file",
-              "name two motion files, pictures, videos or folders of pictures: what was, and what "
-              "is now");
+              "name two motion files, images, videos or folders of images: the approved one, then "
+              "the current one");
 }
 
 /// Tells how two files differ on `console.out`.
@@ -90,34 +90,34 @@ int regress_files(const RegressOptions& options, const Console& console) {
   }
   if (both([](const std::string& file) { return is_media(file); })) {
     if (!options.takes.empty())
-      throw Error({"--take"}, "is for motions, not for pictures and videos", "leave it out");
+      throw Error({"--take"}, "applies to motions, not to images and videos", "omit it");
     return told(compared_media(options.before, options.now, options.perceptual), options, console);
   }
   throw Error({options.now}, "cannot be compared with " + options.before,
-              "motion files can (BVH, Acclaim, glTF), and pictures (PNG, EXR, JPEG, TIFF), folders "
-              "of them and videos");
+              "motion files (BVH, Acclaim, glTF), images (PNG, EXR, JPEG, TIFF), folders of images "
+              "and videos can be compared");
 }
 
 /// A motion, picture or video alone is no study.
 void refuse_lone_file(const std::string& file) {
   if (!motion::is_motion_file(file) && !is_media(file)) return;
-  throw Error({file}, "is compared with nothing: a second file is missing",
-              "name what is now after what was: mien regress approved.bvh walk.bvh");
+  throw Error({file}, "a second file to compare with is missing",
+              "name the approved file, then the current one: mien regress approved.bvh walk.bvh");
 }
 
 int regress(RegressOptions options, StudyArguments study, const Console& console) {
   if (options.before.empty())
-    throw Error("mien regress: before is missing", "mien regress --help tells more");
+    throw Error("mien regress: nothing to compare was given", "see mien regress --help");
   if (!options.now.empty()) {
-    refuse_options(study.given, "is for studies, not for two files", "leave it out");
+    refuse_options(study.given, "applies to studies, not to two files", "omit it");
     options.tolerance.rotation_radians = options.rotation_degrees * motion::radians_per_degree;
     return regress_files(options, console);
   }
   refuse_lone_file(options.before);
   if (!options.takes.empty())
-    throw Error({"--take"}, "is for two motion files, not for a study",
+    throw Error({"--take"}, "applies to two motion files, not to a study",
                 "set take: in the manifest");
-  refuse_options(options.given, "is for two files, not for a study",
+  refuse_options(options.given, "applies to two files, not to a study",
                  "set regression: in the manifest");
   study.production.manifest = options.before;
   study.production.json = options.json;
@@ -126,10 +126,10 @@ int regress(RegressOptions options, StudyArguments study, const Console& console
 
 /// Somebody will want to know in a year.
 CommandOption why_option(std::string& why) {
-  CommandOption made = option("--why", &why, "Why it may look as it does now").required();
+  CommandOption made = option("--why", &why, "Reason for approving the present state").required();
   made.fault = [](const std::string& text) -> std::string {
     const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string::npos;
-    return is_blank ? "say in a sentence why it may look as it does now" : "";
+    return is_blank ? "give the reason for approving in one sentence" : "";
   };
   return made;
 }
@@ -150,82 +150,84 @@ CommandOption tolerance(const std::string& name, double& value, const std::strin
 
 std::vector<CommandOption> file_options(RegressOptions& options) {
   motion::MotionTolerance& allowed = options.tolerance;
-  return {tolerance("--position", allowed.position_m,
-                    "Metres that a joint, or a point 10 cm off its bone, may be elsewhere"),
-          option("--rotation", &options.rotation_degrees,
-                 "Degrees that a joint may turn otherwise on its parent")
-              .between(0.0, 180.0)
-              .with_default(),
-          tolerance("--velocity", allowed.velocity_m_s,
-                    "Metres a second that a joint may be quicker, slower or go elsewhere"),
-          tolerance("--contacts", allowed.contact_seconds,
-                    "Seconds that a foot may come down or leave earlier or later"),
-          tolerance("--slide", allowed.slide_m, "Metres that a foot may slide where it stood"),
-          tolerance("--duration", allowed.duration_seconds, "Seconds that one may last longer"),
-          flag("--any-rate", &allowed.any_rate, "Another frame rate is no difference"),
-          flag("--any-lint", &allowed.any_lint,
-               "New faults that mien motion lint calls errors are no difference"),
-          option("--perceptual", &options.perceptual,
-                 "Mean FLIP, 0 to 1, that a picture or frame of a video may have")
-              .between(0.0, 1.0)
-              .with_default()};
+  return {
+      tolerance("--position", allowed.position_m,
+                "Tolerated displacement of a joint, or of a point 10 cm off its bone, in metres"),
+      option("--rotation", &options.rotation_degrees,
+             "Tolerated difference of a joint's rotation relative to its parent, in degrees")
+          .between(0.0, 180.0)
+          .with_default(),
+      tolerance("--velocity", allowed.velocity_m_s,
+                "Tolerated difference of a joint's velocity, in metres per second"),
+      tolerance("--contacts", allowed.contact_seconds,
+                "Tolerated shift of a foot contact, in seconds"),
+      tolerance("--slide", allowed.slide_m,
+                "Tolerated additional sliding of a planted foot, in metres"),
+      tolerance("--duration", allowed.duration_seconds,
+                "Tolerated difference of duration, in seconds"),
+      flag("--any-rate", &allowed.any_rate, "Accept another frame rate"),
+      flag("--any-lint", &allowed.any_lint,
+           "Accept new faults that mien motion lint classifies as errors"),
+      option("--perceptual", &options.perceptual,
+             "Tolerated mean FLIP of an image or video frame, 0 to 1")
+          .between(0.0, 1.0)
+          .with_default()};
 }
 
 constexpr char footer[] =
-    "Motions are compared as they are: nothing is settled on the floor, aligned or turned first. "
-    "Joints are paired by name; where rigs differ, both are put on one body. Told are the largest "
-    "change in a sentence (which joint does something else itself, not which ones it carries "
-    "along; "
-    "a shift by frames, exchanged sides, another path), distances with and without alignment, "
-    "velocities, foot contacts, faults that came or went, and motion features.\n\n"
-    "Of a study, how much is no difference stands in its manifest (regression:).\n\n"
-    "Identical motions always pass. Exit code: 0 when they are alike, 1 when they differ, 2 when "
-    "that could not be found out: bad input, a damaged baseline, no room for the report.\n\n"
+    "Motions are compared as they are, without foot locking, alignment or rotation. Joints are "
+    "paired by name; if the rigs differ, both are retargeted to one body. The report gives the "
+    "largest change in a sentence (the joint that causes it, not those it carries along; a shift "
+    "in frames, exchanged sides, another path), distances with and without alignment, velocities, "
+    "foot contacts, faults that appeared or disappeared, and motion features.\n\n"
+    "The tolerances of a study are in its manifest (regression:).\n\n"
+    "Identical motions always pass. Exit code: 0 no difference beyond tolerance, 1 differences, 2 "
+    "comparison failed (bad input, a damaged baseline, no space for the report).\n\n"
     "Examples:\n"
     "  mien regress study.yaml --only sad-walk,happy-walk\n"
     "  mien regress approved/walk.bvh walk.bvh\n"
     "  mien regress approved/walk.bvh walk.glb --position 0.005 --rotation 0.5 --json";
 
 constexpr char approve_footer[] =
-    "A baseline holds what is needed to tell later what has changed, and why: the manifest and "
-    "what it names, motions, a few key frames, hashes; with --keep-videos the videos themselves. "
-    "It "
-    "is made to lie in git. Look at the study before you approve it.\n\n"
+    "A baseline holds what is needed to detect and explain later changes: the manifest and the "
+    "files it names, motions, a few key frames, and hashes; with --keep-videos also the videos. It "
+    "is meant to be kept in git. Look at the study before approving it.\n\n"
     "Examples:\n"
     "  mien regress approve study.yaml --why \"first version\"\n"
     "  mien regress approve study.yaml --only sad-walk --why \"arms swing less, as asked\"";
 
 std::vector<CommandOption> study_options(StudyArguments& arguments, const char* baseline) {
-  return {
-      option("--baseline", &arguments.baseline,
-             std::string(baseline) + " (default: baselines/<study> beside the manifest)"),
-      option("--out", &arguments.production.out, "Folder in which studies are made").with_default(),
-      option("--jobs,-j", &arguments.production.jobs, "Threads (default: one a processor)")
-          .between(1, 1024),
-      flag("--without-videos", &arguments.without_videos,
-           "Make and compare motions and key frames alone")};
+  return {option("--baseline", &arguments.baseline,
+                 std::string(baseline) + " (default: baselines/<study> beside the manifest)"),
+          option("--out", &arguments.production.out, "Folder of all studies").with_default(),
+          option("--jobs,-j", &arguments.production.jobs,
+                 "Number of threads (default: one per processor)")
+              .between(1, 1024),
+          flag("--without-videos", &arguments.without_videos,
+               "Make and compare motions and key frames only")};
 }
 
 Command approve_command() {
   const auto arguments = std::make_shared<StudyArguments>();
   return {
       .name = "approve",
-      .summary = "Store a study as it should look",
+      .summary = "Approve the present state of a study and store it as a baseline",
       .options = all_of(
           argument("manifest", &arguments->production.manifest, "Manifest (YAML) of the study"),
           why_option(arguments->why),
-          option("--who", &arguments->who, "Who says so (default: git's user.name)"),
+          option("--who", &arguments->who, "Who approves (default: git's user.name)"),
           option("--only", &arguments->production.only,
-                 "Approve these stimuli; the others stay as they were approved")
+                 "Approve these stimuli only; the others keep their approved state")
               .with_commas(),
-          option("--key-frames", &arguments->key_frames, "Frames that are kept of a stimulus")
+          option("--key-frames", &arguments->key_frames, "Number of key frames kept per stimulus")
               .between(1, 10000)
               .with_default(),
           flag("--keep-videos", &arguments->keep_videos,
-               "Keep the videos too, for reports to show them beside those of then; the baseline "
+               "Keep the videos as well, so that reports show them side by side; the baseline "
                "grows by their size"),
           in_group(study_group, arguments->given,
-                   study_options(*arguments, "Folder of the baseline, new or one of the study"))),
+                   study_options(*arguments,
+                                 "Folder of the baseline, new or an existing one of the study"))),
       .notes = approve_footer,
       .run = [arguments](const Console& console) { return approve_study(*arguments, console); }};
 }
@@ -240,31 +242,31 @@ Command regress_command() {
       .summary = regress_program.summary,
       .options = all_of(
           argument("before", &options->before,
-                   "Manifest of a study; or a motion, picture, video or folder of pictures as it "
-                   "was")
+                   "Manifest of a study; or the approved motion, image, video or folder of images")
               .optional(),
-          argument("now", &options->now, "The same as it is now").optional(),
-          in_group(study_group, study->given,
-                   all_of(study_options(*study,
-                                        "Folder of the baseline, or a branch, tag or commit of "
-                                        "git"),
-                          option("--report,-o", &study->report,
-                                 "Folder of the report (default: <out>/<study>-regression)"),
-                          option("--only", &study->production.only,
-                                 "Make and compare these stimuli alone; nothing is told about the "
-                                 "others")
-                              .with_commas(),
-                          option("--repeat", &study->repeat,
-                                 "Make motions and key frames so many times, and tell what differs")
-                              .between(1, 100),
-                          option("--audits", &study->audits,
-                                 "Share of the stimuli that are drawn although nothing about them "
-                                 "has changed")
-                              .between(0.0, 1.0)
-                              .with_default())),
+          argument("now", &options->now, "The current version of the same").optional(),
+          in_group(
+              study_group, study->given,
+              all_of(
+                  study_options(*study,
+                                "Folder of the baseline, or a branch, tag or commit of "
+                                "git"),
+                  option("--report,-o", &study->report,
+                         "Folder of the report (default: <out>/<study>-regression)"),
+                  option("--only", &study->production.only, "Make and compare these stimuli only")
+                      .with_commas(),
+                  option("--repeat", &study->repeat,
+                         "Make motions and key frames so many times, and report differences "
+                         "between repetitions")
+                      .between(1, 100),
+                  option(
+                      "--audits", &study->audits,
+                      "Proportion of unchanged stimuli that are rendered and compared all the same")
+                      .between(0.0, 1.0)
+                      .with_default())),
           takes_option(options->takes),
           in_group(files_group, options->given, file_options(*options)),
-          flag("--json", &options->json, "Everything that is known, as JSON")),
+          flag("--json", &options->json, "Complete result as JSON")),
       .commands = {approve_command()},
       .notes = footer,
       .run = [options, study](const Console& console) {

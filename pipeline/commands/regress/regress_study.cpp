@@ -59,7 +59,7 @@ void make(MadeStudy& study, const StudyArguments& arguments, const Console& cons
   for (const TaskOutcome& outcome : result.outcomes) {
     if (outcome.state != TaskState::failed) continue;
     if (outcome.is_bad_input)
-      throw Error({outcome.error}, "the study cannot be made", "mend it; mien run tells all");
+      throw Error({outcome.error}, "the study cannot be made", "see mien run for all faults");
     throw std::runtime_error(outcome.error);
   }
   for (const Stimulus& stimulus : production.manifest().stimuli) {
@@ -121,9 +121,9 @@ fs::path cleared_report_folder(const StudyArguments& arguments, const Manifest& 
                                                     : fs::path(arguments.production.out) /
                                                           (manifest.study + "-regression");
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw Error({folder.string()}, "is no folder", "name one for the report with --report");
+    throw Error({folder.string()}, "is not a folder", "name a folder for the report with --report");
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / report_mark))
-    throw Error({folder.string()}, "holds something else than a report of mien regress",
+    throw Error({folder.string()}, "exists, but was not written by mien regress",
                 "name a new folder with --report");
   make_folder(folder);
   for (const char* own : {report_mark, "summary.md"})
@@ -133,7 +133,7 @@ fs::path cleared_report_folder(const StudyArguments& arguments, const Manifest& 
     fs::remove_all(folder / old);
   // What stays if this run does not come to its end.
   write_file(folder / "summary.md",
-             "## ❌ " + manifest.study + "\n\nThe comparison did not come to its end.\n");
+             "## ❌ " + manifest.study + "\n\nThe comparison was not completed.\n");
   return folder;
 }
 
@@ -145,8 +145,7 @@ void refuse_other_folder(const fs::path& folder) {
     return entry.path().filename() == "editions" || entry.path().filename() == "stimuli";
   };
   if (is_folder && std::ranges::all_of(fs::directory_iterator(folder), is_ours)) return;
-  throw Error({folder.string()},
-              is_folder ? "holds something else than a baseline" : "is no folder",
+  throw Error({folder.string()}, is_folder ? "exists, but is not a baseline" : "is not a folder",
               "name a new folder with --baseline");
 }
 
@@ -155,8 +154,7 @@ std::string report_script(const Console& console) {
   try {
     return read_file(page_bundle("regress") / "regress.js");
   } catch (const Error& error) {
-    console.err << "note: report.html has no pictures, motions and videos: " << error.what()
-                << '\n';
+    console.err << "note: report.html has no images, motions or videos: " << error.what() << '\n';
     return "";
   }
 }
@@ -217,13 +215,12 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
   if (baseline.study != manifest.study)
     throw Error({found.folder.string()},
                 "is the baseline of the study " + motion::in_quotes(baseline.study),
-                "name that of " + motion::in_quotes(manifest.study) + " with --baseline");
+                "name the baseline of " + motion::in_quotes(manifest.study) + " with --baseline");
   check_files(baseline);
   if (baseline.sums.empty())
     console.err
         << "note: " << found.folder.string()
-        << ": this baseline has no checksums, so that damage to it may pass unseen; approve "
-           "again\n";
+        << ": this baseline has no checksums, so damage to it may go unnoticed; approve again\n";
   const std::vector<std::string>& only = arguments.production.only;
   refuse_unknown(only, manifest, baseline);
   const bool is_any_there = std::ranges::any_of(
@@ -294,7 +291,7 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
                              approved == 1 ? "stimulus" : "stimuli", baseline.approvals.back().who);
   for (const StimulusFacts& facts : before.stimuli) {
     if (baseline.find(facts.id) == nullptr)
-      console.out << facts.id << " is not in the baseline any more\n";
+      console.out << facts.id << " was removed from the baseline\n";
   }
   return exit_done;
 }

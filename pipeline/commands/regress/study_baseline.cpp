@@ -78,16 +78,15 @@ bool is_commit(const std::string& name, const Manifest& manifest) {
 /// What a name means that is no folder, git knows best.
 [[noreturn]] void throw_unknown(const std::string& name, const Manifest& manifest) {
   const CommandEnd end = shown_commit(name, manifest);
-  const std::string says = end.is_missing ? "; git, which would know commits, is not installed"
+  const std::string says = end.is_missing ? "; git is not installed, so commits cannot be looked up"
                                           : "; git says: " + first_line(end.errors);
   const CommandEnd shallow =
       git(manifest.file.parent_path(), {"rev-parse", "--is-shallow-repository"});
-  throw Error(
-      {name}, "there is no folder and no commit of that name" + says,
-      first_line(shallow.output) == "true"
-          ? "this clone lacks most commits: fetch the one that you mean (git fetch origin " + name +
-                ":" + name + "; in GitHub Actions fetch-depth: 0)"
-          : "name a folder, or a branch, tag or commit that git log knows");
+  throw Error({name}, "there is no folder or commit of that name" + says,
+              first_line(shallow.output) == "true"
+                  ? "this is a shallow clone: fetch the commit (git fetch origin " + name + ":" +
+                        name + "; in GitHub Actions fetch-depth: 0)"
+                  : "name a folder, or a branch, tag or commit that git log knows");
 }
 
 }  // namespace
@@ -95,10 +94,10 @@ bool is_commit(const std::string& name, const Manifest& manifest) {
 fs::path new_baseline(const std::string& given, const Manifest& manifest) {
   if (given.empty()) return usual_baseline(manifest);
   if (!fs::exists(given) && is_commit(given, manifest))
-    throw Error({given}, "is a commit, and what is approved is kept in a folder",
-                "leave --baseline out, and commit what was approved; a new folder of that name is "
-                "./" +
-                    given);
+    throw Error(
+        {given}, "is a commit, but a baseline is stored in a folder",
+        "omit --baseline, and commit the approved folder; for a new folder of that name write ./" +
+            given);
   return given;
 }
 
@@ -115,7 +114,7 @@ FoundBaseline find_baseline(const std::string& given, const Manifest& manifest) 
   }
   if (!given.empty() && !fs::exists(folder)) throw_unknown(given, manifest);
   throw Error({folder.string()}, "holds no baseline",
-              "look at the study, and when it is as it should be: mien regress approve " +
+              "look at the study, and if it is as intended, run mien regress approve " +
                   motion::shell_path(manifest.file.string()) + " --why \"…\"");
 }
 

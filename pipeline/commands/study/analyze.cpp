@@ -68,8 +68,7 @@ std::optional<int> cluster_count(const std::string& text) {
   const int count = digits ? std::stoi(text) : 0;
   if (count >= 1) return count;
   throw Error("--clusters: \"" + text + "\" is neither a number nor \"gap\"",
-              "write how many clusters there shall be, or gap for as many as the largest gap "
-              "suggests");
+              "write a number of clusters, or gap for the number suggested by the largest gap");
 }
 
 void show_warnings(const std::vector<StudyWarning>& warnings, const fs::path& folder,
@@ -93,7 +92,7 @@ void show_text(const Analysis& analysis, const ScaleSet& scales, const fs::path&
   const auto count = [&](auto condition) {
     return std::ranges::count_if(analysis.quantities, condition);
   };
-  console.out << fmt::format("{} of {} scales kept; {} neutral, {} disagreed on\n",
+  console.out << fmt::format("{} of {} scales kept; {} removed as neutral, {} for disagreement\n",
                              count([](const Quantity& q) { return q.kept(); }),
                              analysis.quantities.size(),
                              count([](const Quantity& q) { return q.neutral; }),
@@ -154,13 +153,14 @@ void show_corrections(const Calibration& calibration, const fs::path& folder,
                       const Console& console) {
   if (calibration.simulated) console.out << "simulated ratings\n";
   for (const Correction& c : calibration.corrections) {
-    console.out << (c.is_usable()
-                        ? fmt::format(
-                              "{}: seen = {:.3f} + {:.3f} · asked ({} stimuli, r² {:.2f})\n",
-                              c.parameter, c.intercept, c.slope, c.stimuli, c.r_squared)
-                        : fmt::format("{}: no more of it was seen where more was asked for ({} "
-                                      "stimuli); nothing to correct by\n",
-                                      c.parameter, c.stimuli));
+    console.out
+        << (c.is_usable()
+                ? fmt::format(
+                      "{}: perceived = {:.3f} + {:.3f} · requested ({} stimuli, r² {:.2f})\n",
+                      c.parameter, c.intercept, c.slope, c.stimuli, c.r_squared)
+                : fmt::format("{}: ratings did not increase with the requested value ({} stimuli); "
+                              "no correction possible\n",
+                              c.parameter, c.stimuli));
   }
   console.out << folder.string() << '\n';
 }
@@ -196,7 +196,7 @@ int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
 int analyze(AnalyzeOptions options, const Console& console) {
   if (!options.stimuli.empty()) return calibrate_stimuli(options, console);
   if (options.examples.empty())
-    throw Error("what was rated is not told",
+    throw Error("the rated stimuli were not specified",
                 "give --examples, or --stimuli with the folder of a study");
   options.analysis.clusters = cluster_count(options.clusters);
   const Manifest subject = manifest_of({options.examples, "", options.scales}, console);
@@ -223,13 +223,13 @@ std::vector<CommandOption> rule_options(AnswerRules& rules) {
                   {"first", Rules::Repeated::first},
                   {"last", Rules::Repeated::last},
                   {"mean", Rules::Repeated::mean}},
-                 "A participant's further answer about the same"),
+                 "Repeated answers of a participant about the same stimulus and scale"),
           choice("--unknown", rules.unknown,
                  {{"error", Rules::Unknown::refuse}, {"ignore", Rules::Unknown::ignore}},
-                 "Answers about stimuli or on scales that are not known"),
+                 "Answers about unknown stimuli or on unknown scales"),
           choice("--constant", rules.constant,
                  {{"drop", Rules::Constant::drop}, {"keep", Rules::Constant::keep}},
-                 "Participants who answer the same to everything"),
+                 "Participants who give the same answer throughout (straight-lining)"),
           choice("--missing", rules.missing,
                  {{"error", Rules::Missing::refuse}, {"ignore", Rules::Missing::ignore}},
                  "Missing answers")};
@@ -241,36 +241,36 @@ Command study_analyze_command() {
   const auto options = std::make_shared<AnalyzeOptions>();
   return {
       .name = "analyze",
-      .summary = "From answers to clusters of scales: primary parameters",
+      .summary = "Cluster the scales of a rating study into primary parameters",
       .options = all_of(
           argument("answers", &options->answers,
-                   "CSV with the columns participant, stimulus, scale, value and, if you like, "
-                   "rt_ms, order, comment"),
+                   "CSV with the columns participant, stimulus, scale, value and optionally rt_ms, "
+                   "order, comment"),
           option("--examples", &options->examples,
-                 "What was rated: " + std::string(examples_help) + ", or a manifest"),
+                 "Rated examples: " + std::string(examples_help) + ", or a manifest"),
           option("--stimuli", &options->stimuli,
-                 "Or stimuli of one's own: the folder of their study (out/my-study). Tells what "
-                 "was asked, reached and seen, and what to ask for in the next round")
+                 "Rated stimuli of a study instead: its folder (out/my-study). Compares requested, "
+                 "reached and perceived values, and gives corrected values for the next round")
               .excludes("--examples"),
           option("--scales", &options->scales,
-                 "Scales file (YAML); the manifest's or the study's, or the 41 built-in adjective "
-                 "pairs, without one"),
+                 "Scales file (YAML); default: that of the manifest or study, or the 41 built-in "
+                 "adjective pairs"),
           option("-o,--output", &options->out,
-                 "Folder for the results; out/<name of the answers> without it"),
+                 "Folder for the results (default: out/<name of the answers>)"),
           option("--max-mean", &options->analysis.thresholds.largest_mean,
-                 "Remove scales whose largest |mean| over the examples is below this. For answers "
-                 "from -2 to 2; other ranges in proportion")
+                 "Remove scales whose largest |mean| over the examples is below this, for answers "
+                 "from -2 to 2 (scaled for other ranges)")
               .between(0.0, 2.0)
               .with_default(),
           option("--max-sd", &options->analysis.thresholds.mean_deviation,
-                 "Remove scales whose mean SD over the examples is above this. For answers from -2 "
-                 "to 2; other ranges in proportion")
+                 "Remove scales whose mean SD over the examples is above this, for answers from -2 "
+                 "to 2 (scaled for other ranges)")
               .between(0.0, 4.0)
               .with_default(),
           choice("--sd", options->analysis.deviation,
                  {{"population", Deviation::population}, {"sample", Deviation::sample}},
-                 "Divide the variance of an example's answers by n or by n - 1"),
-          option("--clusters", &options->clusters, "How many clusters, or gap").with_default(),
+                 "Divisor of the variance of an example's answers: n or n - 1"),
+          option("--clusters", &options->clusters, "Number of clusters, or gap").with_default(),
           option("--names", &options->analysis.names,
                  "Names of the clusters in the order of clusters.csv")
               .with_commas(),

@@ -59,7 +59,7 @@ FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<Session
   add_dummy_report(files, manifest, plans);
   FrozenArchive archive{.file = file, .bytes = zip_of(files), .files = files.size()};
   if (fs::exists(fs::symlink_status(file)) && read_file(file) != archive.bytes)
-    throw Error({file.string()}, "is there already, and holds something else",
+    throw Error({file.string()}, "exists already, but holds something else",
                 "name another file, or remove it");
   return archive;
 }
@@ -97,7 +97,8 @@ void take_between(const std::vector<std::string>& parts, PowerQuestion& question
 
 RatingSpread spread_of(const DesignCommand& command, const Manifest& manifest) {
   if (!command.ratings.empty() && !command.spread.empty())
-    throw Error("--ratings and --spread both say how ratings differ", "give one of the two");
+    throw Error("--ratings and --spread both specify the variance of ratings",
+                "give one of the two");
   if (!command.ratings.empty())
     return spread_of(read_answers(command.ratings, scales_to_choose(manifest)));
   if (command.spread.empty()) return {};
@@ -115,8 +116,8 @@ void tell_power(const DesignCommand& command, const Manifest& manifest, const Co
   for (const std::string& sentence : power_sentences(question, estimate)) out << sentence << '\n';
   if (is_test_misled(question, estimate))
     console.err << fmt::format(
-        "warning: where there is no difference, {:.0f} % of the simulated studies find one and not "
-        "{:g} %; this power is not to be relied on\n",
+        "warning: the false-positive rate of the simulated studies is {:.0f} % instead of {:g} %; "
+        "do not rely on this power estimate\n",
         100.0 * estimate.false_alarms.share, 100.0 * question.alpha);
 }
 
@@ -139,8 +140,8 @@ void tell_duration(const std::vector<SessionPlan>& plans, const Console& console
 void tell_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                  const Balance& balance, const Console& console, std::ostream& out) {
   const auto is_analysed = [](const Trial& trial) { return trial.is_analysed(); };
-  out << fmt::format("{}: {} participants, {} trials each, {} of them analysed\n", manifest.study,
-                     plans.size(), plans[0].trials.size(),
+  out << fmt::format("{}: {} participants, {} trials each, of which {} are analysed\n",
+                     manifest.study, plans.size(), plans[0].trials.size(),
                      std::ranges::count_if(plans[0].trials, is_analysed));
   for (const std::string& sentence :
        balance_sentences(manifest, balance, static_cast<int>(plans.size())))
@@ -150,8 +151,8 @@ void tell_design(const Manifest& manifest, const std::vector<SessionPlan>& plans
 
 void warn_of_no_plan(const Manifest& manifest, const Console& console) {
   if (questionnaire_of(manifest).analysis.plan.text.empty())
-    console.err << "warning: nothing says how the answers will be looked at, which is what a "
-                   "preregistration is for; write it in questionnaire.analysis.plan\n";
+    console.err << "warning: the manifest has no analysis plan, which a preregistration requires; "
+                   "write it in questionnaire.analysis.plan\n";
 }
 
 /// What the tables and the archive are made from, and must not be written over.
@@ -165,8 +166,8 @@ int design(const DesignCommand& command, const Console& console) {
   Manifest manifest = participants_manifest(command.manifest, console);
   if (manifest.matching) {
     if (command.power || !command.balance.empty() || !command.frozen.empty())
-      throw Error("--power, --balance and --freeze are about questionnaires",
-                  "leave them out for a matching experiment");
+      throw Error("--power, --balance and --freeze apply to questionnaires only",
+                  "omit them for a matching experiment");
     return design_matching(manifest, {command.participants, command.plans}, console);
   }
   if (command.participants > 0) manifest.questionnaire->participants = command.participants;
@@ -200,64 +201,66 @@ int design(const DesignCommand& command, const Console& console) {
 }
 
 std::vector<CommandOption> power_options(DesignCommand& options) {
-  return {flag("--power", &options.power,
-               "Estimate how many participants find a difference, with simulated raters"),
-          option("--ratings", &options.ratings,
-                 "With --power: answers (CSV) whose variances the raters have")
-              .needs("--power"),
-          option("--spread", &options.spread,
-                 "With --power: standard deviations of participants, stimuli and what is left, in "
-                 "the scale's points [0.5,0.5,0.8]")
-              .needs("--power")
-              .with_commas()
-              .values(3, 3)
-              .between(0.0, 1000.0),
-          option("--difference", &options.question.difference,
-                 "With --power: the true difference, in the scale's points")
-              .needs("--power")
-              .positive()
-              .with_default(),
-          option("--between", &options.between,
-                 "With --power: a factor and two levels to compare, as made=acted,modified; any "
-                 "two stimuli without it")
-              .needs("--power")
-              .with_commas(),
-          option("--studies", &options.question.studies, "With --power: how many are simulated")
-              .needs("--power")
-              .between(100, 1000000)
-              .with_default()};
+  return {
+      flag("--power", &options.power, "Estimate power and sample size with simulated raters"),
+      option("--ratings", &options.ratings,
+             "With --power: answers (CSV) from which the raters' variances are estimated")
+          .needs("--power"),
+      option("--spread", &options.spread,
+             "With --power: standard deviations of participants, stimuli and residual, in scale "
+             "points [0.5,0.5,0.8]")
+          .needs("--power")
+          .with_commas()
+          .values(3, 3)
+          .between(0.0, 1000.0),
+      option("--difference", &options.question.difference,
+             "With --power: the true difference, in scale points")
+          .needs("--power")
+          .positive()
+          .with_default(),
+      option("--between", &options.between,
+             "With --power: a factor and two levels to compare, such as made=acted,modified "
+             "(default: any two stimuli)")
+          .needs("--power")
+          .with_commas(),
+      option("--studies", &options.question.studies, "With --power: number of simulated studies")
+          .needs("--power")
+          .between(100, 1000000)
+          .with_default()};
 }
 
 }  // namespace
 
 Command study_design_command() {
   const auto options = std::make_shared<DesignCommand>();
-  return {.name = "design",
-          .summary = "Lay out the sessions of participants: plans, balance, duration, power",
-          .options =
-              all_of(argument("manifest", &options->manifest, asked_manifest_help),
-                     option("-o,--output", &options->plans,
-                            "CSV of every participant's plan; standard output without it"),
-                     option("--balance", &options->balance,
-                            "CSV to write of how often each stimulus comes, where and after which"),
-                     option("--participants", &options->participants,
-                            "How many take part; as the questionnaire plans without it")
-                         .between(1, 10000),
-                     power_options(*options),
-                     option("--freeze", &options->frozen,
-                            "Archive (.zip) to write for a preregistration: the plans, the "
-                            "manifest, the analysis plan and the hashes of all media")
-                         .excludes("--participants"),
-                     option("--out", &options->out,
-                            "With --freeze: folder of all studies, where this one was made")
-                         .with_default()),
-          .notes =
-              "The same manifest gives the same plans; more participants change none of the "
-              "earlier ones.\n\nExamples:\n"
-              "  mien study design emotion-study -o plans.csv --balance balance.csv\n"
-              "  mien study design study.yaml -o plans.csv --power --ratings pilot.csv\n"
-              "  mien study design study.yaml -o plans.csv --freeze preregistration.zip",
-          .run = [options](const Console& console) { return design(*options, console); }};
+  return {
+      .name = "design",
+      .summary = "Plan the sessions of all participants: order, balance, duration, power",
+      .options = all_of(
+          argument("manifest", &options->manifest, asked_manifest_help),
+          option("-o,--output", &options->plans,
+                 "CSV of all participants' plans (default: standard output)"),
+          option("--balance", &options->balance,
+                 "CSV of how often each stimulus appears, in which position and after which other"),
+          option("--participants", &options->participants,
+                 "Number of participants (default: as in the manifest)")
+              .between(1, 10000),
+          power_options(*options),
+          option("--freeze", &options->frozen,
+                 "Archive (.zip) for a preregistration: plans, manifest, analysis plan and hashes "
+                 "of all media")
+              .excludes("--participants"),
+          option("--out", &options->out,
+                 "With --freeze: folder of all studies, in which this one was made")
+              .with_default()),
+      .notes =
+          "The same manifest gives the same plans; adding participants does not change earlier "
+          "plans.\n\n"
+          "Examples:\n"
+          "  mien study design emotion-study -o plans.csv --balance balance.csv\n"
+          "  mien study design study.yaml -o plans.csv --power --ratings pilot.csv\n"
+          "  mien study design study.yaml -o plans.csv --freeze preregistration.zip",
+      .run = [options](const Console& console) { return design(*options, console); }};
 }
 
 }  // namespace mien::pipeline

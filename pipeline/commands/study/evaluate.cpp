@@ -123,8 +123,8 @@ void note_easy_targets(const MatchingEvaluation& evaluation, const MatchingResul
   };
   if (evaluation.shares.empty() || !std::ranges::all_of(evaluation.shares, all_matched)) return;
   console.err << fmt::format(
-      "note: every first guess matched, so their shares do not tell the interfaces apart; targets "
-      "farther apart, or a threshold below {:g} m, would\n",
+      "note: every first guess matched, so their proportions do not distinguish the interfaces; "
+      "use targets farther apart, or a threshold below {:g} m\n",
       results.threshold_m);
 }
 
@@ -151,27 +151,29 @@ Command study_evaluate_command() {
   const auto options = std::make_shared<EvaluateOptions>();
   return {
       .name = "evaluate",
-      .summary = "From matching sessions to means, tests and figures that compare interfaces",
+      .summary = "Analyse matching sessions: means, tests and figures that compare interfaces",
       .options =
           {argument("results", &options->results,
                     "CSV with the columns participant, target, interface, first_guess_d, time_s, "
-                    "success; one of all participants, or several"),
+                    "success; one file or several"),
            option("-o,--output", &options->out,
-                  "Folder for the results; out/<name of the first file> without it"),
+                  "Folder for the results (default: out/<name of the first file>)"),
            option("--limit", &options->terms.limit_s,
-                  "Seconds allowed for a match; trials without success count as that long; 300 "
-                  "where the files do not tell")
+                  "Time limit in seconds, also used as the time of trials without success "
+                  "(default: as in the files, or 300)")
                .positive(),
-           option("--threshold", &options->terms.threshold_m,
-                  "Distance D below which motions match, metres; 0.06 where the files do not tell")
+           option(
+               "--threshold", &options->terms.threshold_m,
+               "Distance D in metres below which motions match (default: as in the files, or 0.06)")
                .positive(),
            flag("--json", &options->json, "Results as JSON on standard output")},
       .notes =
           "Writes means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures "
           "first_guess_d, first_guess_success, time, time_saved and failures as .pdf, .svg and "
-          ".png, all target by target and over all targets.\n"
-          "\nExample:\n  mien study evaluate sessions.csv -o evaluation\n  mien study evaluate "
-          "downloads/*trials_data.csv -o evaluation",
+          ".png, each per target and over all targets.\n\n"
+          "Example:\n"
+          "  mien study evaluate sessions.csv -o evaluation\n"
+          "  mien study evaluate downloads/*trials_data.csv -o evaluation",
       .run = [options](const Console& console) { return run_evaluation(*options, console); }};
 }
 

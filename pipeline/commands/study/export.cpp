@@ -65,18 +65,19 @@ Command study_export_command() {
   const auto options = std::make_shared<ExportOptions>();
   return {.name = "export",
           .summary =
-              "The questionnaire or matching experiment as a folder that any browser opens, and "
-              "for JATOS",
+              "Export the questionnaire or matching experiment as a folder for any browser and for "
+              "JATOS",
           .options =
               all_of(questionnaire_options(options->study),
                      option("--folder,-o", &options->folder,
-                            "Folder to write, new or of an earlier export; answers put there stay")
+                            "Folder to write, new or of an earlier export; answers in it are kept")
                          .required()),
           .notes =
-              "Makes what a questionnaire shows first, as mien run does. The folder works offline "
-              "by a double click on\n"
-              "index.html, on any web server, and on JATOS (.jzip); its README.txt tells how.\n"
-              "\nExample:\n  mien study export study.yaml -o questionnaire",
+              "First makes the videos that a questionnaire shows, as mien run does. The folder "
+              "works offline (open\n"
+              "index.html), on any web server, and on JATOS (.jzip); see its README.txt.\n\n"
+              "Example:\n"
+              "  mien study export study.yaml -o questionnaire",
           .run = [options](const Console& console) { return export_study(*options, console); }};
 }
 

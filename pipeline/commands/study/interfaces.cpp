@@ -28,10 +28,10 @@ struct InterfacesCommand {
 };
 
 void show(const std::vector<InterfaceSummary>& summaries, const Console& console) {
-  console.out << "Simulated: no person took part.\n\n";
+  console.out << "Simulated participants.\n\n";
   console.out << fmt::format("{:17} {:11} {:>12} {:>6} {:>17} {:>8} {:>17} {:>8} {:>6}\n", "method",
-                             "interface", "way", "count", "D, first (m)", "matches", "D, last (m)",
-                             "failed", "looks");
+                             "interface", "settings", "count", "D, first (m)", "matches",
+                             "D, last (m)", "failed", "looks");
   for (const InterfaceSummary& s : summaries) {
     const std::string way = s.step > 0.0 ? fmt::format("nearest {:g}", s.step) : "user";
     console.out << fmt::format(
@@ -88,35 +88,36 @@ int evaluate(InterfacesCommand command, const Console& console) {
 Command study_interfaces_command() {
   const auto options = std::make_shared<InterfacesCommand>();
   return {.name = "interfaces",
-          .summary = "Try sliders for adjectives, features and weights on targets, without people",
+          .summary = "Compare sliders for adjectives, features and weights with simulated users",
           .options = all_of(
               subject_options(options->subject),
               option("--targets", &options->targets, "Targets").between(1, 100).with_default(),
               option("--users", &options->evaluation.users,
-                     "Simulated users for each target and interface")
+                     "Number of simulated users per target and interface")
                   .between(0, 1000)
                   .with_default(),
               option("--steps", &options->evaluation.steps,
-                     "Slider grids whose nearest settings are tried, with commas")
+                     "Slider grids whose nearest settings are evaluated, separated by commas")
                   .with_commas()
                   .between(0.01, 1.0)
                   .with_default(),
               option("--threshold", &options->evaluation.threshold,
-                     "Distance D below which motions match, metres")
+                     "Distance D in metres below which motions match")
                   .positive()
                   .with_default(),
-              methods_option(options->evaluation.methods, "the manifest's without it"),
-              option("--seed", &options->seed, "Seed; the manifest's without it"),
+              methods_option(options->evaluation.methods, "default: as in the manifest"),
+              option("--seed", &options->seed, "Seed; default: as in the manifest"),
               option("-o,--output", &options->out, "Folder for the tables and the figure")),
           .notes =
               "For every target (sampled as by mien study targets) and interface: the distance D "
-              "of the nearest setting of the sliders, and of simulated users. Such a user reads "
-              "the settings off the target with an error of 0.15 (SD), then moves one slider at a "
-              "time up and down by 0.2, later by less, keeping what looks better, with an error of "
-              "10 % in seeing distances; at most 100 motions are looked at. It shows what the "
-              "interfaces allow, not what people do with them: nobody reads the shares of examples "
-              "off a motion as well as its quickness.\n\n"
-              "Example:\n  mien study interfaces --examples builtin:walks-27 -o out/interfaces",
+              "of the nearest slider setting, and of simulated users. A simulated user estimates "
+              "the settings of the target with an error of 0.15 (SD), then moves one slider at a "
+              "time up and down by 0.2, later by less, keeping what looks closer with an error of "
+              "10 % in perceived distances, over at most 100 motions. This shows what the "
+              "interfaces allow, not what people achieve with them: people do not estimate example "
+              "weights from a motion as well as its quickness.\n\n"
+              "Example:\n"
+              "  mien study interfaces --examples builtin:walks-27 -o out/interfaces",
           .run = [options](const Console& console) { return evaluate(*options, console); }};
 }
 

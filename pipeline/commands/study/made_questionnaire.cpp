@@ -27,7 +27,7 @@ void make_study(Production& production, const fs::path& folder,
   for (const TaskOutcome& outcome : result.outcomes) {
     if (outcome.state != TaskState::failed) continue;
     if (outcome.is_bad_input)
-      throw Error({outcome.error}, "the study cannot be made", "mend it; mien run tells all");
+      throw Error({outcome.error}, "the study cannot be made", "see mien run for all faults");
     throw std::runtime_error(outcome.error);
   }
 }
@@ -54,13 +54,14 @@ MadeQuestionnaire made_questionnaire(const ProductionArguments& arguments, const
 }
 
 std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments) {
-  return {argument("manifest", &arguments.manifest,
-                   "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
-                   "one of mien manifests"),
-          option("--out", &arguments.out, "Folder in which studies are made").with_default(),
-          quality_option(arguments.quality),
-          option("--jobs,-j", &arguments.jobs, "Tasks at a time (default: one a processor)")
-              .between(1, 1024)};
+  return {
+      argument("manifest", &arguments.manifest,
+               "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
+               "one of mien manifests"),
+      option("--out", &arguments.out, "Folder of all studies").with_default(),
+      quality_option(arguments.quality),
+      option("--jobs,-j", &arguments.jobs, "Number of parallel tasks (default: one per processor)")
+          .between(1, 1024)};
 }
 
 }  // namespace mien::pipeline

@@ -24,28 +24,26 @@ void tell_matching(const Manifest& manifest, const std::vector<SessionPlan>& pla
   const std::size_t targets = matching_targets(manifest).size();
   const auto practised = std::ranges::count_if(plans[0].trials, &Trial::practice);
   out << fmt::format(
-      "{}: {} participants, {} trials each: {} of practice, then {} targets with each of {} "
+      "{}: {} participants, {} trials each: {} practice trials, then {} targets with each of {} "
       "interfaces\n",
       manifest.study, plans.size(), plans[0].trials.size(), practised, targets,
       matching.interfaces.size());
   if (matching.order == MatchingOrder::guesses_first)
-    out << "At each target a guess with every interface comes first, then the matches.\n";
+    out << "For each target, guesses with all interfaces come first, then the matches.\n";
   const std::size_t orders = williams_rows(matching.interfaces.size());
   if (plans.size() % orders == 0)
-    out << "Every order of the interfaces' square is given to equally many participants.\n";
+    out << "Every row of the interfaces' Latin square is given to equally many participants.\n";
   else
     out << fmt::format(
-        "Orders of interfaces are given to equally many participants when these are a multiple of "
+        "The orders of interfaces are balanced if the number of participants is a multiple of "
         "{}.\n",
         orders);
   const std::size_t whole = orders * williams_rows(targets);
   if (plans.size() % whole != 0)
     out << fmt::format(
-        "Each target is as often in each place with each interface when they are a multiple of "
-        "{}.\n",
-        whole);
+        "Targets, positions and interfaces are balanced if it is a multiple of {}.\n", whole);
   out << fmt::format(
-      "Expected duration of a session: {:.0f} min, were half of the limit taken for each match.\n",
+      "Expected duration of a session: {:.0f} min, assuming half of the time limit per match.\n",
       plans[0].expected_seconds / 60.0);
 }
 

@@ -28,7 +28,7 @@ struct MethodsCommand {
 };
 
 void show(const std::vector<MethodTrial>& trials, bool simulated, const Console& console) {
-  if (simulated) console.out << "Simulated ratings: nobody has rated these motions.\n\n";
+  if (simulated) console.out << "Simulated ratings.\n\n";
   console.out << fmt::format("{:17} {:>10} {:>11} {:>7} {:>9} {:>8} {:>10}\n", "method",
                              "mean error", "worst error", "jump", "examples", "D (m)", "time (ms)");
   for (const MethodTrial& t : trials) {
@@ -62,25 +62,26 @@ int compare(MethodsCommand command, const Console& console) {
 Command study_methods_command() {
   const auto options = std::make_shared<MethodsCommand>();
   return {.name = "methods",
-          .summary = "Compare the methods of interpolation on wishes that the examples allow",
-          .options =
-              all_of(subject_options(options->subject),
-                     option("--parameters", &options->parameters,
-                            "Parameters by name, with commas; the primary groups without it")
-                         .with_commas(),
-                     methods_option(options->methods, "all without it"),
-                     option("--wishes", &options->trial.wishes, "Settings of the parameters to try")
-                         .between(2, 10000)
-                         .with_default(),
-                     option("--seed", &options->seed, "Seed; the manifest's without it"),
-                     option("-o,--output", &options->out, "Folder for methods.csv")),
+          .summary = "Compare the interpolation methods on feasible requests",
+          .options = all_of(
+              subject_options(options->subject),
+              option("--parameters", &options->parameters,
+                     "Parameters, separated by commas (default: the primary groups)")
+                  .with_commas(),
+              methods_option(options->methods, "default: all"),
+              option("--wishes", &options->trial.wishes, "Number of parameter settings to try")
+                  .between(2, 10000)
+                  .with_default(),
+              option("--seed", &options->seed, "Seed; default: as in the manifest"),
+              option("-o,--output", &options->out, "Folder for methods.csv")),
           .notes =
-              "Wishes are what random blends of three examples have, so each can be met. mean "
-              "error and worst error: of the parameter that is missed most; jump: largest change "
-              "of an example's weight in a hundredth of the way from one wish to the next; "
-              "examples: 1/sum of squared weights; D: to the blend that the wish was read off; "
-              "time: to find the weights.\n\n"
-              "Example:\n  mien study methods --examples builtin:walks-27",
+              "Requests are the parameters of random blends of three examples, so each is "
+              "feasible. mean error and worst error: deviation of the parameter missed most; jump: "
+              "largest change of an example's weight within a hundredth of the way from one "
+              "request to the next; examples: 1/sum of squared weights; D: distance to the blend "
+              "from which the request was taken; time: to compute the weights.\n\n"
+              "Example:\n"
+              "  mien study methods --examples builtin:walks-27",
           .run = [options](const Console& console) { return compare(*options, console); }};
 }
 

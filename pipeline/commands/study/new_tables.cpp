@@ -37,10 +37,10 @@ void refuse_losing(const NewTable& table) {
   if (!fs::is_regular_file(table.file, unknown) || fs::file_size(table.file, unknown) == 0) return;
   const std::string kept = read_file(table.file);
   if (!kept.starts_with(header_of(table.csv)))
-    throw Error({table.file.string()}, "is there already, and is no earlier table of this kind",
+    throw Error({table.file.string()}, "exists already and is not an earlier table of this kind",
                 "name another file");
   if (holds_given_answers(parse_csv(kept, table.file.string())))
-    throw Error({table.file.string()}, "holds answers that people gave", "name another file");
+    throw Error({table.file.string()}, "holds answers of real participants", "name another file");
 }
 
 }  // namespace
@@ -51,10 +51,10 @@ void refuse_losing_files(const std::vector<NewTable>& tables, const std::vector<
     if (table->file.empty()) continue;
     const auto is_it = [&](const fs::path& other) { return are_same_file(table->file, other); };
     if (std::ranges::any_of(read, is_it))
-      throw Error({table->file.string()}, "is what this is made from", "name another file");
+      throw Error({table->file.string()}, "is an input of this command", "name another file");
     if (is_it(archive) ||
         std::any_of(tables.begin(), table, [&](const NewTable& t) { return is_it(t.file); }))
-      throw Error({table->file.string()}, "is to be written twice", "name two files");
+      throw Error({table->file.string()}, "would be written twice", "name two files");
     refuse_losing(*table);
   }
 }

@@ -112,8 +112,9 @@ void show_checks(const FeatureRegression& regression, const Console& console) {
                                  check.left_out, check.rmse, check.mean_rmse, check.r_squared);
     }
   }
-  console.out << "\nErrors (root mean square) are shares of the scale; \"of mean\" is that of "
-                 "predicting the\nothers' mean. R² at or below 0: the features tell nothing.\n";
+  console.out
+      << "\nErrors (RMS) are proportions of the scale; \"of mean\" is the error of predicting the "
+         "mean of the\nothers. R² at or below 0: the features do not predict the ratings.\n";
 }
 
 void show_predictions(const std::vector<Unrated>& motions, const Console& console) {
@@ -159,24 +160,22 @@ int show_prediction(const PredictOptions& options, const Console& console) {
 
 Command study_predict_command() {
   const auto options = std::make_shared<PredictOptions>();
-  return {
-      .name = "predict",
-      .summary = "Predict ratings from motion features, and tell how well that works",
-      .options = all_of(subject_options(options->subject),
-                        option("--motions", &options->motions, "Motion files that nobody rated"),
-                        take_option(options->take),
-                        option("-o,--output", &options->out, "Folder for the tables (CSV)")),
-      .notes =
-          "A ridge regression from the motion features to every parameter of the ratings. It is "
-          "checked on examples that had no part in the fit: each example left out and, where a "
-          "style has several takes (sad_001, sad_002), all takes of a style, because takes are "
-          "nearly twins. The tables are prediction_checks.csv, left_out_predictions.csv and, with "
-          "--motions, predictions.csv and predicted_ratings.csv, which a manifest can take as "
-          "ratings.\n\n"
-          "Examples:\n"
-          "  mien study predict --examples manifests/real-walks.yaml -o out/prediction\n"
-          "  mien study predict --examples builtin:walks-27 --motions walk.bvh run.bvh",
-      .run = [options](const Console& console) { return show_prediction(*options, console); }};
+  return {.name = "predict",
+          .summary = "Predict ratings from motion features, with cross-validation",
+          .options = all_of(subject_options(options->subject),
+                            option("--motions", &options->motions, "Motion files without ratings"),
+                            take_option(options->take),
+                            option("-o,--output", &options->out, "Folder for the tables (CSV)")),
+          .notes =
+              "Ridge regression from motion features to each rated parameter, cross-validated by "
+              "leaving out each example and, where a style has several takes (sad_001, sad_002), "
+              "all takes of a style, because takes of one style are nearly identical. The tables "
+              "are prediction_checks.csv, left_out_predictions.csv and, with --motions, "
+              "predictions.csv and predicted_ratings.csv, which a manifest can take as ratings.\n\n"
+              "Examples:\n"
+              "  mien study predict --examples manifests/real-walks.yaml -o out/prediction\n"
+              "  mien study predict --examples builtin:walks-27 --motions walk.bvh run.bvh",
+          .run = [options](const Console& console) { return show_prediction(*options, console); }};
 }
 
 }  // namespace mien::pipeline

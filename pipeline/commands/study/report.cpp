@@ -63,7 +63,7 @@ ReportInputs inputs_of(const ReportCommand& options) {
     const fs::path file = name;
     if (is_manifest(file)) {
       if (!inputs.manifest.empty())
-        throw Error({name}, "is a second manifest", "report each study by itself");
+        throw Error({name}, "is a second manifest", "report each study separately");
       inputs.manifest = file;
     } else {
       named.push_back(file);
@@ -74,9 +74,9 @@ ReportInputs inputs_of(const ReportCommand& options) {
   if (options.participants.empty()) inputs.participants = std::move(found.participants);
   for (const std::string& file : options.participants) inputs.participants.emplace_back(file);
   if (inputs.manifest.empty())
-    throw Error("no manifest is named", "give the study's, for example study.yaml");
+    throw Error("no manifest was given", "give the study's, for example study.yaml");
   if (inputs.answers.empty())
-    throw Error("no answers are named", "give the CSV that the questionnaire wrote");
+    throw Error("no answers were given", "give the CSV that the questionnaire wrote");
   return inputs;
 }
 
@@ -86,14 +86,14 @@ void compare_choices(const ReportCommand& options, const nlohmann::json& frozen,
                      std::vector<std::string>& differences) {
   const std::string correction = frozen.value("correction", "");
   if (!options.correction.empty() && options.correction != correction)
-    differences.push_back(fmt::format("analysis: --correction {} was run, {} was frozen",
+    differences.push_back(fmt::format("analysis: --correction {} instead of the registered {}",
                                       options.correction, correction));
   const int most_failed = frozen.value("most_failed", 0);
   if (options.most_failed >= 0 && options.most_failed != most_failed)
-    differences.push_back(fmt::format("analysis: --most-failed {} was run, {} was frozen",
+    differences.push_back(fmt::format("analysis: --most-failed {} instead of the registered {}",
                                       options.most_failed, most_failed));
   if (options.unfinished == leave_out)
-    differences.emplace_back("analysis: --unfinished leave-out was run; that all count was frozen");
+    differences.emplace_back("analysis: --unfinished leave-out instead of the registered keep");
 }
 
 FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
@@ -108,11 +108,11 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
   const auto design = nlohmann::json::parse(read_zip(options.frozen).at("design.json"));
   compare_choices(options, design.value("analysis", nlohmann::json::object()), verdict.differences);
   if (!run.empty() && run != design.value("design", ""))
-    verdict.differences.push_back("answers: they were given to the design " + run +
-                                  ", which is not the one that was frozen");
+    verdict.differences.push_back("answers: given to design " + run +
+                                  ", which is not the registered one");
   verdict.sentence = verdict.differences.empty()
-                         ? fmt::format("What was run is what was frozen in {}.", frozen)
-                         : fmt::format("What was run differs from what was frozen in {}:", frozen);
+                         ? fmt::format("The study was run as registered in {}.", frozen)
+                         : fmt::format("The study differs from the one registered in {}:", frozen);
   return verdict;
 }
 
@@ -128,7 +128,7 @@ void tell_results(const Results& results, const FrozenVerdict& frozen, const fs:
   for (const std::string& note : gathered.notes) console.err << note << '\n';
   for (const Attention& own : gathered.attention)
     if (own.is_excluded)
-      console.err << fmt::format("participant {} is left out: {} of {} attention checks passed\n",
+      console.err << fmt::format("participant {} is excluded: {} of {} attention checks passed\n",
                                  motion::in_quotes(own.participant), own.passed, own.checks);
   if (gathered.simulated) console.out << "simulated answers\n";
   for (const std::string& sentence : unfinished_sentences(gathered))
@@ -167,10 +167,10 @@ void note_other_design(const Manifest& manifest, const std::vector<AnswerRow>& r
                               gathered.design == design_hash(manifest, plan_sessions(other)));
   gathered.notes.push_back(
       is_of_more
-          ? fmt::format("The answers are of {} participants, the manifest plans {}; all else is "
-                        "the same.",
+          ? fmt::format("The answers are of {} participants, but the manifest plans {}; everything "
+                        "else is the same.",
                         answered, planned)
-          : fmt::format("The answers were given to the design {}; the manifest is now {}.",
+          : fmt::format("The answers were given to design {}; the manifest is now design {}.",
                         gathered.design, now));
 }
 
@@ -220,29 +220,30 @@ Command study_report_command() {
   const auto options = std::make_shared<ReportCommand>();
   return {
       .name = "report",
-      .summary = "From a questionnaire's answers to tables, figures and one page",
+      .summary = "Analyse a questionnaire's answers: tables, figures and a report on one page",
       .options =
           {argument("files", &options->files,
                     "Answers (CSV, or folders with answers.csv or saved *answers_data.csv) and the "
                     "manifest of the study, in either order"),
-           option("-o,--output", &options->out, "Folder to write; out/<study>-results without it"),
+           option("-o,--output", &options->out, "Folder to write (default: out/<study>-results)"),
            option("--participants", &options->participants,
-                  "Tables of participants; otherwise those that lie beside the answers"),
+                  "Tables of participants (default: those beside the answers)"),
            option("--correction", &options->correction,
-                  "For the number of tests: holm, bh (Benjamini-Hochberg) or none; otherwise as "
-                  "the manifest says")
+                  "Correction for multiple comparisons: holm, bh (Benjamini-Hochberg) or none "
+                  "(default: as in the manifest)")
                .one_of({"holm", "bh", "none"}),
            option("--most-failed", &options->most_failed,
-                  "Who fails more attention checks is left out; otherwise as the manifest says")
+                  "Exclude participants who fail more attention checks than this (default: as in "
+                  "the manifest)")
                .between(0, 1000),
            option("--unfinished", &options->unfinished,
-                  "Who did not come to the end: keep (what was answered counts) or leave-out")
+                  "Participants who did not finish: keep (include their answers) or leave-out")
                .one_of({"keep", "leave-out"})
                .with_default(),
            option("--frozen", &options->frozen,
-                  "Bundle of mien study design --freeze: tell what differs from it"),
+                  "Archive written by mien study design --freeze: report differences from it"),
            option("--made", &options->made,
-                  "With --frozen: folder in which the study was made, whose media are compared")
+                  "With --frozen: folder in which the study was made, to compare its media")
                .with_default()},
       .notes =
           "Examples:\n"

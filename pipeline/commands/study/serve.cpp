@@ -57,7 +57,7 @@ std::string base_url(const ServeOptions& options, int port) {
   if (!options.url.empty()) {
     const bool is_web = options.url.starts_with("http://") || options.url.starts_with("https://");
     if (!is_web || options.url.find_first_of(" \"<>\r\n") != std::string::npos)
-      throw Error({"--url"}, motion::in_quotes(options.url) + " is no address of a web server",
+      throw Error({"--url"}, motion::in_quotes(options.url) + " is not the address of a web server",
                   "write it like https://lab.example.org");
     return options.url.substr(0, options.url.find_last_not_of('/') + 1);
   }
@@ -89,12 +89,15 @@ void tell_places(const ServeOptions& options, const ServedFiles& files, const st
     return;
   }
   console.out << fmt::format(
-      "laboratory       {}\nfor all who come {}\na link for each  {}\nanswers          {}\n"
-      "Ctrl-C ends it. What was given is kept, and the same command goes on from there.\n",
+      "experimenter     {}\n"
+      "open link        {}\n"
+      "personal links   {}\n"
+      "answers          {}\n"
+      "Stop with Ctrl-C. Answers are kept, and the same command continues from there.\n",
       lab, join, files.links.string(), files.answers.string());
   if (!is_loopback(options.listen))
-    console.out << "Answers travel unencrypted: use a network that you trust, or a web server "
-                   "with TLS before this one (--url).\n";
+    console.out << "Answers are sent unencrypted: use a trusted network, or a web server with TLS "
+                   "in front of this one (--url).\n";
   console.out.flush();
 }
 
@@ -137,10 +140,10 @@ std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest&
                 "name another file with --store");
   if (design && *design != design_hash(manifest, plan_sessions(manifest)))
     throw Error({file.string()},
-                "was begun with another questionnaire: its texts, plans or participants have "
+                "was started with a different questionnaire: texts, plans or participants have "
                 "changed since",
-                "serve the study as it was, or begin anew with --store and another file: "
-                "mien study report takes the answers of several");
+                "serve the unchanged study, or start again with another file (--store); mien study "
+                "report accepts several files of answers");
   return store;
 }
 
@@ -172,7 +175,7 @@ int serve_study(const ServedStudy& study, SessionStore& store, const ServeOption
   int finished = 0;
   for (const SessionState& state : service.sessions().states())
     finished += state.has_finished() ? 1 : 0;
-  console.err << fmt::format("{} of {} participants have finished; {} records are kept\n", finished,
+  console.err << fmt::format("{} of {} participants have finished; {} records stored\n", finished,
                              service.sessions().states().size(), store.records().size());
   return exit_done;
 }
@@ -217,32 +220,34 @@ int serve(const ServeOptions& options, const Console& console) {
 
 Command study_serve_command() {
   const auto options = std::make_shared<ServeOptions>();
-  return {
-      .name = "serve",
-      .summary = "The questionnaire or matching experiment from this machine, for a laboratory",
-      .options =
-          all_of(questionnaire_options(options->study),
-                 option("--port", &options->port, "Port to listen at; 0: any that is free")
-                     .between(0, 65535)
-                     .with_default(),
-                 option("--listen", &options->listen,
-                        "Address of this machine to listen at; 0.0.0.0 for all of them")
-                     .with_default(),
-                 option("--store", &options->store,
-                        "File in which answers are kept (default: <out>/<study>-answers.db)"),
-                 option("--url", &options->url,
-                        "How participants reach this server, if not at its address and port"),
-                 flag("--json", &options->json, "Tell the links as JSON")),
-      .notes =
-          "Makes what a questionnaire shows first, as mien run does. Each participant has a link "
-          "of their own, each\n"
-          "answer is on the disk before the page goes on, and the experimenter's page shows who "
-          "is\n"
-          "where and gives the answers out as CSV. Other machines reach it with --listen only.\n"
-          "\nExamples:\n"
-          "  mien study serve study.yaml\n"
-          "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db",
-      .run = [options](const Console& console) { return serve(*options, console); }};
+  return {.name = "serve",
+          .summary =
+              "Serve the questionnaire or matching experiment from this machine, for use in a "
+              "laboratory",
+          .options = all_of(
+              questionnaire_options(options->study),
+              option("--port", &options->port, "Port to listen on; 0: any free port")
+                  .between(0, 65535)
+                  .with_default(),
+              option("--listen", &options->listen,
+                     "Address to listen on; 0.0.0.0 for all addresses of this machine")
+                  .with_default(),
+              option("--store", &options->store,
+                     "File in which answers are stored (default: <out>/<study>-answers.db)"),
+              option("--url", &options->url,
+                     "URL at which participants reach this server, if not its address and port"),
+              flag("--json", &options->json, "Print the links as JSON")),
+          .notes =
+              "First makes the videos that a questionnaire shows, as mien run does. Each "
+              "participant has a personal\n"
+              "link, each answer is stored on disk before the page continues, and the "
+              "experimenter's page shows the\n"
+              "progress of all participants and exports the answers as CSV. Other machines have "
+              "access only with --listen.\n\n"
+              "Examples:\n"
+              "  mien study serve study.yaml\n"
+              "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db",
+          .run = [options](const Console& console) { return serve(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -77,7 +77,7 @@ StatedTruth truth_of(const SimulateCommand& command, const Manifest& manifest) {
 int simulate_matched(const SimulateCommand& command, const Manifest& manifest,
                      const Console& console) {
   if (!command.truth.empty())
-    throw Error("--truth is about questionnaires", "leave it out for a matching experiment");
+    throw Error("--truth applies to questionnaires only", "omit it for a matching experiment");
   Motions motions(manifest);
   const MatchingStudy study = matching_study(manifest, motions, command.participants);
   tell_matched_at_start(manifest, study, console);
@@ -110,20 +110,20 @@ int simulate(const SimulateCommand& command, const Console& console) {
 
 std::vector<CommandOption> people_options(SimulateCommand& options) {
   return {option("--truth", &options.truth,
-                 "CSV (stimulus, scale, value) of what people would answer on the average; without "
-                 "it, what simulated raters see in the motions"),
+                 "CSV (stimulus, scale, value) of true mean ratings (default: derived from the "
+                 "motions by simulated raters)"),
           option("--participants", &options.participants,
-                 "How many take part; as the questionnaire plans without it")
+                 "Number of participants (default: as in the manifest)")
               .between(1, 10000),
           option("--lean", &options.people.spread.participant,
-                 "Standard deviation of a participant's lean to one end, in the scale's points")
+                 "Standard deviation of participants' response bias, in scale points")
               .between(0.0, 1000.0)
               .with_default(),
           option("--residual", &options.people.spread.residual,
-                 "Standard deviation of what is left of an answer, likewise")
+                 "Residual standard deviation of an answer, in scale points")
               .between(0.0, 1000.0)
               .with_default(),
-          option("--attentive", &options.people.attentive, "Share of attention checks passed")
+          option("--attentive", &options.people.attentive, "Proportion of attention checks passed")
               .between(0.0, 1.0)
               .with_default()};
 }
@@ -134,20 +134,20 @@ Command study_simulate_command() {
   const auto options = std::make_shared<SimulateCommand>();
   return {
       .name = "simulate",
-      .summary = "Answers that nobody gave: to a questionnaire, about examples, or in matching",
+      .summary = "Simulate answers to a questionnaire, ratings of examples, or matching trials",
       .options = all_of(
           argument("manifest", &options->manifest, asked_manifest_help).optional(),
           people_options(*options),
-          option("--examples", &options->examples,
-                 std::string("Instead of a questionnaire, examples: ") + examples_help),
           option(
-              "--scales", &options->scales,
-              "With --examples: scales file (YAML); the 41 built-in adjective pairs without one"),
-          option("--raters", &options->raters, "With --examples: how many raters")
+              "--examples", &options->examples,
+              std::string("Rate examples instead of answering a questionnaire: ") + examples_help),
+          option("--scales", &options->scales,
+                 "With --examples: scales file (YAML) (default: the 41 built-in adjective pairs)"),
+          option("--raters", &options->raters, "With --examples: number of raters")
               .between(2, 1000)
               .with_default(),
-          option("--seed", &options->seed, "With --examples: seed").with_default(),
-          option("-o,--output", &options->out, "CSV to write; standard output without it")),
+          option("--seed", &options->seed, "With --examples: random seed").with_default(),
+          option("-o,--output", &options->out, "CSV to write (default: standard output)")),
       .notes =
           "Every row is marked as simulated. Examples:\n"
           "  mien study simulate emotion-study -o answers.csv\n"

@@ -51,11 +51,12 @@ std::unique_ptr<ManifestFile> opened(const std::string& name, const Console& con
   const auto installed = file_among(folder, name.empty() ? first_manifest : name);
   if (!installed) {
     manifest_meant(name, console);  // which tells what is wrong with a single word
-    throw Error({name}, "there is no such file", "name a manifest, or none for a new one");
+    throw Error({name}, "there is no such file",
+                "name an existing manifest, or omit it for a new one");
   }
   const fs::path own = name.empty() ? fs::path(own_file) : installed->filename();
   if (fs::exists(own)) return std::make_unique<ManifestFile>(own, environment);
-  console.err << fmt::format("note: it is saved to {}\n", own.string());
+  console.err << fmt::format("note: it will be saved to {}\n", own.string());
   return std::make_unique<ManifestFile>(own, environment, read_file(*installed));
 }
 
@@ -87,7 +88,8 @@ void tell_link(const StudioOptions& options, const std::string& link, const Mani
     console.out << told.dump() << std::endl;
     return;
   }
-  console.out << fmt::format("{} in the studio: {}\nCtrl-C ends it.\n", file.file().string(), link);
+  console.out << fmt::format("{} in the studio: {}\nStop with Ctrl-C.\n", file.file().string(),
+                             link);
   console.out.flush();
 }
 
@@ -127,38 +129,38 @@ int run_studio(const StudioOptions& options, const Console& console) {
 
 Command studio_command() {
   const auto options = std::make_shared<StudioOptions>();
-  return {
-      .name = studio_program.command,
-      .summary = studio_program.summary,
-      .options = {argument("manifest", &options->manifest,
-                           "Manifest (YAML) to open, or the name of one of mien manifests; without "
-                           "it, studio.yaml in this folder")
-                      .optional(),
-                  option("--out", &options->out, "Folder of the studies' folders").with_default(),
-                  option("--port", &options->port, "Port to listen at; 0: any that is free")
-                      .between(0, 65535)
-                      .with_default(),
-                  option("--jobs,-j", &options->jobs,
-                         "Threads of stills and videos (default: one a processor)")
-                      .between(1, 1024),
-                  flag("--walk", &options->walk,
-                       "Open a walker that arrow keys or a gamepad steer, and sliders of moods; "
-                       "the studio's page leads there, too, once this has compiled what it needs"),
-                  flag("--no-browser", &options->no_browser, "Tell the link and open nothing"),
-                  flag("--json", &options->json, "Tell the link as JSON and open nothing")},
-      .notes =
-          "Opens a page that shows the manifest's stimuli and makes what is changed at once. Only "
-          "this\n"
-          "machine reaches it, by a link that is new each time. Saving changes the lines of the "
-          "manifest\n"
-          "that were changed in the page; comments stay. Stills and videos by the real renderer "
-          "lie in\n"
-          "<out>/<study>.studio.\n"
-          "\nExamples:\n"
-          "  mien studio my.yaml\n"
-          "  mien studio --walk\n"
-          "  mien studio quickstart --no-browser",
-      .run = [options](const Console& console) { return run_studio(*options, console); }};
+  return {.name = studio_program.command,
+          .summary = studio_program.summary,
+          .options = {argument("manifest", &options->manifest,
+                               "Manifest (YAML) to open, or the name of one of mien manifests "
+                               "(default: studio.yaml in the current folder)")
+                          .optional(),
+                      option("--out", &options->out, "Folder of all studies").with_default(),
+                      option("--port", &options->port, "Port to listen on; 0: any free port")
+                          .between(0, 65535)
+                          .with_default(),
+                      option("--jobs,-j", &options->jobs,
+                             "Number of threads for stills and videos (default: one per processor)")
+                          .between(1, 1024),
+                      flag("--walk", &options->walk,
+                           "Open a walker steered by arrow keys or a gamepad, with sliders for "
+                           "moods; afterwards the studio's page links to it, too"),
+                      flag("--no-browser", &options->no_browser,
+                           "Print the link instead of opening a browser"),
+                      flag("--json", &options->json,
+                           "Print the link as JSON instead of opening a browser")},
+          .notes =
+              "Opens a page that shows the manifest's stimuli and updates them as they are edited. "
+              "It is accessible\n"
+              "only from this machine, by a link that is new each time. Saving changes only the "
+              "edited lines of the\n"
+              "manifest; comments are kept. Stills and videos from the renderer are saved to\n"
+              "<out>/<study>.studio.\n\n"
+              "Examples:\n"
+              "  mien studio my.yaml\n"
+              "  mien studio --walk\n"
+              "  mien studio quickstart --no-browser",
+          .run = [options](const Console& console) { return run_studio(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -17,7 +17,7 @@ namespace {
 
 Command scales_command() {
   return {.name = "scales",
-          .summary = "The 41 built-in adjective pairs as a scales file, to begin one's own with",
+          .summary = "Print the 41 built-in adjective pairs as a scales file, as a starting point",
           .notes = "Example:\n  mien study scales > my.scales.yaml",
           .run = [](const Console& console) {
             console.out << adjective_pairs_yaml();
@@ -32,9 +32,9 @@ std::vector<CommandOption> subject_options(StudySubject& subject) {
       option("--examples", &subject.examples, std::string("Examples: a manifest, ") + examples_help)
           .required(),
       option("--ratings", &subject.ratings,
-             "Answers (CSV); otherwise those of the manifest or the built-in set"),
+             "Answers (CSV) (default: those of the manifest or built-in set)"),
       option("--scales", &subject.scales,
-             "Scales file (YAML); otherwise the manifest's or the 41 adjective pairs")};
+             "Scales file (YAML) (default: that of the manifest, or the 41 adjective pairs)")};
 }
 
 Command study_command() {

@@ -21,7 +21,7 @@ CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
   for (const motion::InterpolationMethod method : methods_with_parameters())
     by_name.emplace_back(motion::name_of(method), method);
   return choice("--methods", methods, by_name,
-                "Methods of interpolation to try, with commas; " + otherwise);
+                "Interpolation methods to try, separated by commas; " + otherwise);
 }
 
 Manifest asked_manifest(const std::string& name, const Console& console) {

@@ -100,39 +100,39 @@ Command study_targets_command() {
   const auto options = std::make_shared<TargetsCommand>();
   return {
       .name = "targets",
-      .summary = "Sample motions for a matching experiment to aim at",
+      .summary = "Sample target motions for a matching experiment",
       .options = all_of(
           subject_options(options->subject),
-          option("--from", &options->kind, "What the targets are places of")
+          option("--from", &options->kind, "Space in which targets are sampled")
               .one_of({"adjectives", "features"})
               .with_default(),
           option("--parameters", &options->parameters,
-                 "Parameters by name, with commas; the primary groups without it")
+                 "Parameters, separated by commas (default: the primary groups)")
               .with_commas(),
           option("--count", &options->sampling.targets, "Targets").between(1, 100).with_default(),
           option("--practice", &options->sampling.practice, "Practice targets")
               .between(0, 100)
               .with_default(),
           option("--farthest", &options->sampling.farthest_from_example,
-                 "Largest distance of a target from its nearest example, in parameters")
+                 "Largest distance of a target from its nearest example, in parameter units")
               .positive()
               .with_default(),
           choice("--unreachable", options->sampling.unreachable,
                  {{"reject", Unreachable::reject}, {"project", Unreachable::project}},
-                 "Places that no blend of the examples has: reject draws another, project "
-                 "takes the nearest place that one has"),
+                 "Samples that no blend of the examples reaches: reject draws another, project "
+                 "moves to the nearest feasible point"),
           choice(
               "--spread", options->sampling.spread,
               {{"parameters", TargetSpread::parameters}, {"everything", TargetSpread::everything}},
-              "What targets are as far from each other as possible in: their own "
-              "parameters, or everything that was rated (with --from features: "
-              "measured)"),
-          option("--seed", &options->seed, "Seed of the sampling; the manifest's without it"),
+              "Space in which targets are spread as far apart as possible: their own parameters, "
+              "or everything rated (with --from features: measured)"),
+          option("--seed", &options->seed, "Seed of the sampling; default: as in the manifest"),
           option("-o,--output", &options->out,
-                 "Folder for targets.csv and targets.yaml, a manifest that makes them")),
+                 "Folder for targets.csv and targets.yaml, a manifest of the targets")),
       .notes =
-          "Places are drawn evenly, those far from every example or beyond every blend "
-          "rejected, and the most spread ones kept.\n\nExamples:\n"
+          "Samples are drawn uniformly; those far from every example or outside the blends are "
+          "rejected, and the most widely spread ones are kept.\n\n"
+          "Examples:\n"
           "  mien study targets --examples builtin:walks-27 --seed 7 -o out/targets\n"
           "  mien run out/targets/targets.yaml",
       .run = [options](const Console& console) { return make_targets(*options, console); }};

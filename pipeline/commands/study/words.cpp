@@ -71,7 +71,7 @@ void tell_coverage(const WordAnswers& words, std::ostream& out) {
                language.modifiers, percent(language.modifiers_understood, language.modifiers));
   }
   for (const WordCount& language : words.left_out) {
-    fmt::print(out, "left out: {} answers in \"{}\", a language that the lexicon lacks\n",
+    fmt::print(out, "excluded: {} answers in \"{}\", a language not in the lexicon\n",
                language.count, language.text);
   }
 }
@@ -86,7 +86,7 @@ void tell_stimuli(const WordAnswers& words, std::ostream& out) {
 
 void tell_words(const WordAnswers& words, std::ostream& out) {
   if (!words.respelled.empty()) {
-    out << "read as misspelt:";
+    out << "corrected spellings:";
     for (std::size_t i = 0; i < std::min(shown_words, words.respelled.size()); ++i) {
       const WordCount& word = words.respelled[i];
       fmt::print(out, "{} {} → {}", i == 0 ? "" : ",", word.text, word.as);
@@ -94,7 +94,7 @@ void tell_words(const WordAnswers& words, std::ostream& out) {
     out << '\n';
   }
   if (words.not_understood.empty()) return;
-  out << "most frequent of what is not understood:\n";
+  out << "most frequent words not understood:\n";
   for (std::size_t i = 0; i < std::min(shown_words, words.not_understood.size()); ++i) {
     const WordCount& word = words.not_understood[i];
     fmt::print(out, "  {:4} × {} ({})\n", word.count, word.text, word.language);
@@ -120,25 +120,25 @@ Command study_words_command() {
   const auto options = std::make_shared<WordsOptions>();
   return {
       .name = "words",
-      .summary = "Answers on scales, from the words that people chose freely",
-      .options =
-          {argument("words", &options->words,
-                    "CSV: participant, language, motion, verb, modifier1, modifier2 …"),
-           option("--lexicon", &options->lexicon,
-                  "Scales file with languages and words (manifests/walking-words.scales.yaml)")
-               .required(),
-           option("-o,--output", &options->out, "CSV of answers to write").required(),
-           option("--report", &options->report,
-                  "Folder for coverage.csv, not_understood.csv, respelled.csv and "
-                  "answers_a_stimulus.csv"),
-           choice(
-               "--unmentioned", options->unmentioned,
-               {{"neutral", Unmentioned::neutral}, {"no-answer", Unmentioned::no_answer}},
-               "What an answer says about a scale that it does not mention: neutral (its middle) "
-               "or no-answer")},
+      .summary = "Convert free-text answers to answers on scales",
+      .options = {argument("words", &options->words,
+                           "CSV: participant, language, motion, verb, modifier1, modifier2 …"),
+                  option(
+                      "--lexicon", &options->lexicon,
+                      "Scales file with languages and words (manifests/walking-words.scales.yaml)")
+                      .required(),
+                  option("-o,--output", &options->out, "CSV of answers to write").required(),
+                  option("--report", &options->report,
+                         "Folder for coverage.csv, not_understood.csv, respelled.csv and "
+                         "answers_a_stimulus.csv"),
+                  choice("--unmentioned", options->unmentioned,
+                         {{"neutral", Unmentioned::neutral}, {"no-answer", Unmentioned::no_answer}},
+                         "Value of an answer on scales that it does not mention: neutral (the "
+                         "middle) or no-answer")},
       .notes =
-          "A word is worth 1 of 2 towards its end of the scale, a strengthened one (\"very\") 2; a "
-          "negated\none turns round. The strongest mention of a scale in an answer counts. "
+          "A word counts 1 of 2 towards its end of the scale, a strengthened one (\"very\") 2; a "
+          "negated word counts\n"
+          "towards the opposite end. The strongest mention of a scale in an answer counts. "
           "Example:\n"
           "  mien study words words.csv --lexicon manifests/walking-words.scales.yaml -o "
           "answers.csv",

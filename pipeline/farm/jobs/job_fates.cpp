@@ -92,10 +92,10 @@ std::vector<std::string> told_losses(const std::vector<JobFate>& fates) {
     const std::string name = fate.journal.submission + "/" + fate.journal.name;
     if (fate.kind == JobFate::Kind::lost) {
       told.push_back("Slurm no longer has job " + fate.journal.job + " (" + name +
-                     "), which left no log: lost by its controller, cancelled by hand, or "
-                     "over before it could write one");
+                     "), which left no log: it was lost by the controller, cancelled by hand, or "
+                     "ended before writing one");
     } else if (fate.kind == JobFate::Kind::unanswered) {
-      told.push_back(name + " was to be submitted, but there is no such job");
+      told.push_back(name + " was to be submitted, but no such job exists");
     }
   }
   return told;

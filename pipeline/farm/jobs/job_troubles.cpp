@@ -176,11 +176,11 @@ const char* title_of(JobTrouble::Kind kind) {
     case JobTrouble::Kind::held:
       return "held by Slurm";
     case JobTrouble::Kind::outdated:
-      return "of no use any more";
+      return "obsolete";
     case JobTrouble::Kind::silent:
-      return "silent, while Slurm counts them as running";
+      return "unresponsive, although running according to Slurm";
     case JobTrouble::Kind::ended:
-      return "ended badly";
+      return "ended abnormally";
     case JobTrouble::Kind::cancelled:
       break;
   }

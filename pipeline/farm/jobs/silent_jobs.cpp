@@ -53,8 +53,8 @@ std::string silence_of(const QueueRow& row, const SignsOfLife& signs) {
       has_worker(row, signs.workers))
     return "";
   return fmt::format(
-      "no worker of theirs was heard of on {} for minutes: they are dead, or wait for the study's "
-      "folder, which that node does not see or cannot write to",
+      "their workers on {} have not reported for minutes: they have died, or are waiting for the "
+      "study's folder, which that node cannot reach or write to",
       row.node);
 }
 
@@ -68,9 +68,9 @@ std::string scancel_of(const std::vector<JobTrouble>& jobs) {
 std::string remedy_for(const std::vector<JobTrouble>& jobs, const std::string& node,
                        const std::string& study) {
   return fmt::format(
-      "scontrol show node {0} tells how it is; {1}, then mien farm resume {2} submits what is "
-      "missing. What stays for all that ends when who runs the cluster gives the node up: scontrol "
-      "update NodeName={0} State=DOWN Reason=silent",
+      "scontrol show node {0} shows its state; {1}, then mien farm resume {2} submits what is "
+      "missing. Jobs that remain nevertheless end when an administrator takes the node down: "
+      "scontrol update NodeName={0} State=DOWN Reason=silent",
       node, scancel_of(jobs), study);
 }
 

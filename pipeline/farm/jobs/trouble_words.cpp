@@ -16,26 +16,30 @@ std::string resume(const std::string& study) { return "mien farm resume " + stud
 std::string submit(const std::string& study) { return resume(study) + " submits what is missing"; }
 
 std::string look_first(const std::string& study) {
-  return "mien farm logs " + study + " tells what is wrong; mend it, then " + resume(study);
+  return "mien farm logs " + study + " shows the error; fix it, then " + resume(study);
 }
 
 std::string look_and_submit(const std::string& study) {
-  return "mien farm logs " + study + " tells more; " + submit(study);
+  return "mien farm logs " + study + " shows details; " + submit(study);
 }
 
 std::string mend_folder(const std::string& study) {
-  return "make room in it, or bring it back; then " + submit(study);
+  return "free space in it or restore it, then " + submit(study);
 }
 
 /// Of a job that notes how it ends, and has not.
 TroubleWords words_of_no_note(const std::string& what, const std::string& study) {
-  return {what + " without a note of why, as where the study's folder is full, read-only or away",
+  return {what +
+              " without a recorded reason, as when the study's folder is full, read-only or "
+              "unavailable",
           mend_folder(study)};
 }
 
 TroubleWords short_of_memory(const std::string& study) {
-  return {"too little memory",
-          resume(study) + " asks for twice the memory if --mem was given, or for what --mem says"};
+  return {
+      "out of memory",
+      resume(study) +
+          " requests twice the memory if --mem was given before, or the amount given with --mem"};
 }
 
 /// A code as a worker gives it: `mien run` is a command for people, and has other ones.
@@ -61,25 +65,23 @@ TroubleWords words_of_signal(const ElementEnd& end, const std::string& study) {
 TroubleWords words_of_end(const ElementEnd& end, bool is_rest, const std::string& study) {
   switch (worker_code(end.code, is_rest)) {
     case worker_bad_input:
-      return {fmt::format("bad input, which trying again would not help (exit code {})",
-                          worker_bad_input),
+      return {fmt::format("bad input, not retried (exit code {})", worker_bad_input),
               look_first(study)};
     case worker_transient:
-      if (end.restarts < most_restarts) return {"stopped on the way", submit(study)};
-      return {fmt::format("{} times stopped, or failed by the machine's fault (exit code {})",
+      if (end.restarts < most_restarts) return {"stopped before completion", submit(study)};
+      return {fmt::format("stopped, or failed because of the machine, {} times (exit code {})",
                           end.restarts + 1, worker_gave_up),
               look_and_submit(study)};
     case worker_no_disk:
-      return {
-          fmt::format("waited in vain for the study's folder, which was full, read-only or away "
-                      "(exit code {})",
-                      worker_no_disk),
-          mend_folder(study)};
+      return {fmt::format("gave up waiting for the study's folder, which was full, read-only or "
+                          "unavailable (exit code {})",
+                          worker_no_disk),
+              mend_folder(study)};
     case worker_gave_up:
       return {fmt::format("failed (exit code {})", worker_gave_up), look_and_submit(study)};
     case worker_wrong_setup:
-      return {fmt::format("wrong set-up: no manifest or list there, or another mien or kind of "
-                          "processor than it was submitted with (exit code {})",
+      return {fmt::format("wrong configuration: manifest or list missing, or a different version "
+                          "of mien or kind of processor than at submission (exit code {})",
                           worker_wrong_setup),
               look_first(study)};
     case 126:
@@ -96,39 +98,39 @@ TroubleWords words_of_state(const QueueRow& row, const std::string& study) {
   if (row.state == "OUT_OF_MEMORY") return short_of_memory(study);
   if (row.state == "TIMEOUT" || row.state == "DEADLINE")
     return {"time limit reached", submit(study) + ", with --time 4:00:00 for longer"};
-  if (row.state == "NODE_FAIL" || row.state == "BOOT_FAIL") return {"the node died", submit(study)};
+  if (row.state == "NODE_FAIL" || row.state == "BOOT_FAIL") return {"node failure", submit(study)};
   if (row.state == "PREEMPTED") return {"preempted", submit(study)};
-  if (row.reason == "NonZeroExitCode") return words_of_no_note("ended by itself", study);
-  return {"killed, or not to be started, without a word (" + row.reason + ")",
+  if (row.reason == "NonZeroExitCode") return words_of_no_note("ended on its own", study);
+  return {"killed or not started, without an error message (" + row.reason + ")",
           look_and_submit(study)};
 }
 
 TroubleWords words_of_hold(const QueueRow& row, const std::string& study) {
   const std::string& reason = row.reason;
   if (asks_too_much(row)) {
-    return {"no node of the partition has what is asked for (" + reason + ")",
+    return {"no node of the partition satisfies the request (" + reason + ")",
             resume(study) +
-                " --jobs 1, or with another --mem, --time or --partition, submits anew; sinfo -N "
-                "-l tells what nodes have"};
+                " --jobs 1, or with another --mem, --time or --partition, submits it again; sinfo "
+                "-N -l lists the nodes' resources"};
   }
   if (reason == "DependencyNeverSatisfied")
-    return {"waiting for a job that did not end as is asked", submit(study)};
+    return {"waiting for a job that did not end as required", submit(study)};
   if (reason.starts_with("launch")) return {"could not be started on the node", submit(study)};
   if (reason == "JobHeldAdmin")
-    return {"held by who runs the cluster", "ask them; only they can release it"};
+    return {"held by an administrator", "ask the administrator, who alone can release it"};
   if (row.state == "PENDING") {
-    return {"held by hand",
-            "scontrol release lets it go on; " + resume(study) + " submits it anew"};
+    return {"held by the user",
+            "scontrol release releases it; " + resume(study) + " submits it again"};
   }
-  if (row.state == "SPECIAL_EXIT") return words_of_no_note("held itself", study);
-  return {"ended badly", look_first(study)};
+  if (row.state == "SPECIAL_EXIT") return words_of_no_note("put itself on hold", study);
+  return {"ended abnormally", look_first(study)};
 }
 
 TroubleWords words_of_edit(const std::string& study) {
   return {
-      "the manifest was edited after it was submitted, or mien, --quality or the kind of "
-      "processor is another",
-      resume(study) + " takes the jobs back and submits the study as it is now"};
+      "the manifest was edited after submission, or mien, --quality or the kind of processor has "
+      "changed",
+      resume(study) + " cancels the jobs and submits the study as it is now"};
 }
 
 }  // namespace mien::pipeline

@@ -28,7 +28,7 @@ std::string line(std::string_view option, std::string_view value) {
 std::string introduction(const BatchJob& job, const StudyCall& call) {
   if (job.elements == 0) {
     return fmt::format(
-        "# {}, submission {}: makes what its other jobs left undone, and the study's record.\n"
+        "# {}, submission {}: makes what its other jobs did not, and the study's record.\n"
         "# To run it again: sbatch {}.sbatch (or mien farm resume)\n",
         call.study, job.submission, job.name);
   }
@@ -36,7 +36,7 @@ std::string introduction(const BatchJob& job, const StudyCall& call) {
       "# {0}, submission {1}: {2}, each a line of {3}.tasks.\n"
       "# To run it again: sbatch {3}.sbatch; or some of it: sbatch --array=3,7 {3}.sbatch\n"
       "# Without Slurm: SLURM_ARRAY_TASK_ID=3 bash {3}.sbatch\n"
-      "# What is there is not made again.\n",
+      "# Existing results are not made again.\n",
       call.study, job.submission,
       job.elements == 1 ? "1 element" : fmt::format("{} elements", job.elements), job.name);
 }
@@ -134,7 +134,7 @@ std::string ending(const BatchJob& job, const SlurmSite& site) {
   // `mien run` is a command for people, and has other codes.
   const int again = job.elements > 0 ? worker_transient : stopped_run;
   const std::string wrong = job.elements > 0 ? std::to_string(worker_bad_input) : "2";
-  text += job.elements > 0 ? "# $code is the worker's: mien farm worker --help tells them.\n"
+  text += job.elements > 0 ? "# $code is the worker's: see mien farm worker --help.\n"
                            : fmt::format(
                                  "# $code is that of mien run: 130 it was stopped, 2 bad "
                                  "input, 1 something failed. The job ends with a worker's: "

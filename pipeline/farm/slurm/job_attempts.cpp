@@ -22,7 +22,7 @@ open_log
 
 # What ails the study's folder, in the system's words; nothing when it takes what is written.
 ailment() {
-  [ -d "$folder/ends" ] || { echo "$folder/ends is not there"; return; }
+  [ -d "$folder/ends" ] || { echo "$folder/ends does not exist"; return; }
   local probe=$folder/ends/.writable-$job-$$ words
   words=$( { head -c 1048576 /dev/zero >"$probe" && sync "$probe"; } 2>&1) ||
     echo "$folder cannot be written to (${words##*: })"
@@ -49,12 +49,12 @@ await_folder() {
   local ails before=
   while ails=$(ailment); [ -n "$ails" ]; do
     [ -z "$stopped" ] && [ "$waited" -lt "$patience" ] || return 1
-    [ -n "$before" ] || say "$ails; waits for that, $((patience - waited)) s at most"
+    [ -n "$before" ] || say "$ails; waiting, at most $((patience - waited)) s"
     before=$ails
     pause 10
   done
   open_log
-  [ -z "$before" ] || say "goes on; $waited s were waited, because $before"
+  [ -z "$before" ] || say "continues after waiting $waited s, because $before"
 }
 
 )sh";
@@ -79,14 +79,14 @@ constexpr const char* loop = R"sh(while :; do
   if cd -- "$started"; then work; else code={wrong_setup}; fi
   [ $code -ne 0 ] && [ -z "$stopped" ] && [ "$waited" -lt "$patience" ] || break
   if [ $code -eq {no_disk} ]; then  # what was removed may have made room, until it is written again
-    say "tries again in a minute"
+    say "retrying in a minute"
     pause 60
   elif [ -z "$(ailment)" ]; then
     break
   fi
 done
 trap - TERM INT
-[ -z "$stopped" ] || say "was told to stop: time limit, preemption or scancel"
+[ -z "$stopped" ] || say "received a stop signal: time limit, preemption or scancel"
 
 )sh";
 

@@ -16,12 +16,11 @@ namespace mien::pipeline {
 namespace {
 
 constexpr std::string_view configuration_remedy =
-    "Slurm's configuration cannot be read: unset SLURM_CONF, or let it name the cluster's "
-    "slurm.conf";
+    "Slurm's configuration cannot be read: unset SLURM_CONF, or set it to the cluster's slurm.conf";
 
 constexpr std::string_view no_room_remedy =
-    "Slurm has as many jobs of everybody as it takes (scontrol show config | grep MaxJobCount): a "
-    "larger --chunk makes fewer, or try again when others have ended";
+    "Slurm has reached its job limit for all users (scontrol show config | grep MaxJobCount): use "
+    "a larger --chunk for fewer jobs, or try again when other jobs have ended";
 
 struct Remedy {
   std::string_view words;  ///< in what Slurm says
@@ -31,24 +30,25 @@ struct Remedy {
 // Slurm's words and what mends it; the first that is found counts.
 constexpr std::array remedies = {
     Remedy{"Unable to contact slurm controller",
-           "Slurm's controller does not answer: try again later, or ask who runs the cluster "
+           "Slurm's controller does not answer: try again later, or ask the administrators "
            "(scontrol ping)"},
     Remedy{"Connection refused", "Slurm's controller does not answer: scontrol ping"},
     Remedy{"Socket timed out", "Slurm's controller is slow: try again, nothing is submitted twice"},
     Remedy{"ould not establish a configuration source",
-           "this machine is no part of a cluster: log in to one that is, or set SLURM_CONF"},
+           "this machine is not part of a cluster: log in to one that is, or set SLURM_CONF"},
     Remedy{"unable to status file", configuration_remedy},
     Remedy{"nable to process configuration file", configuration_remedy},
     Remedy{"arse error in file", configuration_remedy},
     Remedy{"nable to establish control machine address",
-           "this machine does not know the controller that slurm.conf names: is SLURM_CONF the "
-           "right one?"},
-    Remedy{"unable to determine hostname", "this machine is no part of a cluster"},
-    Remedy{"munge", "the authentication service munge does not run here: ask who runs the cluster"},
+           "this machine cannot resolve the controller named in slurm.conf: check SLURM_CONF"},
+    Remedy{"unable to determine hostname", "this machine is not part of a cluster"},
+    Remedy{
+        "munge",
+        "the authentication service munge is not running on this machine: ask the administrators"},
     Remedy{"nable to accept job", no_room_remedy},
     Remedy{"job queue full", no_room_remedy},
     Remedy{"Job creation temporarily disabled",
-           "the cluster takes no jobs at the moment: try again later"},
+           "the cluster accepts no jobs at the moment: try again later"},
     Remedy{"Invalid job array specification",
            "the site allows smaller arrays: scontrol show config | grep MaxArraySize"},
     Remedy{"invalid partition", "there is no such partition: sinfo lists them"},
@@ -56,17 +56,17 @@ constexpr std::array remedies = {
            "the account is not yours: sacctmgr show associations user=$USER lists yours"},
     Remedy{"Invalid qos", "there is no such QOS: sacctmgr show qos lists them"},
     Remedy{"emory specification can not be satisfied",
-           "no node has so much memory: a smaller --mem"},
+           "no node has that much memory: use a smaller --mem"},
     Remedy{"equested node configuration is not available",
-           "no node has so many processors or so much memory: a smaller --jobs or --mem (sinfo -N "
-           "-l)"},
+           "no node has that many processors or that much memory: use a smaller --jobs or --mem "
+           "(sinfo -N -l)"},
     Remedy{"equested time limit is invalid",
-           "the partition allows less time: a shorter --time (sinfo lists the limits)"},
+           "the partition allows less time: use a shorter --time (sinfo lists the limits)"},
     Remedy{"nvalid time limit", "--time takes minutes, HH:MM:SS or D-HH:MM:SS"},
     Remedy{"QOSMaxSubmitJobPerUserLimit",
-           "the site allows you fewer jobs at a time: a larger --chunk makes fewer"},
+           "the site allows you fewer jobs at a time: use a larger --chunk for fewer jobs"},
     Remedy{"ob violates accounting",
-           "the site's limits are reached: a larger --chunk makes fewer jobs"},
+           "the site's limits are reached: use a larger --chunk for fewer jobs"},
     Remedy{"ccess denied", "the partition or account is not open to you: sinfo, sacctmgr"},
 };
 
@@ -86,7 +86,7 @@ void refuse_missing_configuration() {
   std::error_code unknown;
   if (file == nullptr || *file == '\0' || std::filesystem::exists(file, unknown)) return;
   throw SlurmFault(std::string("SLURM_CONF names ") + file +
-                   ", which is not there: unset it, or let it name the cluster's slurm.conf");
+                   ", which does not exist: unset it, or set it to the cluster's slurm.conf");
 }
 
 /// Whether sbatch was told, until its time was up, that no job can be taken now: it repeats itself.
@@ -118,8 +118,8 @@ bool had_ended(const CommandEnd& end) {
 std::string slurm_fault(const std::string& program, const CommandEnd& end) {
   if (end.is_missing) {
     return program +
-           " is not there: Slurm is not installed on this machine; log in to one of the "
-           "cluster's, or use mien run, which needs none";
+           " was not found: Slurm is not installed on this machine; log in to a machine of the "
+           "cluster, or use mien run, which does not need Slurm";
   }
   const std::string words = without_end(end.errors.empty() ? end.output : end.errors);
   for (const Remedy& one : remedies) {
@@ -127,7 +127,7 @@ std::string slurm_fault(const std::string& program, const CommandEnd& end) {
     return program + " failed: " + std::string(one.remedy) + "\n" + quoted(words);
   }
   if (end.timed_out) {
-    return program + " did not answer in time; scontrol ping tells whether Slurm is up" +
+    return program + " did not answer in time; scontrol ping shows whether Slurm is up" +
            (words.empty() ? "" : "\n" + quoted(words));
   }
   return program + " failed: " + words;
@@ -179,7 +179,7 @@ std::string Slurm::submit(const std::filesystem::path& script,
   // "17", or "17;cluster" where there are several.
   const std::string job = end.output.substr(0, end.output.find_first_of(";\n"));
   if (motion::as_number<unsigned>(job)) return job;
-  throw SlurmSilence("sbatch gave no job: " + without_end(end.output));
+  throw SlurmSilence("sbatch returned no job: " + without_end(end.output));
 }
 
 void Slurm::cancel(const std::vector<std::string>& jobs) const {

@@ -35,7 +35,7 @@ ManifestReading read_again(const StudyRecord& record, const std::filesystem::pat
     if (std::filesystem::is_regular_file(needed, unknown)) continue;
     reading.faults.push_back({{file.string(), 0, 0},
                               "",
-                              "there is no " + needed.string() + ", which it rests on",
+                              "there is no " + needed.string() + ", which it depends on",
                               "keep the folder inputs beside it"});
   }
   if (!reading.faults.empty()) return reading;

@@ -66,8 +66,9 @@ Fault told_as_no_manifest(DocumentKind kind, const std::filesystem::path& file) 
   const NamedDocument document = named_document(kind, file.filename().string());
   return {{file.string(), 1, 1},
           "",
-          "holds " + document.holds + ", and is no manifest",
-          "name it in one, as " + document.as_named + "; mien check alone takes it as it is"};
+          "holds " + document.holds + ", and is not a manifest",
+          "refer to it in a manifest as " + document.as_named +
+              "; only mien check accepts it directly"};
 }
 
 std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file) {

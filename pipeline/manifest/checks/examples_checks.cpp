@@ -19,7 +19,7 @@ void check_folder(const Examples& examples, FaultList& list) {
   std::error_code error;
   if (examples.folder.empty() || std::filesystem::is_directory(examples.folder, error)) return;
   list.add("examples.set.folder", "there is no folder " + examples.folder.string(),
-           "correct the path; it is taken from the manifest's folder");
+           "correct the path; it is relative to the manifest's folder");
 }
 
 void check_takes(const Examples& examples, FaultList& list) {
@@ -28,21 +28,21 @@ void check_takes(const Examples& examples, FaultList& list) {
   if (std::ranges::any_of(motion::example_files(example_folder(examples)), motion::may_hold_takes))
     return;
   list.add("examples.set.take", "none of the files can hold several motions",
-           "leave take out; glTF files (.gltf, .glb) may hold several");
+           "omit take; glTF files (.gltf, .glb) can hold several");
 }
 
 void check_keytimes(const Examples& examples, FaultList& list) {
   for (const auto& [stem, times] : examples.keytimes) {
     const std::string path = member_path("examples.set.keytimes", stem);
     if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end()) {
-      list.add(path, "keytimes do not ascend", "write seconds in the order in which they come");
+      list.add(path, "keytimes are not in ascending order", "write seconds in ascending order");
     }
     const auto& [first, moments] = examples.keytimes.front();
     if (times.size() == moments.size()) continue;
     list.add(path,
              std::to_string(times.size()) + " keytimes where " + motion::in_quotes(first) +
                  " has " + std::to_string(moments.size()),
-             "give every motion the same moments");
+             "give every motion the same number of keytimes");
   }
 }
 
@@ -68,7 +68,7 @@ void check_scales(const Manifest& manifest, FaultList& list) {
                   motion::max_document_bytes);
   if (manifest.ratings.source != Ratings::Source::builtin) return;
   list.add("examples.scales", "built-in ratings are on the built-in scales",
-           "use ratings: simulated, or leave scales out");
+           "use ratings: simulated, or omit scales");
 }
 
 }  // namespace

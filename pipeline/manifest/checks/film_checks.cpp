@@ -36,7 +36,7 @@ void check_crop(const WrittenOutput& written) {
   if (left + width <= whole_width && top + height <= whole_height) return;
   written.list.add(
       written.at("crop"),
-      fmt::format("reaches beyond the picture of {} × {} pixels", whole_width, whole_height),
+      fmt::format("extends beyond the image of {} × {} pixels", whole_width, whole_height),
       "write [from the left, from the top, width, height] in pixels of size");
 }
 
@@ -44,14 +44,14 @@ void check_picture_size(const WrittenOutput& written) {
   const auto [width, height] = written.output.shown_size();
   if (width < least_picture_side || height < least_picture_side) {
     written.list.add(written.size_at(),
-                     fmt::format("leaves a picture of {} × {} pixels", width, height),
-                     fmt::format("leave at least {} each way", least_picture_side));
+                     fmt::format("leaves an image of {} × {} pixels", width, height),
+                     fmt::format("leave at least {} in each dimension", least_picture_side));
   }
   const auto [drawn_width, drawn_height] = written.output.whole_size();
   if (std::int64_t{drawn_width} * drawn_height > most_picture_pixels) {
     written.list.add(written.at(written.says("scale") ? "scale" : "size"),
-                     fmt::format("makes pictures of {} × {} pixels, too many to draw", drawn_width,
-                                 drawn_height),
+                     fmt::format("gives images of {} × {} pixels, which are too large to render",
+                                 drawn_width, drawn_height),
                      "use a smaller scale or size");
   }
 }
@@ -61,9 +61,9 @@ void check_rates(const WrittenOutput& written) {
     const render::VideoTraits& traits = render::traits_of(kind);
     if (written.output.fps <= traits.most_fps) continue;
     written.list.add(written.at(written.says("fps") ? "fps" : "video"),
-                     fmt::format("{} shows at most {} frames a second at their true speed",
+                     fmt::format("{} plays at most {} frames per second at the correct speed",
                                  traits.name, traits.most_fps),
-                     "use fewer, or another kind of video");
+                     "use fewer, or another video format");
   }
 }
 
@@ -85,7 +85,7 @@ void check_video_size(const WrittenOutput& written) {
         fmt::format("use {} × {}, or no video", width + width % 2, height + height % 2));
   } else {
     written.list.add(written.size_at(),
-                     fmt::format("{} needs an even width and height, and these are {} × {}", name,
+                     fmt::format("{} needs an even width and height, but these are {} × {}", name,
                                  width, height),
                      "change size, scale or crop until they are even, or use no video");
   }
@@ -115,19 +115,19 @@ void check_figure_size(const WrittenFilm& written) {
   const int height = written.film.output.size[1];
   if (!figure_px || *figure_px <= height) return;
   written.list.add(written.look_at("camera.figure_px"),
-                   fmt::format("the figure would be taller than the picture of {} pixels", height),
+                   fmt::format("the figure would be taller than the image of {} pixels", height),
                    "use fewer pixels, or a larger size");
 }
 
 void check_stereo(const WrittenFilm& written) {
   if (!written.film.look.camera.stereo_separation_m) return;
   if (written.film.output.frames == FrameFormat::layers) {
-    written.list.add(written.output_at("frames"), "layers are of one eye",
-                     "choose another format, or leave stereo out");
+    written.list.add(written.output_at("frames"), "layers cannot be stereo pairs",
+                     "choose another format, or omit stereo");
   }
   if (written.film.output.crop) {
     written.list.add(written.output_at("crop"), "a stereo pair cannot be cropped",
-                     "leave crop or stereo out");
+                     "omit crop or stereo");
   }
 }
 
@@ -135,10 +135,11 @@ void check_shutter(const WrittenFilm& written) {
   if (written.film.output.shutter == 0.0) return;
   const std::string path = written.output_at("shutter");
   if (std::holds_alternative<scenes::PointLightOptions>(written.film.look.figure)) {
-    written.list.add(path, "point lights have no motion blur", "leave it out, or set it to 0");
+    written.list.add(path, "motion blur is not available for point lights",
+                     "omit it, or set it to 0");
   } else if (written.film.output.frames == FrameFormat::layers) {
-    written.list.add(path, "layers tell what stands still: they have no motion blur",
-                     "leave it out, or choose another format than layers");
+    written.list.add(path, "layers cannot have motion blur",
+                     "omit it, or choose a format other than layers");
   }
 }
 

@@ -37,8 +37,8 @@ std::vector<Fault> check_equalized_sizes(const Manifest& manifest) {
     const scenes::CameraSettings& camera = stimulus.look.camera;
     if (!camera.screen && !camera.position && !camera.figure_px && camera.path.empty()) continue;
     list.add("equalize",
-             "the camera of \"" + stimulus.id + "\" says already how large its figure is seen",
-             "leave size out, or give that camera a view alone");
+             "the camera of \"" + stimulus.id + "\" already determines the size of its figure",
+             "omit size, or give that camera only a view");
   }
   return list.take();
 }
@@ -51,8 +51,8 @@ std::vector<Fault> check_equalized_places(const Manifest& manifest) {
     const scenes::CameraSettings& camera = stimulus.look.camera;
     if (!camera.position && camera.path.empty()) continue;
     list.add("equalize",
-             "the camera of \"" + stimulus.id + "\" says already where its figure is seen",
-             "leave place out, or give that camera a view");
+             "the camera of \"" + stimulus.id + "\" already determines the position of its figure",
+             "omit place, or give that camera a view");
   }
   return list.take();
 }

@@ -29,8 +29,8 @@ class MatchingCheck {
 
   std::vector<Fault> faults() {
     if (manifest_.questionnaire)
-      list_.add("matching", "there is a questionnaire, too",
-                "participants take one or the other: put each into a manifest of its own");
+      list_.add("matching", "there is also a questionnaire",
+                "a manifest has one or the other; use separate manifests");
     check_targets();
     check_sliders();
     check_demographics();
@@ -51,7 +51,7 @@ class MatchingCheck {
       const std::string path = element_path(matching_path(key), i);
       if (!known.empty()) list_.check_word(path, names[i], what, known);
       if (!taken.insert(names[i]).second)
-        list_.add(path, motion::in_quotes(names[i]) + " stands here twice", "name it once");
+        list_.add(path, motion::in_quotes(names[i]) + " appears twice", "name it once");
     }
   }
 
@@ -71,7 +71,7 @@ class MatchingCheck {
       if (std::abs(apart) >= 32) return;
     }
     list_.add(matching_path("created_colour"),
-              "nobody can tell " + matching_.created_colour + " and the target's " +
+              "no participant can tell " + matching_.created_colour + " and the target's " +
                   matching_.target_colour + " apart",
               "give the two figures different colours");
   }
@@ -86,11 +86,11 @@ class MatchingCheck {
           is_in(stimulus.id, matching_.practice) || is_in(stimulus.id, matching_targets(manifest_));
       if (is_asked && stimulus.walk)
         list_.add(member_path(stimulus.path, "path"),
-                  "sliders make one cycle of walking, and this walks a path",
-                  "match a stimulus of adjectives, features, weights or a clip");
+                  "sliders make one gait cycle, but this stimulus walks along a path",
+                  "use a target made from adjectives, features, weights or a clip");
     }
     if (matching_targets(manifest_).empty())
-      list_.add("matching", "there is no motion to be matched",
+      list_.add("matching", "there is no target motion",
                 "name stimuli as targets: […], or give stimuli role: target");
   }
 
@@ -122,7 +122,7 @@ class MatchingCheck {
     for (std::size_t i = 0; i < matching_.demographics.size(); ++i) {
       if (!taken.insert(matching_.demographics[i].id).second)
         list_.add(member_path(element_path(matching_path("demographics"), i), "id"),
-                  "there is another question with this id", "give each its own");
+                  "another question has this id", "give each a different one");
     }
   }
 

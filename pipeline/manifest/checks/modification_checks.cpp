@@ -22,7 +22,7 @@ class StepChecker : FaultList {
   void check_step(const ModificationStep& step) {
     check_style(step);
     if (step.edit.names("paths") && step.edit.names("gains")) {
-      add(member_path(step.path, "gains"), "paths says already how bands are weighted",
+      add(member_path(step.path, "gains"), "paths already determines the band gains",
           "give paths or gains");
     }
     if (step.edit.pose) {
@@ -64,19 +64,18 @@ class StepChecker : FaultList {
       if (!was_given(path) || is_for) continue;
       add(path,
           "only " + (method ? "method: " + std::string(name_of(*method)) : "a method") +
-              " has this",
-          "leave it out");
+              " has this key",
+          "omit it");
     }
     if (!step.style) return;
     for (const char* key : {"neutral", "styled"}) {
       if (was_given(member_path(step.path, key))) continue;
       add(member_path(step.path, "method"),
-          "a style is the difference of two examples, and " + std::string(key) + " is missing",
+          "a style is the difference between two examples, but " + std::string(key) + " is missing",
           "add neutral: and styled:");
     }
     if (!was_given("examples")) {
-      add(member_path(step.path, "method"), "there are no examples to take a style from",
-          "add examples:");
+      add(member_path(step.path, "method"), "there are no examples for a style", "add examples:");
     }
     for (const char* key :
          {"emotion", "paths", "gains", "signal", "acceleration", "acceleration_at", "limbs",
@@ -93,8 +92,9 @@ class StepChecker : FaultList {
                  motion::max_recording_bytes);
     check_take(member_path(path, "take"), pose.file, pose.take, *this);
     if (!pose.example.empty() && !pose.take.empty()) {
-      add(member_path(path, "take"), motion::in_quotes(pose.example) + " is an example, one motion",
-          "leave take out, or name a motion file");
+      add(member_path(path, "take"),
+          motion::in_quotes(pose.example) + " is an example with one motion",
+          "omit take, or name a motion file");
     }
     if (!pose.example.empty() && !was_given("examples")) {
       add(path, "there are no examples to take " + motion::in_quotes(pose.example) + " from",
@@ -108,13 +108,13 @@ class StepChecker : FaultList {
     const std::string problem =
         pose.file.empty() ? "" : motion::read_error(pose.file, motion::max_recording_bytes);
     if (!problem.empty()) {
-      add(path, "its recipe names a pose of " + pose.file.string() + ": " + problem,
-          "correct the recipe; paths are taken from its file's folder");
+      add(path, "its recipe uses a pose of " + pose.file.string() + ": " + problem,
+          "correct the recipe; paths are relative to its file's folder");
     }
     if (!pose.example.empty() && !was_given("examples")) {
       add(path,
-          "its recipe takes a pose of " + motion::in_quotes(pose.example) +
-              ", and there are no examples",
+          "its recipe uses a pose of " + motion::in_quotes(pose.example) +
+              ", but there are no examples",
           "add examples:");
     }
   }

@@ -64,8 +64,8 @@ void check_unique(const std::string& id, const std::string& path, TakenIds& take
                   FaultList& list) {
   if (id.empty()) return;
   if (const std::string fault = motion::fault_of_name(id); !fault.empty()) {
-    list.add(member_path(path, "id"), "\"" + id + "\" " + fault + ", and files are called after it",
-             "give it another id");
+    list.add(member_path(path, "id"), "\"" + id + "\" " + fault + ", and files are named after it",
+             "use another id");
     return;
   }
   const auto [entry, is_new] = taken.emplace(without_case(id), TakenId{id, path});
@@ -74,12 +74,12 @@ void check_unique(const std::string& id, const std::string& path, TakenIds& take
   const std::string at = member_path(path, "id");
   if (first.id == id) {
     list.add(at, motion::in_quotes(id) + " is already the id of " + first.path,
-             "give each its own");
+             "give each a different one");
   } else {
     list.add(at,
              motion::in_quotes(id) + " differs from " + motion::in_quotes(first.id) + " of " +
-                 first.path + " by case alone, and so would their files",
-             "give it another id");
+                 first.path + " only in case, and so would their files",
+             "use another id");
   }
 }
 
@@ -94,7 +94,7 @@ void check_video_names(const Manifest& manifest, FaultList& list) {
       if (is_new || without_case(first->second) == without_case(film->id)) continue;
       list.add(member_path(film->path, "id"),
                "its video " + file + " would be that of " + motion::in_quotes(first->second),
-               "give it another id");
+               "use another id");
     }
   }
 }
@@ -141,11 +141,10 @@ void check_hold(const Stimulus& stimulus, const Names& parameters, const ScaleSe
   if (stimulus.interpolation.weights.method != motion::InterpolationMethod::grid || held == 0 ||
       count <= static_cast<std::size_t>(motion::max_grid_dimensions))
     return;
-  list.add(
-      path,
-      fmt::format("a grid over {} parameters, asked for and held, has too many corners", count),
-      fmt::format("hold fewer, {} in all at most, or use another method",
-                  motion::max_grid_dimensions));
+  list.add(path,
+           fmt::format("a grid over {} requested and held parameters has too many corners", count),
+           fmt::format("hold fewer, at most {} in all, or use another method",
+                       motion::max_grid_dimensions));
 }
 
 void check_motion(const std::string& path, const std::string& name, const NameIndex& motions,
@@ -159,7 +158,7 @@ void check_motion(const std::string& path, const std::string& name, const NameIn
 void check_pictured(const std::string& path, const std::string& name, const NameIndex& stimuli,
                     FaultList& list) {
   if (name.empty() || stimuli.known.contains(name)) return;
-  list.add(path, motion::in_quotes(name) + " is no stimulus",
+  list.add(path, motion::in_quotes(name) + " is not a stimulus",
            motion::did_you_mean(name, stimuli.names));
 }
 
@@ -172,9 +171,8 @@ void check_order(const std::string& path, const Names& order, const Names& examp
     const auto first = std::ranges::find(order, order[i]) - order.begin();
     if (static_cast<std::size_t>(first) == i) continue;
     list.add(at,
-             fmt::format("{} stands in this order already, as number {}, and cannot be rated "
-                         "higher than itself",
-                         motion::in_quotes(order[i]), first + 1),
+             fmt::format("{} is already in this order, as number {}", motion::in_quotes(order[i]),
+                         first + 1),
              "name each example once");
   }
 }
@@ -194,7 +192,7 @@ void check_stems(const Manifest& manifest, const Names& stems, FaultList& list) 
   const auto check = [&](const std::string& path, const auto& by_stem) {
     for (const auto& [stem, value] : by_stem) {
       if (stems.empty() || is_among(stem, stems)) continue;
-      list.add_at_key(member_path(path, stem), "no example's file is called so",
+      list.add_at_key(member_path(path, stem), "no example has a file of this name",
                       motion::did_you_mean(stem, stems));
     }
   };

@@ -38,10 +38,10 @@ void check_adjectives(const std::string& path, const Mood& mood, const auto& is_
   for (const auto& [name, value] : mood) {
     if (!is_adjective(name)) {
       list.add_at_key(member_path(path, name),
-                      "this is no adjective, and the mood is of adjectives",
+                      "this is not an adjective, but the other names of this mood are",
                       "name adjectives or walks, not both");
     } else if (value > 1.0) {
-      list.add(member_path(path, name), "an adjective goes from 0 to 1", "give it 1 at most");
+      list.add(member_path(path, name), "adjectives range from 0 to 1", "use at most 1");
     }
   }
 }
@@ -58,29 +58,28 @@ void check_mood(const std::string& path, const Mood& mood, const std::vector<std
     return check_adjectives(path, mood, is_adjective, list);
   for (const auto& [name, weight] : mood) {
     if (std::ranges::find(walks, name) != walks.end()) continue;
-    list.add_at_key(member_path(path, name), "the set has no walk of that name",
+    list.add_at_key(member_path(path, name), "the set has no walk of this name",
                     motion::did_you_mean(name, walks_and_adjectives(walks, adjectives)));
   }
   const auto is_positive = [](const auto& one) { return one.second > 0.0; };
   if (std::ranges::none_of(mood, is_positive))
-    list.add(path, "no share is above 0", "give at least one walk a share");
+    list.add(path, "all weights are 0", "give at least one walk a weight");
 }
 
 void check_step(const std::string& path, const WalkStep& step, FaultList& list) {
   if (step.walk_s && step.pace && *step.pace < slowest_pace) {
-    list.add(member_path(path, "pace"), "this slow nobody walks",
-             fmt::format("give it a pace of {} at least, or write stand: instead of walk:",
-                         slowest_pace));
+    list.add(member_path(path, "pace"), "this is too slow for a walk",
+             fmt::format("use a pace of at least {}, or stand: instead of walk:", slowest_pace));
   }
   if (step.stand_s && step.pace) {
-    list.add(member_path(path, "pace"), "standing has no pace", "leave it out, or write walk:");
+    list.add(member_path(path, "pace"), "standing has no pace", "omit it, or use walk:");
   }
   if (!step.walk_s && step.curve_deg_s != 0.0) {
-    list.add(member_path(path, "curve"), "only a walk goes in a curve",
-             "give it to a step with walk:, or write turn: with the degrees in all");
+    list.add(member_path(path, "curve"), "only walks can follow a curve",
+             "use it in a step with walk:, or use turn: with the total degrees");
   }
   if (step.turn_deg && *step.turn_deg == 0.0) {
-    list.add(member_path(path, "turn"), "this is no turn",
+    list.add(member_path(path, "turn"), "this is not a turn",
              "give degrees: above 0 to the left, below 0 to the right");
   }
 }
@@ -94,9 +93,9 @@ double seconds_of(const WalkStep& step) {
 void check_length(const std::string& path, double seconds, FaultList& list) {
   if (seconds <= longest_walk_s) return;
   list.add(path,
-           fmt::format("this would take some {:.0f} minutes, and {:.0f} are the most",
+           fmt::format("this would take about {:.0f} minutes; the maximum is {:.0f}",
                        std::ceil(seconds / 60.0), longest_walk_s / 60.0),
-           "make it shorter, or several stimuli of it");
+           "shorten it, or split it into several stimuli");
 }
 
 void check_script(const std::string& path, const WalkPath& walk, FaultList& list) {
@@ -112,8 +111,8 @@ void check_script(const std::string& path, const WalkPath& walk, FaultList& list
   }
   check_length(script, seconds, list);
   if (!walk.moods.empty()) {
-    list.add(member_path(path, "moods"), "a script has a mood at each step",
-             "give mood: to the steps from which it counts");
+    list.add(member_path(path, "moods"), "in a script, moods belong to steps",
+             "give mood: to the steps at which it begins");
   }
 }
 
@@ -125,7 +124,7 @@ void check_points(const std::string& path, const WalkPath& walk, FaultList& list
     if (apart >= nearest_points_m) continue;
     list.add(element_path(points, i),
              fmt::format("only {:.0f} mm from the point before", 1000.0 * apart),
-             fmt::format("leave it out, or put it {:.0f} cm away at least (points are in metres)",
+             fmt::format("remove it, or put it at least {:.0f} cm away (points are in metres)",
                          100.0 * nearest_points_m));
   }
   const double usual = length_of(walk.points) / (slow_walk_m_s * std::max(slowest_pace, walk.pace));
@@ -136,12 +135,12 @@ void check_points(const std::string& path, const WalkPath& walk, FaultList& list
     check_mood(member_path(change, "mood"), walk.moods[i].mood, walks, list);
     if (walk.moods[i].seconds > longest) {
       list.add(member_path(change, "at"),
-               fmt::format("the walk is over before, after some {:.0f} s at most", longest),
-               "give a time during the walk");
+               fmt::format("the walk ends earlier, after at most {:.0f} s", longest),
+               "use a time during the walk");
     }
     if (i == 0 || walk.moods[i].seconds > walk.moods[i - 1].seconds) continue;
-    list.add(member_path(change, "at"), "this is not after the change before it",
-             "list changes of mood in the order of time");
+    list.add(member_path(change, "at"), "this is not later than the previous change",
+             "list changes of mood in order of time");
   }
 }
 
@@ -157,18 +156,18 @@ void check_graph(const std::string& path, const WalkPath& walk, FaultList& list)
                     motion::max_recording_bytes);
     check_take(member_path(element, "take"), file, take, list);
     if (motion::is_motion_file(file)) continue;
-    list.add(at, motion::in_quotes(file.extension().string()) + " is no kind of motion file",
+    list.add(at, motion::in_quotes(file.extension().string()) + " is not a motion file format",
              "use .bvh, .amc, .gltf or .glb");
   }
   const auto refuse = [&](const std::string& at) {
     if (!list.was_given(at)) return;
-    list.add(at, "motions of files have a pace of their own",
-             "leave it out, or leave graph: out to have built-in walks");
+    list.add(at, "motion files have their own pace",
+             "omit it, or omit graph: to use the built-in walks");
   };
   if (walk.graph.empty()) {
     const std::string threshold = member_path(path, "threshold_m");
     if (list.was_given(threshold))
-      list.add(threshold, "only a graph has this", "add graph: with motion files");
+      list.add(threshold, "only graphs have this key", "add graph: with motion files");
     return;
   }
   for (const char* key : {"set", "pace"}) refuse(member_path(path, key));

@@ -48,14 +48,15 @@ class QuestionnaireCheck {
     for (std::size_t i = 0; i < names.size(); ++i) {
       list_.check_word(element_path(path, i), names[i], what, known);
       if (!taken.insert(names[i]).second)
-        list_.add(element_path(path, i), motion::in_quotes(names[i]) + " stands here twice",
+        list_.add(element_path(path, i), motion::in_quotes(names[i]) + " appears twice",
                   "name it once");
     }
   }
 
   void check_factor(const std::string& path, const std::string& factor) {
     if (factors_.empty())
-      return list_.add(path, "the stimuli have no factors", "give them some: factors: {actor: …}");
+      return list_.add(path, "the stimuli have no factors",
+                       "add factors: {actor: …} to the stimuli");
     list_.check_word(path, factor, "factor", factors_);
   }
 
@@ -93,14 +94,14 @@ class QuestionnaireCheck {
     if (!asked_.reference.empty())
       list_.check_word(at("reference"), asked_.reference, "stimulus", ids_);
     if (!ids_.empty() && are_levels_known() && asked_stimuli(manifest_).empty())
-      list_.add(path, "no stimulus has these levels", "name levels that go together");
+      list_.add(path, "no stimulus has these levels", "name levels that occur together");
   }
 
   void check_scales() {
     const ScaleChoice& choice = asked_.scales;
     const bool is_asked = choice.all || choice.emotions || !choice.ids.empty();
     if (!is_asked && asked_.trials != TrialForm::emotion && !list_.was_given(at("scales"))) {
-      list_.add("questionnaire", "asks on no scales",
+      list_.add("questionnaire", "has no scales",
                 "add scales: all, scales: emotions or scales: [sad-happy]");
     }
     Names known;
@@ -114,7 +115,7 @@ class QuestionnaireCheck {
     const std::string path = at("answer");
     const auto one_of = [&](bool chosen, const char* key, const char* other) {
       if (chosen && list_.was_given(member_path(path, key)))
-        list_.add_at_key(member_path(path, key), std::string("goes with no ") + other,
+        list_.add_at_key(member_path(path, key), std::string("cannot be combined with ") + other,
                          "keep one of them");
     };
     one_of(answer.slider, "points", "slider");
@@ -122,10 +123,10 @@ class QuestionnaireCheck {
     if (answer.slider) one_of(answer.words, "words", "slider");
     if (answer.starts_at != StartsAt::middle) return;
     const std::string start = member_path(path, "default");
-    if (answer.words) list_.add(start, "free words have no middle", "write none");
+    if (answer.words) list_.add(start, "free-text answers have no middle", "use none");
     if (!answer.words && !answer.slider && answer.points % 2 == 0) {
       list_.add(start, fmt::format("{} points have no middle", answer.points),
-                "ask for an odd number of points, or write none");
+                "use an odd number of points, or none");
     }
   }
 
@@ -136,17 +137,17 @@ class QuestionnaireCheck {
       list_.add_at_key(at("pairs"), "only pair trials have pairs", "add trials: pair");
     if (asked_.trials == TrialForm::emotion && asked_.choices.empty() &&
         asked_choices(manifest_).size() < 2) {
-      list_.add(at("trials"), "there are no two emotions to choose from",
+      list_.add(at("trials"), "there are fewer than two emotions to choose from",
                 "add choices: [sad, happy], or the factor emotion to the stimuli");
     }
     if (asked_.trials == TrialForm::pair && !asked_.reference.empty())
-      list_.add(at("reference"), "a pair stands beside each other already", "leave it out");
+      list_.add(at("reference"), "the stimuli of a pair are already side by side", "omit it");
     if (asked_.trials == TrialForm::pair && asked_.answer.words)
-      list_.add(member_path(at("answer"), "words"), "one of two is chosen without words",
-                "leave it out");
+      list_.add(member_path(at("answer"), "words"), "choices between two stimuli have no words",
+                "omit it");
     if (asked_.trials == TrialForm::pair && asked_.practice.size() % 2 == 1)
-      list_.add(at("practice"), "stimuli of pairs are practised two by two",
-                "name an even number of them");
+      list_.add(at("practice"), "practice with pairs needs an even number of stimuli",
+                "name an even number");
     for (std::size_t i = 0; i < asked_.pairs.size(); ++i)
       check_ids(element_path(at("pairs"), i), asked_.pairs[i], "stimulus", ids_);
   }
@@ -159,15 +160,15 @@ class QuestionnaireCheck {
       check_factor(member_path(at("order"), "blocked"), order.factor);
       for (std::size_t i = 0; i < asked_.apart.size(); ++i) {
         if (asked_.apart[i] == order.factor)
-          list_.add(element_path(at("apart"), i), "a block is of one level of this factor",
-                    "leave it out, or do not block by it");
+          list_.add(element_path(at("apart"), i), "blocks contain only one level of this factor",
+                    "omit it, or do not block by it");
       }
     }
     const bool is_given =
         order.kind == TrialOrder::Kind::fixed || order.kind == TrialOrder::Kind::latin;
     if (!asked_.apart.empty() && is_given) {
-      list_.add_at_key(at("apart"), "the order says already what follows what",
-                       "leave it out, or choose order: full");
+      list_.add_at_key(at("apart"), "this order already determines the sequence",
+                       "omit it, or use order: full");
     }
   }
 
@@ -178,8 +179,8 @@ class QuestionnaireCheck {
     if (asked_.trials != TrialForm::pair || !asked_.pairs.empty()) return false;
     if (count * (count - 1) / 2 <= most_pairs || count == 0) return false;
     list_.add(at("trials"),
-              fmt::format("all pairs of {} stimuli are more than {}", count, most_pairs),
-              "name those that are asked about: pairs: [[a, b], …]");
+              fmt::format("the number of pairs of {} stimuli exceeds {}", count, most_pairs),
+              "list the pairs to show: pairs: [[a, b], …]");
     return true;
   }
 
@@ -193,7 +194,7 @@ class QuestionnaireCheck {
     const auto at_most = [&](const std::string& path, int number, int most) {
       if (number > most)
         list_.add(path, fmt::format("there are {} to choose from", most),
-                  fmt::format("write {} at most", most));
+                  fmt::format("use at most {}", most));
     };
     at_most(at("per_participant"), asked_.per_participant, all);
     at_most(at("warm_up"), asked_.warm_up, all);
@@ -208,10 +209,11 @@ class QuestionnaireCheck {
       const std::string& id = asked_.demographics[i].id;
       const std::string path = member_path(element_path(at("demographics"), i), "id");
       if (others.contains(id))
-        list_.add(path, "the table of participants has a column of that name", "name it otherwise");
+        list_.add(path, "the table of participants has a column with this name",
+                  "use another name");
       if (!id.empty() && !taken.insert(id).second)
-        list_.add(path, motion::in_quotes(id) + " is already the id of a question",
-                  "give each its own");
+        list_.add(path, motion::in_quotes(id) + " is already the id of another question",
+                  "give each a different one");
     }
   }
 

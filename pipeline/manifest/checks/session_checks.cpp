@@ -58,7 +58,7 @@ std::vector<Fault> check_shown_videos(const Manifest& manifest) {
   FaultList list(manifest.places);
   const char* of_all = "output.video";
   list.add(list.was_given(of_all) ? of_all : first->path,
-           fmt::format("{}{} shown by the questionnaire, in no kind of video that browsers play",
+           fmt::format("{}{} shown by the questionnaire without a video format that browsers play",
                        first->id, others == 0 ? " is" : fmt::format(" and {} more are", others)),
            "add mp4 or webm to output: video:");
   return list.take();
@@ -75,13 +75,13 @@ std::vector<Fault> questionnaire_warnings(const Manifest& manifest) {
   const std::string path = "questionnaire.attention.every";
   if (checks == 0) {
     list.add(path, fmt::format("a session of {} trials has no attention check", trials),
-             "write a smaller number, or leave it out");
+             "use a smaller number, or omit it");
   } else {
     list.add(path,
-             fmt::format("attention checks leave nobody out: a session of {} trials has {}, and "
-                         "analysis.most_failed lets {} be failed",
+             fmt::format("attention checks exclude nobody: a session of {} trials has {}, and "
+                         "analysis.most_failed allows {} failures",
                          trials, checks, failed),
-             "write a smaller number, or analysis: {most_failed: 0}");
+             "use a smaller number, or analysis: {most_failed: 0}");
   }
   return list.take();
 }

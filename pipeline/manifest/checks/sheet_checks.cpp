@@ -16,7 +16,7 @@ void check_figure(const Overlay& overlay, FaultList& list) {
   const std::string own = member_path(film.path, "look.figure");
   const std::string path = list.was_given(own) ? own : film.path;
   if (std::holds_alternative<scenes::TrailOptions>(film.look.figure))
-    list.add(path, "a trail is of one motion alone", other_figure);
+    list.add(path, "a trail shows one motion only", other_figure);
   if (std::holds_alternative<scenes::PointLightOptions>(film.look.figure))
     list.add(path, "the point lights of several motions cannot be told apart", other_figure);
 }
@@ -25,19 +25,20 @@ void check_layout(const Overlay& overlay, FaultList& list) {
   if (overlay.layout != scenes::Layout::side_by_side) return;
   const std::string opacity = member_path(overlay.film.path, "opacity");
   if (list.was_given(opacity)) {
-    list.add_at_key(opacity, "figures side by side are not seen through",
-                    "leave it out, or layout: superimposed");
+    list.add_at_key(opacity, "figures side by side cannot be transparent",
+                    "omit it, or use layout: superimposed");
   }
   if (!scenes::looks_along_lanes(overlay.film.look.camera)) return;
   list.add(member_path(overlay.film.path, "layout"),
-           "side by side, figures hide each other from a camera at their side",
+           "figures side by side hide each other in a side view",
            "choose camera: front, three-quarter or follow");
 }
 
 void check_pair(const std::string& path, const std::string& target, const std::string& created,
                 FaultList& list) {
   if (target.empty() || target != created) return;
-  list.add(member_path(path, "created"), "the same motion as the target", "name another one");
+  list.add(member_path(path, "created"), "this is the same motion as the target",
+           "name another one");
 }
 
 }  // namespace
@@ -58,8 +59,7 @@ std::vector<Fault> check_sheets(const Manifest& manifest) {
   for (const Sheet& sheet : manifest.sheets) {
     const std::string columns = member_path(sheet.path, "columns");
     if (sheet.stills.empty() && list.was_given(columns)) {
-      list.add_at_key(columns, "only stills stand in columns",
-                      "remove it, or make the sheet of stills");
+      list.add_at_key(columns, "only sheets of stills have columns", "remove it, or use stills");
     }
     check_pair(member_path(sheet.path, "compare"), sheet.target, sheet.created, list);
   }

@@ -28,8 +28,8 @@ class SourceChecker : public FaultList {
 
   void check(const std::string& path, const fs::path& source) {
     if (source.empty() || !is_inside(resolved(source))) return;
-    add(path, source.string() + " lies where the results of this study go",
-        "copy it elsewhere, or give the study another name than " + study_);
+    add(path, source.string() + " is in the folder of this study's results",
+        "copy it elsewhere, or use a study name other than " + study_);
   }
 
   /// What is given there, and not taken from elsewhere.

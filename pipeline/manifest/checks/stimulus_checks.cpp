@@ -53,8 +53,8 @@ void check_method_options(const std::string& path, FaultList& list, auto is_used
     const std::string at = member_path(path, option.key);
     if (!list.was_given(at) || is_used(option.method)) continue;
     const std::string method(motion::name_of(option.method));
-    list.add(at, "only " + method + " interpolation has this",
-             "add method: " + method + ", or leave it out");
+    list.add(at, "only " + method + " interpolation has this key",
+             "add method: " + method + ", or omit it");
   }
 }
 
@@ -71,7 +71,7 @@ void check_wish(const std::string& path, const std::string& what, const NamedVal
                 Method method, FaultList& list) {
   if (wish.empty()) return;
   if (method == Method::direct) {
-    list.add(path, "direct interpolation takes weights, not " + what,
+    list.add(path, "direct interpolation requires weights, not " + what,
              "give weights:, or another method");
   }
   const auto most = static_cast<std::size_t>(motion::max_grid_dimensions);
@@ -95,22 +95,22 @@ void check_hold(const Stimulus& stimulus, FaultList& list) {
   if (!hold.anything()) return;
   const std::string path = member_path(stimulus.path, "hold");
   if (stimulus.adjectives.empty()) {
-    list.add(path, "only what is made from adjectives can hold other parameters",
-             "give adjectives:, or leave hold: out");
+    list.add(path, "only stimuli made from adjectives can hold other parameters",
+             "use adjectives:, or omit hold:");
   }
   const auto is_asked = [&](const std::string& name) {
     return std::ranges::find(stimulus.adjectives, name, &NamedValues::value_type::first) !=
            stimulus.adjectives.end();
   };
-  const std::string remedy = "leave it to adjectives: or to hold:";
+  const std::string remedy = "use it either in adjectives: or in hold:";
   for (std::size_t i = 0; i < hold.names.size(); ++i) {
     if (is_asked(hold.names[i]))
-      list.add(element_path(path, i), motion::in_quotes(hold.names[i]) + " is asked for already",
+      list.add(element_path(path, i), motion::in_quotes(hold.names[i]) + " is already requested",
                remedy);
   }
   for (const auto& value : hold.values) {
     if (is_asked(value.first))
-      list.add_at_key(member_path(path, value.first), "this is asked for already", remedy);
+      list.add_at_key(member_path(path, value.first), "this is already requested", remedy);
   }
 }
 
@@ -120,16 +120,15 @@ void check_weights(const Stimulus& stimulus, bool has_examples, FaultList& list)
   if (!has_examples) list.add(path, "weights need examples", add_examples);
   const auto is_positive = [](const auto& weight) { return weight.second > 0; };
   if (std::ranges::any_of(stimulus.weights, is_positive)) return;
-  list.add(path, "no weight is above 0", "give at least one example a share");
+  list.add(path, "all weights are 0", "give at least one example a weight");
 }
 
 /// Of examples that are not blended, one can be shown.
 void check_single(const Stimulus& stimulus, FaultList& list) {
   const auto refuse = [&](const char* key) {
-    list.add(
-        member_path(stimulus.path, key), "the examples of this set are not blended",
-        "name one example in weights:, or a set that is blended (builtin:walks-10, or a folder "
-        "without blend: false)");
+    list.add(member_path(stimulus.path, key), "the examples of this set cannot be blended",
+             "name one example in weights:, or use a set that can be blended (builtin:walks-10, or "
+             "a folder without blend: false)");
   };
   if (!stimulus.adjectives.empty()) refuse("adjectives");
   if (!stimulus.features.empty()) refuse("features");
@@ -159,7 +158,7 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
                     motion::max_recording_bytes);
     if (!motion::is_motion_file(clip.file)) {
       list.add(file,
-               motion::in_quotes(clip.file.extension().string()) + " is no kind of motion file",
+               motion::in_quotes(clip.file.extension().string()) + " is not a motion file format",
                "use .bvh, .amc, .gltf or .glb");
     }
   }
@@ -177,7 +176,7 @@ void check_factors(const Stimulus& stimulus, FaultList& list) {
   for (const auto& [name, level] : stimulus.factors) {
     if (!name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_part)) continue;
     list.add_at_key(member_path(member_path(stimulus.path, "factors"), name),
-                    motion::in_quotes(name) + " is no name of a column",
+                    motion::in_quotes(name) + " is not a valid column name",
                     "begin with a letter, and use letters, digits and _");
   }
 }

@@ -73,7 +73,7 @@ void check_take(const std::string& path, const std::filesystem::path& file, cons
                 FaultList& list) {
   if (take.empty() || !motion::is_motion_file(file) || motion::may_hold_takes(file)) return;
   list.add(path, "a file of " + file.extension().string() + " holds one motion",
-           "leave take out; glTF files (.gltf, .glb) may hold several");
+           "omit take; glTF files (.gltf, .glb) can hold several");
 }
 
 std::vector<Fault> check_recordings(const Manifest& manifest) {

@@ -22,8 +22,8 @@ void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
   }
   if (dots.scrambled && dots.lifetime > 0) {
     list.add(member_path(path, "lifetime"),
-             "scrambled dots have no limbs to spend a limited lifetime on",
-             "leave scrambled or lifetime out");
+             "scrambled dots are not on limbs, so they cannot have a limited lifetime",
+             "omit scrambled or lifetime");
   }
 }
 
@@ -31,7 +31,7 @@ void check_trail(const scenes::TrailOptions& trail, const std::string& path,
                  const std::vector<std::string>& joints, FaultList& list) {
   constexpr int most_poses = 29;  // figures of a picture, less the present pose and the traces
   if (scenes::max_ghosts(trail) > most_poses) {
-    list.add(path, "too many poses for one picture", "show at most 29 besides the present one");
+    list.add(path, "too many poses for one image", "use at most 29 in addition to the present one");
   }
   std::vector<std::string> known = joints;
   if (!known.empty()) known.insert(known.end(), {"feet", "hands", "head", "pelvis"});
@@ -62,8 +62,8 @@ void check_contrast(const Look& look, const std::string& path, FaultList& list) 
   for (const char* key : {"contrast", "polarity"}) {
     const std::string at = member_path(path, key);
     if (!has_background || !list.was_given(at)) continue;
-    list.add_at_key(at, "the set says already what is behind the dots",
-                    "leave it out, or scene out");
+    list.add_at_key(at, "the set already determines the background of the dots",
+                    "omit it, or omit scene");
   }
 }
 
@@ -89,10 +89,10 @@ void check_axis(const motion::Vec3& position, const motion::Vec3& target, const 
                 FaultList& list) {
   const motion::Vec3 axis = target - position;
   if (axis.norm() < 1e-6) {
-    list.add(path, "the camera would look at itself", "name another point than position");
+    list.add(path, "camera position and target coincide", "use a target other than the position");
   } else if (axis.cross(motion::Vec3::UnitY()).norm() < 1e-5 * axis.norm()) {
     list.add(path, "the camera would look straight up or down",
-             "name a point that is not above or below position");
+             "use a target that is not directly above or below the position");
   }
 }
 
@@ -110,31 +110,31 @@ void check_camera(const Look& look, const std::string& path, FaultList& list) {
                member_path(element_path(member_path(path, "path"), i), "target"), list);
   }
   if (!camera.path.empty() && (camera.position || list.was_given(member_path(path, "view")))) {
-    list.add(member_path(path, "path"), "a path says already where the camera is",
-             "leave view, position and target out");
+    list.add(member_path(path, "path"), "the camera path already determines its position",
+             "omit view, position and target");
   }
   for (std::size_t i = 1; i < camera.path.size(); ++i) {
     if (camera.path[i].seconds > camera.path[i - 1].seconds) continue;
     list.add(member_path(element_path(member_path(path, "path"), i), "at"),
-             "the times of a path do not ascend", "write seconds in the order in which they come");
+             "the times of a path are not in ascending order", "write seconds in ascending order");
   }
   if (camera.orthographic && (camera.fov_degrees || camera.stereo_separation_m)) {
-    list.add(path, "an orthographic camera has neither an angle of view nor two eyes",
-             "leave orthographic, or fov and stereo, out");
+    list.add(path, "an orthographic camera has neither a field of view nor stereo",
+             "omit orthographic, or fov and stereo");
   }
   if (camera.figure_px && (camera.screen || camera.position || !camera.path.empty())) {
     list.add(member_path(path, "figure_px"),
-             std::string(camera.screen ? "the screen" : "its place") +
-                 " says already how large the figure is seen",
-             "leave figure_px out, or give a view alone");
+             std::string(camera.screen ? "the screen" : "its position") +
+                 " already determines the size of the figure",
+             "omit figure_px, or give only a view");
   }
   if (camera.screen && camera.orthographic) {
-    list.add(member_path(path, "screen"), "an orthographic camera has no place before a screen",
-             "leave orthographic or screen out");
+    list.add(member_path(path, "screen"), "screen requires a perspective camera",
+             "omit orthographic or screen");
   }
   if (camera.screen && camera.fov_degrees) {
-    list.add(member_path(path, "fov"), "the screen says already how wide the camera sees",
-             "leave fov or screen out");
+    list.add(member_path(path, "fov"), "the screen already determines the field of view",
+             "omit fov or screen");
   }
 }
 

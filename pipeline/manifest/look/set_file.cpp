@@ -35,16 +35,17 @@ std::vector<Fault> faults_of(const scenes::SetPlan& plan, const Places& places) 
   std::vector<Fault> faults;
   if (plan.ground && plan.ground->fade_end <= plan.ground->fade_start) {
     faults.push_back({place_of(places, "ground.fade"), "ground.fade",
-                      "the floor is gone before it begins to fade", "write the smaller first"});
+                      "fading of the floor ends before it begins",
+                      "write the smaller value first"});
   }
   if (plan.ground && plan.ground->line_spacing > 0.0f &&
       plan.ground->line_width > plan.ground->line_spacing) {
     faults.push_back({place_of(places, "ground.lines.width"), "ground.lines.width",
-                      "lines are wider than their distance", "write width less than every"});
+                      "lines are wider than their spacing", "write width less than every"});
   }
   if (plan.belt && !plan.in_place) {
-    faults.push_back({key_place_of(places, "belt"), "belt", "a belt needs a figure in place",
-                      "add in_place: true"});
+    faults.push_back({key_place_of(places, "belt"), "belt",
+                      "a belt requires a figure walking in place", "add in_place: true"});
   }
   return faults;
 }

@@ -14,8 +14,8 @@ namespace {
 double share(std::string_view text, std::string_view whole) {
   const auto value = motion::as_finite_number(text);
   if (value && *value >= 0.0) return *value;
-  throw Error("--weights: \"" + std::string(whole) + "\" gives no share",
-              "write name=share with a share of at least 0, for example normal=0.6,proud=0.4");
+  throw Error("--weights: \"" + std::string(whole) + "\" has no weight",
+              "write name=weight with a weight of at least 0, for example normal=0.6,proud=0.4");
 }
 
 }  // namespace
@@ -41,8 +41,8 @@ Examples parse_examples(const std::string& text) {
 
 void refuse_unblendable(const Examples& examples) {
   if (examples.blendable) return;
-  throw Error("the examples of this set are not blended, so nothing can be learnt about blends",
-              "name builtin:walks-10, or a folder without blend: false");
+  throw Error("the examples of this set cannot be blended",
+              "use builtin:walks-10, or a folder without blend: false");
 }
 
 NamedValues parse_weights(const std::string& text) {
@@ -59,7 +59,7 @@ NamedValues parse_weights(const std::string& text) {
     sum += value;
   }
   if (sum > 0.0) return weights;
-  throw Error("--weights: no weight is above 0", "give at least one example a share");
+  throw Error("--weights: all weights are 0", "give at least one example a weight");
 }
 
 }  // namespace mien::pipeline

@@ -36,11 +36,11 @@ std::vector<Fault> faults_of(const RecipeBook& book, const Places& places) {
     const std::string path = member_path("recipes", recipe.name);
     if (recipe.name.empty()) {
       faults.push_back({place_of(places, "recipes"), "recipes", "a recipe has no name",
-                        "call it what manifests name as emotion"});
+                        "name it as the emotion used in manifests"});
     }
     if (recipe.edit.names("paths") && recipe.edit.names("gains")) {
       faults.push_back({place_of(places, member_path(path, "gains")), member_path(path, "gains"),
-                        "paths says already how bands are weighted", "give paths or gains"});
+                        "paths already determines the band gains", "give paths or gains"});
     }
   }
   return faults;
@@ -73,8 +73,8 @@ void resolve_moods(Stimulus& stimulus, const RecipeBook& book, const Manifest& m
                           motion::did_you_mean(name, book.names())});
       } else if (recipe->edit.pose) {
         faults.push_back({key_place_of(manifest.places, path), path,
-                          "its recipe takes on a pose, which nobody can while walking",
-                          "name another mood, or modify the stimulus by this one"});
+                          "its recipe contains a pose, which cannot be held while walking",
+                          "use another mood, or apply this one to the stimulus with modify:"});
       } else {
         names.insert(name);
       }

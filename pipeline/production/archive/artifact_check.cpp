@@ -26,7 +26,7 @@ std::string fault_of_bytes(const fs::path& file, const Hash& hash, std::uint64_t
     return problem;
   const std::uintmax_t found = fs::file_size(file);
   if (size > 0 && found != size) return fmt::format("{} bytes instead of {}", found, size);
-  return hash_of_file(file) == hash ? "" : "other bytes";
+  return hash_of_file(file) == hash ? "" : "different content";
 }
 
 /// The names of a sequence's files, ascending.
@@ -110,7 +110,7 @@ class FramesCheck {
       check_.findings.push_back({Finding::Kind::changed, record_.path,
                                  fmt::format("{} frames instead of {}", found, record_.frames)});
     } else if (hash_of(frames) != record_.hash) {
-      check_.findings.push_back({Finding::Kind::changed, record_.path, "some frame is another"});
+      check_.findings.push_back({Finding::Kind::changed, record_.path, "a frame differs"});
     }
   }
 
@@ -160,7 +160,7 @@ ArtifactCheck check_file(const fs::path& folder, const ArtifactRecord& record,
 ArtifactCheck check_frames(const fs::path& folder, const ArtifactRecord& record) {
   return found_by(record, [&]() -> ArtifactCheck {
     if (!fs::is_directory(folder / record.path))
-      return {.findings = {{Finding::Kind::changed, record.path, "is no folder of frames"}}};
+      return {.findings = {{Finding::Kind::changed, record.path, "is not a folder of frames"}}};
     return FramesCheck(folder, record).take();
   });
 }

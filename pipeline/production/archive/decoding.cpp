@@ -23,11 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 void read_as_text(const fs::path& file) {
-  if (first_invalid_utf8(read_file(file))) throw std::runtime_error("is no UTF-8 text");
+  if (first_invalid_utf8(read_file(file))) throw std::runtime_error("is not UTF-8 text");
 }
 
 void read_as_json(const fs::path& file) {
-  if (!nlohmann::json::accept(read_file(file))) throw std::runtime_error("is no JSON");
+  if (!nlohmann::json::accept(read_file(file))) throw std::runtime_error("is not JSON");
 }
 
 void read_from_to(const fs::path& file, const std::string& first, const std::string& last) {
@@ -35,7 +35,7 @@ void read_from_to(const fs::path& file, const std::string& first, const std::str
   constexpr std::size_t tail = 64;
   const std::string end = bytes.substr(bytes.size() - std::min(tail, bytes.size()));
   if (!bytes.starts_with(first) || end.find(last) == std::string::npos)
-    throw std::runtime_error("is cut short, or something else");
+    throw std::runtime_error("is truncated or not the expected file");
 }
 
 void decode_by_ending(const fs::path& file) {

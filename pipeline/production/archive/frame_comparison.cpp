@@ -19,11 +19,10 @@ constexpr double ssim_tolerance = 0.001;
 Comparison compare(const render::Image8& drawn, const render::Image8& decoded,
                    const VideoRecord& video) {
   if (drawn.width != decoded.width || drawn.height != decoded.height)
-    return {false, "the video has another size"};
+    return {false, "the video has a different size"};
   if (video.identical) {
     const bool same = drawn.channels == decoded.channels;
-    return {same,
-            same ? "the same pixels" : "other pixels, though this video shows the very frames"};
+    return {same, same ? "identical pixels" : "different pixels, although this format is lossless"};
   }
   const render::FrameSketcher sketcher(drawn.width, drawn.height);
   const render::FrameSimilarity like =
@@ -31,7 +30,7 @@ Comparison compare(const render::Image8& drawn, const render::Image8& decoded,
   const bool agrees = like.identical || (like.psnr_db >= video.worst_psnr_db - psnr_tolerance_db &&
                                          like.ssim >= video.worst_ssim - ssim_tolerance);
   return {agrees,
-          fmt::format("PSNR {:.2f} dB and SSIM {:.4f}; in the film at least {:.2f} and {:.4f}",
+          fmt::format("PSNR {:.2f} dB and SSIM {:.4f}; worst frame of the film {:.2f} and {:.4f}",
                       like.psnr_db, like.ssim, video.worst_psnr_db, video.worst_ssim)};
 }
 
@@ -54,7 +53,7 @@ void visit_frames(const std::filesystem::path& file, const VideoRecord& video,
 
 Comparison compare_files(const std::filesystem::path& drawn, const std::filesystem::path& kept) {
   const bool same = hash_of_file(drawn) == hash_of_file(kept);
-  return {same, same ? "the same bytes" : "other bytes"};
+  return {same, same ? "identical" : "different content"};
 }
 
 VideoFrames::VideoFrames(const Output& output, int film_frames, int eyes, int first_film_frame)

@@ -78,7 +78,7 @@ Cleaning all_but(const fs::path& folder, const std::vector<ArtifactKind>& kept) 
   }
   if (!is_there(folder / ".mien" / "receipts")) {
     throw Error({folder.string()}, "has no receipts of what mien made (.mien/receipts)",
-                "clean a study where it was made; a copy is cleaned by hand");
+                "clean a study where it was made; clean copies by hand");
   }
   Cleaning cleaning;
   for (Receipt& artifact : stale_artifacts(folder, {}, {})) {

@@ -24,11 +24,10 @@ std::string note_text(const std::map<std::string, ArtifactRecord>& removed) {
     files[path] = {{"hash", record.hash}, {"size", record.size}};
     if (record.frames > 0) files[path]["frames"] = record.frames;
   }
-  const ordered_json note = {
-      {"about",
-       "removed on purpose by mien clean, so that links of report.html to it "
-       "lead nowhere; mien run makes it again"},
-      {"not_kept", files}};
+  const ordered_json note = {{"about",
+                              "removed intentionally by mien clean; links to it in report.html are "
+                              "broken until mien run makes it again"},
+                             {"not_kept", files}};
   return note.dump(2) + "\n";
 }
 
@@ -41,15 +40,15 @@ std::vector<ArtifactRecord> not_kept_in(const fs::path& folder) {
   if (!fs::exists(fs::symlink_status(file, unknown))) return records;
   const motion::FileReading text = motion::bytes_of_file(file, motion::max_table_bytes);
   try {
-    if (!text.bytes) throw Error({file.string()}, text.error, "put the file back");
+    if (!text.bytes) throw Error({file.string()}, text.error, "restore the file");
     const bool is_deep = motion::is_nested_deeper(*text.bytes, motion::max_json_depth);
     const auto note = nlohmann::json::parse(is_deep ? std::string() : *text.bytes);
     for (const auto& [path, entry] : note.at("not_kept").items())
       records.push_back({motion::safe_names(path, {file.string()}), entry.at("hash"),
                          entry.at("size"), entry.value("frames", 0)});
   } catch (const nlohmann::json::exception&) {
-    throw Error({file.string()}, "this is no note of what was removed",
-                "remove it: what it told is missing then");
+    throw Error({file.string()}, "this is not a record of removed files",
+                "remove it; the files it recorded then count as missing");
   }
   return records;
 }

@@ -25,8 +25,9 @@ class Payload {
 
   void add(const std::string& path) {
     const fs::path file = folder_ / path;
-    if (const std::string problem = motion::read_error(file, motion::any_size); !problem.empty())
-      throw Error({file.string()}, problem, "remove it: an archive holds files");
+    if (const std::string problem = motion::read_error(file, motion::any_size);
+        !problem.empty())
+      throw Error({file.string()}, problem, "remove it: archives contain regular files only");
     sizes_[path] = fs::file_size(file);
   }
 
@@ -135,8 +136,8 @@ void refuse_archive(const StudyContents& contents, const fs::path& archive) {
   const fs::path place = fs::weakly_canonical(fs::absolute(archive), unknown);
   const fs::path below = place.lexically_relative(fs::weakly_canonical(contents.folder, unknown));
   if (!below.empty() && *below.begin() != "..") {
-    throw Error({archive.string()}, "lies in the folder of the study, which it would then hold",
-                "write it elsewhere");
+    throw Error({archive.string()}, "is inside the folder of the study, which it would contain",
+                "save it elsewhere");
   }
   if (fs::is_directory(archive, unknown))
     throw Error({archive.string()}, "is a folder", "name a file");

@@ -87,7 +87,7 @@ class Rerendering {
  private:
   std::vector<RerenderedFrame> of_another_length() const {
     return {{wanted_.film.id, wanted_.frames.front(), wanted_.film.kept, false,
-             "the film has " + std::to_string(shot_.frame_count()) + " frames now, and had " +
+             "the film has " + std::to_string(shot_.frame_count()) + " frames now, but had " +
                  std::to_string(wanted_.film.frames)}};
   }
 
@@ -95,7 +95,7 @@ class Rerendering {
                                               const std::function<void(double)>& progress) const {
     const ScratchFolder scratch;
     Store store(scratch.path());
-    const std::unique_ptr<FrameStore> drawn = store.frames("frames", "drawn again");
+    const std::unique_ptr<FrameStore> drawn = store.frames("frames", "rendered again");
     draw_frames(
         shot_, wanted_.frames, settings_, drawn.get(), [](int, const render::Image8&) {}, stop,
         progress);
@@ -140,7 +140,7 @@ EqualizedFilms equalized_in_tables(const Manifest& manifest, const fs::path& fol
     const fs::path table = folder / form.path;
     const auto refuse = [&](const std::string& wrong) {
       throw Error({table.string()}, wrong,
-                  "films of this study are made alike by it; keep metrics to draw frames again");
+                  "this study's films are equalized with it; keep metrics to render frames again");
     };
     const std::string problem = motion::read_error(table, motion::max_table_bytes);
     if (!problem.empty()) refuse(problem);

@@ -74,8 +74,9 @@ StudyContents contents_of(const fs::path& study) {
   contents.folder = study_folder_meant(study);
   std::error_code unknown;
   if (fs::is_regular_file(contents.folder, unknown)) {
-    throw Error({study.string()}, "is a file, and not the folder of a study",
-                "unpack an archive of mien pack first, as with tar -xf, and name the folder");
+    throw Error(
+        {study.string()}, "is a file, not the folder of a study",
+        "unpack archives of mien pack first, for example with tar -xf, and name the folder");
   }
   if (!fs::is_directory(contents.folder, unknown)) {
     throw Error({study.string()}, "there is no such study",
@@ -85,11 +86,11 @@ StudyContents contents_of(const fs::path& study) {
   const motion::FileReading text = motion::bytes_of_file(file, motion::max_table_bytes);
   if (!text.bytes) {
     throw Error({file.string()}, text.error,
-                "mien run writes it when everything of the study is made");
+                "mien run writes it when the whole study has been made");
   }
   const auto refuse = [&] {
-    throw Error({file.string()}, "this is no provenance of a study",
-                "mien run writes it when everything of the study is made");
+    throw Error({file.string()}, "this is not the provenance of a study",
+                "mien run writes it when the whole study has been made");
   };
   if (motion::is_nested_deeper(*text.bytes, motion::max_json_depth)) refuse();
   try {

@@ -69,8 +69,8 @@ Compression compression_of(const fs::path& archive) {
   if (name.ends_with(".tar.zst")) return Compression::zstd;
   if (name.ends_with(".tar.gz") || name.ends_with(".tgz")) return Compression::gzip;
   if (name.ends_with(".tar")) return Compression::none;
-  throw Error({archive.string()}, "this is no name of an archive that mien can write",
-              "end it in .tar.zst, .tar.gz or .tar");
+  throw Error({archive.string()}, "this archive format is not supported",
+              "use the extension .tar.zst, .tar.gz or .tar");
 }
 
 TarArchive::TarArchive(fs::path file, Compression compression)

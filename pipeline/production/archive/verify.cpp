@@ -109,7 +109,7 @@ class Verifier {
       }
       const std::optional<Receipt> receipt = read_receipt(contents_.folder, path);
       if (receipt && receipt->hash != hash_of_file(file))
-        result_.findings.push_back({Finding::Kind::changed, path, "other bytes"});
+        result_.findings.push_back({Finding::Kind::changed, path, "different content"});
     }
   }
 

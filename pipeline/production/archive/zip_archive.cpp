@@ -51,7 +51,8 @@ void write_entry(archive* zip, const std::string& path, const std::string& bytes
 
 [[noreturn]] void refuse_zip(const std::string& name, archive* zip) {
   const char* words = archive_error_string(zip);
-  throw Error({name}, words != nullptr ? words : "this is no zip archive", "give a whole one");
+  throw Error({name}, words != nullptr ? words : "this is not a zip archive",
+              "give a complete one");
 }
 
 /// What is stored in an archive of that size, and room for one that somebody has compressed. mien
@@ -64,7 +65,7 @@ std::uint64_t most_unpacked(std::size_t archive_bytes) {
 
 [[noreturn]] void refuse_size(const std::string& name, std::uint64_t most) {
   throw Error({name}, "unpacks to more than " + std::to_string(most >> 20U) + " MiB",
-              "give the archive that mien wrote");
+              "give an archive written by mien");
 }
 
 /// The files of an archive, one after the other.
@@ -148,7 +149,7 @@ ZipFiles unzipped(const std::string& bytes, const std::string& name) {
     if (!is_file && path.ends_with('/')) path.pop_back();
     if (const std::string fault = motion::fault_of_names(path); !fault.empty())
       throw Error({name}, "the path " + motion::in_quotes(path) + " in it " + fault,
-                  "give the archive that mien wrote");
+                  "give an archive written by mien");
     if (!is_file) continue;
     files[path] = reader.content(left, most);
   }

@@ -12,12 +12,12 @@ inline constexpr char durations_task_id[] = "durations";
 
 inline constexpr std::array durations_columns = std::to_array<Column>({
     {"stimulus", "", "id of the stimulus"},
-    {"own_s", "s", "how long its film would be by itself"},
-    {"duration_s", "s", "how long all films are, to their nearest frame: the least of these"},
+    {"own_s", "s", "duration of its film before equalizing"},
+    {"duration_s", "s", "duration of all films, to the nearest frame: the shortest of these"},
 });
 
 inline constexpr TableForm durations_form = {
-    "metrics/durations.csv", "a stimulus, where duration is equalized", durations_columns};
+    "metrics/durations.csv", "stimulus, if duration is equalized", durations_columns};
 
 /// Holds how long all films are: a number of seconds in JSON, in the store's folder.
 inline constexpr char duration_record_path[] = ".mien/equalized/duration.json";

@@ -205,11 +205,10 @@ std::vector<Fault> faults_of(const Manifest& manifest, const AdjustmentsById& ad
     const Adjustment& found = adjustments.at(stimulus.id);
     if (found.is_there(sampling)) continue;
     list.add("equalize",
-             fmt::format("no exposure makes \"{}\" as light as the others: its mean luminance "
-                         "becomes {:.3f} at the nearest, and should be {:.3f}",
+             fmt::format("no exposure makes \"{}\" as bright as the others: the nearest mean "
+                         "luminance is {:.3f} instead of {:.3f}",
                          stimulus.id, found.reached, found.wanted),
-             "give it another background, equalize luminance: {by: figure}, or leave luminance "
-             "out");
+             "change its background, use equalize: {luminance: {by: figure}}, or omit luminance");
   }
   return list.take();
 }

@@ -126,8 +126,8 @@ Vector2d common_place(const std::vector<const Stimulus*>& group, const Standings
     const Stimulus& other = greatest(group, most);
     if (least(one) > -most(other)) {
       throw Error("equalize: \"" + one.id + "\" and \"" + other.id +
-                      "\" cannot stand at the same place of the picture and be seen whole",
-                  "equalize size too, place: {by: figure}, or leave place out");
+                      "\" cannot be at the same position in the image and fully visible",
+                  "equalize size as well, use place: {by: figure}, or omit place");
     }
     place[axis] = nearest_step(std::clamp(mean[axis], least(one), -most(other)));
   }

@@ -106,8 +106,8 @@ std::string fade_fault(const Stimulus& film, int film_frames) {
   const double fades = shown.fade_in + shown.fade_out;
   const double half_a_frame = 0.5 / film.output.fps;
   if (film.output.video.empty() || fades <= seconds + half_a_frame) return "";
-  return fmt::format("the fades last {:.4g} s and the film of \"{}\" {:.4g} s", fades, film.id,
-                     seconds);
+  return fmt::format("the fades last {:.4g} s, but the film of \"{}\" only {:.4g} s", fades,
+                     film.id, seconds);
 }
 
 }  // namespace mien::pipeline

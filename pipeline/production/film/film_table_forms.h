@@ -15,27 +15,27 @@ inline constexpr Column equalized_column = {"stimulus", "", "id of the stimulus"
 inline constexpr std::array luminance_columns = std::to_array<Column>({
     film_column,
     {"frames", "",
-     "frames that were looked at: all, or those of the contact sheet where neither frames nor "
-     "videos are written"},
-    {"mean_luminance", "0–1", "relative luminance, linear: mean of all pixels and frames"},
-    {"sd_luminance", "0–1", "standard deviation over the pixels, mean of the frames"},
-    {"rms_contrast", "", "standard deviation by mean, mean of the frames"},
+     "number of frames measured: all, or those of the contact sheet if neither frames nor videos "
+     "are written"},
+    {"mean_luminance", "0–1", "mean relative luminance (linear) over all pixels and frames"},
+    {"sd_luminance", "0–1", "standard deviation over pixels, averaged over frames"},
+    {"rms_contrast", "", "RMS contrast: standard deviation divided by mean, averaged over frames"},
     {"min_frame_luminance", "0–1", "mean luminance of the darkest frame"},
-    {"max_frame_luminance", "0–1", "mean luminance of the lightest frame"},
-    {"exposure_stops", "stops", "exposure that was added: 1 doubles the light, −1 halves it"},
+    {"max_frame_luminance", "0–1", "mean luminance of the brightest frame"},
+    {"exposure_stops", "stops", "exposure compensation: 1 doubles the light, −1 halves it"},
 });
 
 inline constexpr std::array videos_columns = std::to_array<Column>({
     film_column,
-    {"file", "", "the video, from the study's folder"},
-    {"format", "", "kind of video, as output.video names it"},
-    {"frames", "", "frames of the whole video"},
+    {"file", "", "path of the video, relative to the study folder"},
+    {"format", "", "video format, as in output.video"},
+    {"frames", "", "number of frames of the whole video"},
     {"first_film_frame", "",
-     "frame of the video at which the film begins, after card, cross and blank; counted from 0"},
-    {"film_frames", "", "frames of the film"},
-    {"fps", "1/s", "frames a second"},
+     "first frame of the film within the video, after card, cross and blank; counted from 0"},
+    {"film_frames", "", "number of frames of the film"},
+    {"fps", "1/s", "frames per second"},
     {"duration_s", "s", "duration of the whole video"},
-    {"identical", "0/1", "1: every decoded frame is the frame drawn"},
+    {"identical", "0/1", "1: every decoded frame is identical to the rendered frame"},
     {"worst_psnr_db", "dB", "lowest peak signal-to-noise ratio of a frame; empty where identical"},
     {"worst_psnr_frame", "", "that frame; empty where identical"},
     {"worst_ssim", "0–1",
@@ -46,65 +46,65 @@ inline constexpr std::array videos_columns = std::to_array<Column>({
 
 inline constexpr std::array views_columns = std::to_array<Column>({
     film_column,
-    {"figure_px", "pixels", "height of the standing figure in the picture"},
+    {"figure_px", "pixels", "height of the standing figure in the image"},
     {"visual_degrees", "°",
-     "visual angle of that height on the screen that the camera names; empty without one"},
+     "visual angle of that height on the screen described by the camera; empty without one"},
     {"figure_x_px", "pixels",
-     "where the figure stands in the picture: the middle of its way on the floor, or of a camera "
-     "that goes with it the figure's own place, how far right of the picture's middle; empty where "
-     "it is behind the camera"},
-    {"figure_y_px", "pixels", "likewise, below the picture's middle"},
+     "horizontal position of the figure, to the right of the image centre: the midpoint of its "
+     "path on the floor, or, for a camera that follows it, its own position; empty behind the "
+     "camera"},
+    {"figure_y_px", "pixels", "the same vertically, below the image centre"},
 });
 
 inline constexpr std::array sizes_columns = std::to_array<Column>({
     equalized_column,
-    {"framed_px", "pixels", "height of the standing figure where its camera would show it"},
-    {"figure_px", "pixels", "height that it has in all films: the least of these"},
+    {"framed_px", "pixels", "height of the standing figure before equalizing"},
+    {"figure_px", "pixels", "height in all films: the smallest of these"},
 });
 
 inline constexpr std::array places_columns = std::to_array<Column>({
     equalized_column,
     {"framed_x_px", "pixels",
-     "where its camera would show the middle of its way on the floor, or of a camera that goes "
-     "with it the figure's own place: right of the picture's middle"},
-    {"framed_y_px", "pixels", "likewise, below the picture's middle"},
-    {"x_px", "pixels", "where that place is in all films, right of the picture's middle"},
-    {"y_px", "pixels", "likewise, below the picture's middle"},
+     "horizontal position before equalizing (midpoint of the path on the floor, or, for a camera "
+     "that follows the figure, its own position), to the right of the image centre"},
+    {"framed_y_px", "pixels", "the same vertically, below the image centre"},
+    {"x_px", "pixels", "horizontal position in all films, to the right of the image centre"},
+    {"y_px", "pixels", "the same vertically, below the image centre"},
 });
 
 inline constexpr std::array exposure_columns = std::to_array<Column>({
     equalized_column,
-    {"mean_luminance", "0–1", "relative luminance, linear, of a few frames as they would be"},
+    {"mean_luminance", "0–1", "relative luminance (linear) of sampled frames before equalizing"},
     {"wanted_luminance", "0–1",
-     "that of all films: the geometric mean of these, in which point lights that share an "
-     "exposure count by their mean"},
-    {"exposure_stops", "stops", "exposure that is added: 1 doubles the light, −1 halves it"},
+     "luminance of all films: the geometric mean of these; point-light films that share an "
+     "exposure enter by their mean"},
+    {"exposure_stops", "stops", "exposure compensation: 1 doubles the light, −1 halves it"},
 });
 
 inline constexpr std::array dots_columns = std::to_array<Column>({
     {"frame", "", "frame of the film, counted from 0"},
     {"time_s", "s", "time of the frame"},
     {"dot", "", "number of the dot, counted from 0; the same in all frames"},
-    {"kind", "", "the joint's name, limb, noise or mask"},
+    {"kind", "", "joint name, limb, noise or mask"},
     {"x_px", "pixels", "centre of the dot from the left edge; empty behind the camera"},
     {"y_px", "pixels", "centre of the dot from the upper edge, downwards"},
-    {"x_m", "m", "place in the world: to the figure's left"},
-    {"y_m", "m", "place in the world: up"},
-    {"z_m", "m", "place in the world: the way that the figure walks"},
-    {"visible", "0/1", "1: within the eye's picture"},
-    {"eye", "", "both; of a stereo pair left and right, a row each"},
+    {"x_m", "m", "world position: to the figure's left"},
+    {"y_m", "m", "world position: up"},
+    {"z_m", "m", "world position: in the walking direction"},
+    {"visible", "0/1", "1: inside the eye's image"},
+    {"eye", "", "both; for a stereo pair left or right, one row each"},
 });
 
-inline constexpr TableForm luminance_form = {"metrics/luminance.csv", "a film", luminance_columns};
-inline constexpr TableForm videos_form = {"metrics/videos.csv", "a video", videos_columns};
-inline constexpr TableForm views_form = {"metrics/views.csv", "a film", views_columns};
-inline constexpr TableForm sizes_form = {"metrics/sizes.csv", "a stimulus, where size is equalized",
+inline constexpr TableForm luminance_form = {"metrics/luminance.csv", "film", luminance_columns};
+inline constexpr TableForm videos_form = {"metrics/videos.csv", "video", videos_columns};
+inline constexpr TableForm views_form = {"metrics/views.csv", "film", views_columns};
+inline constexpr TableForm sizes_form = {"metrics/sizes.csv", "stimulus, if size is equalized",
                                          sizes_columns};
-inline constexpr TableForm places_form = {"metrics/places.csv",
-                                          "a stimulus, where place is equalized", places_columns};
+inline constexpr TableForm places_form = {"metrics/places.csv", "stimulus, if place is equalized",
+                                          places_columns};
 inline constexpr TableForm exposure_form = {
-    "metrics/exposure.csv", "a stimulus, where luminance is equalized", exposure_columns};
+    "metrics/exposure.csv", "stimulus, if luminance is equalized", exposure_columns};
 inline constexpr TableForm dots_form = {"clips/<stimulus>.dots.csv",
-                                        "a frame and dot of a point-light figure", dots_columns};
+                                        "frame and dot of a point-light figure", dots_columns};
 
 }  // namespace mien::pipeline

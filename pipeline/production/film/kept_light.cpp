@@ -128,7 +128,7 @@ class LightKeeper {
         path, key, [&](const fs::path& file) { write_file(file, bytes_of(light)); },
         [&](const fs::path& file) {
           if (light_of(read_file(file)) != light)
-            throw render::Error(file.string() + ": is not what was written");
+            throw render::Error(file.string() + ": differs from what was written");
         });
     keep_within(*store_, most_bytes_);
     return light;

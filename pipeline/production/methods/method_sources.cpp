@@ -6,8 +6,9 @@ MethodWords words_of(motion::InterpolationMethod method) {
   using Method = motion::InterpolationMethod;
   static const std::vector<MethodWords> all = {
       {Method::reach,
-       "a quadratic programme that gives what is asked for exactly, or nearest to it, with shares "
-       "as near as can be to those of a cardinal basis of linear and radial functions",
+       "a quadratic program that reaches the requested values exactly or as closely as possible, "
+       "with weights as close as possible to those of a cardinal basis of linear and radial "
+       "functions",
        {"rose1998", "sloan2001", "huang2010"}},
       {Method::cardinal,
        "a cardinal basis of linear and radial functions",
@@ -15,11 +16,11 @@ MethodWords words_of(motion::InterpolationMethod method) {
       {Method::nearest,
        "nearest neighbours among the examples and random blends of them",
        {"kovar2004"}},
-      {Method::inverse_distance, "weights by inverse distance", {"shepard1968"}},
+      {Method::inverse_distance, "inverse distance weighting", {"shepard1968"}},
       {Method::grid, "multilinear interpolation on a regular grid", {"wiley1997"}},
       {Method::kriging, "kriging", {"mukai2005"}},
       {Method::pca, "a statistical model of the motions (principal components)", {"min2009"}},
-      {Method::incremental, "increments along words", {"forger2012", "adjectives"}},
+      {Method::incremental, "incremental steps along adjectives", {"forger2012", "adjectives"}},
   };
   for (const MethodWords& one : all) {
     if (one.method == method) return one;

@@ -45,8 +45,8 @@ void tell_paths(MethodsText& out) {
   const auto paths = stimuli_from(out.manifest, "path");
   if (paths.empty()) return;
   out.say(count_of(paths.size(), "stimulus was", "stimuli were") +
-          " walked along a path by a parametric walker that plans each step as it goes, and is no "
-          "recorded motion");
+          " synthesized along a path by a parametric walker that plans each step, without recorded "
+          "motion");
 }
 
 }  // namespace

@@ -42,11 +42,11 @@ void tell_interpolation(MethodsText& out) {
     Names methods;
     for (const Stimulus* stimulus : stimuli)
       add_once(methods, method_words(stimulus->interpolation.weights.method, out));
-    out.say(fmt::format(
-        "{} asked for by {}: the shares of the examples were found by {}",
-        count_of(stimuli.size(), "stimulus was", "stimuli were"),
-        source == std::string("features") ? "measured features of motion" : "adjectives",
-        listed(methods)));
+    out.say(
+        fmt::format("{} specified by {}; blend weights were computed by {}",
+                    count_of(stimuli.size(), "stimulus was", "stimuli were"),
+                    source == std::string("features") ? "measured motion features" : "adjectives",
+                    listed(methods)));
   }
 }
 
@@ -60,11 +60,11 @@ void tell_reached(MethodsText& out) {
       missed.add(std::abs(made.reached[i].second - made.asked[i].second));
   }
   if (missed.count == 0) return;
-  out.say(
-      fmt::format("Of {} asked for, from 0 to 1, the motions miss {:.3f} on average and {:.3f} "
-                  "at most",
-                  count_of(static_cast<std::size_t>(missed.count), "value", "values"),
-                  missed.mean(), missed.most));
+  out.say(fmt::format(
+      "Over {} (on scales from 0 to 1), the mean absolute deviation of the motions was "
+      "{:.3f}, the maximum {:.3f}",
+      count_of(static_cast<std::size_t>(missed.count), "requested value", "requested values"),
+      missed.mean(), missed.most));
 }
 
 std::string held_where(MethodsText& out) {
@@ -84,8 +84,8 @@ void tell_held(MethodsText& out) {
   const auto held = std::ranges::count_if(out.manifest.stimuli, holds);
   if (held == 0) return;
   out.say(fmt::format(
-      "In {} parameters that were not asked for were held where they are in {}, as "
-      "near as the examples allow",
+      "In {}, parameters that were not requested were held at their values in {}, as closely as "
+      "the examples allow",
       count_of(static_cast<std::size_t>(held), "stimulus", "stimuli"), held_where(out)));
   Range missed;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
@@ -95,9 +95,10 @@ void tell_held(MethodsText& out) {
       missed.add(std::abs(made.held_reached[i].second - made.held[i].second));
   }
   if (missed.count == 0) return;
-  out.say(fmt::format("Of {} held, the blends miss {:.3f} on average and {:.3f} at most",
-                      count_of(static_cast<std::size_t>(missed.count), "value", "values"),
-                      missed.mean(), missed.most));
+  out.say(fmt::format(
+      "Over {}, the mean absolute deviation of the blends was {:.3f}, the maximum {:.3f}",
+      count_of(static_cast<std::size_t>(missed.count), "held value", "held values"), missed.mean(),
+      missed.most));
 }
 
 }  // namespace
@@ -112,7 +113,7 @@ void describe_blends(MethodsText& out) {
   }
   if (const auto weighted = stimuli_from(out.manifest, "weights"); !weighted.empty()) {
     out.say(count_of(weighted.size(), "stimulus was blended", "stimuli were blended") +
-            " from examples in given shares");
+            " from examples with given weights");
   }
   if (!out.manifest.examples.blendable) return;
   Names rotations, warps;
@@ -123,10 +124,10 @@ void describe_blends(MethodsText& out) {
     add_once(warps, warp_of(stimulus.interpolation.time_warp, out));
     locks = locks || stimulus.interpolation.foot_lock;
   }
-  out.say("Corresponding moments of the examples were brought together by " + listed(warps) +
-          " time warps, and rotations blended as " + listed(rotations));
+  out.say("Corresponding moments of the examples were aligned by " + listed(warps) +
+          " time warps, and rotations were averaged as " + listed(rotations));
   if (locks) {
-    out.say("Planted feet were held where they stand by inverse kinematics" +
+    out.say("Planted feet were locked to the floor by inverse kinematics" +
             out.cite({"kovar2002"}));
   }
 }

@@ -30,14 +30,16 @@ void tell_repertoire(MethodsText& out) {
     loops += example.clip.loops ? 1 : 0;
   }
   if (loops == seconds.count && !repertoire.origins.empty()) {
-    out.say("Of each the steadiest straight gait cycle was cut, by heel strikes and toe offs" +
-            out.cite({"zeni2008"}) + ", and closed to a loop");
+    out.say(
+        "From each, the steadiest straight gait cycle was extracted using heel strikes and "
+        "toe-offs" +
+        out.cite({"zeni2008"}) + ", and closed into a loop");
   }
   const auto mirrored = std::ranges::count_if(
       repertoire.origins, [](const motion::ExampleOrigin& origin) { return origin.is_mirrored; });
   if (mirrored > 0) {
     out.say(fmt::format(
-        "{} too short for one: a step and its mirror image stand for the cycle",
+        "{} too short for a full cycle, so that one step and its mirror image were used instead",
         count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
   }
   out.say("They last " + with_mean(seconds, 2, " s"));
@@ -65,35 +67,36 @@ void tell_ratings(MethodsText& out) {
   const Impressions& impressions = *repertoire.impressions;
   const std::string scales = count_of(impressions.scales.size(), "scale", "scales") +
                              (out.manifest.scales.file.empty()
-                                  ? " (the pairs of adjectives of" + out.cite({"adjectives"}) + ")"
+                                  ? " (the adjective pairs of" + out.cite({"adjectives"}) + ")"
                                   : "");
   const std::size_t raters = raters_of(repertoire.answers);
   Range answers;
   answers.add(impressions.count.minCoeff());
   answers.add(impressions.count.maxCoeff());
-  const std::string each = told(answers, 0, " answers") + " a scale and example";
+  const std::string each = told(answers, 0, " answers") + " per scale and example";
   if (raters == 0) {  // a table of means
-    out.say(fmt::format("{}, as means{}",
-                        impressions.simulated ? "No person rated them: they are "
-                                                "simulated on " +
-                                                    scales
-                                              : "People rated them on " + scales,
+    out.say(fmt::format("{}{}",
+                        impressions.simulated
+                            ? "No participants rated them; mean ratings were simulated on " + scales
+                            : "Participants rated them; means were available on " + scales,
                         ratings_source(out)));
   } else if (impressions.simulated) {
-    out.say(fmt::format("No person rated them: {} answered on {}, {}{}",
+    out.say(fmt::format("No participants rated them; {} answered on {}, {}{}",
                         count_of(raters, "simulated rater", "simulated raters"), scales, each,
                         ratings_source(out)));
   } else {
-    out.say(fmt::format("{} rated them on {}, {}{}", count_of(raters, "person", "people"), scales,
-                        each, ratings_source(out)));
+    out.say(fmt::format("{} rated them on {}, {}{}",
+                        count_of(raters, "participant", "participants"), scales, each,
+                        ratings_source(out)));
   }
   if (out.manifest.ratings.source == Ratings::Source::file && out.manifest.ratings.ignore_unknown)
-    out.say("Answers about other motions and on other scales were left out");
-  out.say(std::string("An example's place on a scale is its mean answer, from 0 (the low end) to 1 "
-                      "(the high end)") +
-          (scales_of(out.manifest.scales).groups.empty()
-               ? ""
-               : "; that on a group of scales is the mean of these"));
+    out.say("Answers about other motions and on other scales were excluded");
+  out.say(
+      std::string(
+          "An example's position on a scale is its mean rating, from 0 (low end) to 1 (high end)") +
+      (scales_of(out.manifest.scales).groups.empty()
+           ? ""
+           : "; its position on a group of scales is the mean over these scales"));
   std::size_t held = 0, certain = 0;
   const auto checks = expectation_checks(out.manifest, repertoire);
   for (const ExpectationCheck& check : checks) {
@@ -102,9 +105,8 @@ void tell_ratings(MethodsText& out) {
   }
   if (!checks.empty())
     out.say(
-        fmt::format("Of {} expected of the ratings, {} came out as expected, {} of them by more "
-                    "than the noise of the answers",
-                    count_of(checks.size(), "order", "orders"), held, certain));
+        fmt::format("Of {} of the examples, {} were found in the ratings, {} of them significantly",
+                    count_of(checks.size(), "expected order", "expected orders"), held, certain));
 }
 
 }  // namespace

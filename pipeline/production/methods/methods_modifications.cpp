@@ -32,10 +32,11 @@ void tell_recipes(const Names& emotions, MethodsText& out) {
         if (step.pose) what.add("modify.pose", written(*step.pose, recipe_writing), emotion);
       }
     }
-    recipes.push_back(emotion + ": " + (what.empty() ? "no change" : what.text({emotion})));
+    recipes.push_back("for " + emotion + ": " +
+                      (what.empty() ? "no change" : what.text({emotion})));
   }
   if (!recipes.empty())
-    out.say(fmt::format("At a strength of 1 they are {}", fmt::join(recipes, "; ")));
+    out.say(fmt::format("Changes at a strength of 1 were, {}", fmt::join(recipes, "; ")));
 }
 
 std::string modification_sources(MethodsText& out) {
@@ -73,7 +74,7 @@ void tell_steps(MethodsText& out) {
     }
   }
   if (modified == 0) return;
-  out.say(count_of(modified, "stimulus was", "stimuli were") + " modified afterwards" +
+  out.say(count_of(modified, "stimulus was", "stimuli were") + " modified" +
           modification_sources(out));
   if (!emotions.empty()) {
     out.say(fmt::format("The {} ({}) {} {}, at a strength of {}",
@@ -82,16 +83,16 @@ void tell_steps(MethodsText& out) {
                         told(strengths, 2, "")));
   }
   tell_recipes(emotions, out);
-  if (!by_hand.empty()) out.say("Set by hand: " + by_hand.text(changed));
+  if (!by_hand.empty()) out.say("Manual changes: " + by_hand.text(changed));
   if (!styles.empty()) {
-    out.say("Differences of style were taken over from pairs of examples by published methods" +
+    out.say("Style differences were transferred from pairs of examples by published methods" +
             out.cite(styles));
   }
   if (reduced > 0) {
     out.say(
-        fmt::format("In {} the modification was reduced as far as the motion needed to stay free "
-                    "of faults, to {:.0f} % at the least",
-                    reduced, 100.0 * least_share));
+        fmt::format("In {}, the modification was reduced until the motion was free of faults "
+                    "(lowest: {:.0f} % of the requested strength)",
+                    count_of(reduced, "stimulus", "stimuli"), 100.0 * least_share));
   }
 }
 
@@ -105,8 +106,8 @@ void tell_foils(MethodsText& out) {
   }
   if (foils == 0) return;
   out.say(count_of(foils, "stimulus is a foil", "stimuli are foils") +
-          ": modified as another stimulus is, but for its change of " + listed(aspects) +
-          "; what else differs was measured of both (metrics/foils.csv)");
+          ": modified like another stimulus except for its change of " + listed(aspects) +
+          "; remaining differences were measured (metrics/foils.csv)");
 }
 
 }  // namespace

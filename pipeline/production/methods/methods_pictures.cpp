@@ -30,11 +30,12 @@ void tell_looks(MethodsText& out) {
     add_once(qualities,
              std::to_string(quality_of(FilmSettings{.output = output}).samples_per_pixel));
   }
-  out.say(fmt::format(
-      "Motions were shown on {} ({}; set: {}; camera: {}), ray-traced{} in pictures "
-      "of {} pixels with {} samples a pixel, {} a second",
-      figures.size() == 1 ? "one figure" : "several figures", listed(figures), listed(scenes),
-      listed(cameras), out.cite({"embree2014"}), listed(sizes), listed(qualities), listed(rates)));
+  out.say(
+      fmt::format("Motions were shown with {} ({}; set: {}; camera: {}), ray-traced{} at {} pixels "
+                  "with {} samples per pixel and {} frames per second",
+                  figures.size() == 1 ? "one figure type" : "several figure types", listed(figures),
+                  listed(scenes), listed(cameras), out.cite({"embree2014"}), listed(sizes),
+                  listed(qualities), listed(rates)));
 }
 
 void tell_videos(MethodsText& out) {
@@ -49,33 +50,30 @@ void tell_videos(MethodsText& out) {
   }
   out.say("The films last " + with_mean(seconds, 2, " s"));
   if (kinds.empty()) return;
-  out.say(
-      fmt::format("They were written as {}, and every video was decoded again and compared with "
-                  "the pictures drawn",
-                  listed(kinds)));
+  out.say(fmt::format(
+      "They were encoded as {}; every video was decoded and compared with the rendered frames",
+      listed(kinds)));
 }
 
 void tell_equalizing(MethodsText& out) {
   Names alike;
-  if (out.manifest.equalize.duration) alike.emplace_back("length, that of the shortest");
+  if (out.manifest.equalize.duration) alike.emplace_back("duration (to the shortest)");
   const auto add = [&](const std::optional<Among>& among, const std::string& what) {
     if (!among) return;
-    alike.push_back(what +
-                    (among == Among::figure ? " (among those with the same kind of figure)" : ""));
+    alike.push_back(what + (among == Among::figure ? ", separately for each kind of figure" : ""));
   };
   add(out.manifest.equalize.size,
-      "height of the standing figure, that of the smallest, by the camera");
+      "height of the standing figure (to the smallest, by camera distance)");
   add(out.manifest.equalize.place,
-      "place of the figure in the picture, the mean of them, by its shift");
-  add(out.manifest.equalize.luminance,
-      "mean luminance, the geometric mean of them, by the exposure");
-  if (!alike.empty()) out.say("The films of the stimuli were made alike in " + listed(alike));
+      "position of the figure in the image (to the mean, by shifting the image)");
+  add(out.manifest.equalize.luminance, "mean luminance (to the geometric mean, by exposure)");
+  if (!alike.empty()) out.say("The films of the stimuli were equalized in " + listed(alike));
   if (out.manifest.equalize.luminance && std::ranges::any_of(out.manifest.stimuli, has_dots)) {
     out.say(
-        "Point lights with equally many dots of one size and colour share one exposure, so that "
-        "their dots have one luminance wherever they are moved, as by scrambling, while the "
-        "means of their films may differ; it is that of the dots themselves which the exposure "
-        "changes (metrics/exposure.csv)");
+        "Point-light figures with the same number, size and colour of dots share one exposure, so "
+        "that their dots have the same luminance wherever they move (also when scrambled), while "
+        "the mean luminance of their films may differ; the exposure changes the luminance of the "
+        "dots themselves (metrics/exposure.csv)");
   }
 }
 
@@ -102,20 +100,19 @@ void tell_distances(MethodsText& out) {
     }
   }
   if (distances.count == 0) return;
-  out.say(fmt::format(
-      "The distance D of two motions is the mean distance of {} joints at {} corresponding "
-      "moments, place and heading of the body taken out{}",
-      motion::distance_joints, motion::distance_times, out.cite({"adjectives"})));
+  out.say(
+      fmt::format("The distance D between two motions is the mean distance of {} joints at {} "
+                  "corresponding moments, with position and heading of the body removed{}",
+                  motion::distance_joints, motion::distance_times, out.cite({"adjectives"})));
   if (compares_files(out)) {
     out.say(
-        "Before it was measured, planted feet of motion files were locked to the floor, as those "
-        "of blends are");
+        "Before measuring, planted feet of motion files were locked to the floor, as in blends");
   }
   out.say(fmt::format(
-      "Of {} compared, D is {}; {} below {:g} m, at which a trial of the matching "
-      "task ends; whether people see a difference is another question",
-      count_of(static_cast<std::size_t>(distances.count), "pair", "pairs"),
-      with_mean(distances, 4, " m"), matches == 0 ? "none lies" : count_of(matches, "lies", "lie"),
+      "For {}, D was {}; {} below {:g} m, the threshold that ends a trial of the matching task and "
+      "that is not a measure of perceptibility",
+      count_of(static_cast<std::size_t>(distances.count), "compared pair", "compared pairs"),
+      with_mean(distances, 4, " m"), matches == 0 ? "none was" : count_of(matches, "was", "were"),
       motion::distance_threshold_m));
 }
 

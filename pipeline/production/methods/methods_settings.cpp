@@ -85,7 +85,7 @@ void tell_dots(MethodsText& out) {
     if (has_dots(stimulus)) add_once(dots, dots_of(stimulus, out.motions, out.manifest.seed));
   }
   if (!dots.empty())
-    out.say("A point-light figure has " + fmt::format("{}", fmt::join(dots, " or ")));
+    out.say("Point-light figures have " + fmt::format("{}", fmt::join(dots, " or ")));
 }
 
 }  // namespace
@@ -111,14 +111,14 @@ void describe_settings(MethodsText& out) {
       add_differences("interpolation.", stimulus.interpolation, stimulus.id, settings);
   }
   if (!settings.empty())
-    out.say("Settings other than mien's own were: " + settings.text(everybody));
+    out.say("Settings that differ from the defaults: " + settings.text(everybody));
 }
 
 void describe_example_settings(MethodsText& out) {
   if (!out.manifest.examples.builtin.empty()) return;
   StatedSettings settings;
   add_differences("examples.", out.manifest.examples, "", settings);
-  if (!settings.empty()) out.say("They were taken by these settings: " + settings.text({""}));
+  if (!settings.empty()) out.say("They were extracted with these settings: " + settings.text({""}));
 }
 
 void describe_matching_settings(MethodsText& out) {
@@ -126,11 +126,12 @@ void describe_matching_settings(MethodsText& out) {
   const Matching& matching = *out.manifest.matching;
   if (matching.order == MatchingOrder::guesses_first)
     out.say(
-        "In the matching experiment participants made a guess with every interface at a target "
-        "before they saw what came of any of them, and then matched it with every interface, "
-        "going on from the guess");
+        "In the matching experiment, participants first made an initial guess at each target with "
+        "every interface, without feedback, and then matched the target with every interface, "
+        "starting from that guess");
   if (matching.shows_examples)
-    out.say("The examples played beside the matching task, one after the other with their names");
+    out.say(
+        "The examples were played beside the matching task, one after another, with their names");
 }
 
 }  // namespace mien::pipeline

@@ -65,13 +65,13 @@ std::vector<CertifiedAspect> certificate(const motion::Clip& of, const motion::C
   const EmotionMeasures a = measure_emotion(of);
   const EmotionMeasures b = measure_emotion(foil);
   const auto share = [](double from, double to) { return from == to ? 0.0 : to / from - 1.0; };
-  return {{FoilAspect::posture, "largest turn of a joint (degrees)", NAN, NAN,
+  return {{FoilAspect::posture, "largest difference of a joint rotation (degrees)", NAN, NAN,
            posture_difference(of, foil), held_posture_degrees},
-          {FoilAspect::path_length, "way of head, wrists and ankles (m)", a.path_m, b.path_m,
-           share(a.path_m, b.path_m), held_share},
+          {FoilAspect::path_length, "path length of head, wrists and ankles (m)", a.path_m,
+           b.path_m, share(a.path_m, b.path_m), held_share},
           {FoilAspect::speed, "duration (s)", a.duration_s, b.duration_s,
            share(a.duration_s, b.duration_s), held_share},
-          {FoilAspect::acceleration, "unevenness of speed", a.unevenness, b.unevenness,
+          {FoilAspect::acceleration, "variation of speed", a.unevenness, b.unevenness,
            share(a.unevenness, b.unevenness), held_share}};
 }
 

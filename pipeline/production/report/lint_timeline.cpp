@@ -130,7 +130,7 @@ std::string subtitle_of(const LintedMotion& motion) {
 
 /// Names of the rules that looked and found nothing, in lines that fit the page.
 std::vector<std::string> clean_lines(const LintedMotion& motion) {
-  std::vector<std::string> lines = {"nothing found:"};
+  std::vector<std::string> lines = {"no findings:"};
   for (const motion::LintCheck& check : motion::lint_checks()) {
     const bool has_findings =
         std::ranges::count(motion.findings, check.id, &motion::Finding::check) > 0;
@@ -150,7 +150,7 @@ Plot lint_timeline(const LintedMotion& motion) {
   const std::vector<std::string> clean = clean_lines(motion);
   const double plot_height = row_height * std::max<double>(1.0, static_cast<double>(rows.size()));
   const double height = plot_top + plot_height + 40.0 + 12.0 * static_cast<double>(clean.size());
-  Plot plot{"Faults of " + motion.name, page_width, height, {}};
+  Plot plot{"Findings over time: " + motion.name, page_width, height, {}};
   // The rows point into the plot's own copy of the findings.
   plot.draw = [motion, plot_height, clean](Canvas& canvas) {
     canvas.text({margin, 30.0}, motion.name,

@@ -30,30 +30,29 @@ std::string page_header(const Manifest& manifest, Motions& motions) {
   std::string header = "<header><h1>" + html_escaped(manifest.study) + "</h1>\n";
   if (rests_on_simulated_ratings(manifest, motions)) {
     header +=
-        "<p class=\"simulated\"><strong>Simulated ratings.</strong> No person has rated the "
-        "example motions: what is shown for an adjective is what made-up raters would say.</p>\n";
+        "<p class=\"simulated\"><strong>Simulated ratings.</strong> No participants have rated the "
+        "example motions; adjective values are those of simulated raters.</p>\n";
   }
   return header + "</header>\n";
 }
 
 std::string methods_section(const Methods& methods) {
-  return titled_section(
-      "Methods",
-      methods_html(methods.markdown) +
-          "<p>The same as text, with citations: <a href=\"methods.md\">methods.md</a>, <a "
-          "href=\"references.bib\">references.bib</a>.</p>\n");
+  return titled_section("Methods",
+                        methods_html(methods.markdown) +
+                            "<p>As text with citations: <a href=\"methods.md\">methods.md</a>, <a "
+                            "href=\"references.bib\">references.bib</a>.</p>\n");
 }
 
 std::string page_footer(const Manifest& manifest) {
   return fmt::format(
-      "<footer><p>mien {} · seed {} · manifest {} · {}numbers in <a "
-      "href=\"metrics/\">metrics/</a>, "
-      "their columns in <a href=\"metrics/codebook.json\">codebook.json</a> · settings of all "
-      "stimuli and hashes of all inputs and artifacts in "
-      "<a href=\"provenance.json\">provenance.json</a></p></footer>\n",
+      "<footer><p>mien {} · seed {} · manifest {} · {}tables in <a href=\"metrics/\">metrics/</a>, "
+      "documented in <a href=\"metrics/codebook.json\">codebook.json</a> · settings of all stimuli "
+      "and hashes of all inputs and artifacts in <a "
+      "href=\"provenance.json\">provenance.json</a></p></footer>\n",
       program_version(), manifest.seed, html_escaped(manifest.file.filename().string()),
-      manifest.command.empty() ? ""
-                               : "made by <code>" + html_escaped(manifest.command) + "</code> · ");
+      manifest.command.empty()
+          ? ""
+          : "made with <code>" + html_escaped(manifest.command) + "</code> · ");
 }
 
 std::string links_to_neighbours(const std::vector<ReportPart>& parts, std::size_t which,
@@ -77,7 +76,7 @@ std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& moti
   warnings.insert(warnings.end(), repetitions.begin(),
                   repetitions.begin() + static_cast<std::ptrdiff_t>(shown));
   if (shown < repetitions.size()) {
-    warnings.push_back(fmt::format("so it is of {} others: metrics/warnings.csv has all",
+    warnings.push_back(fmt::format("the same applies to {} others, listed in metrics/warnings.csv",
                                    repetitions.size() - shown));
   }
   return warnings;

@@ -57,10 +57,10 @@ std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
         fmt::format(", {} interpolation", motion::name_of(stimulus.interpolation.weights.method));
   }
   if (made.expected_error_m) {
-    facts += fmt::format(", joints expected within {:.0f} mm", 1000.0 * *made.expected_error_m);
+    facts += fmt::format(", expected joint error {:.0f} mm", 1000.0 * *made.expected_error_m);
   }
   return facts +
-         fmt::format(", planted feet move {:.1f} mm at most", 1000.0 * made.planted_drift_m);
+         fmt::format(", planted feet slide {:.1f} mm at most", 1000.0 * made.planted_drift_m);
 }
 
 std::string folded(const std::string& title, const std::string& html) {
@@ -163,7 +163,7 @@ std::string sheet_card(const Sheet& sheet, Motions& motions) {
   const std::string id = html_escaped(sheet.id);
   std::string alternative = fmt::format("{} motions side by side", sheet.gallery.size());
   if (!sheet.stills.empty()) {
-    alternative = fmt::format("{}: a picture of each of {} stimuli", id, sheet.stills.size());
+    alternative = fmt::format("{}: a frame of each of {} stimuli", id, sheet.stills.size());
   }
   std::string caption = alternative;
   if (sheet.gallery.empty() && sheet.stills.empty()) {

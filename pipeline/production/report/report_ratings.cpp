@@ -52,9 +52,8 @@ std::string impression_table(const Impressions& impressions, const ScaleSet& sca
 
 std::string ratings_section(const Manifest& manifest, const Repertoire& repertoire) {
   if (!repertoire.impressions) return "";
-  return "<section><h2>What people think of the examples</h2>\n" +
-         expectation_list(manifest, repertoire) +
-         "<details><summary>Mean answers: 0 low end, 1 high end</summary>\n" +
+  return "<section><h2>Ratings of the examples</h2>\n" + expectation_list(manifest, repertoire) +
+         "<details><summary>Mean ratings: 0 low end, 1 high end</summary>\n" +
          impression_table(*repertoire.impressions, repertoire.scales) + "</details>\n</section>\n";
 }
 

@@ -24,19 +24,19 @@ std::string alike(const Equalize& equalize) {
   };
   if (equalize.duration) {
     in_all.emplace_back(
-        "length (as the shortest: <a href=\"metrics/durations.csv\">durations.csv</a>)");
+        "duration (to the shortest: <a href=\"metrics/durations.csv\">durations.csv</a>)");
   }
   add(equalize.size,
-      "height of the standing figure in pixels (as the smallest: "
-      "<a href=\"metrics/sizes.csv\">sizes.csv</a>)");
-  add(equalize.place, "place in the picture (<a href=\"metrics/places.csv\">places.csv</a>)");
+      "height of the standing figure in pixels (to the smallest: <a "
+      "href=\"metrics/sizes.csv\">sizes.csv</a>)");
+  add(equalize.place, "position in the image (<a href=\"metrics/places.csv\">places.csv</a>)");
   add(equalize.luminance,
       "mean luminance (by exposure: <a href=\"metrics/exposure.csv\">exposure.csv</a>)");
   std::string text;
   if (!in_all.empty())
-    text += fmt::format("<p>Made alike in all stimuli: {}.</p>\n", fmt::join(in_all, ", "));
+    text += fmt::format("<p>Equalized across stimuli: {}.</p>\n", fmt::join(in_all, ", "));
   if (!by_figure.empty()) {
-    text += fmt::format("<p>Made alike among the stimuli with the same kind of figure: {}.</p>\n",
+    text += fmt::format("<p>Equalized across stimuli with the same kind of figure: {}.</p>\n",
                         fmt::join(by_figure, ", "));
   }
   return text;

@@ -90,7 +90,7 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
     add(made.held[i].first, fmt::format("held {:.2f}", made.held[i].second), "",
         made.held_reached[i].second);
   if (rows.empty()) return rows;
-  return html_table({"parameter", "", ">asked", ">reached", ">possible"}, rows);
+  return html_table({"parameter", "", ">requested", ">reached", ">feasible range"}, rows);
 }
 
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
@@ -108,9 +108,9 @@ std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Mo
   return fmt::format(
       "<details><summary>{} {}</summary>\n{}</details>\n", count,
       made.asked.empty() && made.held.empty()
-          ? (count == 1 ? "scale that nothing was asked of" : "scales that nothing was asked of")
+          ? (count == 1 ? "scale without a requested value" : "scales without requested values")
           : (count == 1 ? "other scale" : "other scales"),
-      html_table({"scale", "", ">has"}, rows));
+      html_table({"scale", "", ">value"}, rows));
 }
 
 std::string weight_table(const Synthesis& made, Motions& motions) {
@@ -148,10 +148,10 @@ std::string distance_table(std::span<const Sheet* const> sheets, Motions& motion
           html_escaped(beside_verdict(d, wanted, came)));
     }
   }
-  return html_table(
-      {"target", "created", ">D (m)", ">sum (m)", ">MPJPE (m)",
-       "D &lt; 0.06 m (the matching task's threshold)", "joint that differs most; durations"},
-      rows);
+  return html_table({"target", "created", ">D (m)", ">sum (m)", ">MPJPE (m)",
+                     "D &lt; 0.06 m (the matching task's threshold)",
+                     "joint with the largest difference; durations"},
+                    rows);
 }
 
 std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions) {
@@ -165,9 +165,10 @@ std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motion
                         html_escaped(sheet->target), html_escaped(sheet->created), moved, agree);
   }
   if (rows.empty()) return rows;
-  return html_table({"target", "created", ">features that the target moved from the reference",
-                     ">moved the same way"},
-                    rows);
+  return html_table(
+      {"target", "created", ">features in which the target differs from the reference",
+       ">changed in the same direction"},
+      rows);
 }
 
 std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions) {
@@ -177,9 +178,9 @@ std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions) {
       rows += fmt::format(
           "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
           html_escaped(id), html_escaped(foil.of), name_of(aspect.aspect), difference_text(aspect),
-          aspect.aspect == foil.differ ? "meant to differ"
+          aspect.aspect == foil.differ ? "intended to differ"
           : aspect.is_held()           ? "held"
-                                       : "<strong>differs, too</strong>");
+                                       : "<strong>also differs</strong>");
     }
   }
   if (rows.empty()) return "";

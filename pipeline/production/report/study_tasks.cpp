@@ -39,7 +39,7 @@ constexpr Table tables[] = {{distances_form, distances_csv},
 
 void put_page(TaskRun& run, std::size_t product, const std::string& text) {
   run.put_text(product, text, [&](const fs::path& file) {
-    if (read_file(file) != text) throw std::runtime_error(file.string() + " is not complete");
+    if (read_file(file) != text) throw std::runtime_error(file.string() + " is incomplete");
   });
 }
 

@@ -8,47 +8,44 @@ namespace mien::pipeline {
 
 // The columns of the tables that tables.h writes.
 
-inline constexpr Column ratings_column = {
-    "ratings", "",
-    "whose ratings the motion rests on: given (by people), simulated, or none (features, weights, "
-    "files)"};
+inline constexpr Column ratings_column = {"ratings", "",
+                                          "ratings on which the motion is based: given (by "
+                                          "people), simulated or none (features, weights, files)"};
 
 inline constexpr std::array distances_columns = std::to_array<Column>({
-    {"sheet", "", "the sheet that compares them"},
-    {"target", "", "stimulus or example that is measured against"},
-    {"created", "", "stimulus or example that is measured"},
+    {"sheet", "", "comparison sheet"},
+    {"target", "", "reference stimulus or example"},
+    {"created", "", "stimulus or example compared with it"},
     ratings_column,
-    {"alignment", "", "pelvis: place and heading of the body are taken out; world: they are not"},
+    {"alignment", "", "pelvis: position and heading of the body removed; world: kept"},
     {"d_m", "m",
-     "D: mean distance over 20 joints and 11 corresponding moments; feet of motion files are "
-     "settled "
-     "first, as those of blends are"},
-    {"d_sum_m", "m", "the same distances summed, as the formula is printed"},
-    {"mpjpe_m", "m", "mean distance of the joints over all frames"},
+     "D: mean distance over 20 joints and 11 corresponding moments; planted feet of motion files "
+     "are locked to the floor first, as in blends"},
+    {"d_sum_m", "m", "sum of the same distances, as in the published formula"},
+    {"mpjpe_m", "m", "mean joint distance over all frames (MPJPE)"},
     {"threshold_m", "m",
-     "a trial of the adjective paper's matching task ends when D is below this"},
+     "threshold of D at which a trial of the adjective paper's matching task ends"},
     {"match", "0/1",
-     "1: D is below the threshold of the adjective paper's matching task, which says nothing of "
-     "single joints, of durations and of whether people see a difference; empty for what a gallery "
-     "sets side by side"},
+     "1: D is below the threshold of the adjective paper's matching task, which does not consider "
+     "single joints, durations or perceptibility; empty for gallery sheets"},
 });
 
 inline constexpr std::array joint_distances_columns = std::to_array<Column>({
-    {"sheet", "", "the sheet that compares them"},
-    {"target", "", "stimulus or example that is measured against"},
-    {"created", "", "stimulus or example that is measured"},
+    {"sheet", "", "comparison sheet"},
+    {"target", "", "reference stimulus or example"},
+    {"created", "", "stimulus or example compared with it"},
     ratings_column,
-    {"joint", "", "joint of the body"},
-    {"time", "0–1", "moment, as a share of the duration"},
-    {"distance_m", "m", "distance of the joint from where the target has it"},
+    {"joint", "", "joint"},
+    {"time", "0–1", "time, as a fraction of the duration"},
+    {"distance_m", "m", "distance of the joint from its position in the target"},
 });
 
 inline constexpr std::array weights_columns = std::to_array<Column>({
     {"stimulus", "", "id of the stimulus"},
     ratings_column,
-    {"example", "", "label of the example"},
+    {"example", "", "example label"},
     {"weight", "",
-     "its share of the blend; the shares of a stimulus sum to 1 (a statistical model's may be "
+     "blend weight; the weights of a stimulus sum to 1 (those of a statistical model may be "
      "negative)"},
 });
 
@@ -56,140 +53,144 @@ inline constexpr std::array clips_columns = std::to_array<Column>({
     {"stimulus", "", "id of the stimulus"},
     {"role", "", "target, created or reference"},
     ratings_column,
-    {"source", "", "what the motion is made from: adjectives, features, weights or clip"},
-    {"frames", "", "frames of what is shown, all cycles"},
-    {"duration_s", "s", "duration of what is shown"},
-    {"fps", "1/s", "frames a second"},
-    {"cycle_s", "s", "duration of one cycle; empty where nothing loops"},
-    {"stride_m", "m", "way over the floor in one cycle; empty where nothing loops"},
-    {"speed_m_s", "m/s", "way over the floor by the time that it takes"},
-    {"planted_drift_m", "m", "farthest that a planted foot slides"},
+    {"source", "", "source of the motion: adjectives, features, weights or clip"},
+    {"frames", "", "number of frames shown, over all cycles"},
+    {"duration_s", "s", "duration shown, over all cycles"},
+    {"fps", "1/s", "frames per second"},
+    {"cycle_s", "s", "duration of one cycle; empty for motions that do not loop"},
+    {"stride_m", "m",
+     "stride length: distance travelled in one cycle; empty for motions that do not loop"},
+    {"speed_m_s", "m/s", "mean speed over the floor"},
+    {"planted_drift_m", "m", "largest displacement of a planted foot"},
     {"method", "",
-     "how the shares of the examples were found: a method of interpolation, or direct for given "
-     "weights; empty for a file"},
-    {"expected_error_m", "m", "how far joints may be off, where the method tells (kriging)"},
-    {"modified", "", "what was done to the motion; empty for nothing"},
+     "interpolation method by which blend weights were found, or direct for given weights; empty "
+     "for a file"},
+    {"expected_error_m", "m",
+     "expected error of joint positions, where the method estimates it (kriging)"},
+    {"modified", "", "modifications applied to the motion; empty for none"},
     {"modified_share", "0–1",
-     "share of the strengths asked for that was kept: below 1 where on_fault reduced them"},
+     "proportion of the requested modification strength that was applied; below 1 where on_fault "
+     "reduced it"},
 });
 
 inline constexpr std::array parameters_columns = std::to_array<Column>({
     {"stimulus", "", "id of the stimulus"},
     ratings_column,
     {"parameter", "", "scale, group of scales or motion feature"},
-    {"asked", "0–1", "what the stimulus asks for; empty where it asks for nothing"},
-    {"held", "0–1", "where the stimulus holds it; empty where it does not"},
+    {"asked", "0–1", "requested value; empty if none"},
+    {"held", "0–1", "value at which the parameter is held; empty if it is not held"},
     {"reached", "0–1",
-     "what the motion has: 0 the low end of the scale, 1 the high end; of features 0 the smallest "
-     "of the examples, 1 the largest; of a modified motion as it was before"},
+     "value reached: 0 low end of the scale, 1 high end; for features 0 smallest and 1 largest of "
+     "the examples; for a modified motion, before modification"},
     {"least", "0–1",
-     "least that blends of the examples can have of what is asked for, the other wishes met"},
-    {"most", "0–1", "most that they can have of it"},
+     "lower end of the feasible range: the least that blends of the examples reach with the other "
+     "requested parameters met"},
+    {"most", "0–1", "upper end of the feasible range"},
     {"name", "", "English name: \"sad – happy\", low end first"},
     {"name_ja", "", "Japanese name"},
 });
 
 inline constexpr std::array examples_columns = std::to_array<Column>({
-    {"example", "", "label, as weights and ratings name it"},
-    {"file", "", "name of the motion file; empty for a built-in example"},
-    {"take_fps", "1/s", "frames a second of the file"},
+    {"example", "", "example label, as in weights and ratings"},
+    {"file", "", "motion file; empty for a built-in example"},
+    {"take_fps", "1/s", "frames per second of the file"},
     {"take_frames", "", "frames in the file"},
-    {"first_frame", "", "first frame of the part that was cut out, counted from 0"},
-    {"last_frame", "", "last frame of that part; of a cycle, the one that meets the first again"},
+    {"first_frame", "", "first frame of the part used, counted from 0"},
+    {"last_frame", "",
+     "last frame of that part; of a cycle, the one that coincides with the first"},
     {"first_s", "s", "time of the first frame in the file"},
     {"last_s", "s", "time of the last frame in the file"},
     {"loops", "0/1", "1: one gait cycle, closed to a loop"},
-    {"mirrored", "0/1", "1: the file held one step only, the other is its mirror image"},
+    {"mirrored", "0/1", "1: the file holds one step only; the other is its mirror image"},
     {"duration_s", "s", "duration of the example"},
     {"keytimes_s", "s",
-     "corresponding moments, parted by blanks, from the example's start; of a gait cycle: left "
-     "heel strike, right toe off, left mid-stance, right heel strike, left toe off, right "
-     "mid-stance, left heel strike"},
+     "keytimes: corresponding moments from the example's start, separated by spaces; of a gait "
+     "cycle: left heel strike, right toe off, left mid-stance, right heel strike, left toe off, "
+     "right mid-stance, left heel strike"},
 });
 
 inline constexpr std::array expectations_columns = std::to_array<Column>({
-    {"parameter", "", "scale or group that an order was expected on"},
-    {"ratings", "", "whose ratings: given (by people) or simulated"},
-    {"place", "", "place in the expected order, 1 nearest to the low end"},
-    {"example", "", "label of the example expected there"},
-    {"value", "0–1", "where people put it: 0 the low end of the scale, 1 the high end"},
-    {"above_previous", "0/1",
-     "1: it lies above the example expected below it; empty for the first"},
-    {"people", "", "people who rated this example and the one before"},
-    {"difference", "0–1", "mean over them of this example's value minus the one's before"},
-    {"difference_low", "0–1", "low end of its 95 % interval (paired t)"},
-    {"difference_high", "0–1", "high end of it"},
+    {"parameter", "", "scale or group for which an order is expected"},
+    {"ratings", "", "source of the ratings: given (by people) or simulated"},
+    {"place", "", "rank in the expected order, 1 nearest to the low end"},
+    {"example", "", "label of the example expected at that rank"},
+    {"value", "0–1", "mean rating: 0 low end of the scale, 1 high end"},
+    {"above_previous", "0/1", "1: rated above the example expected below it; empty for the first"},
+    {"people", "", "participants who rated this example and the one before"},
+    {"difference", "0–1", "mean over them of this example's value minus that of the one before"},
+    {"difference_low", "0–1", "lower end of its 95 % interval (paired t)"},
+    {"difference_high", "0–1", "upper end of that interval"},
     {"holds", "0/1", "1: the whole order is as expected"},
-    {"is_certain", "0/1", "1: every step of it is more than noise: its interval lies above 0"},
+    {"is_certain", "0/1", "1: every step is significant: its interval lies above 0"},
 });
 
 inline constexpr std::array findings_columns = std::to_array<Column>({
     {"stimulus", "", "id of the stimulus"},
-    {"check", "", "rule of the lint"},
+    {"check", "", "lint rule"},
     {"severity", "", "error or warning"},
-    {"joint", "", "joint of the body; empty where none is meant"},
-    {"first_frame", "", "first frame of the finding, in one cycle or the whole clip"},
+    {"joint", "", "joint; empty if none is concerned"},
+    {"first_frame", "", "first frame of the finding, within one cycle or the whole clip"},
     {"last_frame", "", "last frame of the finding"},
     {"first_s", "s", "time of the first frame"},
     {"last_s", "s", "time of the last frame"},
-    {"measured", "see unit", "what was measured"},
-    {"threshold", "see unit", "what the rule allows"},
-    {"unit", "", "unit of the two"},
-    {"sentence", "", "the finding in words"},
+    {"measured", "see unit", "measured value"},
+    {"threshold", "see unit", "limit of the rule"},
+    {"unit", "", "unit of value and limit"},
+    {"sentence", "", "description of the finding"},
 });
 
 inline constexpr std::array feature_changes_columns = std::to_array<Column>({
-    {"sheet", "", "the sheet that compares them"},
-    {"reference", "", "stimulus or example that both are held against"},
-    {"target", "", "stimulus or example that shows the way"},
-    {"created", "", "stimulus or example that should go the same way"},
+    {"sheet", "", "comparison sheet"},
+    {"reference", "", "reference stimulus or example"},
+    {"target", "", "target stimulus or example"},
+    {"created", "", "stimulus or example that should change in the same direction"},
     ratings_column,
     {"feature", "", "id of the motion feature"},
     {"name", "", "English name"},
     {"name_ja", "", "Japanese name"},
-    {"unit", "", "unit of the three numbers"},
-    {"reference_value", "see unit", "the feature of the reference"},
-    {"target_change", "see unit", "target minus reference: positive where the target has more"},
-    {"created_change", "see unit",
-     "created minus reference: positive where the created motion has more"},
+    {"unit", "", "unit of the following three values"},
+    {"reference_value", "see unit", "value of the reference"},
+    {"target_change", "see unit", "target minus reference"},
+    {"created_change", "see unit", "created motion minus reference"},
     {"moved", "0/1", "1: the target differs measurably from the reference"},
     {"agrees", "0/1",
-     "1: the created motion differs measurably the same way; empty where the target has not moved"},
+     "1: the created motion differs measurably in the same direction; empty if the target does not "
+     "differ"},
 });
 
 inline constexpr std::array foils_columns = std::to_array<Column>({
     {"foil", "", "id of the foil"},
-    {"of", "", "id of the stimulus that it is a foil of"},
-    {"differ", "", "aspect in which the two are meant to differ"},
+    {"of", "", "id of the stimulus of which it is a foil"},
+    {"differ", "", "aspect in which the two are intended to differ"},
     {"aspect", "", "aspect of this row: posture, path-length, speed or acceleration"},
-    {"measure", "", "what was measured of both finished motions, with its unit"},
-    {"of_value", "see measure", "of the stimulus; empty where only the difference is known"},
-    {"foil_value", "see measure", "of the foil"},
+    {"measure", "", "measure compared between the two finished motions, with its unit"},
+    {"of_value", "see measure", "value of the stimulus; empty if only the difference is known"},
+    {"foil_value", "see measure", "value of the foil"},
     {"difference", "° or share",
-     "of the posture the largest turn of a joint, degrees; otherwise the foil's value by the "
-     "other's, minus 1"},
+     "for posture, the largest difference of a joint rotation in degrees; otherwise the ratio of "
+     "the foil's value to the stimulus's, minus 1"},
     {"is_held", "0/1",
-     "1: the difference is below 2°, or 0.05; empty for the aspect that is meant to differ"},
+     "1: the difference is below 2°, or 0.05; empty for the aspect intended to differ"},
 });
 
-inline constexpr TableForm distances_form = {"metrics/distances.csv", "a compared pair",
+inline constexpr TableForm distances_form = {"metrics/distances.csv", "compared pair",
                                              distances_columns};
 inline constexpr TableForm joint_distances_form = {
-    "metrics/joint_distances.csv", "a compared pair, joint and time", joint_distances_columns};
-inline constexpr TableForm weights_form = {"metrics/weights.csv", "a stimulus and example",
+    "metrics/joint_distances.csv", "compared pair, joint and time", joint_distances_columns};
+inline constexpr TableForm weights_form = {"metrics/weights.csv", "stimulus and example",
                                            weights_columns};
-inline constexpr TableForm clips_form = {"metrics/clips.csv", "a stimulus", clips_columns};
+inline constexpr TableForm clips_form = {"metrics/clips.csv", "stimulus", clips_columns};
 inline constexpr TableForm parameters_form = {
-    "metrics/parameters.csv", "a stimulus and parameter: first those asked for, then all others",
+    "metrics/parameters.csv", "stimulus and parameter: first the requested ones, then all others",
     parameters_columns};
-inline constexpr TableForm examples_form = {"metrics/examples.csv", "an example", examples_columns};
+inline constexpr TableForm examples_form = {"metrics/examples.csv", "example", examples_columns};
 inline constexpr TableForm expectations_form = {
-    "metrics/expectations.csv", "an example of an expected order", expectations_columns};
-inline constexpr TableForm foils_form = {"metrics/foils.csv", "a foil and aspect", foils_columns};
-inline constexpr TableForm findings_form = {"metrics/findings.csv", "a finding of the lint",
+    "metrics/expectations.csv", "example of an expected order", expectations_columns};
+inline constexpr TableForm foils_form = {"metrics/foils.csv", "foil and aspect", foils_columns};
+inline constexpr TableForm findings_form = {"metrics/findings.csv", "lint finding",
                                             findings_columns};
 inline constexpr TableForm feature_changes_form = {"metrics/feature_changes.csv",
-                                                   "a comparison with a reference and a feature",
+                                                   "comparison with a reference, and feature",
                                                    feature_changes_columns};
 
 }  // namespace mien::pipeline

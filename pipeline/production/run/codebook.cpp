@@ -63,16 +63,15 @@ std::string codebook_json(const Manifest& manifest) {
   const std::vector<std::string> factors = factors_of(manifest);
   ordered_json tables = ordered_json::array();
   for (const TableForm& form : table_forms_of(manifest)) tables.push_back(as_json(form, factors));
-  const ordered_json book = {{"study", manifest.study},
-                             {"empty", "a field is empty where there is nothing to tell"},
-                             {"tables", tables}};
+  const ordered_json book = {
+      {"study", manifest.study}, {"empty", "fields without a value are empty"}, {"tables", tables}};
   return book.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string codebook_markdown() {
   std::string text;
   for (const TableForm& form : all_table_forms()) {
-    text += fmt::format("## {}\n\nA row {}.\n\n| column | unit | meaning |\n|---|---|---|\n",
+    text += fmt::format("## {}\n\nOne row per {}.\n\n| column | unit | meaning |\n|---|---|---|\n",
                         form.path, form.rows);
     for (const Column& column : form.columns)
       text += fmt::format("| `{}` | {} | {} |\n", column.name, column.unit, column.meaning);

@@ -20,7 +20,7 @@ constexpr double cost_seconds = 0.02;
 
 void check_json(const fs::path& file) {
   if (!nlohmann::json::accept(read_file(file)))
-    throw std::runtime_error(file.string() + " is not complete");
+    throw std::runtime_error(file.string() + " is incomplete");
 }
 
 }  // namespace

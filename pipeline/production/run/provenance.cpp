@@ -78,18 +78,18 @@ std::vector<std::string> changes_since(const std::filesystem::path& provenance,
   const ordered_json record = ordered_json::parse(read_file(provenance));
   std::vector<std::string> changes;
   if (const auto version = record.value("mien", ""); version != program_version()) {
-    changes.push_back("it was made by mien " + version + ", and this is " +
+    changes.push_back("it was made with mien " + version + ", and this is " +
                       std::string(program_version()));
   }
   const ordered_json before = record.value("inputs", ordered_json::object());
   for (const auto& [name, hash] : hashes_of_inputs(manifest)) {
     const bool is_same = before.contains(name) && before[name] == hash;
-    if (!is_same) changes.push_back(name + " is not what it was");
+    if (!is_same) changes.push_back(name + " has changed");
   }
   const std::filesystem::path folder = provenance.parent_path();
   const auto as_run = read_receipt(folder, as_run_path);
   if (as_run && as_run->hash != hash_of_file(folder / as_run_path))
-    changes.push_back(std::string(as_run_path) + " is not what it was");
+    changes.push_back(std::string(as_run_path) + " has changed");
   return changes;
 }
 

@@ -65,9 +65,9 @@ void refuse_replaced(const RunResult& result, const Store& store) {
     for (const Receipt& product : outcome.products) {
       const auto now = read_receipt(store.folder(), product.path);
       if (now && now->key == product.key) continue;
-      throw Error(product.path + " was replaced by another process while this one worked",
-                  "a run of another state of this study, perhaps; when it is over, the same "
-                  "command goes on from here");
+      throw Error(product.path + " was replaced by another process during this run",
+                  "perhaps another run of a changed manifest is in progress; when it has finished, "
+                  "run the same command again to continue");
     }
   }
 }
@@ -91,12 +91,13 @@ std::string counted_tasks(const RunResult& result) {
   if (result.is_complete() && made == 0)
     return fmt::format("nothing to do, all {} tasks are done", cached);
   std::string text = fmt::format("{} {} done", made, made == 1 ? "task" : "tasks");
-  if (cached > 0) text += fmt::format(", {} {} done before", cached, cached == 1 ? "was" : "were");
+  if (cached > 0) text += fmt::format(", {} up to date", cached);
   if (failed > 0) text += fmt::format(", {} failed", failed);
   const int left = static_cast<int>(result.outcomes.size()) - made - cached - failed;
   if (result.was_interrupted)
-    return text + fmt::format(", {} left; interrupted, the same command goes on from here", left);
-  return left > 0 ? text + fmt::format(", {} not begun because of that", left) : text;
+    return text +
+           fmt::format(", {} left; interrupted: run the same command again to continue", left);
+  return left > 0 ? text + fmt::format(", {} skipped because they depend on it", left) : text;
 }
 
 std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production) {

@@ -24,7 +24,7 @@ struct RunResult {
   bool is_complete() const;  ///< every task was cached or made
 };
 
-/// "7 tasks done, 2 were done before, 1 failed, 3 not begun because of that": how a run ended, in
+/// "7 tasks done, 2 up to date, 1 failed, 3 skipped because they depend on it": how a run ended, in
 /// the words of its last line; of an interrupted one with all that is left to do.
 std::string counted_tasks(const RunResult& result);
 

@@ -128,8 +128,8 @@ void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_
   for (const auto& [name, hash] : hashes_of_inputs(manifest)) {
     const auto before = as_read.find(name);
     if (before != as_read.end() && before->second == hash) continue;
-    throw Error(name + " was changed while the study was made of it",
-                "run it again: what does not rest on the change is there already");
+    throw Error(name + " was changed during the run",
+                "run it again: only what depends on the change is made again");
   }
   const std::vector<InputCopy> copies = input_copies(manifest);
   for (const InputCopy& copy : copies) put_text(store, copy.path, read_file(copy.source));

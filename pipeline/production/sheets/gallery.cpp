@@ -41,7 +41,7 @@ void draw_title(Canvas& canvas, const GalleryContent& content) {
       canvas.text({gallery_margin, baseline}, content.title, {.size = 18.0, .bold = true});
   canvas.text({title.right() + 10.0, baseline}, content.study, {.size = 11.0, .colour = quiet_ink});
   canvas.text({gallery_margin, baseline + 17.0},
-              fmt::format("{} motions at corresponding moments; D from the first of them",
+              fmt::format("{} motions at corresponding moments; D relative to the first",
                           content.motions.size()),
               {.size = 9.0, .colour = quiet_ink});
   if (!content.simulated_ratings) return;
@@ -91,7 +91,7 @@ void draw_rows(Canvas& canvas, const GalleryContent& content) {
 std::string drawn(Canvas& canvas, const GalleryContent& content) {
   draw_title(canvas, content);
   draw_rows(canvas, content);
-  std::string facts = "lighter limbs: left";
+  std::string facts = "lighter limbs: left side";
   for (const auto& [name, value] : content.provenance) facts += "  ·  " + name + " " + value;
   canvas.text({gallery_margin, page_height(content) - gallery_margin}, facts,
               {.size = 8.0, .colour = quiet_ink});

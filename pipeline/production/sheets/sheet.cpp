@@ -48,7 +48,7 @@ std::string beside_verdict(const motion::Distance& distance, const motion::Examp
   joint[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(joint[0])));
   const double wanted = target.clip.duration_seconds();
   const double came = created.clip.duration_seconds();
-  return fmt::format("most: {}, {:.3f} m  ·  {:.2f} s against {:.2f} s ({:+.2f} s)", joint, *worst,
+  return fmt::format("largest: {}, {:.3f} m  ·  {:.2f} s vs. {:.2f} s ({:+.2f} s)", joint, *worst,
                      came, wanted, came - wanted);
 }
 

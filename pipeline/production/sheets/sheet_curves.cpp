@@ -166,8 +166,8 @@ void draw_joint(Canvas& canvas, const JointCurves& curves, double mean, const Bo
 }  // namespace
 
 void draw_curves(Canvas& canvas, const SheetContent& content, const Box& box) {
-  draw_heading(canvas, {box.x, box.y + 9.0}, "The three joints that differ most",
-               "position over time, metres, one scale a joint; broad: target, fine: created");
+  draw_heading(canvas, {box.x, box.y + 9.0}, "The three joints with the largest differences",
+               "position over time in metres, one scale per joint; thick: target, thin: created");
   const std::vector<JointCurves> curves = curves_of(content);
   const auto means = content.distance.by_joint();
   const double gap = 22.0;

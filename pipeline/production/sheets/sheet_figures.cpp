@@ -57,7 +57,7 @@ std::vector<FigureRow> rows_of(const SheetContent& content) {
   rows.push_back(row_of(content, content.created, "Created", "作成", created_colours));
   rows.push_back({"Overlay",
                   "重ね合わせ",
-                  {"target broad, created fine", "lighter limbs: left"},
+                  {"thick: target, thin: created", "lighter limbs: left side"},
                   ink,
                   {layer_of(content, content.target, target_pale, 1.7),
                    layer_of(content, content.created, created_colours, 0.6, false)}});
@@ -99,7 +99,7 @@ void draw_figures(Canvas& canvas, const SheetContent& content, const Box& box) {
   const double scale = std::min((column_width - 8.0) / (extent.right - extent.left),
                                 (row_height - 14.0) / (extent.top - extent.bottom));
 
-  canvas.text({box.x, box.y + 9.0}, "Share of the duration",
+  canvas.text({box.x, box.y + 9.0}, "Proportion of the duration",
               {.size = 8.0, .colour = quiet_ink, .max_width = name_width - 6.0});
   for (int t = 0; t < motion::distance_times; ++t) {
     const Box column = time_column(box, t);

@@ -42,7 +42,7 @@ void draw_colour_scale(Canvas& canvas, double limit, const Box& box) {
 
 void draw_heat_map(Canvas& canvas, const SheetContent& content, const Box& box) {
   const double limit = amount_limit(content.distance);
-  draw_heading(canvas, {box.x, box.y + 10.0}, "Distance of each joint at each time",
+  draw_heading(canvas, {box.x, box.y + 10.0}, "Joint distances over time",
                "metres between target and created");
   draw_colour_scale(canvas, limit, {box.right() - 226.0, box.y + 3.0, 180.0, 7.0});
   for (int j = 1; j <= motion::distance_joints; ++j) {

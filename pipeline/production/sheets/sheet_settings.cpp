@@ -56,7 +56,7 @@ void draw_parameter_titles(Canvas& canvas, const Box& box, const ParameterColumn
   canvas.text({columns.created, box.y + 4.0}, "created", number_style(created_colours.line, true));
   const TextStyle small = {.size = 6.5, .colour = quiet_ink, .align = Align::right};
   for (const double x : {columns.target_asked, columns.created_asked})
-    canvas.text({x, box.y + 12.0}, "asked", small);
+    canvas.text({x, box.y + 12.0}, "request", small);
   for (const double x : {columns.target, columns.created})
     canvas.text({x, box.y + 12.0}, "reached", small);
 }
@@ -213,7 +213,8 @@ ValueColumns value_columns(const Box& box) { return {box.right() - 42.0, box.rig
 void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box) {
   draw_heading(canvas, {box.x, box.y + 10.0}, "Parameters", "指標");
   if (content.parameters.empty()) {
-    draw_remark(canvas, box, box.y + heading_height + 6.0, "Neither motion was asked for by name.");
+    draw_remark(canvas, box, box.y + heading_height + 6.0,
+                "Neither motion has requested parameters.");
     return;
   }
   const ParameterColumns columns = parameter_columns(box, content.parameters);
@@ -226,7 +227,7 @@ void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box
     if (row.bottom() + (is_last ? 0.0 : plain_row) > box.bottom() + 0.1) {
       const std::size_t left_out = content.parameters.size() - i;
       draw_remark(canvas, box, row.y + 8.0,
-                  fmt::format("and {} more: metrics/parameters.csv", left_out));
+                  fmt::format("and {} more in metrics/parameters.csv", left_out));
       return;
     }
     if (parameter.is_asked()) {

@@ -22,7 +22,7 @@ void verify_pdf(const fs::path& file) {
   if (bytes.starts_with("%PDF-") && bytes.find("%%EOF", bytes.size() - 16) != std::string::npos) {
     return;
   }
-  throw std::runtime_error(file.string() + " is no complete PDF");
+  throw std::runtime_error(file.string() + " is not a complete PDF");
 }
 
 }  // namespace

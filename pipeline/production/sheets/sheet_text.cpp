@@ -13,17 +13,17 @@ namespace {
 
 void draw_unrated_mark(Canvas& canvas, const Box& box) {
   const Box pill = draw_simulated_mark(canvas, {box.right(), box.y}, simulated_ratings_mark, 11.0);
-  canvas.text({box.right(), pill.bottom() + 14.0}, "no person has rated these motions",
+  canvas.text({box.right(), pill.bottom() + 14.0},
+              "simulated ratings; no participants have rated these motions",
               {.size = 8.0, .colour = caution_ink, .align = Align::right});
 }
 
 std::string definition(const motion::Distance& distance) {
   const char* alignment = distance.alignment == motion::Alignment::pelvis
-                              ? "place on the floor and heading removed at every time, height kept"
-                              : "start on the same spot with the same heading";
+                              ? "horizontal position and heading removed at each time, height kept"
+                              : "same starting position and heading";
   return fmt::format(
-      "D: mean of |target − created| over {} times × {} joints; corresponding times by keytimes; "
-      "{}.",
+      "D: mean of |target − created| over {} times × {} joints, aligned by keytimes; {}.",
       motion::distance_times, motion::distance_joints, alignment);
 }
 

@@ -95,7 +95,7 @@ std::string drawn(Canvas& canvas, const StillsContent& content, const Page& page
     canvas.text(page.caption(i), content.stills[i].id,
                 {.size = 8.0, .align = Align::centre, .max_width = box.width});
   }
-  std::string facts = fmt::format("the middle frame of each of {} films", content.stills.size());
+  std::string facts = fmt::format("middle frame of each of {} films", content.stills.size());
   for (const auto& [name, value] : content.provenance) facts += "  ·  " + name + " " + value;
   canvas.text({stills_margin, page.height() - stills_margin}, facts,
               {.size = 7.0, .colour = quiet_ink, .max_width = width});

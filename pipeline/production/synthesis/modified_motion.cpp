@@ -26,8 +26,8 @@ motion::Pose pose_of(const PoseSource& source, const Repertoire& repertoire) {
     const auto& examples = repertoire.examples.examples;
     const auto found = std::ranges::find(examples, source.example, &motion::Example::name);
     if (found == examples.end()) {
-      throw Error(fmt::format("there is no example \"{}\" to take a pose from", source.example),
-                  "name one of the set's examples, or a motion file");
+      throw Error(fmt::format("there is no example \"{}\" for the pose", source.example),
+                  "name one of the examples, or a motion file");
     }
     clip = found->clip;
   } else {
@@ -149,15 +149,16 @@ ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
       fmt::format("{} ({}, frames {}–{})", fault.sentence, fault.check, fault.first, fault.last);
   switch (stimulus.on_fault) {
     case OnFault::warn:
-      whole.warnings.push_back("the modification breaks the motion: " + what);
+      whole.warnings.push_back("the modification makes the motion faulty: " + what);
       return whole;
     case OnFault::fail:
-      throw Error(fmt::format("{}: modified by {}, the motion is broken: {}", stimulus.id,
+      throw Error(fmt::format("{}: modified by {}, the motion is faulty: {}", stimulus.id,
                               described_modifications(stimulus), what),
                   "lower the strength, or choose on_fault: warn, revert or reduce");
     case OnFault::revert: {
       ModifiedMotion result = at_share(original, steps, 0.0);
-      result.warnings.push_back("left unmodified, because the modification breaks it: " + what);
+      result.warnings.push_back("left unmodified, because the modification makes it faulty: " +
+                                what);
       return result;
     }
     case OnFault::reduce:
@@ -166,9 +167,10 @@ ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
   ModifiedMotion result = reduced(original, steps, own);
   result.warnings.push_back(
       result.share == 0.0
-          ? "left unmodified, because the least of the modification breaks it; at the whole: " +
+          ? "left unmodified, because even the weakest modification makes it faulty; at full "
+            "strength: " +
                 what
-          : fmt::format("modified at {:.0f} % of the strength asked for; at the whole of it: {}",
+          : fmt::format("modified at {:.0f} % of the requested strength; at full strength: {}",
                         100.0 * result.share, what));
   return result;
 }
@@ -201,7 +203,7 @@ ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& st
   const Breakage own = broken_before(steps);
   const motion::Finding* fault = new_error(whole, own);
   if (fault == nullptr) {
-    whole.notes.push_back("what the lint finds broken is so without the modification");
+    whole.notes.push_back("the lint findings are present without the modification, too");
     return whole;
   }
   const motion::Finding worst = *fault;
@@ -217,7 +219,7 @@ std::string described(const ModificationStep& step) {
                                 name_of(step.style->method)));
   }
   if (edit.names("paths")) append(parts, "paths", edit.values.paths);
-  if (edit.names("gains")) parts.emplace_back("gains of bands");
+  if (edit.names("gains")) parts.emplace_back("band gains");
   if (edit.names("acceleration")) append(parts, "acceleration", edit.values.acceleration);
   for (const motion::PostureChange& change : edit.values.posture) {
     append(parts, std::string(motion::name_of(change.unit)), change.degrees, "°");
@@ -231,7 +233,7 @@ std::string described(const ModificationStep& step) {
 }
 
 std::string share_text(double share) {
-  return share == 1.0 ? "" : fmt::format(" at {:.0f} % of that", 100.0 * share);
+  return share == 1.0 ? "" : fmt::format(" at {:.0f} % of that strength", 100.0 * share);
 }
 
 std::string described_modifications(const Stimulus& stimulus) {

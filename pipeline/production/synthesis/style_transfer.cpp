@@ -31,8 +31,8 @@ motion::Example example_like(const motion::Example& motion, const std::string& n
   const auto& examples = repertoire.settled.examples;
   const auto found = std::ranges::find(examples, name, &motion::Example::name);
   if (found == examples.end()) {
-    throw Error(fmt::format("there is no example \"{}\" to take a style from", name),
-                "name one of the set's examples");
+    throw Error(fmt::format("there is no example \"{}\" for the style", name),
+                "name one of the examples");
   }
   motion::Example example = *found;
   if (motion::leg_length(example.clip.body) != motion::leg_length(motion.clip.body)) {
@@ -81,9 +81,9 @@ motion::Clip by_system(const motion::Clip& clip, const motion::Clip& neutral,
   const motion::LtiStyleOptions options{
       .amount = strength, .order = step.order, .inputs = step.inputs};
   const motion::LtiStyleModel model = motion::fit_lti_style(neutral, styled, options);
-  notes.push_back(fmt::format(
-      "the linear system has {} states and misses the styled motion by {:.1f}° (root mean square)",
-      model.system.order(), model.error_radians / motion::radians_per_degree));
+  notes.push_back(
+      fmt::format("the linear system has {} states and fits the styled motion to {:.1f}° (RMS)",
+                  model.system.order(), model.error_radians / motion::radians_per_degree));
   return motion::translated(clip, model, options);
 }
 
@@ -143,7 +143,7 @@ RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, do
     clip = motion::foot_locked(clip, plants);
     result.planted_drift_m = motion::planted_drift(clip, plants);
     if (result.planted_drift_m > noticeable_drift_m) {
-      result.notes.push_back(fmt::format("standing feet still glide by up to {:.0f} mm",
+      result.notes.push_back(fmt::format("planted feet still slide by up to {:.0f} mm",
                                          1000.0 * result.planted_drift_m));
     }
   }

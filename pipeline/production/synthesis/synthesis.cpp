@@ -40,8 +40,7 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
   for (const auto& [name, value] : weights) {
     const auto found = std::ranges::find(repertoire.names, name, &RatedExample::name);
     if (found == repertoire.names.end()) {
-      throw Error(fmt::format("there is no example \"{}\"", name),
-                  "name one of the set's examples");
+      throw Error(fmt::format("there is no example \"{}\"", name), "name one of the examples");
     }
     result[found - repertoire.names.begin()] = value;
   }
@@ -80,8 +79,7 @@ void warn_of_missed_features(const ParameterTable& table, Synthesis& synthesis) 
     if (std::abs(reached - value) <= told_feature_difference) continue;
     const auto row = table.values.row(parameter_row(name, table));
     synthesis.warnings.push_back(
-        fmt::format("{} {:.2f} was asked for and the motion has {:.2f}; the examples lie between "
-                    "{:.2f} and {:.2f}",
+        fmt::format("{} {:.2f} requested, {:.2f} reached; the examples range from {:.2f} to {:.2f}",
                     name, value, reached, row.minCoeff(), row.maxCoeff()));
   }
 }
@@ -92,13 +90,12 @@ void warn_of_missed_adjectives(const Stimulus& stimulus, Synthesis& synthesis) {
     const auto& [name, value] = synthesis.asked[i];
     const double reached = synthesis.reached[i].second;
     if (std::abs(reached - value) <= told_difference) continue;
-    std::string text =
-        fmt::format("{} {:.2f} was asked for and the blend has {:.2f}", name, value, reached);
+    std::string text = fmt::format("{} {:.2f} requested, {:.2f} reached", name, value, reached);
     if (i < synthesis.feasible.size()) {
       const FeasibleParameter& feasible = synthesis.feasible[i];
       text += "; " + to_sentence(feasible);
       if (feasible.holds() && method != motion::InterpolationMethod::reach)
-        text += "; interpolation: {method: reach} meets it";
+        text += "; interpolation: {method: reach} reaches it";
     }
     synthesis.warnings.push_back(std::move(text));
   }
@@ -114,10 +111,10 @@ void warn_of_missed_holds(Synthesis& synthesis) {
     if (miss(i) > miss(worst)) worst = i;
   }
   if (missed == 0) return;
-  synthesis.warnings.push_back(
-      fmt::format("{} of {} parameters to be held could not be: {} most, {:.2f} instead of {:.2f}",
-                  missed, synthesis.held.size(), synthesis.held[worst].first,
-                  synthesis.held_reached[worst].second, synthesis.held[worst].second));
+  synthesis.warnings.push_back(fmt::format(
+      "{} of {} held parameters missed; largest deviation: {}, {:.2f} instead of {:.2f}", missed,
+      synthesis.held.size(), synthesis.held[worst].first, synthesis.held_reached[worst].second,
+      synthesis.held[worst].second));
 }
 
 /// Several examples were to be mixed, and hardly were.
@@ -127,8 +124,7 @@ void note_single_example(const Repertoire& repertoire, Synthesis& synthesis) {
   const double count = motion::effective_examples(synthesis.weights);
   if (weight <= nearly_one && count >= nearly_one_example) return;
   synthesis.notes.push_back(fmt::format(
-      "nearly one capture: {:.0f} % of it is {}; it mixes as much as {:.1f} examples of equal "
-      "weight would",
+      "nearly a copy of one example: {:.0f} % is {}; effective number of examples {:.1f}",
       100.0 * weight, repertoire.names[static_cast<std::size_t>(largest)].name, count));
 }
 

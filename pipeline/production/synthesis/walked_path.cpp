@@ -133,10 +133,10 @@ std::vector<motion::MotionGraph> versions_of(const motion::MotionGraph& graph,
   const std::string what = step.turn_deg ? fmt::format("turn by {:.0f}°", *step.turn_deg)
                                          : std::string("keep to the heading of this step");
   throw UnwalkableStep(missed.segment,
-                       fmt::format("the motions of the graph cannot {}: {:.0f}° are missing", what,
+                       fmt::format("the motions of the graph cannot {}: {:.0f}° short", what,
                                    std::abs(missed.degrees)),
-                       "add motions that turn so, raise threshold_m, or leave graph: out to have "
-                       "built-in walks");
+                       "add motions that turn this far, raise threshold_m, or omit graph: to use "
+                       "the built-in walks");
 }
 
 motion::WalkedClip walked_script(const WalkPath& path, const std::vector<ModificationStep>& recipes,

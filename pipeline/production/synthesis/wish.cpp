@@ -1,6 +1,8 @@
 #include "pipeline/production/synthesis/wish.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +18,10 @@ constexpr double met = 0.005;  // what two decimals show
 
 /// Others that a sentence names before it only counts them.
 constexpr std::size_t named_others = 4;
+
+const std::string held_may_vary = "if held parameters may vary";
+
+using TableLine = std::array<std::string, 5>;
 
 bool is_named(const std::string& name, const NamedValues& values) {
   return std::ranges::find(values, name, &NamedValues::value_type::first) != values.end();
@@ -84,14 +90,39 @@ FeasibleParameter feasible_among(const Wish& wish, const Eigen::MatrixXd& places
   return parameter;
 }
 
+/// "clearness 0.60, activeness 0.70".
 std::string listed(const NamedValues& others) {
   std::string text;
   const std::size_t shown = others.size() > named_others + 1 ? named_others : others.size();
-  for (std::size_t i = 0; i < shown; ++i) {
-    if (i > 0) text += i + 1 == others.size() ? " and " : ", ";
-    text += fmt::format("{} is {:.2f}", others[i].first, others[i].second);
-  }
-  if (shown < others.size()) text += fmt::format(" and {} others are held", others.size() - shown);
+  for (std::size_t i = 0; i < shown; ++i)
+    text += fmt::format("{}{} {:.2f}", i > 0 ? ", " : "", others[i].first, others[i].second);
+  if (shown < others.size()) text += fmt::format(" and {} more", others.size() - shown);
+  return text;
+}
+
+bool others_can_be(const FeasibleParameter& parameter) { return parameter.range.miss <= met; }
+
+/// "0.66 to 0.72"; that of all blends where none has the other parameters.
+std::string range_words(const FeasibleParameter& parameter) {
+  const motion::ParameterRange& range =
+      others_can_be(parameter) ? parameter.range : parameter.alone;
+  return fmt::format("{:.2f} to {:.2f}", range.least, range.most);
+}
+
+/// A line of the table of requested parameters, with columns of such widths.
+std::string table_line(const TableLine& line, const std::array<std::size_t, 4>& widths) {
+  std::string text = fmt::format("{:<{}}  {:<{}}  {:>{}}  {:<{}}  {}", line[0], widths[0], line[1],
+                                 widths[1], line[2], widths[2], line[3], widths[3], line[4]);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
+/// On what the range of the line depends.
+std::string condition_words(const FeasibleParameter& parameter) {
+  std::string text = listed(parameter.others);
+  if (!others_can_be(parameter))
+    text = fmt::format("no blend has {} (nearest: {:.2f} off)", text, parameter.range.miss);
+  if (parameter.gives_up_held) text += (text.empty() ? "" : "; ") + held_may_vary;
   return text;
 }
 
@@ -136,42 +167,64 @@ std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const Param
 }
 
 std::string to_sentence(const FeasibleParameter& parameter) {
-  const bool others_can_be = parameter.range.miss <= met;
-  const motion::ParameterRange& range = others_can_be ? parameter.range : parameter.alone;
-  std::string text = fmt::format("blends of these examples have {:.2f} to {:.2f} of {}",
-                                 range.least, range.most, parameter.name);
-  if (!parameter.others.empty()) {
-    text += others_can_be ? " while " + listed(parameter.others)
-                          : fmt::format(", but in none {}: the nearest is {:.2f} off",
-                                        listed(parameter.others), parameter.range.miss);
+  std::string text = "feasible range " + range_words(parameter);
+  if (!others_can_be(parameter)) {
+    text += fmt::format("; no blend has {}: the nearest deviates by {:.2f}",
+                        listed(parameter.others), parameter.range.miss);
+  } else if (!parameter.others.empty()) {
+    text += " with " + listed(parameter.others);
   }
-  if (parameter.gives_up_held) text += ", and what is held is given up";
+  if (parameter.gives_up_held) text += " " + held_may_vary;
   return text;
 }
 
-std::vector<std::string> feasible_ranges(const Manifest& manifest) {
-  Motions motions(manifest);
-  return feasible_ranges(manifest, motions);
+std::string to_sentence(const RequestedParameter& requested) {
+  const FeasibleParameter& parameter = requested.parameter;
+  return fmt::format("{}: {} {:.2f} requested{}; {}", requested.stimulus, parameter.name,
+                     parameter.asked, parameter.holds() ? "" : " but not feasible",
+                     to_sentence(parameter));
 }
 
-std::vector<std::string> feasible_ranges(const Manifest& manifest, Motions& motions) {
-  std::vector<std::string> lines;
+std::string feasibility_table(const std::vector<RequestedParameter>& requested) {
+  if (requested.empty()) return "";
+  std::vector<TableLine> lines = {
+      {"stimulus", "parameter", "requested", "feasible range", "with the others at"}};
+  for (const auto& [stimulus, parameter] : requested) {
+    lines.push_back({stimulus, parameter.name,
+                     fmt::format("{}{:.2f}", parameter.holds() ? "" : "! ", parameter.asked),
+                     range_words(parameter), condition_words(parameter)});
+  }
+  std::array<std::size_t, 4> widths{};
+  for (const TableLine& line : lines) {
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  }
+  std::string text;
+  for (const TableLine& line : lines) text += table_line(line, widths);
+  if (!std::ranges::all_of(requested, [](const auto& one) { return one.parameter.holds(); }))
+    text += "! requested value outside the feasible range\n";
+  return text;
+}
+
+std::vector<RequestedParameter> requested_parameters(const Manifest& manifest) {
+  Motions motions(manifest);
+  return requested_parameters(manifest, motions);
+}
+
+std::vector<RequestedParameter> requested_parameters(const Manifest& manifest, Motions& motions) {
+  std::vector<RequestedParameter> requested;
   const auto asks = [](const Stimulus& stimulus) {
     return !stimulus.adjectives.empty() &&
            stimulus.interpolation.weights.method != motion::InterpolationMethod::pca;
   };
-  if (!std::ranges::any_of(manifest.stimuli, asks)) return lines;
+  if (!std::ranges::any_of(manifest.stimuli, asks)) return requested;
   const Repertoire& repertoire = motions.repertoire();
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (!asks(stimulus)) continue;
     const Wish wish = wish_of(stimulus, repertoire);
-    for (const FeasibleParameter& parameter : feasible_parameters(wish, repertoire.parameters)) {
-      lines.push_back(fmt::format("{}: {} {:.2f} is asked for{}; {}", stimulus.id, parameter.name,
-                                  parameter.asked, parameter.holds() ? "" : " and cannot be made",
-                                  to_sentence(parameter)));
-    }
+    for (FeasibleParameter& parameter : feasible_parameters(wish, repertoire.parameters))
+      requested.push_back({stimulus.id, std::move(parameter)});
   }
-  return lines;
+  return requested;
 }
 
 }  // namespace mien::pipeline

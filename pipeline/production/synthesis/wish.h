@@ -47,13 +47,25 @@ struct FeasibleParameter {
 /// One a parameter asked for.
 std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const ParameterTable& table);
 
-/// "blends of these examples have 0.37 to 0.75 of extraversion while openness is 0.50". Where the
-/// others cannot be had, no blend keeps them, and the range is that of all blends.
+/// "feasible range 0.37 to 0.75 with openness 0.50". Where no blend has the others, the range is
+/// that of all blends.
 std::string to_sentence(const FeasibleParameter& parameter);
 
-/// Of every stimulus that asks for adjectives: "mix-1: extraversion 0.74 was asked for; blends …".
-/// Reads the examples, once for all who ask the same motions; not at all when nobody asks.
-std::vector<std::string> feasible_ranges(const Manifest& manifest, Motions& motions);
-std::vector<std::string> feasible_ranges(const Manifest& manifest);
+/// A parameter that a stimulus asks for.
+struct RequestedParameter {
+  std::string stimulus;
+  FeasibleParameter parameter;
+};
+
+/// "mix-1: extraversion 0.74 requested; feasible range 0.37 to 0.75 with openness 0.50".
+std::string to_sentence(const RequestedParameter& requested);
+
+/// A line each below a heading, each ended by a line break; empty for none.
+std::string feasibility_table(const std::vector<RequestedParameter>& requested);
+
+/// Of every stimulus that asks for adjectives. Reads the examples, once for all who ask the same
+/// motions; not at all when nobody asks.
+std::vector<RequestedParameter> requested_parameters(const Manifest& manifest, Motions& motions);
+std::vector<RequestedParameter> requested_parameters(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -32,7 +32,7 @@ void compare_moments(const VideoSummary& before, const VideoSummary& now, double
   for (std::size_t i = 0; i < before.times.size(); ++i) {
     const double was = before.times[i] - before.times[0], is = now.times[i] - now.times[0];
     if (std::abs(was - is) <= unit) continue;
-    tell_numbers(seen, fmt::format("frame {} is shown at, in seconds", i), was, is);
+    tell_numbers(seen, fmt::format("time of frame {}, in seconds", i), was, is);
     return;
   }
 }
@@ -52,7 +52,7 @@ void compare_containers(const VideoSummary& before, const VideoSummary& now,
   if (is_rate(rate_before, rate_now))
     compare_moments(before, now, unit, seen);
   else
-    tell_numbers(seen, "frames a second", rate_before, rate_now);
+    tell_numbers(seen, "frames per second", rate_before, rate_now);
   if (std::abs(before.duration_seconds - now.duration_seconds) > unit)
     tell_numbers(seen, "duration in seconds", before.duration_seconds, now.duration_seconds);
   tell_words(seen, "primaries", before.primaries, now.primaries);

@@ -89,7 +89,7 @@ void refuse_pointer(const fs::path& file) {
   std::string beginning(64, '\0');
   stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   if (!motion::is_lfs_pointer(beginning)) return;
-  throw Error({file.string()}, "is a pointer of git LFS: it stands for the file, which is not here",
+  throw Error({file.string()}, "is a git LFS pointer; the file itself has not been fetched",
               "run: git lfs pull");
 }
 
@@ -98,7 +98,7 @@ render::Image8 read_picture(const fs::path& file) {
   refuse_pointer(file);
   const render::Channels channels = render::read_channels(file);
   const std::size_t count = channels.names.size();
-  if (count == 0) throw Error({file.string()}, "has no channels", "compare pictures");
+  if (count == 0) throw Error({file.string()}, "has no channels", "compare images");
   const bool is_grey = count < 3;
   render::Framebuffer film(channels.width, channels.height);
   for (std::size_t i = 0; i < film.channels.size(); ++i)
@@ -119,9 +119,9 @@ void visit_pictures(const std::vector<fs::path>& files, const Visit& visit) {
     if (i == 0) std::tie(width, height) = std::tie(picture.width, picture.height);
     if (picture.width != width || picture.height != height)
       throw Error({files[i].string()},
-                  fmt::format("has {} x {} pixels, and {} has {} x {}", picture.width,
+                  fmt::format("has {} x {} pixels, but {} has {} x {}", picture.width,
                               picture.height, files[0].filename().string(), width, height),
-                  "keep pictures of one size in a folder");
+                  "keep images of one size in a folder");
     visit(static_cast<int>(i), picture);
   }
 }
@@ -157,8 +157,8 @@ Glimpse glimpse_of(const fs::path& media) {
       std::tie(glimpse.width, glimpse.height) = std::tie(picture.width, picture.height);
   });
   if (glimpse.frames.empty())
-    throw Error({media.string()}, "shows no picture",
-                "name a picture, a video or a folder of pictures");
+    throw Error({media.string()}, "contains no image",
+                "name an image, a video or a folder of images");
   if (fs::is_directory(media)) {
     for (const fs::path& picture : pictures_in(media))
       glimpse.names.push_back(picture.filename().string());
@@ -169,9 +169,9 @@ Glimpse glimpse_of(const fs::path& media) {
 void refuse_other_size(const Glimpse& before, const Glimpse& now, const ComparedMedia& media) {
   if (before.width == now.width && before.height == now.height) return;
   throw Error({media.now},
-              fmt::format("has {} x {} pixels, and {} has {} x {}", now.width, now.height,
+              fmt::format("has {} x {} pixels, but {} has {} x {}", now.width, now.height,
                           media.before, before.width, before.height),
-              "compare pictures of one size");
+              "compare images of one size");
 }
 
 /// Decodes in a thread of its own.
@@ -204,7 +204,7 @@ class FrameStream {
       if (next.first == wanted) return std::move(next.second);
     }
     if (failure_) std::rethrow_exception(failure_);
-    throw std::runtime_error("a frame that was there is gone");
+    throw std::runtime_error("a frame disappeared during the comparison");
   }
 
  private:
@@ -278,7 +278,7 @@ ComparedMedia compared_media(const fs::path& before, const fs::path& now, double
       mirroring_of(then.frames, today.frames, then.thumbnail_width(), then.thumbnail_height());
   if (mirroring != Mirroring::none) {
     media.remarks.push_back(
-        fmt::format("{} (all below is of what is turned back)", name_of(mirroring)));
+        fmt::format("{} (the following applies after undoing this)", name_of(mirroring)));
     for (Thumbnail& frame : today.frames) {
       render::Image8 picture(today.thumbnail_width(), today.thumbnail_height());
       picture.channels = std::move(frame);

@@ -16,12 +16,11 @@ std::string counted_frames(int count) {
 std::string compared_told(const ComparedMedia& media) {
   const int compared = media.frames_compared;
   if (compared == media.frames_before && compared == media.frames_now)
-    return media.frames_differing == 0 ? "all are the same"
+    return media.frames_differing == 0 ? "all are identical"
                                        : fmt::format("{} of them differ", media.frames_differing);
   return media.frames_differing == 0
-             ? fmt::format("the {} that stand in both are the same", compared)
-             : fmt::format("of the {} that stand in both {} differ", compared,
-                           media.frames_differing);
+             ? fmt::format("the {} common to both are identical", compared)
+             : fmt::format("of the {} common to both, {} differ", compared, media.frames_differing);
 }
 
 /// "frame 36 (f37.png)"
@@ -39,11 +38,11 @@ std::string as_text(const ComparedMedia& media) {
                                                      : "differ",
                                  media.before, media.now);
   for (const std::string& remark : media.remarks) text += "  " + remark + "\n";
-  for (const std::string& note : media.notes) text += "  kept otherwise, " + note + "\n";
+  for (const std::string& note : media.notes) text += "  stored differently: " + note + "\n";
   text += fmt::format("  {} before, {} now; {}\n", counted_frames(media.frames_before),
                       counted_frames(media.frames_now), compared_told(media));
   if (media.frames_differing == 0) return text;
-  text += fmt::format("  by {:.0f} of 255 at most, least PSNR {:.2f} dB\n",
+  text += fmt::format("  largest difference {:.0f} of 255, lowest PSNR {:.2f} dB\n",
                       255.0 * media.largest_share, media.least_psnr_db);
   for (const FrameComparison& frame : media.worst) {
     const render::Window& window = frame.difference.changed;

@@ -211,9 +211,9 @@ void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
       return other < now.size() && distance(now[other], now[i]) < 0.25 * step;
     };
     if (i > 0 && is_as(i - 1))
-      alignment.told.push_back(frame_told(frame, names.now) + " repeats the one before");
+      alignment.told.push_back(frame_told(frame, names.now) + " repeats the previous one");
     else if (is_as(i + 1))
-      alignment.told.push_back(frame_told(frame + 1, names.now) + " repeats the one before");
+      alignment.told.push_back(frame_told(frame + 1, names.now) + " repeats the previous one");
     else
       fresh.push_back(frame);
   }

@@ -23,7 +23,7 @@ constexpr std::size_t most_joints_told = 8;
 
 std::string length_told(const motion::MotionLength& length, const std::string& rate,
                         const std::string& seconds) {
-  return fmt::format("{} {} at {} a second, {} s{}", length.frames,
+  return fmt::format("{} {} at {} per second, {} s{}", length.frames,
                      length.frames == 1 ? "frame" : "frames", rate, seconds,
                      length.loops ? ", a loop" : "");
 }
@@ -89,24 +89,24 @@ void add_root(Lines& lines, const MotionDifference& difference) {
   const double heading = motion::peak_of(root.heading_radians).value;
   const double tilt = motion::peak_of(root.tilt_radians).value;
   const bool same = path + height + heading + tilt == 0.0;
-  lines.add({}, "path",
-            same ? "the same"
-                 : fmt::format("up to {} elsewhere, {} higher or lower, heading {}, leaning {} off",
-                               in_centimetres(path), in_centimetres(height), in_degrees(heading),
-                               in_degrees(tilt)));
+  lines.add(
+      {}, "path",
+      same ? "the same"
+           : fmt::format("position up to {}, height {}, heading {}, lean {}", in_centimetres(path),
+                         in_centimetres(height), in_degrees(heading), in_degrees(tilt)));
 }
 
 std::string change_told(const motion::ContactChange& change) {
   const std::string when = fmt::format("{:.2f}–{:.2f} s", change.begin_seconds, change.end_seconds);
   switch (change.kind) {
     case motion::ContactChange::Kind::gone:
-      return "no longer stands at " + when;
+      return "is no longer planted at " + when;
     case motion::ContactChange::Kind::appeared:
-      return "stands at " + when + " and did not";
+      return "is planted at " + when + " (was not)";
     case motion::ContactChange::Kind::shifted:
       break;
   }
-  return fmt::format("stands at {}: begins {:+.3f} s, ends {:+.3f} s", when, change.begin_shift,
+  return fmt::format("planted at {}: starts {:+.3f} s, ends {:+.3f} s", when, change.begin_shift,
                      change.end_shift);
 }
 
@@ -119,7 +119,7 @@ void add_contacts(Lines& lines, const motion::BodyDifference& body) {
       lines.add({"contacts"}, "contacts", name + " " + change_told(change));
     if (foot.slide_m > 1e-4)
       lines.add({"slide"}, "slide",
-                fmt::format("{} slides up to {} where it stood, at {}", name,
+                fmt::format("{} slides up to {} while planted, at {}", name,
                             in_centimetres(foot.slide_m), in_seconds(foot.slide_seconds)));
     same = same && foot.changes.empty();
   }
@@ -131,7 +131,7 @@ void add_lint(Lines& lines, const MotionDifference& difference) {
     lines.add({"lint"}, "lint",
               fmt::format("{} {}: {}", name_of(change.kind), name_of(change.finding.severity),
                           change.finding.sentence));
-  if (difference.lint.empty()) lines.add({"lint"}, "lint", "nothing came, nothing went");
+  if (difference.lint.empty()) lines.add({"lint"}, "lint", "none appeared, none disappeared");
 }
 
 void add_features(Lines& lines, const MotionDifference& difference) {
@@ -151,11 +151,12 @@ void add_features(Lines& lines, const MotionDifference& difference) {
 std::string joint_told(const JointDifference& joint, bool is_on_bone) {
   const motion::CurvePeak turn = motion::peak_of(joint.turn_radians);
   const double bone = motion::peak_of(joint.offset_m).value;
-  std::string text = fmt::format("turned {}, {} of it twist; {} away", in_degrees(turn.value),
-                                 in_degrees(motion::peak_of(joint.twist_radians).value),
-                                 in_centimetres(motion::peak_of(joint.point_m).value));
+  std::string text =
+      fmt::format("rotated {}, of which twist {}; displaced {}", in_degrees(turn.value),
+                  in_degrees(motion::peak_of(joint.twist_radians).value),
+                  in_centimetres(motion::peak_of(joint.point_m).value));
   if (is_on_bone && bone > 1e-5)
-    text += fmt::format("; sits {} elsewhere on its bone", in_centimetres(bone));
+    text += fmt::format("; offset on its bone {}", in_centimetres(bone));
   return text;
 }
 
@@ -246,7 +247,7 @@ std::string as_text(const ComparedMotions& motions) {
   add_lint(lines, difference);
   add_features(lines, difference);
   std::string text = head + lines.text();
-  if (difference.on_body) text += "  The rigs differ: both were put on one body first.\n";
+  if (difference.on_body) text += "  The rigs differ; both were retargeted to one body first.\n";
   for (const std::string& remark : difference.remarks) text += "  " + remark + "\n";
   return text;
 }

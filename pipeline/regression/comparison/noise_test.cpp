@@ -152,15 +152,15 @@ BlockStatistics read_blocks(const std::filesystem::path& file) {
                          .variance = {film.channels.begin() + half, film.channels.end()}};
   const auto is_wrong = [](float value) { return !std::isfinite(value) || value < 0.0f; };
   if (film.height % 2 != 0 || std::ranges::any_of(film.channels, is_wrong))
-    throw std::runtime_error("holds no statistics of blocks");
+    throw std::runtime_error("contains no block statistics");
   return blocks;
 }
 
 NoiseTest noise_test(const BlockStatistics& before, const BlockStatistics& now,
                      std::size_t pictures, double false_alarms) {
   if (before.columns != now.columns || before.rows != now.rows)
-    throw Error("pictures of different sizes cannot be told from noise",
-                "compare pictures of one size");
+    throw Error("images of different sizes cannot be compared with noise",
+                "compare images of one size");
   const std::vector<ColourTest> colours = tests_of(before, now);
   NoiseTest test{.tests = colours.size()};
   if (colours.empty()) return test;

@@ -28,9 +28,8 @@ std::string percents(double share) { return fmt::format("{:.0f} %", 100.0 * shar
 
 /// What no cause does alone: together they do more, or less, than one by one.
 std::string interaction_line(double interaction) {
-  if (interaction > 0.0) return percents(interaction) + " only by several of these together";
-  return "one by one they would make " + percents(-interaction) +
-         " more of a difference than together";
+  if (interaction > 0.0) return percents(interaction) + " only by several of these combined";
+  return "separately they would cause " + percents(-interaction) + " more difference than combined";
 }
 
 std::vector<std::string> cause_lines(const StimulusComparison& one) {
@@ -143,9 +142,9 @@ std::string data_element(std::size_t index, const Json& json) {
 std::string left_out(const ReportPictures& chosen) {
   if (chosen.every_frame) return "";
   return fmt::format(
-      "<p class=\"quiet\">Of each stimulus the worst frame is shown{}; all of them "
-      "lie in the folder <code>frames</code> beside this page.</p>\n",
-      chosen.most_width > 0 ? fmt::format(", {} pixels wide at most", chosen.most_width) : "");
+      "<p class=\"quiet\">For each stimulus the worst frame is shown{}; all frames are in the "
+      "folder <code>frames</code> beside this page.</p>\n",
+      chosen.most_width > 0 ? fmt::format(", at most {} pixels wide", chosen.most_width) : "");
 }
 
 /// What the study is held against, and how far the comparison can be trusted.
@@ -167,8 +166,9 @@ std::string others_line(const Regression& regression) {
 }
 
 constexpr char no_viewers[] =
-    "<p class=\"partial\">Pictures, motions and videos of stimuli are not shown: mien had no pages "
-    "where this was written. ./mien in its sources builds them.</p>\n";
+    "<p class=\"partial\">Images, motions and videos of stimuli are not shown, because the web "
+    "pages of mien were not built when this report was written. ./mien in the source tree builds "
+    "them.</p>\n";
 
 constexpr char keys_told[] =
     "<p class=\"keys\"><kbd>J</kbd> <kbd>K</kbd> next and previous stimulus · <kbd>1</kbd> slider "

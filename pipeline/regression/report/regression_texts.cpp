@@ -46,11 +46,12 @@ std::string cause_text(const Attribution& cause) {
 }
 
 std::string gate_text(const Gate& gate) {
-  if (gate.id.empty()) return "No stimulus to plant a defect in";
+  if (gate.id.empty()) return "No stimulus available for a planted defect";
   const auto told = [](const std::string& defect, bool caught) {
-    return defect.empty() ? std::string() : defect + (caught ? " was seen" : " was NOT seen");
+    return defect.empty() ? std::string()
+                          : defect + (caught ? " was detected" : " was NOT detected");
   };
-  return fmt::format("Planted in a copy of {}: {}; {}", gate.id,
+  return fmt::format("Planted defect in a copy of {}: {}; {}", gate.id,
                      told(gate.motion_defect, gate.motion_caught),
                      told(gate.picture_defect, gate.picture_caught));
 }
@@ -58,10 +59,9 @@ std::string gate_text(const Gate& gate) {
 std::string repetitions_text(const Repetitions& repetitions) {
   if (repetitions.times < 2) return "";
   if (repetitions.differing == 0)
-    return fmt::format("made {} times: not a bit differs\n", repetitions.times);
+    return fmt::format("made {} times: bit-identical\n", repetitions.times);
   return fmt::format(
-      "made {} times: {} motions and frames came out otherwise, by {:.0f} of 255 at "
-      "most\n",
+      "made {} times: {} motions and frames differ between repetitions, by at most {:.0f} of 255\n",
       repetitions.times, repetitions.differing, 255.0 * repetitions.largest);
 }
 
@@ -106,20 +106,20 @@ std::string first_words(const StimulusComparison& one) {
   if (std::string motion = motion_text(one); !motion.empty()) return motion;
   if (!one.reasons.empty()) return one.reasons.front();
   const bool is_good = one.verdict == Verdict::same || one.verdict == Verdict::alike;
-  return is_good ? "within the limits, or no more than noise" : std::string(name_of(one.verdict));
+  return is_good ? "within tolerance or noise" : std::string(name_of(one.verdict));
 }
 
 std::string not_compared_text(const Regression& regression) {
   const std::size_t count = regression.not_compared.size();
   if (count == 0) return "";
-  return fmt::format("NOT COMPARED, for they were not asked for (--only): {} of {}: {}\n", count,
+  return fmt::format("NOT COMPARED (excluded by --only): {} of {}: {}\n", count,
                      count + regression.stimuli.size(), names_text(regression.not_compared));
 }
 
 std::string unapproved_text(const Regression& regression) {
   const std::size_t count = regression.without_videos.size();
   if (count == 0) return "";
-  return fmt::format("no videos were approved of {}: theirs are compared with nothing\n",
+  return fmt::format("no videos were approved for {}; their videos are not compared\n",
                      names_text(regression.without_videos));
 }
 
@@ -134,7 +134,7 @@ std::string motion_text(const StimulusComparison& comparison) {
 
 std::string shares_text(const std::vector<BodyShare>& shares) {
   constexpr std::size_t most_parts = 5;
-  constexpr const char* nothing_moved = "where nothing moved (camera, light, noise)";
+  constexpr const char* nothing_moved = "without motion (camera, light, noise)";
   std::string text;
   const auto add = [&](double share, const std::string& what) {
     if (share >= 0.005)
@@ -213,10 +213,10 @@ std::string junit_text(const Regression& regression) {
   }
   for (const std::string& id : regression.not_compared)
     text += fmt::format(
-        "  <testcase classname=\"{}\" name=\"{}\"><skipped message=\"not compared: it was not "
-        "asked for (--only)\"/></testcase>\n",
+        "  <testcase classname=\"{}\" name=\"{}\"><skipped message=\"not compared (excluded by "
+        "--only)\"/></testcase>\n",
         xml(regression.study), xml(id));
-  text += fmt::format("  <testcase classname=\"{}\" name=\"(planted defects are seen)\"",
+  text += fmt::format("  <testcase classname=\"{}\" name=\"(planted defects are detected)\"",
                       xml(regression.study));
   text += regression.gate.holds() ? "/>\n"
                                   : fmt::format("><failure message=\"{}\"/></testcase>\n",

@@ -28,10 +28,9 @@ const VideoFacts* find_kind(const std::vector<VideoFacts>& videos, std::string_v
 
 void refuse_damage(const fs::path& file, const VideoFacts& video) {
   if (hash_of_file(file) == video.hash) return;
-  throw Error(
-      {file.string()}, "is not the video that was approved",
-      "take it from where the baseline is kept (git checkout, git lfs pull), or approve the "
-      "stimulus again");
+  throw Error({file.string()}, "differs from the approved video",
+              "restore it from version control (git checkout, git lfs pull), or approve the "
+              "stimulus again");
 }
 
 nlohmann::ordered_json source_json(const VideoFacts& video, const std::string& source) {

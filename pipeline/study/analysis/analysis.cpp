@@ -57,11 +57,11 @@ void choose_scales(Analysis& analysis, const ScaleSet& scales, const AnalysisOpt
   analysis.warnings.push_back(
       {"thresholds",
        {},
-       fmt::format("the thresholds (largest mean at least {}, mean SD at most {}) remove every "
-                   "scale; --max-mean {} --max-sd {} would keep at least half of them. The "
-                   "clusters here are of all scales",
-                   options.thresholds.largest_mean, options.thresholds.mean_deviation,
-                   loose.largest_mean, loose.mean_deviation)});
+       fmt::format(
+           "the thresholds (largest mean at least {}, mean SD at most {}) remove all scales; "
+           "--max-mean {} --max-sd {} would keep at least half of them. All scales were clustered",
+           options.thresholds.largest_mean, options.thresholds.mean_deviation, loose.largest_mean,
+           loose.mean_deviation)});
 }
 
 Eigen::MatrixXd clustered_rows(const Analysis& analysis) {
@@ -76,8 +76,9 @@ void choose_cut(Analysis& analysis, const AnalysisOptions& options) {
     analysis.warnings.push_back(
         {"clusters",
          {},
-         fmt::format("{} clusters were asked for, but there are {} scales to cluster; each is one",
-                     clusters, analysis.linkage.leaves)});
+         fmt::format(
+             "{} clusters requested, but there are only {} scales; each scale forms a cluster",
+             clusters, analysis.linkage.leaves)});
     clusters = analysis.linkage.leaves;
   }
   analysis.partition = cut(analysis.linkage, clusters);

@@ -86,7 +86,7 @@ std::string known_number(double value) { return std::isnan(value) ? "" : shortes
 std::vector<MadeParameter> read_made_parameters(const fs::path& study) {
   if (!fs::exists(study))
     throw Error("there is no study in " + study.string(),
-                "name the folder of a study that was run, as out/my-study");
+                "name the folder of a finished study, such as out/my-study");
   const CsvTable table = read_csv(table_of(study));
   const auto column = [&](const char* name) {
     return static_cast<std::size_t>(require_column(table, name));
@@ -99,7 +99,7 @@ std::vector<MadeParameter> read_made_parameters(const fs::path& study) {
                     number_in(table, row[asked]), number_in(table, row[column("reached")])});
   }
   if (made.empty())
-    throw Error(fmt::format("{}: no stimulus was asked for any parameter", table.file),
+    throw Error(fmt::format("{}: no stimulus has requested parameters", table.file),
                 "name the folder of a study whose stimuli have adjectives");
   return made;
 }
@@ -133,9 +133,9 @@ Calibration calibrate(const std::vector<MadeParameter>& made, const Answers& ans
     if (!by_person.empty()) calibration.stimuli.push_back(perceived(parameter, by_person));
   }
   if (calibration.stimuli.empty())
-    throw Error("nobody rated what the stimuli were asked for",
-                "give answers about these stimuli, on the scales that their adjectives name, with "
-                "a column participant");
+    throw Error("the requested parameters of the stimuli were not rated",
+                "give answers about these stimuli on the scales of their adjectives, with a column "
+                "participant");
   std::map<std::string, std::vector<const PerceivedParameter*>> by_parameter;
   for (const PerceivedParameter& seen : calibration.stimuli)
     by_parameter[seen.made.parameter].push_back(&seen);

@@ -60,7 +60,8 @@ void draw_correction(Canvas& canvas, const Square& square, const Correction& cor
   canvas.line(square.at(from, seen(from)), square.at(to, seen(to)),
               {.width = 1.6, .colour = seen_colour});
   canvas.text({square.plot.x, square.plot.bottom() + 25.0},
-              fmt::format("seen = {:.2f} + {:.2f} · asked", correction.intercept, correction.slope),
+              fmt::format("perceived = {:.2f} + {:.2f} · requested", correction.intercept,
+                          correction.slope),
               {.size = 8.0, .colour = seen_colour, .max_width = side});
 }
 
@@ -81,14 +82,14 @@ Plot calibration_chart(const Calibration& calibration) {
   const std::size_t count = calibration.corrections.size();
   const auto columns = static_cast<double>(std::clamp<std::size_t>(count, 2, most_columns));
   const auto rows = static_cast<double>((count + most_columns - 1) / most_columns);
-  Plot plot{"Asked for and seen",
+  Plot plot{"Requested and perceived",
             2.0 * page_margin + columns * panel_width,
             first_panel + rows * panel_height + 16.0,
             {}};
   plot.draw = [calibration, width = plot.width](Canvas& canvas) {
-    canvas.text({page_margin, 28.0}, "Asked for and seen", {.size = 13.0, .bold = true});
+    canvas.text({page_margin, 28.0}, "Requested and perceived", {.size = 13.0, .bold = true});
     canvas.text({page_margin, 44.0},
-                "across: asked; up: seen by people (blue, ± SD) and as the blend has it (ring)",
+                "x: requested; y: perceived (blue, mean ± SD) and value of the blend (ring)",
                 {.size = 8.5, .colour = quiet_ink, .max_width = width - 2.0 * page_margin});
     if (calibration.simulated) draw_simulated_mark(canvas, {width - page_margin, 12.0});
     for (std::size_t i = 0; i < calibration.corrections.size(); ++i) {

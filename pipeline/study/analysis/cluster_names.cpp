@@ -25,10 +25,11 @@ void take_given(Analysis& analysis, const ScaleSet& scales, const std::vector<st
     const std::string& name = given[c];
     if (name.empty()) throw Error("--names: an empty name", how_to_name);
     if (!taken.insert(name).second) {
-      throw Error(fmt::format("--names: \"{}\" is there twice", name), how_to_name);
+      throw Error(fmt::format("--names: \"{}\" appears twice", name), how_to_name);
     }
     if (find_scale(scales, name) != nullptr) {
-      throw Error(fmt::format("--names: \"{}\" is a scale", name), "name the cluster otherwise");
+      throw Error(fmt::format("--names: \"{}\" is a scale", name),
+                  "use another name for the cluster");
     }
     analysis.clusters[c].name = name;
     for (const ScaleGroup& group : scales.groups) {

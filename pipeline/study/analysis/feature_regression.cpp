@@ -92,10 +92,10 @@ std::string style_of(const std::string& example) {
 
 FeatureRegression fit_feature_regression(const Repertoire& repertoire) {
   if (repertoire.parameters.names.empty()) {
-    throw Error("the examples have no ratings to predict from", "give ratings");
+    throw Error("the examples have no ratings for prediction", "give ratings");
   }
   if (repertoire.names.size() < fewest_examples) {
-    throw Error("there are too few examples to predict from", "rate four motions or more");
+    throw Error("there are too few examples for prediction", "rate four motions or more");
   }
   FeatureRegression regression;
   regression.simulated = repertoire.simulated_ratings;
@@ -120,7 +120,7 @@ std::vector<Prediction> predict(const FeatureRegression& regression,
                                 const motion::FeatureValues& features) {
   const Eigen::RowVectorXd predictors = chosen(features, regression.feature_indices);
   if (!predictors.allFinite()) {
-    throw Error("the motion has no gait cycle, and the rated ones have",
+    throw Error("the motion has no gait cycle, but the rated ones have",
                 "give a walk of one cycle or more");
   }
   std::vector<Prediction> predictions;

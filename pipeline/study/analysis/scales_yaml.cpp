@@ -154,19 +154,19 @@ std::string clusters_yaml(const Analysis& analysis, const ScaleSet& scales) {
                                                : "removed: disagreement";
     if (q.kept()) remarks.erase(q.scale);
   }
-  std::string head = "Scales of a rating study and the clusters that its answers form.";
+  std::string head = "Scales of a rating study and the clusters derived from its answers.";
   if (analysis.impressions.simulated) head += "\nThe ratings are simulated.";
   if (analysis.none_kept) {
-    head += "\nThe thresholds removed every scale; the clusters are of all of them.";
+    head += "\nThe thresholds removed all scales; all of them were clustered.";
   }
   return to_yaml(set, head, remarks);
 }
 
 std::string adjective_pairs_yaml() {
-  return to_yaml(builtin_scales(),
-                 "The 41 adjective pairs that mien knows without a scales file, and the four "
-                 "clusters of the\nfirst experiment. Copy this file to rename, leave out or "
-                 "regroup pairs. The Japanese is ours.");
+  return to_yaml(
+      builtin_scales(),
+      "The 41 built-in adjective pairs of mien and the four clusters of the first experiment. Copy "
+      "this\nfile to rename, remove or regroup pairs. The Japanese translation is that of mien.");
 }
 
 }  // namespace mien::pipeline

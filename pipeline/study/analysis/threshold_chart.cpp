@@ -71,7 +71,7 @@ Plot threshold_chart(const std::vector<KeptAt>& curve, const Thresholds& thresho
   plot.draw = [=](Canvas& canvas) {
     canvas.text({24.0, 28.0}, "Scales kept at other thresholds", {.size = 13.0, .bold = true});
     canvas.text({24.0, 44.0},
-                "for answers from −2 to 2; fine: this condition alone, broad: both; dashed: in use",
+                "for answers from −2 to 2; thin: this criterion alone, thick: both; dashed: in use",
                 {.size = 8.5, .colour = quiet_ink});
     if (simulated) draw_simulated_mark(canvas, {width - 24.0, 12.0});
     const double most = std::max(1, scales);

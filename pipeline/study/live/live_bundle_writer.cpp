@@ -13,7 +13,7 @@ namespace {
 motion::LiveTarget live_target(const std::string& id, Motions& motions) {
   const Stimulus* stimulus = motions.stimulus(id);
   if (stimulus == nullptr) {
-    throw Error(fmt::format("there is no stimulus \"{}\" to be a target", id),
+    throw Error(fmt::format("there is no stimulus \"{}\" for a target", id),
                 "name stimuli of the manifest");
   }
   const Synthesis& made = motions.of(id);
@@ -37,8 +37,8 @@ motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,
   const Repertoire& repertoire = motions.repertoire();
   const motion::ExampleSet& examples = examples_for(choice.interpolation, repertoire);
   if (examples.examples.empty() || !examples.blendable) {
-    throw Error(Place{manifest.file.string()}, "its examples cannot be blended, and so not live",
-                "give examples that can be, without blendable: false");
+    throw Error(Place{manifest.file.string()}, "its examples cannot be blended live",
+                "use examples that can be blended, without blendable: false");
   }
   motion::LiveBundle bundle;
   bundle.examples = examples;

@@ -37,7 +37,7 @@ struct BadRequest {
 
 std::string name_in(const json& value, const char* what) {
   if (!value.is_string() || value.get_ref<const std::string&>().size() > longest_name) {
-    throw BadRequest{std::string(what) + " is no name"};
+    throw BadRequest{std::string(what) + " is not a valid name"};
   }
   return value.get<std::string>();
 }
@@ -51,7 +51,7 @@ const json& part(const json& body, const char* name) {
 const json& list_part(const json& body, const char* name) {
   const json& list = part(body, name);
   if (!list.is_array() || list.size() > most_sliders) {
-    throw BadRequest{"\"" + std::string(name) + "\" is no list, or too long"};
+    throw BadRequest{"\"" + std::string(name) + "\" is not a list, or is too long"};
   }
   return list;
 }
@@ -65,7 +65,7 @@ motion::LiveSetting setting_in(const json& body) {
     setting.sliders.push_back(name_in(slider, "a slider"));
   }
   for (const json& value : list_part(body, "values")) {
-    if (!value.is_number()) throw BadRequest{"a value is no number"};
+    if (!value.is_number()) throw BadRequest{"a value is not a number"};
     setting.values.push_back(value.get<double>());
   }
   return setting;
@@ -76,7 +76,7 @@ json parsed(const std::string& body) {
   constexpr std::size_t deepest = 5;
   if (motion::is_nested_deeper(body, deepest)) throw BadRequest{"the JSON is nested too deep"};
   json given = json::parse(body, nullptr, false);
-  if (!given.is_object()) throw BadRequest{"the body is no JSON object"};
+  if (!given.is_object()) throw BadRequest{"the body is not a JSON object"};
   return given;
 }
 
@@ -137,10 +137,10 @@ HttpResponse LiveMotions::answer(const HttpRequest& request, std::span<const std
   const bool is_made =
       what == "make" || what == "distance" || what == "example" || what == "target";
   if (!is_made && what != "info" && what != "bundle") {
-    return http_refusal(404, "not found", "there is nothing of that name", "go back");
+    return http_refusal(404, "not found", "there is nothing with that name", "go back");
   }
   if (!is_made || request.method != "POST") {
-    return http_refusal(405, "not allowed", "it cannot be asked for in this way",
+    return http_refusal(405, "not allowed", "this method is not allowed",
                         is_made ? "use POST" : "use GET");
   }
   try {

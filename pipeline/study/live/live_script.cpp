@@ -26,9 +26,9 @@ fs::path live_module() {
   std::error_code unknown;
   fs::path module = live_module_beside(fs::read_symlink("/proc/self/exe", unknown));
   if (!module.empty()) return module;
-  throw Error("the motion core is not compiled for browsers",
-              "start with ./mien in the sources, which brings Emscripten and compiles it; an "
-              "installed mien has it if it was compiled before its package was made");
+  throw Error("the motion core has not been compiled for browsers",
+              "run ./mien in the source tree, which installs Emscripten and compiles it; an "
+              "installed mien has it if its package was built with it");
 }
 
 std::string live_script(const fs::path& module, const motion::LiveBundle& bundle) {

@@ -84,7 +84,7 @@ BarChart first_guess_chart(const MatchingEvaluation& evaluation, bool simulated)
 
 BarChart first_guess_success_chart(const MatchingEvaluation& evaluation, bool simulated) {
   return {.title = "First guesses that matched",
-          .axis = fmt::format("share of guesses with D < {:g} m", evaluation.threshold_m),
+          .axis = fmt::format("proportion of guesses with D < {:g} m", evaluation.threshold_m),
           .bars = share_bars(evaluation, &MatchingShare::near_guesses, &MatchingShare::guesses),
           .percent = true,
           .simulated = simulated};
@@ -100,7 +100,7 @@ BarChart time_chart(const MatchingEvaluation& evaluation, bool simulated) {
 
 BarChart time_saved_chart(const MatchingEvaluation& evaluation, bool simulated) {
   return {.title = "Time saved",
-          .axis = "seconds that the first-named interface saves (below 0: that it costs)",
+          .axis = "seconds saved by the first-named interface (negative: lost)",
           .whiskers = "90 % interval of the mean",
           .bars = grouped_bars(evaluation, evaluation.comparisons,
                                [](const MatchingComparison& c) -> std::optional<Bar> {
@@ -109,7 +109,7 @@ BarChart time_saved_chart(const MatchingEvaluation& evaluation, bool simulated) 
                                             .value = c.difference.mean,
                                             .low = c.difference.low(0.9),
                                             .high = c.difference.high(0.9),
-                                            .note = "against " + c.first,
+                                            .note = "vs. " + c.first,
                                             .second_note = fmt::format("n = {}", c.exact.pairs)};
                                }),
           .simulated = simulated};
@@ -117,7 +117,7 @@ BarChart time_saved_chart(const MatchingEvaluation& evaluation, bool simulated) 
 
 BarChart failures_chart(const MatchingEvaluation& evaluation, bool simulated) {
   return {.title = "Trials without a match",
-          .axis = "share of trials that reached the time limit",
+          .axis = "proportion of trials that reached the time limit",
           .bars = share_bars(evaluation, &MatchingShare::failures, &MatchingShare::trials),
           .percent = true,
           .simulated = simulated};

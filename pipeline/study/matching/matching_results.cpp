@@ -50,7 +50,7 @@ class TrialReader {
     check_time(trial, field(time_s_));
     if (!read_.seen.emplace(trial.participant, trial.target, trial.interface).second) {
       add(field(participant_),
-          fmt::format("participant {} has matched {} with {} before",
+          fmt::format("participant {} has already matched {} with {}",
                       motion::in_quotes(trial.participant), motion::in_quotes(trial.target),
                       motion::in_quotes(trial.interface)),
           "keep one of the two trials");
@@ -68,7 +68,7 @@ class TrialReader {
   }
 
   std::string name_in(const CsvField& field, const std::string& what) {
-    if (field.text.empty()) add(field, "no " + what, "name it");
+    if (field.text.empty()) add(field, "no " + what, "give a name");
     return field.text;
   }
 
@@ -76,7 +76,7 @@ class TrialReader {
     if (field.text.empty() || field.text == "NA") return std::nullopt;
     const std::optional<double> value = motion::as_written_number(field.text);
     if (value >= 0.0) return value;
-    add(field, motion::in_quotes(field.text) + " is no number from 0 up",
+    add(field, motion::in_quotes(field.text) + " is not a number of at least 0",
         "write a decimal number, or leave the field empty");
     return std::nullopt;
   }
@@ -84,7 +84,7 @@ class TrialReader {
   bool success_in(const CsvField& field) {
     if (field.text == "1" || field.text == "0") return field.text == "1";
     add(field, motion::in_quotes(field.text) + " is neither 1 nor 0",
-        "write 1 for a match within the limit and 0 for none");
+        "write 1 for a match within the limit, otherwise 0");
     return false;
   }
 
@@ -93,7 +93,8 @@ class TrialReader {
     if (!trial.success) {
       trial.time_s = limit_s;
     } else if (trial.time_s && *trial.time_s > limit_s) {
-      add(field, fmt::format("a success after {} s, but the limit is {} s", *trial.time_s, limit_s),
+      add(field,
+          fmt::format("a success after {} s exceeds the limit of {} s", *trial.time_s, limit_s),
           "correct it, or state the limit with --limit");
     } else if (!trial.time_s && field.text.empty()) {
       add(field, "a success without a time", "write the seconds that it took");
@@ -132,7 +133,7 @@ std::optional<std::string> common_value(const std::vector<CsvTable>& tables,
 
 /// What all rows say of a term of the experiment, where they say something.
 std::optional<double> told_term(const std::vector<CsvTable>& tables, const std::string& column) {
-  if (!common_value(tables, column, "evaluate the sessions of each experiment by themselves"))
+  if (!common_value(tables, column, "evaluate the sessions of each experiment separately"))
     return std::nullopt;
   for (const CsvTable& table : tables) {
     const int index = find_column(table, column);
@@ -140,7 +141,7 @@ std::optional<double> told_term(const std::vector<CsvTable>& tables, const std::
     const CsvField& field = table.rows.front()[static_cast<size_t>(index)];
     const double value = number_in(table, field);
     if (value > 0.0) return value;
-    throw Error(place_of(table, field), column + " is not above 0", "correct it");
+    throw Error(place_of(table, field), column + " is not positive", "correct it");
   }
   return std::nullopt;
 }
@@ -158,15 +159,15 @@ double limit_of(const std::vector<CsvTable>& tables, const MatchingTerms& terms,
   if (told && terms.limit_s && *told != *terms.limit_s)
     throw Error(
         fmt::format("--limit says {:g} s, but these sessions had {:g} s", *terms.limit_s, *told),
-        "leave --limit out");
+        "omit --limit");
   return told ? *told : terms.limit_s.value_or(usual);
 }
 
 }  // namespace
 
 MatchingResults matching_results(const std::vector<CsvTable>& tables, const MatchingTerms& terms) {
-  common_value(tables, "simulated", "evaluate those of people by themselves");
-  common_value(tables, "design", "evaluate the sessions of each design by themselves");
+  common_value(tables, "simulated", "evaluate sessions of real participants separately");
+  common_value(tables, "design", "evaluate the sessions of each design separately");
   ReadTrials read;
   MatchingResults& results = read.results;
   results.limit_s = limit_of(tables, terms, results.limit_s);

@@ -54,7 +54,7 @@ BarChart distance_chart(const std::vector<InterfaceSummary>& summaries, double t
 
 BarChart share_chart(const std::vector<InterfaceSummary>& summaries, const std::string& title,
                      double InterfaceSummary::*share) {
-  BarChart chart = simulated_bars(title, "share of simulated trials");
+  BarChart chart = simulated_bars(title, "proportion of simulated trials");
   chart.percent = true;
   chart.decimals = 0;
   for (const InterfaceSummary& s : summaries) {
@@ -74,8 +74,8 @@ Plot simulated_chart(const std::vector<InterfaceSummary>& summaries, double thre
            share_chart(summaries, "Never matched", &InterfaceSummary::failure)}) {
     if (!shares.bars.empty()) charts.push_back(std::move(shares));
   }
-  return bar_charts_plot("How near each interface comes to its targets", charts,
-                         "Simulated: no person took part  模擬");
+  return bar_charts_plot("Distance to the targets reached with each interface", charts,
+                         "Simulated participants  模擬");
 }
 
 }  // namespace mien::pipeline

@@ -116,12 +116,12 @@ std::vector<SampledTarget> sample_targets(const ParameterTable& table,
   const std::vector<SampledTarget> pool = TargetPool(table, parameters, options).targets();
   const auto wanted = static_cast<std::size_t>(options.targets + options.practice);
   if (pool.size() < wanted) {
-    throw Error(fmt::format("only {} of {} random places lie within {:g} of an example{}",
+    throw Error(fmt::format("only {} of {} random samples are within {:g} of an example{}",
                             pool.size(), most_draws, options.farthest_from_example,
                             options.unreachable == Unreachable::reject
                                 ? " and can be made by a blend of the examples"
                                 : ""),
-                "name fewer parameters, or allow a larger distance");
+                "use fewer parameters, or allow a larger distance");
   }
   std::vector<SampledTarget> targets;
   std::vector<bool> taken(pool.size(), false);

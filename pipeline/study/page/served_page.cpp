@@ -26,7 +26,7 @@ constexpr std::string_view served_mode = "name=\"mien-mode\" content=\"served\""
 std::string in_served_mode(std::string page, const fs::path& file) {
   const std::size_t at = page.find(folder_mode);
   if (at == page.npos)
-    throw Error({file.string()}, "does not say where it stands", "build the pages again");
+    throw Error({file.string()}, "does not declare its mode", "build the pages again");
   return page.replace(at, folder_mode.size(), served_mode);
 }
 
@@ -44,8 +44,8 @@ std::map<std::string, ServedFile> served_page(const fs::path& folder) {
   }
   const auto index = page.find("index.html");
   if (index == page.end())
-    throw Error({folder.string()}, "holds no page",
-                "start with ./mien, which builds the pages, or build them first");
+    throw Error({folder.string()}, "contains no page",
+                "run ./mien in the source tree, which builds the pages");
   index->second.bytes = in_served_mode(std::move(index->second.bytes), folder / "index.html");
   return page;
 }

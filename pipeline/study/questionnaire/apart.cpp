@@ -136,7 +136,7 @@ std::string why_none(const Likeness& likeness, const Things& things) {
       }
     }
   }
-  return "none was found among all that were tried";
+  return "none was found in any attempted order";
 }
 
 }  // namespace mien::pipeline

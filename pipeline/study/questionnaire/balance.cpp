@@ -63,21 +63,20 @@ void add_latin_sentence(const Manifest& manifest, const Balance& balance, int pa
   const auto count = static_cast<std::size_t>(balance.most_places);
   if (count < balance.subjects.size()) {
     return sentences.push_back(
-        "A Latin square of what each participant sees: places and neighbours are balanced as far "
-        "as "
-        "everybody sees the same stimuli, which is not so here.");
+        "Latin square within each participant's stimuli: positions and order effects are fully "
+        "balanced only when all participants see the same stimuli, which is not the case here.");
   }
   const std::size_t rows = williams_rows(count);
   if (static_cast<std::size_t>(participants) % rows == 0)
     return sentences.push_back(
-        "The Latin square is balanced: every stimulus comes equally often in "
-        "every place and after every other.");
-  sentences.push_back(fmt::format(
-      "The Latin square is not balanced with {} participants: it takes a multiple of {} for every "
-      "place{}.",
-      participants, count,
-      rows == count ? " and every neighbour"
-                    : fmt::format(", and of {} for every neighbour", rows)));
+        "The Latin square is balanced: every stimulus appears equally often in every position and "
+        "after every other stimulus.");
+  sentences.push_back(
+      fmt::format("The Latin square is not balanced with {} participants: balanced positions "
+                  "require a multiple of {}{}.",
+                  participants, count,
+                  rows == count ? ", and so do balanced sequences"
+                                : fmt::format(", balanced sequences a multiple of {}", rows)));
 }
 
 }  // namespace
@@ -126,20 +125,21 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
   const bool are_pairs = questionnaire_of(manifest).trials == TrialForm::pair;
   const char* subject = are_pairs ? "pair" : "stimulus";
   std::vector<std::string> sentences = {
-      fmt::format("Each {} is seen by {} of {}.", subject,
+      fmt::format("Each {} is shown to {} of {}.", subject,
                   shown(seen_range(balance), "participants"), participants),
-      fmt::format("Each {} comes {} in each place.", subject, shown(place_range(balance), "times")),
-      fmt::format("Each {} comes {} right after each other one.", subject,
+      fmt::format("Each {} appears {} in each position.", subject,
+                  shown(place_range(balance), "times")),
+      fmt::format("Each {} directly follows every other one {}.", subject,
                   shown(follows_range(balance), "times")),
-      fmt::format("Each two are seen by the same participant {}.",
-                  shown(together_range(balance), "times"))};
+      fmt::format("Every pair of {} co-occurs in {}.", are_pairs ? "pairs" : "stimuli",
+                  shown(together_range(balance), "sessions"))};
   if (!balance.flipped.empty()) {
-    sentences.push_back(fmt::format("The high end of a scale is at the left for {}.",
+    sentences.push_back(fmt::format("The high end of each scale is on the left for {}.",
                                     shown(flipped_range(balance), "participants")));
   }
   if (are_pairs) {
-    sentences.push_back(
-        fmt::format("The first of a pair is at the left {}.", shown(left_range(balance), "times")));
+    sentences.push_back(fmt::format("The first stimulus of each pair is on the left {}.",
+                                    shown(left_range(balance), "times")));
   }
   add_latin_sentence(manifest, balance, participants, sentences);
   return sentences;

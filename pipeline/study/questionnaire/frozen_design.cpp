@@ -31,23 +31,21 @@ constexpr char hashes_path[] = "manifest-sha256.txt";
 constexpr char frozen_format[] = "mien-frozen-1";
 
 constexpr char readme[] =
-    "A questionnaire as it was planned, before there were any answers.\n"
-    "\n"
+    "The design of a questionnaire, frozen before data collection.\n\n"
     "design.json          study, hash of the design, participants, expected duration, analysis\n"
     "plans.csv            every trial of every participant\n"
-    "balance.csv          how often each stimulus comes, where, and after which\n"
-    "scales.csv           what is asked\n"
-    "analysis-plan.txt    how the answers will be looked at\n"
-    "stimuli.csv          SHA-256 of all media that are shown\n"
+    "balance.csv          how often each stimulus appears, in which position and after which\n"
+    "scales.csv           scales used\n"
+    "analysis-plan.txt    planned analysis\n"
+    "stimuli.csv          SHA-256 of all media shown\n"
     "inputs/              the manifest and the files that it names\n"
     "inputs.csv           hashes of these and of the motions that they name\n"
-    "dummy-report/        what the report makes of answers that nobody gave\n"
-    "manifest-sha256.txt  of all files here: sha256sum -c manifest-sha256.txt\n"
-    "\n"
-    "mien study report says whether what was run is what is here.\n";
+    "dummy-report/        report of simulated answers\n"
+    "manifest-sha256.txt  hashes of all files: sha256sum -c manifest-sha256.txt\n\n"
+    "mien study report --frozen compares a study as run with this archive.\n";
 
 constexpr char no_analysis_plan[] =
-    "Nothing was written down: the manifest has no questionnaire.analysis.plan.\n";
+    "No analysis plan: the manifest has no questionnaire.analysis.plan.\n";
 
 std::string sha256_of(const std::string& bytes) {
   Sha256 sha;
@@ -139,10 +137,10 @@ ZipFiles read_frozen(const fs::path& bundle) {
   const bool is_complete = frozen.contains("design.json") && frozen.contains(hashes_path);
   if (!is_complete || motion::is_nested_deeper(frozen["design.json"], deepest) ||
       !ordered_json::accept(frozen["design.json"]))
-    throw Error({bundle.string()}, "is no frozen design", "give what --freeze wrote");
+    throw Error({bundle.string()}, "is not a frozen design", "give an archive written by --freeze");
   if (frozen[hashes_path] != hashes_text(frozen))
     throw Error({bundle.string()}, "was changed after it was written",
-                "give the archive as it was registered");
+                "use the archive as registered");
   return frozen;
 }
 
@@ -186,9 +184,9 @@ void compare_designs(const std::string& then, const std::string& now,
     const ordered_json& old = before.contains(key) ? before[key] : ordered_json();
     if (old == value || key == "expected_minutes") continue;
     if (key == "design") {
-      differences.push_back("design: what participants see is not what was frozen");
+      differences.push_back("design: what participants see differs from the registered design");
     } else {
-      differences.push_back(fmt::format("{}: {} and not {}", key, value.dump(), old.dump()));
+      differences.push_back(fmt::format("{}: {} instead of {}", key, value.dump(), old.dump()));
     }
   }
 }
@@ -233,10 +231,10 @@ std::vector<std::string> frozen_differences(const fs::path& bundle, const Manife
   compare_tables("plans of participants", then["plans.csv"], now["plans.csv"], differences);
   compare_tables("scales", then["scales.csv"], now["scales.csv"], differences);
   if (then["analysis-plan.txt"] != now["analysis-plan.txt"])
-    differences.push_back("analysis: the plan reads otherwise");
+    differences.push_back("analysis: the plan differs");
   compare_tables("inputs", then["inputs.csv"], now["inputs.csv"], differences);
   if (made.empty()) {
-    differences.push_back("stimuli: were not looked at, as the study's folder was not given");
+    differences.push_back("stimuli: not compared, because the study's folder was not given");
   } else {
     compare_tables("stimuli", then["stimuli.csv"], stimuli_csv(manifest, made), differences);
   }

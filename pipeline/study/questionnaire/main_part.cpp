@@ -91,11 +91,11 @@ class MainPart {
   }
 
   [[noreturn]] void refuse(const std::string& why) const {
-    throw Error(place_of(manifest_.places, "questionnaire.apart"),
-                fmt::format("questionnaire.apart: no order of {} keeps those apart that are alike "
-                            "in {} ({})",
-                            participant_name(index_), fmt::join(asked_.apart, " or "), why),
-                "name fewer factors, or other stimuli");
+    throw Error(
+        place_of(manifest_.places, "questionnaire.apart"),
+        fmt::format("questionnaire.apart: no order of {} separates stimuli with the same {} ({})",
+                    participant_name(index_), fmt::join(asked_.apart, " or "), why),
+        "use fewer factors, or other stimuli");
   }
 
   bool are_alike(std::size_t a, std::size_t b) const {
@@ -133,7 +133,7 @@ class MainPart {
                     "in between",
                     participant_name(index_),
                     is_one ? "a stimulus" : fmt::format("{} stimuli", asked_.repeated)),
-        is_one ? "leave it out, or show more stimuli" : "write a smaller number");
+        is_one ? "omit it, or show more stimuli" : "use a smaller number");
   }
 
   bool is_repeated(std::size_t subject) const {
@@ -171,7 +171,7 @@ class MainPart {
       const std::size_t next = trials_.front().subject;
       const auto found = std::ranges::find_if(
           candidates, [&](std::size_t subject) { return !are_alike(subject, next); });
-      if (found == candidates.end()) refuse("none is left for the warm-up");
+      if (found == candidates.end()) refuse("no stimuli remain for the warm-up");
       trials_.insert(trials_.begin(), {.subject = *found, .warm_up = true});
       candidates.erase(found);
     }

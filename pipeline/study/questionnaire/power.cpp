@@ -147,23 +147,23 @@ int least_number(const std::vector<int>& found, int studies, auto&& is_enough) {
 void check_level(const std::vector<std::string>& levels, const PowerQuestion& question,
                  const std::string& level) {
   if (std::ranges::find(levels, level) != levels.end()) return;
-  throw Error(fmt::format("no stimulus that is asked about has {}: {}", question.factor, level),
+  throw Error(fmt::format("no stimulus of the questionnaire has {}: {}", question.factor, level),
               motion::did_you_mean(level, levels));
 }
 
 void check(const Manifest& manifest, const PowerQuestion& question) {
   const TrialSubjects subjects = trial_subjects(manifest);
   if (questionnaire_of(manifest).trials == TrialForm::pair)
-    throw Error("power is estimated of ratings, and this questionnaire asks about pairs",
+    throw Error("power is estimated for ratings only, but this questionnaire compares pairs",
                 "leave --power out");
   if (subjects_per_participant(manifest, subjects) < 2)
-    throw Error("nobody sees two stimuli, which a paired test takes",
-                "show each participant more of them");
+    throw Error("no participant sees two stimuli, as a paired test requires",
+                "show each participant more stimuli");
   if (question.factor.empty()) return;
   const std::vector<std::string> factors = factors_of(manifest);
   if (std::ranges::find(factors, question.factor) == factors.end())
     throw Error(fmt::format("the stimuli have no factor {}", motion::in_quotes(question.factor)),
-                factors.empty() ? "give them factors: {…}"
+                factors.empty() ? "add factors: {…} to the stimuli"
                                 : motion::did_you_mean(question.factor, factors));
   std::vector<std::string> levels;
   for (const std::vector<std::string>& stimuli : subjects.stimuli)
@@ -234,27 +234,29 @@ std::vector<std::string> power_sentences(const PowerQuestion& question,
                        100.0 * share.high);
   };
   return {
-      fmt::format("Standard deviations: {:.2f} of participants, {:.2f} of stimuli, {:.2f} left.",
+      fmt::format("Standard deviations: participants {:.2f}, stimuli {:.2f}, residual SD {:.2f}.",
                   spread.participant, spread.stimulus, spread.residual),
-      fmt::format("A difference of {:g} points between {} is found (paired t test, level {:g}) by "
-                  "{} of {} simulated studies with the {} participants planned, of whom {:.1f} see "
-                  "both.",
-                  question.difference, compared, question.alpha, percent(estimate.power),
-                  question.studies, estimate.participants, estimate.usable),
-      fmt::format("Where there is no difference, {} find one.", percent(estimate.false_alarms)),
+      fmt::format(
+          "Power to detect a difference of {:g} points between {} (paired t test, α = {:g}): {} of "
+          "{} simulated studies, with {} planned participants, of whom {:.1f} see both.",
+          question.difference, compared, question.alpha, percent(estimate.power), question.studies,
+          estimate.participants, estimate.usable),
+      fmt::format("False-positive rate without a true difference: {}.",
+                  percent(estimate.false_alarms)),
       is_test_misled(question, estimate)
           ? fmt::format(
-                "No number of participants is told: a test over participants takes it for a "
-                "difference of the levels when these stimuli alone differ, and finds it more often "
-                "with every participant. Ask for more stimuli of each level, compare with a model "
-                "that has the stimuli as a random effect (analysis/lme4.R of the report), or "
-                "estimate for these very stimuli: --spread {:g},0,{:g}.",
+                "No sample size reported: a test over participants mistakes differences between "
+                "these particular stimuli for a difference between the levels, and does so more "
+                "often the more participants there are. Use more stimuli per level, fit a model "
+                "with stimuli as a random effect (analysis/lme4.R of the report), or estimate "
+                "power for these particular stimuli: --spread {:g},0,{:g}.",
                 spread.participant, spread.residual)
-          : fmt::format("Found by {:g} %: with {} participants (simulation's interval {} to {}).",
-                        100.0 * question.wanted,
-                        number_or_more(estimate.needed, question.most_participants),
-                        number_or_more(estimate.needed_low, question.most_participants),
-                        number_or_more(estimate.needed_high, question.most_participants))};
+          : fmt::format(
+                "Sample size for {:g} % power: {} participants (simulation interval {} to {}).",
+                100.0 * question.wanted,
+                number_or_more(estimate.needed, question.most_participants),
+                number_or_more(estimate.needed_low, question.most_participants),
+                number_or_more(estimate.needed_high, question.most_participants))};
 }
 
 }  // namespace mien::pipeline

@@ -34,9 +34,9 @@ double squared_counts(const Totals& totals) {
 }
 
 [[noreturn]] void refuse() {
-  throw Error("these ratings do not tell how much participants and stimuli differ",
-              "give ratings of several participants, several stimuli each, or state standard "
-              "deviations");
+  throw Error(
+      "these ratings are too few to estimate the variance between participants and between stimuli",
+      "give ratings by several participants of several stimuli each, or state standard deviations");
 }
 
 }  // namespace
@@ -79,8 +79,8 @@ RatingSpread spread_of(const Answers& answers) {
   };
   for (const Answer& answer : answers.answers) {
     if (answer.participant.empty()) {
-      throw Error("these ratings are means of several people",
-                  "give what each participant answered");
+      throw Error("these ratings are means over several participants",
+                  "give the answers of each participant");
     }
     Total& cell = by_scale[answer.scale]
                           [{number(people, answer.participant), number(things, answer.stimulus)}];

@@ -58,8 +58,7 @@ class TruthReader {
 
   void check_word(const CsvField& field, const char* what, const std::vector<std::string>& known) {
     if (std::ranges::find(known, field.text) != known.end()) return;
-    add(field,
-        fmt::format("the questionnaire asks about no {} {}", what, motion::in_quotes(field.text)),
+    add(field, fmt::format("the questionnaire has no {} {}", what, motion::in_quotes(field.text)),
         motion::did_you_mean(field.text, known));
   }
 
@@ -73,7 +72,7 @@ class TruthReader {
     }
     const Scale* range = find_scale(scales_, scale);
     if (range != nullptr && (value < range->least || value > range->most)) {
-      add(field, fmt::format("{} lies outside the scale", field.text),
+      add(field, fmt::format("{} is outside the scale", field.text),
           fmt::format("write a number from {:g} to {:g}", range->least, range->most));
     }
     return value;

@@ -36,7 +36,7 @@ std::vector<fs::path> tables_below(const fs::path& folder) {
     if (!tables.empty()) return tables;
   }
   throw Error({folder.string()}, "holds no answers",
-              "name the folder in which answers.csv or the saved *answers_data.csv lie");
+              "name the folder that contains answers.csv or the saved *answers_data.csv files");
 }
 
 /// Empty where there is none.

@@ -89,10 +89,9 @@ class AnswerSorter {
     if (row.kind == asked || (asked == "pair" && row.kind == "rating")) return true;
     if (told_.insert("kind " + row.kind).second)
       fault(row,
-            fmt::format("an answer of the kind {}, where the questionnaire has trials of "
-                        "the kind {}",
+            fmt::format("an answer of kind {}, but the questionnaire has trials of kind {}",
                         row.kind, asked),
-            "give the manifest that these answers are of");
+            "give the manifest that these answers belong to");
     return false;
   }
 
@@ -121,7 +120,7 @@ class AnswerSorter {
     const Scale& of = result_.scales[*scale];
     if (!value || *value < of.least || *value > of.most) {
       fault(row,
-            fmt::format("{} is no answer on {}", motion::in_quotes(row.value),
+            fmt::format("{} is not a valid answer on {}", motion::in_quotes(row.value),
                         motion::in_quotes(of.id)),
             fmt::format("answers go from {} to {}", of.least, of.most));
       return;
@@ -142,7 +141,7 @@ class AnswerSorter {
     const double expected = scale.least + from_low * (scale.most - scale.least);
     if (std::abs(expected - value) <= 1e-6 * (scale.most - scale.least)) return;
     fault(row,
-          fmt::format("the raw answer {} with the {} pole at the left is {:g}, not {}",
+          fmt::format("the raw answer {} with the {} pole on the left corresponds to {:g}, not {}",
                       row.value_raw, row.pole_left, expected, row.value),
           "give the file as the questionnaire wrote it, and its manifest");
   }
@@ -152,8 +151,8 @@ class AnswerSorter {
     const bool is_offered = std::ranges::any_of(
         result_.choices, [&](const auto& choice) { return choice.first == row.value; });
     if (!is_offered) {
-      fault(row, fmt::format("{} was not to choose from", motion::in_quotes(row.value)),
-            "give the manifest that these answers are of");
+      fault(row, fmt::format("{} was not among the choices", motion::in_quotes(row.value)),
+            "give the manifest that these answers belong to");
       return;
     }
     if (counts(row)) result_.chosen.push_back({people_.at(row.participant), stimulus, row.value});
@@ -163,7 +162,7 @@ class AnswerSorter {
     const auto against = known_stimulus(row, row.against);
     if (!against || row.value.empty() || row.value == "NA") return;
     if (row.value != row.stimulus && row.value != row.against) {
-      fault(row, fmt::format("{} is neither of the two", motion::in_quotes(row.value)),
+      fault(row, fmt::format("{} is not one of the pair", motion::in_quotes(row.value)),
             fmt::format("they are {} and {}", row.stimulus, row.against));
       return;
     }
@@ -187,9 +186,9 @@ void check_designs(const std::vector<AnswerRow>& rows, Gathered& result,
   for (const AnswerRow& row : rows) {
     if (!met.insert(row.design).second) continue;
     faults.push_back({row.place, "",
-                      fmt::format("an answer of the design {} among those of {}",
+                      fmt::format("an answer of design {} among answers of design {}",
                                   motion::in_quotes(row.design), motion::in_quotes(result.design)),
-                      "report the answers of each design by themselves"});
+                      "report the answers of each design separately"});
   }
 }
 
@@ -268,8 +267,9 @@ Gathered gather(const Manifest& manifest, std::vector<AnswerRow> rows,
   if (!sorter.faults.empty()) throw Faults(sorter.faults);
   if (result.ratings.empty() && result.chosen.empty() && result.preferences.empty() &&
       result.words.empty())
-    throw Error(Place{rows.front().place.file, 1, 1}, "holds no answers that count",
-                "practice, warm-up, checks and participants who are left out are passed over");
+    throw Error(Place{rows.front().place.file, 1, 1}, "holds no answers to analyse",
+                "answers to practice, warm-up and check trials and those of excluded participants "
+                "are ignored");
   return result;
 }
 

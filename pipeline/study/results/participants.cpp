@@ -117,8 +117,8 @@ ParticipantTable joined(const std::vector<ParticipantTable>& tables) {
                                           &CsvField::text);
     if (!alike)
       throw Error(place_of(part.table, part.table.header.front()),
-                  "has other columns than " + all.table.file,
-                  "report the answers of each questionnaire by themselves");
+                  "has different columns from " + all.table.file,
+                  "report each questionnaire separately");
     all.table.rows.insert(all.table.rows.end(), part.table.rows.begin(), part.table.rows.end());
   }
   std::set<std::vector<std::string>> met;

@@ -12,8 +12,8 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 
 std::string people_sentence(const Gathered& gathered) {
   const std::size_t all = gathered.attention.size();
-  return fmt::format("{} of {} {}", gathered.people.size(), counted(all, "person", "people"),
-                     gathered.people.size() == 1 ? "counts" : "count");
+  return fmt::format("{} of {} analysed", gathered.people.size(),
+                     counted(all, "participant", "participants"));
 }
 
 std::vector<std::string> unfinished_sentences(const Gathered& gathered) {
@@ -22,7 +22,7 @@ std::vector<std::string> unfinished_sentences(const Gathered& gathered) {
     sentences.push_back(
         fmt::format("participant {} did not finish ({} of {} trials): {}",
                     motion::in_quotes(one.participant), one.trials, one.planned,
-                    gathered.without_unfinished ? "left out" : "what was answered counts"));
+                    gathered.without_unfinished ? "excluded" : "answers given are included"));
   return sentences;
 }
 

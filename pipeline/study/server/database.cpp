@@ -19,7 +19,7 @@ std::error_code system_code(sqlite3* database) {
 std::string true_place(const std::filesystem::path& file) {
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder))
-    throw Error({file.string()}, "there is no folder for it", "make the folder first");
+    throw Error({file.string()}, "there is no folder for it", "create the folder first");
   return (std::filesystem::canonical(folder) / file.filename()).string();
 }
 
@@ -62,11 +62,11 @@ void Database::fail() const {
   switch (code) {
     case SQLITE_BUSY:
       throw Error({file_.string()}, "another process has it open",
-                  "end that server first, or name another file with --store");
+                  "stop that server first, or name another file with --store");
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
-      throw Error({file_.string()}, "is no file of answers, or is damaged: " + reason,
-                  "bring back a copy, or name another file with --store");
+      throw Error({file_.string()}, "is not a file of answers, or is damaged: " + reason,
+                  "restore a copy, or name another file with --store");
     default:
       throw WriteFailure(file_.string() + ": cannot be written: " + reason,
                          code == SQLITE_FULL ? std::make_error_code(std::errc::no_space_on_device)

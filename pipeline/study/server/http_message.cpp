@@ -72,7 +72,7 @@ HttpResponse http_too_often() {
 }
 
 HttpResponse http_wrong_method(const std::string& allowed) {
-  HttpResponse response = http_refusal(405, "method", "this cannot be done here", allowed);
+  HttpResponse response = http_refusal(405, "method", "this method is not allowed", allowed);
   response.headers["Allow"] = allowed;
   return response;
 }
@@ -99,7 +99,8 @@ HttpResponse http_file(const HttpRequest& request, const std::filesystem::path& 
                        const std::string& type) {
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(file, error);
-  if (error) return http_refusal(404, "unknown", "the file is not there", "tell the experimenter");
+  if (error)
+    return http_refusal(404, "unknown", "the file does not exist", "please tell the experimenter");
   HttpResponse response{.type = type, .part = FilePart{file, 0, size}};
   response.headers["Accept-Ranges"] = "bytes";
   ByteRange range;

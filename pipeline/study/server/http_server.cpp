@@ -54,16 +54,16 @@ constexpr std::array<std::pair<const char*, const char*>, 7> guarding_headers = 
 
 HttpResponse refusal_of(int status, bool lacks_host) {
   if (lacks_host)
-    return http_refusal(status, "host", "the request does not say whom it is for", "send Host");
+    return http_refusal(status, "host", "the request has no Host header", "send Host");
   switch (status) {
     case 408:
       return http_refusal(status, "slow", "the request took too long", "send it again");
     case 411:
-      return http_refusal(status, "length", "the length is not told", "send Content-Length");
+      return http_refusal(status, "length", "the length is missing", "send Content-Length");
     case 413:
       return http_refusal(status, "long", "the request is too long", "send less");
     case 415:
-      return http_refusal(status, "type", "the request is compressed", "send it plain");
+      return http_refusal(status, "type", "the request is compressed", "send it uncompressed");
     case 429:
       return http_refusal(status, "often", "too many requests", "wait a little");
     case 431:
@@ -71,7 +71,8 @@ HttpResponse refusal_of(int status, bool lacks_host) {
     case 503:
       return http_refusal(status, "busy", "too many connections", "wait a little");
     default:
-      return http_refusal(status, "malformed", "this is no request", "send it as HTTP/1.1");
+      return http_refusal(status, "malformed", "this is not a valid request",
+                          "send it as HTTP/1.1");
   }
 }
 
@@ -174,7 +175,7 @@ class HttpServer::Listener {
       }
     }
     throw Error({settings_.listen + ":" + std::to_string(settings_.port)},
-                "cannot be listened at: " + reason,
+                "cannot listen on this address: " + reason,
                 "choose another port with --port (0: any that is free) or address with --listen");
   }
 
@@ -267,13 +268,13 @@ class HttpServer::Listener {
 
   HttpResponse answer_to(const std::string& target, HttpRequest& request) {
     std::optional<std::vector<std::string>> path = plain_path(target);
-    if (!path) return http_refusal(404, "unknown", "there is nothing here", "check the address");
+    if (!path) return http_refusal(404, "unknown", "page not found", "check the address");
     request.path = std::move(*path);
     try {
       return answer_(request);
     } catch (const std::exception& error) {
       if (failure_) failure_(error.what());
-      return http_refusal(500, "failed", "the server failed at this", "tell the experimenter");
+      return http_refusal(500, "failed", "internal server error", "please tell the experimenter");
     }
   }
 

@@ -103,10 +103,10 @@ void SessionStore::refuse_lack_of_log(bool is_new) {
   }
   const std::string log = database_.file().string() + "-wal";
   throw Error({database_.file().string()},
-              "was copied or restored while it was served, without " + log +
+              "was copied or restored while being served, without " + log +
                   ", which holds the latest answers",
-              "end the server (Ctrl-C), then copy it again; or copy both; an empty file of that "
-              "name goes on with the answers that are left");
+              "stop the server (Ctrl-C), then copy it again, or copy both; with an empty file of "
+              "that name, serving continues with the remaining answers");
 }
 
 void SessionStore::prepare() {
@@ -122,10 +122,11 @@ void SessionStore::prepare() {
   tables.with();
   if (mark == store_mark)
     throw Error({database_.file().string()},
-                "answers in a form of version " + std::to_string(version) + ", unknown here",
+                "answers in a format of version " + std::to_string(version) +
+                    ", which this version of mien does not know",
                 "serve it with the version of mien that made it");
   if (!is_new)
-    throw Error({database_.file().string()}, "is a database of something else",
+    throw Error({database_.file().string()}, "is a different kind of database",
                 "name another file with --store");
   refuse_lack_of_log(true);
   Transaction transaction(database_);
@@ -215,7 +216,7 @@ std::vector<StoredRecord> SessionStore::records_of(int session) {
 std::string random_link() {
   std::array<unsigned char, 16> bytes;
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw std::runtime_error("the system gives no random numbers");
+    throw std::runtime_error("the system provides no random numbers");
   std::string link;
   for (const unsigned char byte : bytes) {
     constexpr char digits[] = "0123456789abcdef";

@@ -96,7 +96,7 @@ bool ManifestFile::is_on_disk() const {
 ManifestState ManifestFile::reload() {
   const std::lock_guard lock(mutex_);
   const std::optional<std::string> text = text_on_disk();
-  if (!text) throw Error({file_.string()}, "cannot be read any more", "put it back, or save it");
+  if (!text) throw Error({file_.string()}, "cannot be read any more", "restore it, or save it");
   refuse_faults(*text, file_, environment_);
   state_ = state_of(*text);
   is_on_disk_ = true;
@@ -121,8 +121,8 @@ Saving ManifestFile::save(const std::string& text, const ordered_json& document,
     return {Saving::Outcome::elsewhere, found ? state_of(*found) : state_of(state_.text, false)};
   ManifestState next = state_of(text);
   if (json(next.document) != json(document))
-    throw Error({file_.string()}, "the text to be saved says something else than the page shows",
-                "change it in the file by hand, and load the page again");
+    throw Error({file_.string()}, "the text to be saved differs from what the page shows",
+                "edit the file by hand, and reload the page");
   const bool is_other = text != found;
   if (is_other) {
     refuse_faults(text, file_, environment_);

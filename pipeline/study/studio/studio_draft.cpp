@@ -85,11 +85,9 @@ void DraftReader::admit(const ordered_json& document, const ordered_json& known)
     if (std::ranges::find(before, one.file, &NamedFile::file) != before.end()) continue;
     faults.push_back({{},
                       first_place_of(one.text, document),
-                      motion::in_quotes(one.text) +
-                          " is neither named by the manifest nor a motion, a folder or a "
-                          "character below its folder",
-                      "choose what is there, or write it into the manifest by hand and load it "
-                      "again"});
+                      motion::in_quotes(one.text) + " is neither named in the manifest nor a "
+                                                    "motion, folder or character inside its folder",
+                      "choose an existing one, or enter it in the manifest by hand and reload"});
   }
   if (!faults.empty()) throw DraftFaults(std::move(faults));
 }

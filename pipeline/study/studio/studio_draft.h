@@ -21,7 +21,7 @@ class DraftFaults : public std::exception {
   explicit DraftFaults(std::vector<Fault> faults) : faults_(std::move(faults)) {}
 
   const std::vector<Fault>& list() const { return faults_; }
-  const char* what() const noexcept override { return "the draft is at fault"; }
+  const char* what() const noexcept override { return "the draft is invalid"; }
 
  private:
   std::vector<Fault> faults_;

@@ -25,7 +25,8 @@ std::optional<HttpResponse> unwelcome(const HttpRequest& request, int port) {
   const std::string host = header_of(request, "host"), origin = header_of(request, "origin"),
                     site = header_of(request, "sec-fetch-site");
   if (!is_this_machine(host, port))
-    return http_refusal(421, "host", "this server is not called so", "use the link as it was told");
+    return http_refusal(421, "host", "this is not the name of this server",
+                        "use the link as printed");
   if (!origin.empty() && origin != "http://" + host)
     return http_refusal(403, "origin", "this comes from another site", "use the studio's own page");
   if (!site.empty() && site != "same-origin" && site != "none" && !is_followed_link(request))

@@ -63,7 +63,7 @@ std::string first_error(const RunResult& result) {
   for (const TaskOutcome& outcome : result.outcomes) {
     if (!outcome.error.empty()) return outcome.error;
   }
-  return "it could not be made";
+  return "rendering failed";
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ HttpResponse StudioService::answer(const HttpRequest& request) {
 /// Of those that ask for much that is not there, somebody is guessing.
 HttpResponse StudioService::unknown(const HttpRequest& request) {
   if (!wrong_rate_.allows(request.address)) return http_too_often();
-  return http_refusal(404, "unknown", "there is nothing here", "use the link as it was told");
+  return http_refusal(404, "unknown", "page not found", "use the link as printed");
 }
 
 HttpResponse StudioService::read(const HttpRequest& request) {
@@ -98,18 +98,18 @@ HttpResponse StudioService::take(const HttpRequest& request) {
       request.path.size() == 4 && request.path[1] == "jobs" && request.path[3] == "cancel";
   if (request.path.size() != 2 && !is_cancel) return unknown(request);
   if (!is_json(request))
-    return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
+    return http_refusal(415, "type", "this is not JSON", "send Content-Type: application/json");
   const bool is_deep = motion::is_nested_deeper(request.body, motion::max_json_depth);
   const Body body =
       is_deep ? Body(Body::value_t::discarded) : Body::parse(request.body, nullptr, false);
   if (body.is_discarded())
-    return http_refusal(400, "malformed", "this is no JSON", "load the page again");
+    return http_refusal(400, "malformed", "this is not JSON", "load the page again");
   try {
     if (!is_cancel) return posted(request.path[1], body);
     jobs_.cancel();
     return http_value({{"cancelled", true}});
   } catch (const MalformedBody&) {
-    return http_refusal(400, "malformed", "this is not what is asked here", "load the page again");
+    return http_refusal(400, "malformed", "this is not an expected request", "load the page again");
   } catch (const DraftFaults& faults) {
     return faults_answer(faults.list());
   } catch (const Faults& faults) {
@@ -138,7 +138,7 @@ HttpResponse StudioService::posted(const std::string& what, const Body& body) {
   if (what == "save") return save(body);
   if (what == "reload") return http_value(state_json(file_.reload()));
   if (what == "jobs") return begin_job(body);
-  return http_refusal(404, "unknown", "there is nothing here", "load the page again");
+  return http_refusal(404, "unknown", "page not found", "load the page again");
 }
 
 HttpResponse StudioService::studio_json() {
@@ -177,8 +177,9 @@ HttpResponse StudioService::save(const Body& body) {
   }
   return http_value(
       {{"error", "elsewhere"},
-       {"wrong", file_.file().filename().string() + " has been changed since it was opened here"},
-       {"remedy", "load it again and lose what was changed here, or write what is here into it"},
+       {"wrong", file_.file().filename().string() + " has been changed since it was opened"},
+       {"remedy",
+        "reload it and lose the changes made here, or overwrite it with the changes made here"},
        {"manifest", told}},
       409);
 }
@@ -196,7 +197,7 @@ HttpResponse StudioService::begin_job(const Body& body) {
                    .seconds = member_or<double>(body, "seconds", 0.0),
                    .quality = quality_in(body)});
   if (!number)
-    return http_refusal(409, "busy", "another picture or film is being made",
+    return http_refusal(409, "busy", "another still or video is being rendered",
                         "wait for it, or stop it");
   return http_value(jobs_.told(*number));
 }

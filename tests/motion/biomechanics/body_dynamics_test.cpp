@@ -146,7 +146,7 @@ TEST(Forces, ThatPushSidewaysMoreThanShoesHoldAreFound) {
   const auto findings = lint(clip);
   bool found = false;
   for (const Finding& finding : findings) {
-    found = found || finding.sentence.find("push sideways") != std::string::npos;
+    found = found || finding.sentence.find("would slip: horizontal") != std::string::npos;
   }
   EXPECT_TRUE(found) << all_of(findings);
 }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 TEST(ExampleSet, OfNoFolderOrNoMatchIsRefused) {
   ExampleFolder folder;
   folder.path = fs::temp_directory_path() / "mien-no-such-folder";
-  EXPECT_NE(test::refusal_of([&] { load_examples(folder); }).find("is no folder"),
+  EXPECT_NE(test::refusal_of([&] { load_examples(folder); }).find("is not a readable folder"),
             std::string::npos);
   folder.path = fs::path(testing::TempDir()) / "mien-empty-folder";
   fs::create_directories(folder.path);

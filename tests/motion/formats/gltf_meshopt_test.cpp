@@ -149,12 +149,12 @@ TEST(GltfPackedByMeshopt, IsRefusedInPlainWordsWhenItIsFaulty) {
     const char* words;
   };
   for (const Case& bad : std::vector<Case>{{"mode", "MAGIC", "mode MAGIC is not known"},
-                                           {"byteStride", 3, "byteStride 3 is none of its mode"},
-                                           {"byteStride", 0, "byteStride 0 is none of its mode"},
+                                           {"byteStride", 3, "byteStride 3 does not fit its mode"},
+                                           {"byteStride", 0, "byteStride 0 does not fit its mode"},
                                            {"byteStride", 512, "byteStride 512"},
                                            {"count", 1u << 30, "too many elements"},
                                            {"count", -4, "count is no number"},
-                                           {"count", 900, "damaged or of a newer version"},
+                                           {"count", 900, "damaged or from a newer version"},
                                            {"buffer", 7, "there is no such buffer"},
                                            {"byteLength", 99999999, "reaches beyond its buffer"},
                                            {"byteLength", 3, "damaged"},

@@ -252,7 +252,7 @@ TEST(Gltf, TellsOfASecondFigure) {
   EXPECT_EQ(recording.skeleton.joints[0].name, "b");
   ASSERT_EQ(recording.notes.size(), 1u);
   EXPECT_EQ(recording.notes[0],
-            "The file holds 2 figures; that of \"b\" is taken, without that of \"a\".");
+            "The file holds 2 figures; that of \"b\" is used, without that of \"a\".");
 }
 
 /// The arm with a second and a third animation, of other lengths; the third has no name.
@@ -274,8 +274,8 @@ TEST(Gltf, ListsItsTakesAndTakesTheOneThatIsNamed) {
   EXPECT_EQ(first.take, "Bend");
   ASSERT_EQ(first.notes.size(), 1u);
   EXPECT_EQ(first.notes[0],
-            "The file holds 3 motions (Bend, Sway, take 3); \"Bend\" is taken, for "
-            "no take was chosen.");
+            "The file holds 3 motions (Bend, Sway, take 3); \"Bend\" is used, because no take was "
+            "chosen.");
   expect_close(tip_at(first, 30, 1), {3, 2, 0});
   for (const char* name : {"Sway", "take 3"}) {
     const Recording second = parse_gltf(text, "arm.gltf", name);
@@ -407,15 +407,15 @@ TEST(Gltf, RefusesWhatIsWrongNamingTheFile) {
   const std::vector<Case> cases = {
       {"", "f.gltf:1:1: this is not the JSON"},
       {"{\n \"asset\": ]}", "f.gltf:2:11: this is not the JSON"},
-      {"[]", "is no glTF file"},
+      {"[]", "is not a glTF file"},
       {R"({"nodes":[{"scale":[1e999,1,1]}]})", "a number that is too large"},
       {"{}", "is not glTF of version 2"},
       {replaced(good, R"("2.0")", R"("1.0")"), "is not glTF of version 2"},
       {R"({"asset":{"version":"2.0"}})", "neither a skin nor an animation"},
       {std::string(100, '['), "nested more than 64 deep"},
-      {"glTF", "no binary glTF file of version 2"},
-      {std::string("glTF\2\0\0\0\x14\0\0\0\xFF\0\0\0JSON", 20), "cut short"},
-      {loop, "children of their own children"},
+      {"glTF", "not a binary glTF file of version 2"},
+      {std::string("glTF\2\0\0\0\x14\0\0\0\xFF\0\0\0JSON", 20), "truncated"},
+      {loop, "their own descendants"},
       {replaced(good, R"("children":[2])", R"("children":[7])"), "child that does not exist"},
       {replaced(good, R"("children":[2])", R"("children":[1])"), "node 1 has two parents"},
       {replaced(good, "[0,2,0]", "[0,2]"), "node 1 has a faulty transform"},
@@ -423,7 +423,7 @@ TEST(Gltf, RefusesWhatIsWrongNamingTheFile) {
       {replaced(good, R"({"translation":[0,1,0]})", R"({"rotation":[0,0,0,0]})"),
        "node 2 has a rotation of length zero"},
       {replaced(good, R"("joints":[1,0])", R"("joints":[1,9])"), "joint that does not exist"},
-      {replaced(good, R"("upper","children":[1])", R"("upper")"), "do not hang together"},
+      {replaced(good, R"("upper","children":[1])", R"("upper")"), "joints are not connected"},
       {replaced(good, R"("sampler":0)", R"("sampler":5)"), "a track has no sampler"},
       {replaced(good, R"("node":1)", R"("node":3)"), "a node that does not exist"},
       {replaced(good, R"("node":1,"path":"rotation")", R"("node":0,"path":"translation")"),
@@ -468,8 +468,8 @@ TEST(Gltf, RefusesNumbersThatNoMotionHas) {
   };
   for (const Case& bad : std::vector<Case>{{{0, nan}, 1, "a number that is not finite"},
                                            {{0, 1}, infinite, "a number that is not finite"},
-                                           {{0, 1}, 3e38f, "larger than any motion"},
-                                           {{0, 1}, 2e9f, "further away than any motion goes"},
+                                           {{0, 1}, 3e38f, "value of a key is too large"},
+                                           {{0, 1}, 2e9f, "too far away"},
                                            {{0, 1e9f}, 1, "longer than an hour"},
                                            {{-1, 1}, 1, "begins before zero"},
                                            {{1, 1}, 1, "do not increase"}}) {
@@ -493,7 +493,7 @@ TEST(Gltf, RefusesScalesThatMultiplyBeyondAllNumbers) {
   const std::string text = R"({"asset":{"version":"2.0"},"nodes":[)" + nodes +
                            R"({"translation":[0,1,1]}],"skins":[{"joints":[60]}]})";
   const std::string said = mien::test::refusal_of([&] { parse_gltf(text, "f.gltf"); });
-  EXPECT_NE(said.find("further away than any motion goes"), std::string::npos) << said;
+  EXPECT_NE(said.find("too far away"), std::string::npos) << said;
 }
 
 TEST(Gltf, RefusesABinaryFileCutShortAnywhere) {

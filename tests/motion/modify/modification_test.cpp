@@ -188,10 +188,10 @@ TEST(Modification, AcceleratesAtContactsNowhereWithoutContacts) {
   m.repair = FootRepair::none;
   const ModifiedClip after = modify(stands, m);
   EXPECT_EQ(largest_distance(after.clip, stands), 0.0);
-  EXPECT_TRUE(remarks(after, "no foot comes to the floor"));
+  EXPECT_TRUE(remarks(after, "there are no foot contacts"));
   m.acceleration_place = AccelerationPlace::pauses;
   const ModifiedClip everywhere = modify(stands, m);
-  EXPECT_FALSE(remarks(everywhere, "no foot comes to the floor"));
+  EXPECT_FALSE(remarks(everywhere, "there are no foot contacts"));
 }
 
 TEST(Modification, FindsContactsWhereFeetAreNotRepaired) {
@@ -201,7 +201,7 @@ TEST(Modification, FindsContactsWhereFeetAreNotRepaired) {
   const Clip everywhere = modified(clip, m);
   m.acceleration_place = AccelerationPlace::contacts;
   const ModifiedClip near = modify(clip, m);
-  EXPECT_FALSE(remarks(near, "no foot comes to the floor"));
+  EXPECT_FALSE(remarks(near, "there are no foot contacts"));
   EXPECT_GT(largest_distance(near.clip, everywhere), 0.001);
 }
 
@@ -216,7 +216,7 @@ TEST(Modification, CrossesNoFeet) {
     EXPECT_GE(*least_step_width(after.clip, plants),
               std::min(*before, foot_width(clip.body)) - 0.005)
         << clip.name;
-    EXPECT_TRUE(remarks(after, "thighs were turned inwards by")) << clip.name;
+    EXPECT_TRUE(remarks(after, "thighs were rotated inwards by")) << clip.name;
   }
 }
 
@@ -241,10 +241,11 @@ TEST(Modification, WalksFartherWithLongerPaths) {
   }
 }
 
-/// The percentage in "the way became 125 % of what it was"; 100 without the remark.
+/// The percentage in "distance travelled rose to 125 %"; 100 without the remark.
 double reported_travel(const ModificationReport& report) {
   for (const std::string& remark : report.remarks) {
-    if (remark.starts_with("the way became")) return std::stod(remark.substr(15));
+    if (remark.starts_with("distance travelled"))
+      return std::stod(remark.substr(remark.find(" to ") + 4));
   }
   return 100.0;
 }
@@ -284,7 +285,7 @@ TEST(Modification, OfTempoDividesTheDurationAndKeepsTheFeet) {
 TEST(Modification, TellsATempoThatWholeFramesDoNotGive) {
   const auto remarks_on_tempo = [](const ModificationReport& report) {
     return std::count_if(report.remarks.begin(), report.remarks.end(), [](const auto& remark) {
-      return remark.find("the tempo came out as") != std::string::npos;
+      return remark.find("instead of the requested") != std::string::npos;
     });
   };
   for (const Clip& clip : synthetic_walks()) {

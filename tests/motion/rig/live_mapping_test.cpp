@@ -50,7 +50,7 @@ TEST(LiveMapping, RefusesCalibrationOfAnotherRig) {
   Recording other = one;
   other.name = "other";
   other.skeleton.joints[3].offset *= 2.0;
-  EXPECT_NE(refusal_of([&] { LiveMapping(other, first_of(one)); }).find("other: its rig is not"),
+  EXPECT_NE(refusal_of([&] { LiveMapping(other, first_of(one)); }).find("other: its rig differs"),
             std::string::npos);
 }
 

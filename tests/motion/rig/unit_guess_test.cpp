@@ -29,8 +29,8 @@ TEST(UnitGuess, ScalesWhatFitsNothing) {
   const UnitGuess guess = guess_unit(0.034, "bvh");
   EXPECT_DOUBLE_EQ(guess.metres, 50.0);
   EXPECT_EQ(guess.warning,
-            "The figure stands 0.034 units tall, which fits no known unit of length; it is scaled "
-            "to 1.70 m.");
+            "The figure stands 0.034 units tall, which does not fit any known unit of length; it "
+            "is scaled to 1.70 m.");
 }
 
 }  // namespace

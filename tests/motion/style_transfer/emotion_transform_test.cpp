@@ -107,7 +107,7 @@ TEST(EmotionTransform, ExaggeratesMonotonically) {
 TEST(EmotionTransform, RefusesALoopBesideAPerformance) {
   EXPECT_NE(refusal_of([] {
               emotion_transform(builtin_walk("sad").clip, reach(1.0, swing));
-            }).find("one repeats, one not"),
+            }).find("only one is cyclic"),
             std::string::npos);
 }
 

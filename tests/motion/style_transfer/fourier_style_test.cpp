@@ -135,7 +135,7 @@ TEST(FourierStyle, RefusesAPerformance) {
   wave.name = "wave";
   const Clip normal = builtin_walk("normal").clip;
   EXPECT_NE(
-      refusal_of([&] { fourier_styled(normal, normal, wave); }).find("\"wave\" does not repeat"),
+      refusal_of([&] { fourier_styled(normal, normal, wave); }).find("\"wave\" is not cyclic"),
       std::string::npos);
 }
 

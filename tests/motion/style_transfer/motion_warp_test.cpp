@@ -151,7 +151,7 @@ TEST(MotionWarp, RefusesKeysThatCannotBe) {
   late.at = 1.1;
   EXPECT_NE(refusal_of([&] {
               motion_warped(motion, {early, late});
-            }).find("keys' order"),
+            }).find("out of order"),
             std::string::npos);
 }
 

@@ -36,9 +36,9 @@ TEST(FileContents, AreThoseOfFilesAloneAndNothingWaits) {
     EXPECT_THROW(read_contents(path), Error);
     return reading.error;
   };
-  EXPECT_EQ(problem(pipe), "is a pipe and no file");
-  EXPECT_EQ(problem("/dev/zero"), "is a device and no file");
-  EXPECT_EQ(problem(folder.path()), "is a folder and no file");
+  EXPECT_EQ(problem(pipe), "is a pipe, not a file");
+  EXPECT_EQ(problem("/dev/zero"), "is a device, not a file");
+  EXPECT_EQ(problem(folder.path()), "is a folder, not a file");
   EXPECT_EQ(problem(folder.path() / "missing"), "there is no such file");
   EXPECT_EQ(problem(folder.path() / "missing/too"), "there is no such file");
 }
@@ -48,10 +48,11 @@ TEST(FileContents, HaveALimitThatIsTold) {
   const auto file = folder.path() / "a";
   write_contents(file, "abcd");
   EXPECT_EQ(bytes_of_file(file, 4).bytes, "abcd");
-  EXPECT_EQ(bytes_of_file(file, 3).error, "has 4 bytes, more than the 3 bytes that are read");
+  EXPECT_EQ(bytes_of_file(file, 3).error,
+            "has 4 bytes, more than the 3 bytes that can be read");
   std::filesystem::resize_file(file, std::uintmax_t{17} << 29);
   EXPECT_EQ(bytes_of_file(file, max_document_bytes).error,
-            "has 8.5 GiB, more than the 64 MiB that are read");
+            "has 8.5 GiB, more than the 64 MiB that can be read");
   EXPECT_THROW(read_contents(file), Error);
 }
 

@@ -20,7 +20,7 @@ struct Foreign {
 TEST(FileKind, OfWhatIsNoMotionIsTold) {
   const Foreign files[] = {
       {"", "is empty"},
-      {" \r\n", "holds nothing but blanks"},
+      {" \r\n", "contains only white space"},
       {"\x89PNG\r\n\x1a\n"sv, "is a picture (PNG)"},
       {"\xff\xd8\xff\xe0"sv, "is a picture (JPEG)"},
       {"<!DOCTYPE html>\n<html>", "is a web page (HTML)"},
@@ -28,8 +28,8 @@ TEST(FileKind, OfWhatIsNoMotionIsTold) {
       {"\xff\xfeH\0I\0E\0R\0"sv, "is text in UTF-16"},
       {"\xfe\xff\0H\0I\0E\0R"sv, "is text in UTF-16"},
       {"H\0I\0E\0R\0A\0R\0"sv, "is text in UTF-16"},
-      {"glTF\2\0\0\0"sv, "is a binary glTF file; give it the ending .glb"},
-      {"{\"asset\": {}}", "is JSON text and no motion of this kind"},
+      {"glTF\2\0\0\0"sv, "is a binary glTF file; rename it to .glb"},
+      {"{\"asset\": {}}", "is JSON text, not a motion of this format"},
       {"PK\3\4"sv, "is a ZIP archive"},
       {"\x1f\x8b\x08"sv, "is compressed (gzip)"},
       {"Kaydara FBX Binary  ", "is an FBX file"},
@@ -43,7 +43,7 @@ TEST(FileKind, OfWhatIsNoMotionIsTold) {
   }
   EXPECT_NE(test::refusal_of([&] {
               require_kind("HIERARCHY\n", "a.glb", FileKind::gltf);
-            }).find("is a BVH file; give it the ending .bvh"),
+            }).find("is a BVH file; rename it to .bvh"),
             std::string::npos);
 }
 

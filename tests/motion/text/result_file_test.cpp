@@ -122,12 +122,13 @@ TEST_F(ResultFiles, OfTheLongestNamesCanBeWritten) {
 }
 
 TEST_F(ResultFiles, TellTheSystemsOwnReason) {
-  EXPECT_EQ(failure_of([] { write_result("/dev/full", "bytes"); }),
-            "/dev/full: cannot be written (No space left on device); make room, and try again");
-  const fs::path nowhere = folder / "missing/walk.bvh";
   EXPECT_EQ(
-      failure_of([&] { write_result(nowhere, "bytes"); }),
-      nowhere.string() + ": cannot be written (No such file or directory); make its folder first");
+      failure_of([] { write_result("/dev/full", "bytes"); }),
+      "/dev/full: cannot be written (No space left on device); free some space, and try again");
+  const fs::path nowhere = folder / "missing/walk.bvh";
+  EXPECT_EQ(failure_of([&] { write_result(nowhere, "bytes"); }),
+            nowhere.string() +
+                ": cannot be written (No such file or directory); create its folder first");
   EXPECT_EQ(failure_of([&] { write_result(folder, "bytes"); }),
             folder.string() + ": cannot be written (Is a directory); name a file");
 }

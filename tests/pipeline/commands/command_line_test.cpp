@@ -87,10 +87,10 @@ TEST(CommandValues, RefuseWhatTheyDoNotAllowAndRunNothing) {
       {{"sell", "a", "--basket", "pear,aple"}, "--basket: \"aple\": did you mean \"apple\"?"},
       {{"sell", "a", "--names", "b", "--open"}, "excludes"},
       {{"sell", "a", "--open", "--shar", "1"}, "unknown option --shar; did you mean --share?"},
-      {{"sell", "a", "--names", ""}, "--names: empty; give a value, or leave it out"},
+      {{"sell", "a", "--names", ""}, "--names: empty; give a value, or omit it"},
       {{"sell", "a", "--fruit", ""}, "--fruit: "},
-      {{"sell", ""}, "place: empty; give a value, or leave it out"},
-      {{"sell", "a", "b"}, "mien sell: \"b\" is a word too many;"}};
+      {{"sell", ""}, "place: empty; give a value, or omit it"},
+      {{"sell", "a", "b"}, "mien sell: unexpected argument \"b\";"}};
   for (const auto& [words, fault] : cases) {
     Market market;
     const auto [code, told] = ended(market, words);

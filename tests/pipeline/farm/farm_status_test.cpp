@@ -80,7 +80,8 @@ TEST_F(FarmStatusOfAStudy, TellsThatAllIsDoneAsPlanDoes) {
   const auto seen = glance(production->graph(), folder);
   for (std::size_t i = 0; i < planned.size(); ++i) EXPECT_EQ(planned[i].state, seen[i].state);
 
-  EXPECT_NE(status_text(done).find("at a glance; mien verify"), std::string::npos);
+  EXPECT_NE(status_text(done).find("judging by receipts and sizes; mien verify"),
+            std::string::npos);
 
   fs::remove(folder / "videos" / "one.mp4");
   const FarmStatus one_less = status();
@@ -156,7 +157,7 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
 TEST_F(FarmStatusOfAStudy, TellsThatItsFolderIsAwayWhereSlurmHasJobsOfIt) {
   EXPECT_EQ(status("1|1|1|RUNNING|None|n1|0:01|another's\n").disk, "");
   const FarmStatus away = status("1|1|1|RUNNING|None|n1|0:01|" + named("2-frames") + "\n");
-  EXPECT_NE(status_text(away).find("tiny is not there, and Slurm has jobs that work in it"),
+  EXPECT_NE(status_text(away).find("tiny does not exist, but Slurm has jobs that work in it"),
             std::string::npos)
       << status_text(away);
   EXPECT_TRUE(status_json(away)["disk"].is_string());
@@ -168,9 +169,9 @@ TEST_F(FarmStatusOfAStudy, DoesWithoutSlurm) {
   const FarmStatus without =
       farm_status(*production, folder, std::nullopt, "squeue is not there\n  its words", "m.yaml");
   const std::string text = status_text(without);
-  EXPECT_NE(text.find("nothing is known of jobs: squeue is not there\n"), std::string::npos);
+  EXPECT_NE(text.find("jobs unknown: squeue is not there\n"), std::string::npos);
   EXPECT_EQ(text.find("its words"), std::string::npos);
-  EXPECT_NE(text.find("nobody works on it"), std::string::npos);
+  EXPECT_NE(text.find("no worker is active"), std::string::npos);
   EXPECT_NE(text.find("mien run m.yaml makes what is missing"), std::string::npos) << text;
 }
 

@@ -76,7 +76,7 @@ TEST(JobRoom, IsFoundOrAChunkIsNamedThatFits) {
     }
     EXPECT_FALSE(room.has_room_for(load(asked).jobs()));
     std::smatch named;
-    ASSERT_TRUE(std::regex_search(refusal, named, std::regex(R"(--chunk (\d+) makes (\d+) of it)")))
+    ASSERT_TRUE(std::regex_search(refusal, named, std::regex(R"(--chunk (\d+) gives (\d+) jobs)")))
         << refusal;
     const int jobs = load(in_chunks(std::stoi(named[1]))).jobs();
     EXPECT_EQ(jobs, std::stoi(named[2]));
@@ -86,11 +86,10 @@ TEST(JobRoom, IsFoundOrAChunkIsNamedThatFits) {
 
 TEST(JobRoom, IsToldWithWhatSlurmHas) {
   const std::string told = refusal_of({1.0, 400}, in_chunks(10), {30, 12});
-  EXPECT_EQ(
-      told,
-      "the study needs 41 jobs, and Slurm has room for 17: it takes 29 at a time of everybody "
-      "(MaxJobCount), and has 12 now, those that ended some minutes ago too; --chunk 40 "
-      "makes 11 of it; or wait until others have ended");
+  EXPECT_EQ(told,
+            "the study needs 41 jobs, but Slurm has room for 17: it accepts 29 jobs of all users "
+            "(MaxJobCount) and has 12 now, including those that ended in the last minutes; --chunk "
+            "40 gives 11 jobs; or wait until other jobs have ended");
 }
 
 TEST(JobRoom, IsNotAskedForByWhatMayBeNeedless) {

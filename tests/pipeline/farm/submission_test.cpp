@@ -180,7 +180,7 @@ TEST_F(Submitting, TellsWhatCouldNotBeTakenBack) {
   } catch (const SlurmFault& fault) {
     const std::string told = fault.what();
     EXPECT_NE(told.find("no more of that"), std::string::npos) << told;
-    EXPECT_NE(told.find("could not be taken back (scancel 1)"), std::string::npos) << told;
+    EXPECT_NE(told.find("could not be cancelled (scancel 1)"), std::string::npos) << told;
   }
   EXPECT_TRUE(fs::exists(submission.folder));
   EXPECT_FALSE(journal.read().jobs.front().was_refused) << "it waits";

@@ -56,8 +56,8 @@ TEST(Factors, AreRefusedWhenTheyCannotBeColumns) {
       reading_of("  - {id: a, weights: {sad: 1}, factors: {\"my actor\": k}}\n");
   ASSERT_EQ(name.faults.size(), 1u);
   EXPECT_EQ(to_string(name.faults[0]),
-            "/nowhere/m.yaml:5:42: stimuli[0].factors.my actor: \"my actor\" is no name of a "
-            "column; begin with a letter, and use letters, digits and _");
+            "/nowhere/m.yaml:5:42: stimuli[0].factors.my actor: \"my actor\" is not a valid column "
+            "name; begin with a letter, and use letters, digits and _");
   const ManifestReading level =
       reading_of("  - {id: a, weights: {sad: 1}, factors: {actor: [k, m]}}\n");
   ASSERT_EQ(level.faults.size(), 1u);

@@ -29,8 +29,8 @@ std::string told_of(const std::function<void(Stimulus&)>& change,
 
 TEST(Repetitions, AreToldWithBothIds) {
   EXPECT_EQ(told_of([](Stimulus&) {}),
-            "b: a rater sees the same as of \"a\"; give one of them another motion or look; leave "
-            "both if they are shown twice on purpose\n");
+            "b: looks identical to \"a\"; change the motion or look of one of them; ignore this if "
+            "the repetition is intended\n");
 }
 
 TEST(Repetitions, DifferInNothingThatIsSeen) {

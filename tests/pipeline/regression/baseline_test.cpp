@@ -66,7 +66,7 @@ TEST_F(BaselineFiles, ThatAreMissingOrDamagedAreNamedWithARemedy) {
 TEST_F(BaselineFiles, OfALaterVersionAreRefused) {
   study_.change_text("baselines/small/baseline.json", "\"baseline\": 1", "\"baseline\": 9");
   const std::string said = refusal([&] { read_baseline(folder_); });
-  EXPECT_NE(said.find("newer mien"), std::string::npos) << said;
+  EXPECT_NE(said.find("newer version of mien"), std::string::npos) << said;
   EXPECT_NE(said.find("update mien"), std::string::npos) << said;
   EXPECT_EQ(said.find("approve the study again"), std::string::npos) << said;
 }
@@ -90,7 +90,7 @@ TEST_F(BaselineFiles, OfPicturesAreChecked) {
   const auto blocks = [&] { approved_blocks(baseline, "blend", frame); };
   const fs::path file = baseline.picture_file("blend", frame);
   fs::copy_file(baseline.picture_file("blend", other), file, fs::copy_options::overwrite_existing);
-  EXPECT_NE(refusal(picture).find("is not the picture that was approved"), std::string::npos);
+  EXPECT_NE(refusal(picture).find("differs from the approved image"), std::string::npos);
   // What git leaves where its large files were not fetched:
   write_file(file, "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n");
   EXPECT_NE(refusal(picture).find("git lfs pull"), std::string::npos) << refusal(picture);
@@ -150,7 +150,8 @@ TEST_F(BaselineFiles, ThatAreMissingOrWereAddedAreAllTold) {
   const fs::path added =
       folder_ / "editions" / study_.baseline.stimuli.front().edition / "inputs" / "more.bvh";
   write_file(added, "HIERARCHY");
-  EXPECT_NE(refusal(read).find("more.bvh: was not there when it was approved"), std::string::npos)
+  EXPECT_NE(refusal(read).find("more.bvh: did not exist when the study was approved"),
+            std::string::npos)
       << refusal(read);
 }
 

@@ -80,9 +80,9 @@ TEST(Regressions, KnowAStimulusUnderAnotherName) {
   const Regression regression = test::regressed(study);
   const StimulusComparison& renamed = test::comparison_of(regression, "mixture");
   EXPECT_EQ(renamed.former_id, "blend");
-  EXPECT_NE(renamed.reasons.at(0).find("was called blend"), std::string::npos);
+  EXPECT_NE(renamed.reasons.at(0).find("was renamed from blend"), std::string::npos);
   EXPECT_NE(renamed.reasons.at(1).find("--only mixture"), std::string::npos);
-  EXPECT_NE(test::comparison_of(regression, "blend").reasons.at(1).find("is called mixture now"),
+  EXPECT_NE(test::comparison_of(regression, "blend").reasons.at(1).find("was renamed to mixture"),
             std::string::npos);
 }
 

@@ -20,7 +20,7 @@ TEST(Settings, ThatChangeAreToldWithWhatTheyWere) {
   const std::vector<SettingChange> changes = changes_between(before, now);
   ASSERT_EQ(changes.size(), 3u);
   EXPECT_EQ(change_text(changes[0]), "weights.sad 0.4 → 0.5");
-  EXPECT_EQ(change_text(changes[1]), "look.camera.view \"side\" is gone");
+  EXPECT_EQ(change_text(changes[1]), "look.camera.view \"side\" was removed");
   EXPECT_EQ(change_text(changes[2]), "output.shutter 180 is new");
   EXPECT_TRUE(changes_between(now, now).empty());
 }
@@ -130,10 +130,11 @@ TEST(Settings, OfAStepAreToldFromTheDefaultUnlessItHasARecipe) {
 }
 
 TEST(Settings, NameTheFilesThatAreOthers) {
-  EXPECT_EQ(change_text({"examples content", Aspect::motion,
-                         R"({"calm.bvh":"01","old.bvh":"02","sad.bvh":"03"})",
-                         R"({"calm.bvh":"01","happy.bvh":"05","sad.bvh":"04"})"}),
-            "examples content: old.bvh is gone, sad.bvh is another (03 → 04), happy.bvh is new");
+  EXPECT_EQ(
+      change_text({"examples content", Aspect::motion,
+                   R"({"calm.bvh":"01","old.bvh":"02","sad.bvh":"03"})",
+                   R"({"calm.bvh":"01","happy.bvh":"05","sad.bvh":"04"})"}),
+      "examples content: old.bvh was removed, sad.bvh has changed (03 → 04), happy.bvh is new");
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(Verdict, TellsThePartFarthestBeyondItsLimitAndCountsTheOthers) {
   ASSERT_EQ(comparison.reasons.size(), 1U);
   EXPECT_NE(comparison.reasons[0].find(", left hand at "), std::string::npos)
       << comparison.reasons[0];
-  EXPECT_NE(comparison.reasons[0].find("1 more part is beyond theirs"), std::string::npos)
+  EXPECT_NE(comparison.reasons[0].find("1 more part is beyond tolerance"), std::string::npos)
       << comparison.reasons[0];
 }
 

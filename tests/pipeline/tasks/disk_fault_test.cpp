@@ -20,7 +20,7 @@ std::string fault_of(int code) {
 }
 
 TEST(DiskFault, IsToldInPlainWordsWithoutTheFile) {
-  EXPECT_NE(fault_of(ENOSPC).find(" is full; make room"), std::string::npos);
+  EXPECT_NE(fault_of(ENOSPC).find(" is full; free some space"), std::string::npos);
   EXPECT_NE(fault_of(EDQUOT).find("your quota"), std::string::npos);
   EXPECT_NE(fault_of(EROFS).find("Read-only file system"), std::string::npos);
   EXPECT_EQ(fault_of(ENOSPC).find("a.png"), std::string::npos);
@@ -30,7 +30,7 @@ TEST(DiskFault, IsToldOfAFolderThatIsAwayButNotInPlaceOfAnotherReason) {
   const test::TemporaryFolder temporary;
   const auto away = temporary.path() / "away";
   const std::string told = disk_fault(away, std::runtime_error("no picture"));
-  EXPECT_NE(told.find("away is not there (No such file or directory); bring back the disk"),
+  EXPECT_NE(told.find("away is not there (No such file or directory); restore the disk"),
             std::string::npos)
       << told;
   const std::error_code denied(EACCES, std::generic_category());

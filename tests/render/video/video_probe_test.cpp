@@ -90,10 +90,10 @@ TEST_F(VideoProbe, RefusesAVideoWhosePicturesChangeTheirSize) {
   EXPECT_EQ(probe(avi).frames, 5);
   for (const auto& [width, height] : {std::pair(96, 48), {64, 50}, {32, 24}}) {
     write(width, height);
-    EXPECT_EQ(refusal_of([&] { probe(avi); }),
-              avi.string() + ": frame 3 has " + std::to_string(width) + " x " +
-                  std::to_string(height) +
-                  " pixels, and the video 64 x 48; encode it again with one size of all frames");
+    EXPECT_EQ(
+        refusal_of([&] { probe(avi); }),
+        avi.string() + ": frame 3 has " + std::to_string(width) + " x " + std::to_string(height) +
+            " pixels, and the video 64 x 48; encode it again with the same size for all frames");
   }
 }
 

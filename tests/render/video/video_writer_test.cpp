@@ -152,7 +152,7 @@ TEST_F(VideoWriterTest, SaysHowOftenAnAnimatedPictureRepeats) {
 
 TEST_F(VideoWriterTest, RefusesAFrameOfAnotherSize) {
   VideoWriter video(path, {.width = 64, .height = 48});
-  EXPECT_NE(refusal_of([&] { video.write(Image8(48, 64)); }).find("another size"),
+  EXPECT_NE(refusal_of([&] { video.write(Image8(48, 64)); }).find("differs in size"),
             std::string::npos);
 }
 

@@ -409,7 +409,7 @@ INSTANTIATE_TEST_SUITE_P(
               "pictures are not in the file"},
         Fault{"BrokenPicture",
               [](SkinnedGltf& f) { f.json["images"][0]["uri"] = "data:image/png;base64,AAAA"; },
-              "does not decode"},
+              "cannot be decoded"},
         Fault{"OnlyPoints", [](SkinnedGltf& f) { primitive_of(f)["mode"] = 0; }, "no triangles"},
         Fault{"Compressed",
               [](SkinnedGltf& f) { f.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },

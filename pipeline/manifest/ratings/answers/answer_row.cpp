@@ -30,56 +30,50 @@ struct AnswerColumn {
 };
 
 constexpr auto answer_columns = std::to_array<AnswerColumn>({
-    {{"participant", "", "who answered: the place in the design, no name"}, &Row::participant},
-    {{"session", "", "random name of the browser session in which the answer was given"},
-     &Row::session},
-    {{"trial", "", "number of the trial in the participant's order, from 1"}, &Row::trial},
-    {{"block", "", "practice, main, or the level of the factor that the order is blocked by"},
-     &Row::block},
-    {{"kind", "", "rating, emotion (which of a list), pair (which of two) or attention"},
+    {{"participant", "", "participant id: position in the design, not a name"}, &Row::participant},
+    {{"session", "", "random id of the browser session"}, &Row::session},
+    {{"trial", "", "trial number in the participant's order, from 1"}, &Row::trial},
+    {{"block", "", "practice, main, or the level of the blocking factor"}, &Row::block},
+    {{"kind", "", "rating, emotion (choice from a list), pair (choice of two) or attention"},
      &Row::kind},
-    {{"stimulus", "", "the stimulus that was rated; of a pair the one at the left"},
-     &Row::stimulus},
-    {{"stimulus_sha256", "", "SHA-256 of the media that was shown"}, &Row::stimulus_sha256},
-    {{"against", "", "the reference that was shown beside, or the other stimulus of a pair"},
-     &Row::against},
-    {{"item", "", "the scale that was answered on; emotion where one of a list was chosen"},
-     &Row::item},
+    {{"stimulus", "", "stimulus rated; for a pair, the one on the left"}, &Row::stimulus},
+    {{"stimulus_sha256", "", "SHA-256 of the media shown"}, &Row::stimulus_sha256},
+    {{"against", "", "reference shown beside it, or the other stimulus of a pair"}, &Row::against},
+    {{"item", "", "scale id; emotion for a choice from a list"}, &Row::item},
     {{"value_raw", "",
-      "the answer as given: place from the left from 1 (points) or 0–100 (slider), the word "
-      "that was chosen or written, left or right"},
+      "raw answer: position from the left, from 1 (points) or 0–100 (slider); the word chosen or "
+      "written; left or right"},
      &Row::value_raw},
     {{"value", "",
-      "the answer re-oriented into the scale's own range, its high pole being the most; or "
-      "the emotion or stimulus that was chosen"},
+      "answer converted to the scale's range, increasing towards the high pole; or the emotion or "
+      "stimulus chosen"},
      &Row::value},
-    {{"pole_left", "", "which pole was at the left: low or high"}, &Row::pole_left},
-    {{"rt_ms", "ms", "time from when the answer could be given until it was"}, &Row::rt_ms},
+    {{"pole_left", "", "pole on the left: low or high"}, &Row::pole_left},
+    {{"rt_ms", "ms", "response time, from when answering became possible"}, &Row::rt_ms},
     {{"is_practice", "", "1 for practice trials, which are not analysed"}, &Row::is_practice},
-    {{"is_warmup", "", "1 for the first trials of the main part that are not analysed"},
+    {{"is_warmup", "",
+      "1 for warm-up trials at the start of the main part, which are not analysed"},
      &Row::is_warmup},
     {{"is_catch", "", "1 for attention checks and repeated stimuli"}, &Row::is_catch},
-    {{"expected", "", "the raw answer that passes the check"}, &Row::expected},
-    {{"passed", "", "1 when the check was passed, 0 when not; empty without a check"},
-     &Row::passed},
-    {{"replays", "", "how often the video was played again"}, &Row::replays},
-    {{"trial_ms", "ms", "time from the beginning of the trial to its end"}, &Row::trial_ms},
-    {{"play_start_ms", "ms", "time from the beginning of the trial until the video played"},
+    {{"expected", "", "raw answer that passes the check"}, &Row::expected},
+    {{"passed", "", "1 if the check was passed, 0 if failed; empty without a check"}, &Row::passed},
+    {{"replays", "", "number of replays"}, &Row::replays},
+    {{"trial_ms", "ms", "trial duration"}, &Row::trial_ms},
+    {{"play_start_ms", "ms", "time from trial onset to the start of the video"},
      &Row::play_start_ms},
-    {{"ended_ms", "ms", "time from the beginning of the trial until the video had ended"},
-     &Row::ended_ms},
-    {{"stalls", "", "how often the video stopped for want of data"}, &Row::stalls},
-    {{"stall_ms", "ms", "how long it stood still"}, &Row::stall_ms},
-    {{"dropped_frames", "", "frames that the browser did not show"}, &Row::dropped_frames},
-    {{"blurs", "", "how often the window was left during the trial"}, &Row::blurs},
-    {{"viewport_width", "px", "width of the browser's page"}, &Row::viewport_width},
-    {{"viewport_height", "px", "height of the browser's page"}, &Row::viewport_height},
+    {{"ended_ms", "ms", "time from trial onset to the end of the video"}, &Row::ended_ms},
+    {{"stalls", "", "buffering interruptions"}, &Row::stalls},
+    {{"stall_ms", "ms", "total duration of buffering interruptions"}, &Row::stall_ms},
+    {{"dropped_frames", "", "video frames dropped by the browser"}, &Row::dropped_frames},
+    {{"blurs", "", "tab switches during the trial"}, &Row::blurs},
+    {{"viewport_width", "px", "width of the browser viewport"}, &Row::viewport_width},
+    {{"viewport_height", "px", "height of the browser viewport"}, &Row::viewport_height},
     {{"refresh_hz", "Hz", "measured refresh rate of the screen"}, &Row::refresh_hz},
-    {{"comment", "", "what the participant wrote about the video; on a trial's first row"},
+    {{"comment", "", "participant's comment on the video; in the first row of a trial"},
      &Row::comment},
     {{"seed", "", "seed of the participant's order"}, &Row::seed},
-    {{"design", "", "hash of the questionnaire that was run"}, &Row::design},
-    {{"simulated", "", "1 for answers that nobody gave"}, &Row::simulated},
+    {{"design", "", "hash of the questionnaire design"}, &Row::design},
+    {{"simulated", "", "1 for simulated answers"}, &Row::simulated},
 });
 
 constexpr auto answer_row_columns = [] {
@@ -107,13 +101,13 @@ class AnswerRowReader {
       if (index < 0) {
         faults.push_back({place_of(table, table.header.front()), "",
                           fmt::format("there is no column {}", motion::in_quotes(column.name)),
-                          "give the file that the questionnaire wrote, with all of its columns"});
+                          "use the questionnaire's own file, with all its columns"});
       }
       index_.emplace(column.name, index);
     }
     if (faults.empty() && table.rows.empty())
-      faults.push_back({Place{table.file, 1, 1}, "", "holds no answers",
-                        "give the file once somebody has answered"});
+      faults.push_back(
+          {Place{table.file, 1, 1}, "", "holds no answers", "use the file once there are answers"});
   }
 
   AnswerRow row(const std::vector<CsvField>& fields) {
@@ -147,7 +141,7 @@ class AnswerRowReader {
   void read(std::string_view column, std::uint64_t& value) {
     const auto number = motion::as_number<std::uint64_t>(text(column));
     if (!number && !text(column).empty())
-      fault(column, fmt::format("{} is no {}", motion::in_quotes(text(column)), column),
+      fault(column, fmt::format("{} is not a valid {}", motion::in_quotes(text(column)), column),
             "write a whole number from 0 up");
     value = number.value_or(0);
   }
@@ -163,13 +157,13 @@ class AnswerRowReader {
 
   void refuse_empty(std::string_view column) {
     if (text(column).empty())
-      fault(column, fmt::format("the {} is not told", column),
-            "give the file as the questionnaire wrote it");
+      fault(column, fmt::format("the {} is missing", column),
+            "use the file as written by the questionnaire");
   }
 
   void refuse_other(std::string_view column, std::span<const std::string_view> words) {
     if (std::ranges::find(words, text(column)) == words.end())
-      fault(column, fmt::format("{} is no {}", motion::in_quotes(text(column)), column),
+      fault(column, fmt::format("{} is not a valid {}", motion::in_quotes(text(column)), column),
             fmt::format("there are {}", fmt::join(words, ", ")));
   }
 
@@ -191,7 +185,7 @@ class AnswerRowReader {
     const std::optional<double> value = amount(column);
     if (!value) return std::nullopt;
     if (*value == std::floor(*value) && *value <= 2e9) return static_cast<int>(*value);
-    fault(column, fmt::format("{} is no whole number", motion::excerpt(text(column))),
+    fault(column, fmt::format("{} is not a whole number", motion::excerpt(text(column))),
           "write a count");
     return std::nullopt;
   }
@@ -212,7 +206,7 @@ class AnswerRowReader {
 
 }  // namespace
 
-const TableForm answer_form = {"answers.csv", "an answer", answer_row_columns};
+const TableForm answer_form = {"answers.csv", "answer", answer_row_columns};
 
 bool AnswerRow::counts() const {
   return !is_practice && !is_warmup && !is_catch && kind != "attention" && !value.empty() &&
@@ -246,8 +240,7 @@ std::vector<Fault> doubled_answers(const std::vector<AnswerRow>& rows) {
         met.emplace(Key(row.participant, row.session, row.trial, row.stimulus, row.item), &row);
     if (is_new) continue;
     faults.push_back({row.place, "",
-                      fmt::format("participant {} answers trial {} on {} a second time "
-                                  "(the first: {})",
+                      fmt::format("participant {} answers trial {} on {} a second time (first: {})",
                                   motion::in_quotes(row.participant), row.trial,
                                   motion::in_quotes(row.item), to_string(first->second->place)),
                       "keep one of them"});
@@ -279,8 +272,9 @@ std::vector<std::string> tell_people_apart(std::vector<AnswerRow>& rows) {
     if (doubled.contains(row.participant)) row.participant += "/" + row.session;
   std::vector<std::string> told;
   for (const auto& [participant, of] : doubled)
-    told.push_back(fmt::format("participant {} is {} people: sessions {}",
-                               motion::in_quotes(participant), of.size(), fmt::join(of, ", ")));
+    told.push_back(
+        fmt::format("participant {} has {} different sessions, treated as different people: {}",
+                    motion::in_quotes(participant), of.size(), fmt::join(of, ", ")));
   return told;
 }
 

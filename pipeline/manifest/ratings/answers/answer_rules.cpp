@@ -50,8 +50,8 @@ StudyAnswer one_of(std::vector<StudyAnswer> repeated, AnswerRules::Repeated rule
 }
 
 const char* words_for(AnswerRules::Repeated rule) {
-  if (rule == AnswerRules::Repeated::first) return "the first is taken";
-  return rule == AnswerRules::Repeated::last ? "the last is taken" : "their mean is taken";
+  if (rule == AnswerRules::Repeated::first) return "the first is used";
+  return rule == AnswerRules::Repeated::last ? "the last is used" : "their mean is used";
 }
 
 /// Who saw what, from the answers.
@@ -182,7 +182,7 @@ void settle_constant(StudyAnswers& study, const ScaleSet& scales, AnswerRules::C
         {"constant-participant", spread.place,
          fmt::format("participant {} gave the same answer {} times: {}",
                      motion::in_quotes(participant), spread.count,
-                     rule == AnswerRules::Constant::drop ? "left out" : "kept")});
+                     rule == AnswerRules::Constant::drop ? "excluded" : "kept")});
   }
   if (rule == AnswerRules::Constant::keep) return;
   std::erase_if(study.answers,

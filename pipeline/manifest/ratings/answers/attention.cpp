@@ -24,9 +24,9 @@ std::vector<Attention> attention_of(const std::vector<AnswerRow>& rows, const At
 
 std::string to_sentence(const AttentionRule& rule) {
   if (rule.most_failed == 0)
-    return "Participants who failed any attention check were left out with all of their answers.";
+    return "Participants who failed any attention check were excluded with all of their answers.";
   return fmt::format(
-      "Participants who failed more than {} attention check{} were left out with all of their "
+      "Participants who failed more than {} attention check{} were excluded with all of their "
       "answers.",
       rule.most_failed, rule.most_failed == 1 ? "" : "s");
 }

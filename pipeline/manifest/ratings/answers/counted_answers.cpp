@@ -34,7 +34,7 @@ std::set<std::string> told_excluded(const std::vector<AnswerRow>& rows,
   for (const Attention& own : attention_of(rows)) {
     if (!own.is_excluded) continue;
     excluded.insert(own.participant);
-    told.push_back(fmt::format("participant {} is left out: {} of {} attention checks passed",
+    told.push_back(fmt::format("participant {} is excluded: {} of {} attention checks passed",
                                motion::in_quotes(own.participant), own.passed, own.checks));
   }
   return excluded;
@@ -70,8 +70,9 @@ CountedAnswers counted_answers(const CsvTable& table, const ScaleSet& scales) {
     counted.table.rows.push_back(std::move(fields));
   }
   if (counted.table.rows.empty())
-    throw Error(Place{table.file, 1, 1}, "holds no ratings that count",
-                "practice, warm-up, checks and participants who failed them are passed over");
+    throw Error(Place{table.file, 1, 1}, "holds no ratings to analyse",
+                "ratings in practice, warm-up and check trials and of participants who failed "
+                "checks are ignored");
   return counted;
 }
 

@@ -59,8 +59,8 @@ std::string text_of(const ExpectedStep& step) {
 const char* verdict_of(const ExpectationCheck& check) {
   if (!check.holds()) return "not as expected";
   const auto is_unknown = [](const ExpectedStep& step) { return std::isnan(step.low); };
-  if (std::ranges::all_of(check.steps, is_unknown)) return "as expected, by the means alone";
-  return check.is_certain() ? "as expected" : "in the expected direction, which may be noise";
+  if (std::ranges::all_of(check.steps, is_unknown)) return "as expected (means only)";
+  return check.is_certain() ? "as expected" : "in the expected direction, not significant";
 }
 
 }  // namespace

@@ -15,18 +15,18 @@ inline constexpr std::array impressions_columns = std::to_array<Column>({
     {"high", "", "name of its high end"},
     {"example", "", "label of the example"},
     {"ratings", "", "whose ratings: given (by people) or simulated"},
-    {"answers", "", "how many answers there are; 1 where only a mean was given"},
-    {"mean", "0–1", "mean answer as a share of the scale: 0 the low end, 1 the high end"},
+    {"answers", "", "number of answers; 1 if only a mean was given"},
+    {"mean", "0–1", "mean answer rescaled to 0 (low end) to 1 (high end)"},
     {"sd", "0–1",
-     "standard deviation of the answers (by n, unless study analyze was told otherwise), same "
-     "unit; "
-     "empty for given means"},
+     "standard deviation of the answers on the same scale (divisor n, unless mien study analyze "
+     "was called with another); empty for given means"},
     {"mean_answer", "scale",
-     "mean answer as it was given: on a scale from −2 to 2 negative towards the low end"},
-    {"sd_answer", "scale", "its standard deviation, same unit; empty for given means"},
+     "mean answer in the units of the scale; on a scale from −2 to 2, negative towards the low "
+     "end"},
+    {"sd_answer", "scale", "its standard deviation in the same unit; empty for given means"},
 });
 
-inline constexpr TableForm impressions_form = {"metrics/impressions.csv", "a scale and example",
+inline constexpr TableForm impressions_form = {"metrics/impressions.csv", "scale and example",
                                                impressions_columns};
 
 /// What people think of the examples.

@@ -97,12 +97,12 @@ Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
     }
   }
   if (rows == 0) {
-    throw Error("the ratings are about none of the examples",
+    throw Error("none of the ratings are about the examples",
                 "name examples or their files (without extension) in the column \"stimulus\"");
   }
   if (!unrated.empty()) {
     throw Error(fmt::format("no answer about {}", some_of(unrated)),
-                "rate them, or leave those examples out (exclude: of a folder of examples)");
+                "rate them, or omit these examples (exclude: of a folder of examples)");
   }
   return result;
 }

@@ -76,9 +76,9 @@ std::vector<Fault> contradicted_values(const std::vector<AnswerRow>& rows, const
     faults.push_back(
         {answer.row->place, "",
          fmt::format(
-             "the value {} is not what the raw answer {} with the {} pole at the left gives",
+             "the value {} does not correspond to the raw answer {} with the {} pole on the left",
              answer.row->value, answer.row->value_raw, answer.row->pole_left),
-         "give the file as the questionnaire wrote it"});
+         "use the file as written by the questionnaire"});
   }
   return faults;
 }

@@ -117,7 +117,7 @@ class RowReader {
   void check_time(const std::vector<CsvField>& row, const StudyAnswer& answer) const {
     if (!answer.rt_ms || *answer.rt_ms >= 0.0) return;
     throw Error(place_of(table_, row[static_cast<size_t>(rt_ms_)]),
-                fmt::format("{} ms is no response time", *answer.rt_ms),
+                fmt::format("{} ms is not a valid response time", *answer.rt_ms),
                 "write milliseconds from 0 up, or leave the field empty");
   }
 
@@ -157,8 +157,9 @@ StudyAnswers study_answers(const CsvTable& table, const ScaleSet& scales,
     return study;
   }
   if (holds_words(table)) {
-    throw Error(place_of(table, table.header.front()), "words, not answers on scales",
-                "turn them into answers with mien study words");
+    throw Error(place_of(table, table.header.front()),
+                "free-text answers instead of answers on scales",
+                "convert them with mien study words");
   }
   RowReader reader(table, scales, examples, rules);
   for (const auto& row : table.rows) reader.read(row);

@@ -39,7 +39,7 @@ void UnknownNames::report(const CsvTable& table, const std::vector<std::string>&
     if (refuses) {
       faults.push_back({place, "", wrong, remedy});
     } else {
-      warnings.push_back({"unknown-" + what_, place, wrong + " left out"});
+      warnings.push_back({"unknown-" + what_, place, wrong + " excluded"});
     }
   };
   // A table of warnings has room for all.
@@ -59,7 +59,7 @@ void UnknownNames::report(const CsvTable& table, const std::vector<std::string>&
   tell(names_[named],
        fmt::format("and {} more unknown {} {}", more, more == 1 ? what_ : what_many_,
                    rows_text(rows)),
-       "see that the file is about these examples and scales " + way_out(rules, "them"));
+       "check that the file is about these examples and scales " + way_out(rules, "them"));
 }
 
 }  // namespace mien::pipeline

@@ -203,7 +203,7 @@ bool holds_words(const CsvTable& table) {
 WordAnswers answers_from_words(const CsvTable& table, const ScaleSet& scales,
                                Unmentioned unmentioned) {
   if (scales.lexicon.languages.empty()) {
-    throw Error(Place{table.file}, "holds words, but the scales come without a lexicon",
+    throw Error(Place{table.file}, "holds words, but the scales file has no lexicon",
                 "name a scales file with languages and words, such as "
                 "manifests/walking-words.scales.yaml");
   }
@@ -211,8 +211,8 @@ WordAnswers answers_from_words(const CsvTable& table, const ScaleSet& scales,
   reader.read();
   const std::set<std::string> mentioned = mentioned_scales(reader.answers);
   if (mentioned.empty()) {
-    throw Error(Place{table.file}, "no answer could be read by the lexicon",
-                "compare the languages and words of both files");
+    throw Error(Place{table.file}, "the lexicon matches none of the answers",
+                "check the languages and words of both files");
   }
   WordAnswers result = reader.report();
   for (const Understood& answer : reader.answers) {

@@ -75,14 +75,14 @@ std::vector<Fault> check(const ScaleSet& set, const Places& places) {
     if (scale.least < scale.most) continue;
     const std::string own = member_path(member_path("scales", scale.id), "range");
     const std::string path = places.values.contains(own) ? own : "range";
-    faults.push_back({place_of(places, path), path, "the low end is not below the high end",
-                      "write [low, high]; to turn a scale round, exchange its names"});
+    faults.push_back({place_of(places, path), path, "the lower limit is not below the upper limit",
+                      "write [low, high]; to reverse a scale, exchange the names of its ends"});
   }
   for (const ScaleGroup& group : set.groups) {
     const std::string path = member_path("groups", group.id);
     if (find_scale(set, group.id) != nullptr) {
-      faults.push_back({key_place_of(places, path), path, "a scale has the same name",
-                        "name the group otherwise"});
+      faults.push_back(
+          {key_place_of(places, path), path, "a scale has the same name", "rename the group"});
     }
     for (std::size_t i = 0; i < group.scales.size(); ++i) {
       if (find_scale(set, group.scales[i]) != nullptr) continue;

@@ -109,8 +109,8 @@ StyleProfile loadings_of(const Scale& scale) {
     return loadings;
   }
   if (const PairMeaning* meaning = builtin_meaning(scale.id)) return meaning->loadings;
-  throw Error(fmt::format("simulated raters do not know what \"{}\" means", scale.id),
-              "give the scale `loadings:` in the scales file, for instance {activeness: 0.6}");
+  throw Error(fmt::format("simulated raters have no model of \"{}\"", scale.id),
+              "add `loadings:` to the scale in the scales file, for example {activeness: 0.6}");
 }
 
 namespace {

@@ -69,7 +69,7 @@ class LexiconReader {
       const Language* other = find_language(lexicon_, called);
       if (other == nullptr) continue;
       add_fault(path,
-                fmt::format("{} is also called {}", motion::in_quotes(other->name),
+                fmt::format("{} is also named {}", motion::in_quotes(other->name),
                             motion::in_quotes(called)),
                 "name each language once");
     }
@@ -87,7 +87,7 @@ class LexiconReader {
       if (language.grades.emplace(word, grade).first->second == grade) continue;
       add_fault(element_path(path, i),
                 fmt::format("{} has a second meaning", motion::in_quotes(word)),
-                "leave one of them out");
+                "remove one of them");
     }
   }
 
@@ -123,7 +123,7 @@ class LexiconReader {
       if (language->grades.contains(word) || !(entry->second == meaning)) {
         add_fault(element_path(path, i),
                   fmt::format("{} has a second meaning", motion::in_quotes(word)),
-                  "leave one of them out, or the word altogether if readers would dispute it");
+                  "remove one of them, or the word altogether if it is ambiguous");
       }
     }
   }

@@ -42,8 +42,8 @@ void refuse_unrated(const Manifest& manifest, const Strings& names,
                     const motion::ParameterTable& rated) {
   for (const std::string& name : names) {
     if (std::ranges::find(rated.names, name) == rated.names.end())
-      throw Error({manifest.file.string()}, "nobody has rated \"" + name + "\"",
-                  "name adjectives that the ratings are about");
+      throw Error({manifest.file.string()}, "there are no ratings of \"" + name + "\"",
+                  "use rated adjectives");
   }
 }
 
@@ -55,7 +55,7 @@ ordered_json sliders_json(const Manifest& manifest, const motion::LiveBundle& bu
     if (interface == "adjectives") {
       if (bundle.adjectives.names.empty())
         throw Error({manifest.file.string()}, "the examples have no ratings",
-                    "give ratings, or interfaces without adjectives");
+                    "add ratings, or use interfaces without adjectives");
       refuse_unrated(manifest, matching.primary, bundle.adjectives);
       refuse_unrated(manifest, matching.offered, bundle.adjectives);
       sliders[interface] =

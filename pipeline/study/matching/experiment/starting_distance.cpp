@@ -69,17 +69,15 @@ std::string matched_at_start(const Manifest& manifest, const MatchingStudy& stud
   if (near.empty()) return {};
   const auto& nearest = *std::ranges::min_element(near, {}, &StartingDistance::metres);
   const double fitting = fitting_threshold(distances);
-  const std::string lower =
-      fitting < threshold
-          ? fmt::format(
-                "take a lower threshold ({:.3f} m is half of the median distance at the "
-                "start), or other targets",
-                fitting)
-          : "take other targets there, or leave these trials out";
+  const std::string lower = fitting < threshold
+                                ? fmt::format(
+                                      "use a lower threshold ({:.3f} m is half of the median "
+                                      "starting distance), or other targets",
+                                      fitting)
+                                : "use other targets there, or remove these trials";
   return fmt::format(
-      "{}: matching.threshold_m: {} of {} pairs of target and interface are nearer than {} m "
-      "before "
-      "anything is moved (nearest: {} with {}, {:.3f} m); {}",
+      "{}: matching.threshold_m: {} of {} pairs of target and interface start closer than {} m "
+      "(closest: {} with {}, {:.3f} m); {}",
       manifest.file.string(), near.size(), distances.size(), threshold, nearest.target,
       nearest.interface, nearest.metres, lower);
 }

@@ -56,7 +56,7 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
   const std::string title = title_of(manifest);
   files[manifest.study + ".jzip"] =
       jatos_archive({.title = title,
-                     .description = fmt::format("Questionnaire of the study {}, {} participants",
+                     .description = fmt::format("Questionnaire of study {}, {} participants",
                                                 manifest.study, plans.size()),
                      .folder = manifest.study,
                      .key = fmt::format("{}/{}", manifest.study, manifest.seed)},
@@ -71,9 +71,10 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
 
 void refuse_foreign_folder(const fs::path& folder) {
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw Error({folder.string()}, "is no folder", "name one for the questionnaire with -o");
+    throw Error({folder.string()}, "is not a folder",
+                "name a folder for the questionnaire with -o");
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / export_mark))
-    throw Error({folder.string()}, "holds something else than what mien study export writes",
+    throw Error({folder.string()}, "exists, but was not written by mien study export",
                 "name a new folder with -o");
 }
 
@@ -87,8 +88,8 @@ void refuse_answers_to_another(const fs::path& folder, const std::string& design
   const ordered_json experiment = ordered_json::parse(read_file(before), nullptr, false);
   if (experiment.is_object() && experiment.value("design", "") == design) return;
   throw Error({answers.string()},
-              "holds answers to another questionnaire: its texts, plans or participants have "
-              "changed since it was exported here",
+              "holds answers to a different questionnaire: texts, plans or participants have "
+              "changed since the last export",
               "name a new folder with -o");
 }
 

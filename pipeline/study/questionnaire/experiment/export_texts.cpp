@@ -35,24 +35,25 @@ ordered_json dataset_description(const Manifest& manifest) {
   ordered_json variables = ordered_json::array();
   for (const Column& column : answer_form.columns)
     variables.push_back(variable(column.name, column.meaning, column.unit));
-  variables.push_back(variable("consented_at", "when the participant agreed (ISO 8601, UTC)"));
-  variables.push_back(variable("finished", "1 when the participant came to the end"));
+  variables.push_back(variable("consented_at", "time of consent (ISO 8601, UTC)"));
+  variables.push_back(variable("finished", "1 if the participant finished"));
   for (const Demographic& question : questionnaire_of(manifest).demographics)
     variables.push_back(variable(question.id, question.ask));
   return {{"@context", "https://schema.org/"},
           {"@type", "Dataset"},
           {"name", title_of(manifest)},
-          {"description", fmt::format("Answers to the questionnaire of the study {}: one row an "
-                                      "answer, and one row a participant.",
+          {"description", fmt::format("Answers to the questionnaire of study {}: one row per "
+                                      "answer, and one row per participant.",
                                       manifest.study)},
           {"variableMeasured", variables}};
 }
 
 std::string data_folder_text() {
   return "# Answers\n\n"
-         "Put the files that participants' browsers saved here, as they are: for each session\n"
-         "one of answers and one about the participant. What their columns mean stands in\n"
-         "../dataset_description.json.\n";
+         "Put the files saved by the participants' browsers here, unchanged: for each session\n"
+         "one file of answers and one about the participant. ../dataset_description.json "
+         "documents\n"
+         "their columns.\n";
 }
 
 std::string lab_text(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
@@ -60,37 +61,42 @@ std::string lab_text(const Manifest& manifest, const std::vector<SessionPlan>& p
   const std::string& first = plans.front().participant;
   const std::string& last = plans.back().participant;
   std::string text = fmt::format(
-      "{}\n{}\n\n"
-      "The questionnaire of the study {}: {} participants ({} to {}), at most about {} minutes\n"
-      "each. Nothing here needs a network, and nothing is sent anywhere.\n\n",
+      "{}\n"
+      "{}\n\n"
+      "Questionnaire of study {}: {} participants ({} to {}), at most about {} minutes each. No\n"
+      "network is needed and no data are sent.\n\n",
       title_of(manifest), std::string(title_of(manifest).size(), '='), manifest.study, plans.size(),
       first, last, std::max(1.0, std::ceil(longest_minutes(plans))));
   text += fmt::format(
       "On this computer\n"
-      "    Open index.html in a browser (a double click will do). At the end the browser saves\n"
-      "    three files among its downloads: the answers and the participant (CSV), and all that\n"
-      "    was recorded (JSON). Who reloads the page goes on where he stopped.\n\n"
-      "    The browser takes one of the plans that it has given least often. To say which:\n"
+      "    Open index.html in a browser (double-click it). At the end the browser downloads three\n"
+      "    files: answers and participant (CSV), and the complete record (JSON). Participants\n"
+      "    resume after reloading.\n\n"
+      "    The browser assigns one of the plans it has used least often. To choose a plan:\n"
       "        index.html?participant={}\n\n"
       "On a web server\n"
-      "    Put index.html, questionnaire.js, questionnaire.css, experiment.js{} and media/ there.\n"
-      "    The files are saved on the participant's computer, as above. experiment.js tells which\n"
-      "    video is which to those who read scripts; mien study serve keeps that to itself, and\n"
-      "    collects the answers.\n\n"
+      "    Upload index.html, questionnaire.js, questionnaire.css, experiment.js{} and media/.\n"
+      "    The files are saved on the participant's computer, as above. experiment.js reveals "
+      "which\n"
+      "    video is which to those who read scripts; mien study serve does not, and collects the\n"
+      "    answers.\n\n"
       "On JATOS\n"
-      "    Import {}.jzip (Studies, +, Import). Each participant of a batch gets a plan that was\n"
-      "    given least often in it; the link's ?participant={} says which. The result data is the\n"
-      "    CSV of the answers, complete after every answer; files of results hold the rest.\n\n",
+      "    Import {}.jzip (Studies, +, Import). Each participant of a batch gets one of the plans\n"
+      "    used least often in it; ?participant={} in the link chooses a plan. The result data "
+      "are\n"
+      "    the CSV of the answers, complete after every answer; the result files hold the "
+      "rest.\n\n",
       first, asked.view == ShownAs::turn ? ", turn_view.js" : "", manifest.study, first);
   if (asked.phones == Phones::refused)
-    text += "Phones are sent away with a friendly word, as the manifest says.\n\n";
+    text += "Participants on phones are turned away with a message, as set in the manifest.\n\n";
   text += fmt::format(
-      "Afterwards\n"
+      "Analysis\n"
       "    Put the CSV files into answers/data and run\n"
       "        mien study report answers/data/*answers_data.csv {} -o report\n\n"
-      "plans.csv lists every trial of every participant; experiment.json is what the page shows.\n"
-      "File names tell nothing of what a video shows; plans.csv and experiment.json do: do not\n"
-      "show these two to participants.\n",
+      "plans.csv lists every trial of every participant; experiment.json is the content of the\n"
+      "page. File names do not reveal what a video shows, but plans.csv and experiment.json do: "
+      "do\n"
+      "not show these two to participants.\n",
       motion::shell_path(manifest.file.filename().string()));
   return text;
 }

@@ -99,7 +99,7 @@ Manifest with_media(Manifest manifest) {
     if (asked.view == ShownAs::turn) stimulus.output.clips.glb = true;
     if (asked.view == ShownAs::video && !web_video_of(stimulus.output))
       throw Error(place_of(manifest.places, stimulus.path),
-                  fmt::format("{} has no video that browsers play", stimulus.id),
+                  fmt::format("{} has no video format that browsers play", stimulus.id),
                   "add mp4 or webm to output: video:");
   }
   return manifest;

@@ -22,7 +22,7 @@ void check_distance(LiveMotions& live, const Trial& trial, const SliderSetting& 
     throw RecordFault(error.what());
   }
   if (std::abs(found - told) > distance_slack_m)
-    throw RecordFault("a distance is not that of its sliders");
+    throw RecordFault("a distance does not match its slider settings");
 }
 
 }  // namespace

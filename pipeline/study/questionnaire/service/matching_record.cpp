@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 3> moments = {"guess", "match", "limit"};
 const nlohmann::json& list_of(RecordReader& reader, const char* name, std::size_t most) {
   const nlohmann::json& list = reader.needed(name);
   if (!list.is_array() || list.size() > most)
-    throw RecordFault(fmt::format("{} is no list, or too long", motion::in_quotes(name)));
+    throw RecordFault(fmt::format("{} is not a list, or is too long", motion::in_quotes(name)));
   return list;
 }
 
@@ -40,12 +40,12 @@ SliderSetting read_setting(const nlohmann::json& text) {
   }
   for (const nlohmann::json& value : list_of(reader, "values", most_sliders)) {
     const double number = value.is_number() ? value.get<double>() : -1.0;
-    if (!(number >= 0.0 && number <= 1.0)) throw RecordFault("a slider stands beyond 0 to 1");
+    if (!(number >= 0.0 && number <= 1.0)) throw RecordFault("a slider is outside 0 to 1");
     setting.values.push_back(number);
   }
   reader.finish();
   if (setting.sliders.size() != setting.values.size())
-    throw RecordFault("a setting has another number of sliders than of values");
+    throw RecordFault("the numbers of sliders and values of a setting differ");
   return setting;
 }
 
@@ -66,9 +66,9 @@ MatchingChange read_change(const nlohmann::json& text) {
   reader.finish();
   const bool is_of_slider = is_one_of(change.action, slider_actions);
   if (change.step != "guess" && change.step != "adjust")
-    throw RecordFault("a change is in no step of a trial");
+    throw RecordFault("a change does not belong to any step of a trial");
   if (is_of_slider ? change.slider.empty() : !is_one_of(change.action, moments))
-    throw RecordFault("a change is of nothing that there is");
+    throw RecordFault("a change refers to an unknown slider or event");
   if (is_of_slider && !change.value) throw RecordFault("a change has no value");
   return change;
 }
@@ -77,7 +77,7 @@ void check_setting(const std::vector<std::string>& known, const SliderSetting& s
   std::set<std::string> taken;
   for (const std::string& slider : setting.sliders) {
     if (std::ranges::find(known, slider) == known.end() || !taken.insert(slider).second)
-      throw RecordFault("a slider is none of this interface, or is there twice");
+      throw RecordFault("a slider does not belong to this interface, or appears twice");
   }
 }
 
@@ -85,10 +85,10 @@ void check_changes(const std::vector<std::string>& known,
                    const std::vector<MatchingChange>& changes) {
   double last = 0.0;
   for (const MatchingChange& change : changes) {
-    if (change.seconds < last) throw RecordFault("times of changes go back");
+    if (change.seconds < last) throw RecordFault("times of changes are not in ascending order");
     last = change.seconds;
     if (!change.slider.empty() && std::ranges::find(known, change.slider) == known.end())
-      throw RecordFault("a change is of a slider that this interface does not have");
+      throw RecordFault("a change refers to a slider that this interface does not have");
   }
 }
 
@@ -130,9 +130,9 @@ void check_matching_record(const MatchingFacts& facts, const Trial& trial,
   check_setting(known, record.first);
   check_setting(known, record.last);
   check_changes(known, record.changes);
-  if (record.attempt < 1) throw RecordFault("a trial was begun never");
+  if (record.attempt < 1) throw RecordFault("a trial was never started");
   if (record.success && (record.d >= facts.threshold_m || record.time_s > facts.limit_s))
-    throw RecordFault("a match is no match, or came too late");
+    throw RecordFault("a recorded match exceeds the threshold or the time limit");
   if (!record.success && record.time_s < facts.limit_s - clock_slack_s)
     throw RecordFault("a trial without a match ended before the limit");
 }

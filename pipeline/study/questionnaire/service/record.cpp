@@ -34,10 +34,10 @@ std::vector<std::string> read_hashes(const nlohmann::json* list) {
   std::vector<std::string> hashes;
   if (list == nullptr) return hashes;
   if (!list->is_array() || list->size() > 3)
-    throw RecordFault("\"media_sha256\" is no list of at most three");
+    throw RecordFault("\"media_sha256\" is not a list of at most three");
   for (const nlohmann::json& one : *list) {
     if (!one.is_string() || one.get_ref<const std::string&>().size() > 64)
-      throw RecordFault("\"media_sha256\" holds no hash");
+      throw RecordFault("\"media_sha256\" contains an invalid hash");
     hashes.push_back(one.get<std::string>());
   }
   return hashes;
@@ -139,7 +139,7 @@ PageRecord read_record(const nlohmann::json& text) {
   record.name = reader.name("record");
   record.session = reader.name("session");
   const nlohmann::json& responses = reader.needed("responses");
-  if (!responses.is_array()) throw RecordFault("\"responses\" is no list");
+  if (!responses.is_array()) throw RecordFault("\"responses\" is not a list");
   for (const nlohmann::json& response : responses)
     record.responses.push_back(read_response(response));
   record.comment = reader.text("comment", longest_comment);

@@ -20,7 +20,7 @@ void check_items(const PageRecord& record, const std::vector<std::string>& items
   std::set<std::string> left(items.begin(), items.end());
   for (const GivenResponse& response : record.responses) {
     if (left.erase(response.item) == 0)
-      throw RecordFault("an answer is to nothing that was asked here, or is there twice");
+      throw RecordFault("an answer does not belong to this page, or appears twice");
   }
   if (!left.empty()) throw RecordFault(fmt::format("\"{}\" is not answered", *left.begin()));
 }
@@ -29,19 +29,19 @@ void check_whole(const GivenResponse& response, double least, double most) {
   const double value =
       response.is_number ? std::strtod(response.value_raw.c_str(), nullptr) : std::nan("");
   if (!(value >= least && value <= most && value == std::floor(value)))
-    throw RecordFault(fmt::format("an answer is no whole number from {} to {}", least, most));
+    throw RecordFault(fmt::format("an answer is not a whole number from {} to {}", least, most));
 }
 
 void check_word(const GivenResponse& response, const std::vector<std::string>& words) {
   if (response.is_number || std::ranges::find(words, response.value_raw) == words.end())
-    throw RecordFault("an answer is none of those that may be chosen");
+    throw RecordFault("an answer is not one of the choices");
 }
 
 void check_on_scale(const GivenResponse& response, const AskedScale& scale) {
   if (!scale.words)
     check_whole(response, scale.slider ? 0 : 1, scale.slider ? 100 : scale.points);
   else if (response.is_number)
-    throw RecordFault("an answer in words is a number");
+    throw RecordFault("a free-text answer is a number");
 }
 
 /// As the other trials of the questionnaire are answered: a check looks like them.
@@ -78,13 +78,13 @@ void check_media(const AskedFacts& facts, const Trial& trial, const PageRecord& 
     is_same = record.media_sha256[at].empty() ||
               (hash != facts.sha256.end() && hash->second == record.media_sha256[at]);
   }
-  if (!is_same) throw RecordFault("other media than those of this trial were shown");
+  if (!is_same) throw RecordFault("the media shown were not those of this trial");
 }
 
 void check_trial_record(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                         const PageRecord& record) {
   if (record.matching.has_value() != (trial.kind == TrialKind::matching))
-    throw RecordFault("the record is of another kind of trial");
+    throw RecordFault("the record is of a different kind of trial");
   if (record.matching) {
     check_items(record, {});
     return check_matching_record(facts.matching.value(), trial, *record.matching);
@@ -103,12 +103,12 @@ void check_demographics(const AskedFacts& facts, const PageRecord& record) {
   for (const GivenResponse& response : record.responses) {
     const auto question = std::ranges::find(facts.questions, response.item, &AskedQuestion::id);
     if (question == facts.questions.end() || !answered.insert(response.item).second)
-      throw RecordFault("an answer is to nothing that was asked here, or is there twice");
+      throw RecordFault("an answer does not belong to this page, or appears twice");
     if (!question->choices.empty())
       check_word(response, question->choices);
     else if (response.is_number != question->is_number)
       throw RecordFault(fmt::format("\"{}\" is {}", question->id,
-                                    question->is_number ? "no number" : "a number"));
+                                    question->is_number ? "not a number" : "a number"));
   }
   for (const AskedQuestion& question : facts.questions) {
     if (question.required && !answered.contains(question.id))
@@ -137,7 +137,7 @@ bool is_refusal(const PageRecord& record) {
 
 void check_record(const AskedFacts& facts, const SessionPlan& plan, const PageRecord& record) {
   if (record.matching && trial_of(plan, record.name) == nullptr)
-    throw RecordFault("nothing is matched on this page");
+    throw RecordFault("this page has no matching trial");
   if (record.name == consent_record) {
     check_consent(record);
   } else if (record.name == demographics_record) {

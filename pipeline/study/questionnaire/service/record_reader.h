@@ -26,7 +26,7 @@ inline constexpr double most_counted = 1e6;
 class RecordReader {
  public:
   explicit RecordReader(const nlohmann::json& text, const char* what) : text_(text), what_(what) {
-    if (!text.is_object()) throw RecordFault(fmt::format("{} is no object", what));
+    if (!text.is_object()) throw RecordFault(fmt::format("{} is not an object", what));
   }
 
   const nlohmann::json* find(const char* name) {
@@ -46,7 +46,8 @@ class RecordReader {
     const bool is_plain = std::ranges::all_of(value, [](unsigned char one) {
       return std::isalnum(one) != 0 || one == '-' || one == '_' || one == '.' || one == ':';
     });
-    if (value.empty() || !is_plain) throw RecordFault(fmt::format("\"{}\" is no name", member));
+    if (value.empty() || !is_plain)
+      throw RecordFault(fmt::format("\"{}\" is not a valid name", member));
     return value;
   }
 
@@ -61,7 +62,7 @@ class RecordReader {
     const double number =
         value->is_number() ? value->get<double>() : std::numeric_limits<double>::quiet_NaN();
     if (!(number >= 0.0 && number <= most))
-      throw RecordFault(fmt::format("\"{}\" is no number from 0 to {}", member, most));
+      throw RecordFault(fmt::format("\"{}\" is not a number from 0 to {}", member, most));
     return number;
   }
 
@@ -69,7 +70,7 @@ class RecordReader {
     const std::optional<double> number = amount(member, most_counted);
     if (!number) return std::nullopt;
     if (*number != std::floor(*number))
-      throw RecordFault(fmt::format("\"{}\" is no whole number", member));
+      throw RecordFault(fmt::format("\"{}\" is not a whole number", member));
     return static_cast<int>(*number);
   }
 
@@ -96,7 +97,7 @@ class RecordReader {
  private:
   static std::string string_of(const nlohmann::json& value, const char* member,
                                std::size_t longest) {
-    if (!value.is_string()) throw RecordFault(fmt::format("\"{}\" is no text", member));
+    if (!value.is_string()) throw RecordFault(fmt::format("\"{}\" is not text", member));
     const std::string& text = value.get_ref<const std::string&>();
     if (count_characters(text) > longest)
       throw RecordFault(fmt::format("\"{}\" has more than {} characters", member, longest));

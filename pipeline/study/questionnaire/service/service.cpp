@@ -39,16 +39,16 @@ HttpResponse with_record(
     const HttpRequest& request,
     const std::function<HttpResponse(const PageRecord&, const std::string&)>& take) {
   if (!is_json(request))
-    return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
+    return http_refusal(415, "type", "this is not JSON", "send Content-Type: application/json");
   constexpr std::size_t deepest = 16;  // more than any record has
   const nlohmann::json text = motion::is_nested_deeper(request.body, deepest)
                                   ? nlohmann::json(nlohmann::json::value_t::discarded)
                                   : nlohmann::json::parse(request.body, nullptr, false);
   if (text.is_discarded())
-    return http_refusal(400, "malformed", "this is no JSON", "load the page again");
+    return http_refusal(400, "malformed", "this is not JSON", "load the page again");
   try {
     const PageRecord record = read_record(text);
-    if (record.name != request.path.back()) throw RecordFault("the record is of another page");
+    if (record.name != request.path.back()) throw RecordFault("the record belongs to another page");
     return take(record, text.dump());
   } catch (const RecordFault& fault) {
     return http_refusal(400, "malformed", fault.what(), "load the page again");
@@ -82,7 +82,7 @@ HttpResponse QuestionnaireService::answer(const HttpRequest& request) {
     return answer_kind(request);
   } catch (const WriteFailure& failure) {
     set_trouble(failure.what());
-    return http_refusal(507, "full", "the answer could not be kept", "send it again in a while");
+    return http_refusal(507, "full", "the answer could not be stored", "send it again later");
   }
 }
 
@@ -101,9 +101,9 @@ HttpResponse QuestionnaireService::answer_kind(const HttpRequest& request) {
 HttpResponse QuestionnaireService::unknown(const HttpRequest& request) {
   if (!wrong_rate_.allows(request.address)) return http_too_often();
   if (is_reading(request) && request.path.size() <= 3 && request.path.back().empty())
-    return message_page(404, "This link is not known here. Please ask the experimenter for yours.",
+    return message_page(404, "This link is not valid. Please ask the experimenter for your link.",
                         "このリンクは登録されていません。実験者にお尋ねください。");
-  return http_refusal(404, "unknown", "there is nothing here", "check the address");
+  return http_refusal(404, "unknown", "page not found", "check the address");
 }
 
 HttpResponse QuestionnaireService::answer_session(const HttpRequest& request) {
@@ -166,16 +166,18 @@ HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& re
   const GivenRecord given = sessions_.give(session, record, content);
   if (!given.is_elsewhere) set_trouble("");
   if (given.is_elsewhere)
-    return http_refusal(409, "elsewhere", "this session was begun in another browser",
-                        "go on there, or ask for another link");
+    return http_refusal(409, "elsewhere", "this session was started in another browser",
+                        "continue there, or ask for another link");
   if (given.has_refused)
-    return http_refusal(409, "refused", "the participant has not agreed", "nothing more is taken");
+    return http_refusal(409, "refused", "the participant has not given consent",
+                        "no further answers are accepted");
   if (given.keeping == Keeping::other)
-    return http_refusal(409, "other", "another answer was kept before", "that one stays");
+    return http_refusal(409, "other", "a different answer has already been stored",
+                        "the stored answer is kept");
   if (given.keeping == Keeping::out_of_order)
     return http_value({{"error", "order"},
-                       {"wrong", "something goes before it"},
-                       {"remedy", "send what is due"},
+                       {"wrong", "an earlier page has not been answered"},
+                       {"remedy", "send the earlier page first"},
                        {"next", given.next}},
                       409);
   return http_value({{"kept", record.name}});
@@ -186,7 +188,7 @@ HttpResponse QuestionnaireService::answer_media(const HttpRequest& request) cons
   const auto media =
       request.path.size() == 2 ? study_.media.find(request.path[1]) : study_.media.end();
   if (media == study_.media.end())
-    return http_refusal(404, "unknown", "there is nothing here", "check the address");
+    return http_refusal(404, "unknown", "page not found", "check the address");
   return http_file(request, media->second.file, media->second.type);
 }
 
@@ -201,7 +203,8 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
   if (!link_rate_.allows("join " + request.address)) return http_too_often();
   if (path[2] == "session.json") return http_json(joining_json(study_));
   if (path[2].empty() && sessions_.has_enough())
-    return message_page(403, "Enough people have taken part. Thank you for coming.",
+    return message_page(403,
+                        "All places in this study have been taken. Thank you for your interest.",
                         "必要な人数が集まりました。お越しいただきありがとうございました。");
   const std::optional<HttpResponse> file = page_file(path[2]);
   return file ? *file : unknown(request);
@@ -215,7 +218,8 @@ HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
     if (is_refusal(consent)) return http_value({{"kept", consent.name}});
     const std::optional<SessionState> joined = sessions_.join(consent, content);
     if (!joined)
-      return http_refusal(409, "enough", "enough people have taken part", "nothing more is taken");
+      return http_refusal(409, "enough", "all places in this study have been taken",
+                          "no further answers are accepted");
     set_trouble("");
     const std::string where = "../../s/" + joined->session.link + "/";
     return http_value({{"kept", consent.name}, {"session", where}});

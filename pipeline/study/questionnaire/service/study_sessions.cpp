@@ -46,17 +46,16 @@ StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, Cloc
   const bool has_same_design = store_.fact(design_fact) == study_.facts.design;
   if (!has_same_design || store_.fact(media_fact) != media_hash(study_))
     throw Error({store_.file().string()},
-                has_same_design
-                    ? (study_.live ? "was begun with other motions" : "was begun with other videos")
-                : study_.live ? "was begun with another experiment: its texts, plans, sliders or "
-                                "terms have changed since"
-                              : "was begun with another questionnaire: its texts, plans or "
+                has_same_design ? (study_.live ? "was started with different motions"
+                                               : "was started with different videos")
+                : study_.live ? "was started with a different experiment: texts, plans, sliders or "
+                                "settings have changed since"
+                              : "was started with a different questionnaire: texts, plans or "
                                 "participants have changed since",
                 study_.live
-                    ? "serve the experiment as it was, or begin anew with --store and another "
-                      "file"
-                    : "serve the study as it was, or begin anew with --store and another file: "
-                      "mien study report takes the answers of several");
+                    ? "serve the unchanged experiment, or start again with another file (--store)"
+                    : "serve the unchanged study, or start again with another file (--store); mien "
+                      "study report accepts several files of answers");
   lab_link_ = store_.fact(lab_fact).value();
   join_link_ = store_.fact(join_fact).value();
   load();

@@ -15,7 +15,7 @@ namespace {
 BarChart differences_chart(const Gathered& gathered, const std::string& title) {
   BarChart chart;
   chart.title = title;
-  chart.axis = "Scale points towards the emotion that was meant";
+  chart.axis = "Scale points towards the intended emotion";
   chart.whiskers = fmt::format("95 %; * p < {:g}, corrected", gathered.alpha);
   chart.one_colour = true;
   chart.decimals = 2;
@@ -83,7 +83,7 @@ void add_levels(const Results& results, std::vector<ResultFigure>& figures) {
     const auto [chart, is_new] = charts.try_emplace({c.factor, one, other});
     if (is_new)
       chart->second =
-          differences_chart(gathered, fmt::format("{}: {} against {}", c.factor, one, other));
+          differences_chart(gathered, fmt::format("{}: {} vs. {}", c.factor, one, other));
     std::string rest = stimulus.made;
     for (const auto& [factor, level] : stimulus.factors)
       if (factor != c.factor && factor != "made" && factor != "emotion" && factor != "example" &&
@@ -95,8 +95,8 @@ void add_levels(const Results& results, std::vector<ResultFigure>& figures) {
   for (const auto& [levels, chart] : charts) {
     const auto& [factor, one, other] = levels;
     figures.push_back({fmt::format("differences-{}-{}-{}", factor, one, other), "levels", "", "",
-                       "Within persons, towards the emotion that was meant: the first less the "
-                       "second.",
+                       "Within-participant differences, first minus second; positive towards the "
+                       "intended emotion.",
                        marked(bar_chart_plot(chart), gathered.simulated)});
   }
 }
@@ -113,24 +113,25 @@ void add_overall(const Results& results, ComparisonFamily family, const std::str
   }
   if (chart.bars.empty()) return;
   figures.push_back({"overall-" + std::string(word_of(family_words, family)), "differences", "", "",
-                     "Of each person the mean over the settings and emotions of which both sides "
-                     "were judged.",
+                     "Mean per participant over the settings and emotions of which the participant "
+                     "judged both sides.",
                      marked(bar_chart_plot(chart), gathered.simulated)});
 }
 
 }  // namespace
 
 void add_difference_figures(const Results& results, std::vector<ResultFigure>& figures) {
-  const std::string within = "Within persons, towards the emotion that was meant.";
+  const std::string within =
+      "Within-participant differences; positive towards the intended emotion.";
   const DifferenceFigure drawn[] = {
       {ComparisonFamily::modified_acted, "", "figure-35-differences-modified-acted",
-       "Modified motions against acted ones", within},
+       "Modified vs. acted motions", within},
       {ComparisonFamily::modified_neutral, "35", "figure-36-differences-modified-neutral",
-       "Modified motions against neutral ones", within},
-      {ComparisonFamily::modified_best, "36", "", "Modified motions against the video seen most",
-       within + " The video in which an emotion is seen most is found by the same answers, which "
-                "makes it look better than it is."},
-      {ComparisonFamily::acted_neutral, "", "", "Acted motions against neutral ones", within}};
+       "Modified vs. neutral motions", within},
+      {ComparisonFamily::modified_best, "36", "", "Modified motions vs. the highest-rated video",
+       within + " The highest-rated video was selected on the same answers, so its ratings are "
+                "biased upwards."},
+      {ComparisonFamily::acted_neutral, "", "", "Acted vs. neutral motions", within}};
   for (const DifferenceFigure& one : drawn) {
     add_overall(results, one.family, one.title, figures);
     add_differences(results, one, figures);

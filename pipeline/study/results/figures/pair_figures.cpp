@@ -33,9 +33,9 @@ Bar pair_bar(const Gathered& gathered, const PreferenceCount& count) {
 
 BarChart pair_chart(const Gathered& gathered, const std::string& item) {
   BarChart chart;
-  chart.title = "Which of two was chosen: " + asked_of_two(gathered, item);
-  chart.axis = "Choices of the upper name";
-  chart.whiskers = fmt::format("95 % (Wilson); * p < {:g}, corrected", gathered.alpha);
+  chart.title = "Preferred stimulus of each pair: " + asked_of_two(gathered, item);
+  chart.axis = "Choices of the first-named stimulus";
+  chart.whiskers = fmt::format("95 % Wilson interval; * p < {:g}, corrected", gathered.alpha);
   chart.line = 0.5;
   chart.line_name = "chance 50 %";
   chart.percent = true;
@@ -56,7 +56,7 @@ void add_pairs(const Gathered& gathered, const std::string& item,
   const std::string name =
       "pairs-" + item + (number > 0 ? fmt::format("-{}", number + 1) : std::string());
   figures.push_back({name, "preferences", "", "",
-                     "Shares of choices with Wilson's intervals against chance, one half.",
+                     "Proportion of choices with 95 % Wilson intervals; chance is one half.",
                      marked(bar_chart_plot(chart), gathered.simulated)});
 }
 

@@ -78,8 +78,7 @@ void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
 }
 
 constexpr char spread_caption[] =
-    "How the answers are spread; the line is the mean. On a yellow ground: the scale of the "
-    "emotion that was meant.";
+    "Distribution of ratings; the line marks the mean. Yellow: intended emotion's scale.";
 
 /// The videos in which some end of a scale is seen most, each once.
 std::vector<std::size_t> best_videos(const Results& results) {
@@ -111,7 +110,7 @@ void add_histograms_by_level(const Results& results, std::vector<ResultFigure>& 
                               .section = "levels",
                               .thesis = factor == "actor" ? "39" : "",
                               .caption = spread_caption};
-    add_grids(results, stimuli, figure, "Answers by " + factor, histogram_grid_plot, figures);
+    add_grids(results, stimuli, figure, "Ratings by " + factor, histogram_grid_plot, figures);
   }
 }
 
@@ -136,7 +135,7 @@ void add_histograms_of_groups(const Results& results, std::vector<ResultFigure>&
           .section = "groups",
           .thesis = first ? "42" : "43",
           .caption = spread_caption};
-      add_grids(own, every, figure, "Answers of the participants who said: " + answer,
+      add_grids(own, every, figure, "Ratings by participants who answered: " + answer,
                 histogram_grid_plot, figures);
     }
   }
@@ -145,27 +144,26 @@ void add_histograms_of_groups(const Results& results, std::vector<ResultFigure>&
 void add_rating_figures(const Results& results, std::vector<ResultFigure>& figures) {
   const ResultFigure best{
       .name = "histograms-best-seen", .section = "best", .thesis = "32", .caption = spread_caption};
-  add_grids(results, best_videos(results), best, "Answers about the videos seen most",
+  add_grids(results, best_videos(results), best, "Ratings of the highest-rated videos",
             histogram_grid_plot, figures);
   for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
     const ResultFigure figure{.name = "histograms-" + group.name,
                               .section = "histograms",
                               .was = group.was,
                               .caption = spread_caption};
-    add_grids(results, group.stimuli, figure, "Answers about the " + group.words,
-              histogram_grid_plot, figures);
+    add_grids(results, group.stimuli, figure, "Ratings of the " + group.words, histogram_grid_plot,
+              figures);
   }
   add_histograms_by_level(results, figures);
   add_histograms_of_groups(results, figures);
   std::vector<std::size_t> every(results.gathered.stimuli.size());
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
-  const ResultFigure means{.name = "means",
-                           .section = "means",
-                           .thesis = "40",
-                           .was = "figure-40-means",
-                           .caption =
-                               "Mean answers with their 95 % intervals. On a yellow ground: the "
-                               "scale of the emotion that was meant."};
+  const ResultFigure means{
+      .name = "means",
+      .section = "means",
+      .thesis = "40",
+      .was = "figure-40-means",
+      .caption = "Mean ratings with 95 % confidence intervals. Yellow: intended emotion's scale."};
   add_grids(results, every, means, "Means of all videos", mean_grid_plot, figures);
 }
 
@@ -174,13 +172,12 @@ std::string percent_of(double share) { return fmt::format("{:.0f}", 100.0 * shar
 void add_confusion_figure(const Results& results, const Confusion& confusion,
                           const std::string& thesis, std::vector<ResultFigure>& figures) {
   HeatMap map;
-  map.title = "What was seen in " +
+  map.title = "Perceived emotions: " +
               (confusion.of == "all" ? std::string("all videos") : confusion.of + " motions");
-  map.words = confusion.by_points
-                  ? "Shares of a row's points, in %; outlined: the emotion that was meant"
-                  : "Shares of a row's choices, in %; outlined: the emotion that was meant";
-  map.rows_are = "shown";
-  map.columns_are = "seen";
+  map.words = confusion.by_points ? "Percentage of each row's points; outlined: intended emotion"
+                                  : "Percentage of each row's choices; outlined: intended emotion";
+  map.rows_are = "intended";
+  map.columns_are = "perceived";
   map.column_names = confusion.columns;
   map.simulated = results.gathered.simulated;
   for (const ConfusionRow& row : confusion.rows) {
@@ -203,9 +200,9 @@ void add_confusion_figure(const Results& results, const Confusion& confusion,
 void add_recall_figure(const Results& results, const Confusion& confusion,
                        std::vector<ResultFigure>& figures) {
   BarChart chart;
-  chart.title = "How well emotions were seen in " +
+  chart.title = "Recognition of emotions: " +
                 (confusion.of == "all" ? std::string("all videos") : confusion.of + " motions");
-  chart.axis = confusion.by_points ? "Share of points" : "Share of choices";
+  chart.axis = confusion.by_points ? "Proportion of points" : "Proportion of choices";
   chart.whiskers = "95 % interval (Wilson)";
   chart.line = confusion.chance;
   chart.line_name = fmt::format("chance {:.0f} %", 100.0 * confusion.chance);
@@ -220,7 +217,7 @@ void add_recall_figure(const Results& results, const Confusion& confusion,
   if (chart.bars.empty()) return;
   const std::string by = confusion.by_points ? "" : "-choices";
   figures.push_back({"recall-" + confusion.of + by, "confusion", "", "",
-                     "Per-class recall with Wilson's intervals against chance.",
+                     "Recall per emotion with 95 % Wilson intervals, compared with chance.",
                      marked(bar_chart_plot(chart), results.gathered.simulated)});
 }
 
@@ -239,9 +236,10 @@ void add_correlation_figure(const Results& results, std::vector<ResultFigure>& f
   constexpr std::size_t most_ends = 24;  // more cannot be read
   if (results.correlations.empty() || ends.size() < 4 || ends.size() > most_ends) return;
   HeatMap map;
-  map.title = "How the ends of the scales go together";
+  map.title = "Correlations between scale ends";
   map.words =
-      "Pearson's r over all judgements; bold: |r| > .5; outlined: |r| > .3; grey: one scale";
+      "Pearson's r over all judgements; bold: |r| > .5; outlined: |r| > .3; grey: the two ends of "
+      "one scale";
   map.row_names = map.column_names = ends;
   map.simulated = results.gathered.simulated;
   map.cells.assign(ends.size(), std::vector<HeatCell>(ends.size(), HeatCell{"", hairline}));

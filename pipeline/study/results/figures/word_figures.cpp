@@ -83,7 +83,8 @@ Plot words_plot(const std::string& title, const std::vector<WordPanel>& panels, 
             canvas.text({words_margin, words_margin + 12.0}, title,
                         {.size = 12.0, .bold = true, .max_width = width - 180.0});
             canvas.text({words_margin, words_margin + 27.0},
-                        "How many people gave the words that most gave; n: people who gave any",
+                        "Number of participants who gave each of the most frequent words; n: "
+                        "participants who gave any",
                         {.size = 8.5, .colour = quiet_ink});
             for (std::size_t i = 0; i < panels.size(); ++i) {
               const auto column = static_cast<double>(i % columns);
@@ -112,7 +113,7 @@ void add_word_figures(const Results& results, std::vector<ResultFigure>& figures
       const std::string number =
           first > 0 ? fmt::format("-{}", first / most_word_panels + 1) : std::string();
       figures.push_back({"words-" + item + number, "words", "", "",
-                         "The words that most people gave for each video.",
+                         "Most frequent words for each video.",
                          words_plot("Words for " + item, part, results.gathered.simulated)});
     }
   }

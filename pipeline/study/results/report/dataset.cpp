@@ -15,21 +15,20 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr Column excluded_column = {"excluded", "",
-                                    "1 for answers of participants whom the report leaves out"};
+                                    "1 for answers of participants excluded from the report"};
 
-constexpr std::array stimulus_columns = {
-    Column{"stimulus", "", "the stimulus, as its study names it"},
-    Column{"made", "", "level of the factor made"},
-    Column{"emotion", "", "level of the factor emotion"},
-    Column{"setting", "", "levels of the other factors"}};
+constexpr std::array stimulus_columns = {Column{"stimulus", "", "stimulus id"},
+                                         Column{"made", "", "level of factor made"},
+                                         Column{"emotion", "", "level of the factor emotion"},
+                                         Column{"setting", "", "levels of the other factors"}};
 
 constexpr std::array participant_columns = {
-    Column{"participant", "", "who answered: the place in the design, no name"},
-    Column{"session", "", "random name of the browser session"},
-    Column{"design", "", "hash of the questionnaire that was run"},
-    Column{"consented_at", "", "when consent was given"},
-    Column{"finished", "", "whether the questionnaire was done to its end"},
-    Column{"simulated", "", "1 for participants whom nobody was"}};
+    Column{"participant", "", "participant id: position in the design, not a name"},
+    Column{"session", "", "random id of the browser session"},
+    Column{"design", "", "hash of the questionnaire design"},
+    Column{"consented_at", "", "time of consent"},
+    Column{"finished", "", "whether the participant finished"},
+    Column{"simulated", "", "1 for simulated participants"}};
 
 std::string letters_and_figures(const std::string& text) {
   std::string kept;
@@ -131,22 +130,22 @@ Variables variables_of(const Results& results) {
       if (known != participant_columns.end()) variables.add(*known);
     }
     for (const std::string& question : results.demographics.questions())
-      variables.add(question, "what the participant answered to the question " + question);
+      variables.add(question, "participant's answer to the question " + question);
   }
   return variables;
 }
 
 std::string description_of(const Results& results) {
   const Gathered& gathered = results.gathered;
-  const std::string simulated = gathered.simulated ? "SIMULATED, nobody gave these answers: " : "";
+  const std::string simulated = gathered.simulated ? "SIMULATED answers: " : "";
   ordered_json description = {
       {"@context", "https://schema.org/"},
       {"@type", "Dataset"},
       {"name", gathered.title},
       {"description",
-       simulated + "answers to the questionnaire of the study " + gathered.study +
-           ", a row an answer, with the stimuli that were judged and who judged them. Tables and "
-           "figures made of them are in results and figures; codebook.csv tells all columns."},
+       simulated + "answers to the questionnaire of study " + gathered.study +
+           ", one row per answer, with the stimuli and participants. Derived tables and figures "
+           "are in results and figures; codebook.csv documents all columns."},
       {"schemaVersion", "Psych-DS 0.4.0"},
       {"keywords", {"questionnaire", "human motion", "ratings"}},
       {"variableMeasured", variables_of(results).list()}};
@@ -183,7 +182,7 @@ std::string codebook_of(const Results& results, const std::vector<ResultTable>& 
     add_columns(writer, path, table.form->rows, table.form->columns);
     if (results.gathered.simulated)
       writer.row({path, std::string(table.form->rows), "simulated", "",
-                  "1: reckoned from answers that nobody gave"});
+                  "1: computed from simulated answers"});
   }
   return writer.text();
 }
@@ -191,14 +190,15 @@ std::string codebook_of(const Results& results, const std::vector<ResultTable>& 
 std::string readme_of(const Results& results) {
   const DatasetPaths paths = dataset_paths(results.gathered.study);
   return "# " + results.gathered.title + "\n\n" +
-         (results.gathered.simulated ? "**Simulated: nobody gave these answers.**\n\n" : "") +
-         "Answers to the questionnaire of the study " + results.gathered.study +
-         ", as a Psych-DS dataset, and what mien study report made of them.\n\n"
-         "- report.html: everything on one page\n"
-         "- data/: the answers, a row each; the stimuli; the participants\n"
-         "- dataset_description.json: what each column of data/ means (JSON-LD)\n"
-         "- codebook.csv: the same, and the columns of results/\n"
-         "- results/: tables\n- figures/: the drawings as PDF, SVG and PNG\n" +
+         (results.gathered.simulated ? "**Simulated answers.**\n\n" : "") +
+         "Answers to the questionnaire of study " + results.gathered.study +
+         ", as a Psych-DS dataset, and the results computed from them by mien study report.\n\n"
+         "- report.html: all results on one page\n"
+         "- data/: the answers (one row each), the stimuli and the participants\n"
+         "- dataset_description.json: meaning of each column of data/ (JSON-LD)\n"
+         "- codebook.csv: meaning of each column of data/ and results/\n"
+         "- results/: tables\n"
+         "- figures/: figures as PDF, SVG and PNG\n" +
          (results.gathered.ratings.empty()
               ? std::string()
               : "- analysis/: R scripts that fit mixed models (lme4, ordinal) to " + paths.answers +

@@ -14,7 +14,7 @@ namespace {
 HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjusted,
                       double wilcoxon_adjusted) {
   return row.number(w.people, w.t.mean, interval_text(w.t.low(0.95), w.t.high(0.95)),
-                    w.all_alike ? "all alike" : decimal(w.t.t), p_text(w.t.p),
+                    w.all_alike ? "all equal" : decimal(w.t.t), p_text(w.t.p),
                     p_text(paired_adjusted), w.gz, fmt::format("{:g}", w.wilcoxon.w_plus),
                     fmt::format("{}, {}, {}", w.wilcoxon.used, w.wilcoxon.zeros, w.wilcoxon.tied),
                     p_text(w.wilcoxon.p), p_text(wilcoxon_adjusted), w.location.estimate,
@@ -23,7 +23,7 @@ HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjust
 
 std::string comparison_html(const Gathered& gathered, const Comparison& c) {
   const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
-  const std::string against = c.against ? gathered.stimuli[*c.against].id : "its setting";
+  const std::string against = c.against ? gathered.stimuli[*c.against].id : "same setting";
   HtmlRow row;
   row.text(stimulus.id, against, scale_name(gathered.scales[c.scale]))
       .number(c.mean, c.mean_against,
@@ -52,9 +52,10 @@ std::string best_seen_html(const Results& results) {
                         p_text(c.paired_adjusted), sign * c.within.gz)
                 .html(best.is_found);
   }
-  return wide_table({"<seen", "<setting", "<most in", "above the other videos", "95 % interval",
-                     "n", "p, thesis", "p, paired", "p, corrected", "g<sub>z</sub>"},
-                    rows);
+  return wide_table(
+      {"<perceived", "<setting", "<highest-rated video", "difference from the other videos",
+       "95 % interval", "n", "p, thesis", "p, paired", "p, corrected", "g<sub>z</sub>"},
+      rows);
 }
 
 std::string comparisons_html(const Results& results, ComparisonFamily family,
@@ -70,21 +71,21 @@ std::string comparisons_html(const Results& results, ComparisonFamily family,
     if (c.family == family && is_asked && is_shown) rows += comparison_html(gathered, c);
   }
   return wide_table({"<video",
-                     "<against",
+                     "<compared with",
                      "<scale",
                      "mean",
-                     "mean against",
+                     "comparison mean",
                      "Welch t (df)",
                      "p",
                      "n",
-                     "difference within persons",
+                     "within-participant difference",
                      "95 % interval",
                      "t",
                      "p",
                      "p, corrected",
                      "g<sub>z</sub>",
                      "V",
-                     "n ≠ 0, zeros, tied",
+                     "nonzero, zero, tied",
                      "p, Wilcoxon",
                      "p, corrected",
                      "Hodges–Lehmann",
@@ -103,8 +104,8 @@ std::string overall_html(const Results& results, ComparisonFamily family) {
                 .html(c.paired_adjusted < results.gathered.alpha);
   }
   return wide_table(
-      {"<emotion", "matched", "mean", "mean against", "n", "difference within persons",
-       "95 % interval", "t", "p", "p, corrected", "g<sub>z</sub>", "V", "n ≠ 0, zeros, tied",
+      {"<emotion", "matched", "mean", "comparison mean", "n", "within-participant difference",
+       "95 % interval", "t", "p", "p, corrected", "g<sub>z</sub>", "V", "nonzero, zero, tied",
        "p, Wilcoxon", "p, corrected", "Hodges–Lehmann", "95 % interval", "rank-biserial"},
       rows);
 }

@@ -15,10 +15,10 @@ std::string state_of(const ParticipantSummary& p, const Gathered& gathered) {
   const bool is_too_short = p.is_unfinished && gathered.without_unfinished;
   std::string state;
   if (p.is_unfinished) state = "not finished";
-  if (p.is_excluded) state += (state.empty() ? "" : ", ") + std::string("left out");
+  if (p.is_excluded) state += (state.empty() ? "" : ", ") + std::string("excluded");
   if (p.is_excluded && !is_too_short) state += ": attention checks";
   if (p.is_constant && !p.is_excluded)
-    state += std::string(state.empty() ? "" : "; ") + "kept, though always at the same place";
+    state += std::string(state.empty() ? "" : "; ") + "included; straight-lining";
   return state;
 }
 
@@ -34,8 +34,8 @@ std::string sessions_html(const Results& results) {
                         p.stalls, p.blurs)
                 .text(state_of(p, results.gathered))
                 .html();
-  return wide_table({"<participant", "trials", "answers", "checks passed", "median answer, s",
-                     "stalls", "window left", "<"},
+  return wide_table({"<participant", "trials", "answers", "checks passed",
+                     "median response time, s", "stalls", "tab switches", "<"},
                     rows);
 }
 
@@ -48,10 +48,10 @@ std::string catch_summary_html(const Results& results) {
             .number(s.answers,
                     fmt::format("{} ({})", s.equal, percent_text(1.0 * s.equal / s.answers)),
                     s.mean_difference, s.retest.r, interval_text(s.retest.low, s.retest.high))
-            .text(s.is_excluded ? "left out" : "")
+            .text(s.is_excluded ? "excluded" : "")
             .html();
-  return wide_table({"<participant", "<asked", "answered twice", "the same",
-                     "mean size of the difference", "test–retest r", "95 % interval", "<"},
+  return wide_table({"<participant", "<item", "repeated answers", "identical",
+                     "mean absolute difference", "test–retest r", "95 % interval", "<"},
                     rows);
 }
 
@@ -64,9 +64,9 @@ std::string catch_answers_html(const Results& results) {
                 .text(answer.first, answer.second)
                 .number(answer.difference ? decimal(*answer.difference) : "–")
                 .html();
-  return wide_table(
-      {"<participant", "<video", "<beside", "<asked", "trials", "<first", "<second", "difference"},
-      rows);
+  return wide_table({"<participant", "<video", "<reference", "<item", "trials", "<first", "<second",
+                     "difference"},
+                    rows);
 }
 
 std::string demographics_html(const Results& results) {
@@ -76,7 +76,7 @@ std::string demographics_html(const Results& results) {
                 .text(d.question, d.answer)
                 .number(d.is_count ? decimal(d.value, 0) : decimal(d.value), d.people)
                 .html();
-  return wide_table({"<question", "<answer", "", "people"}, rows);
+  return wide_table({"<question", "<answer", "", "participants"}, rows);
 }
 
 std::string groups_html(const Results& results) {
@@ -92,8 +92,8 @@ std::string groups_html(const Results& results) {
                         fmt::format("{} ({})", decimal(c.welch.t), decimal(c.welch.degrees, 1)),
                         p_text(c.welch.p), p_text(c.adjusted), c.g)
                 .html(c.adjusted < gathered.alpha);
-  return wide_table({"<question", "<answers", "<video", "<scale", "mean (n) of the first",
-                     "mean (n) of the other", "difference", "95 % interval", "Welch t (df)", "p",
+  return wide_table({"<question", "<answers", "<video", "<scale", "mean (n), first group",
+                     "mean (n), second group", "difference", "95 % interval", "Welch t (df)", "p",
                      "p, corrected", "g"},
                     rows);
 }
@@ -105,16 +105,15 @@ std::string recall_html(const Results& results) {
       if (row.own < 0) continue;
       rows +=
           HtmlRow()
-              .text(row.emotion, confusion.of,
-                    confusion.by_points ? "points of ratings" : "choices")
+              .text(row.emotion, confusion.of, confusion.by_points ? "rating points" : "choices")
               .number(row.judged, percent_text(row.recall),
                       std::isnan(row.low) ? "–" : share_interval(row.low, row.high),
                       percent_text(confusion.chance), row.hits, p_text(row.p), p_text(row.adjusted))
               .html(row.adjusted < results.gathered.alpha && row.recall > confusion.chance);
     }
   }
-  return wide_table({"<shown", "<of", "<by", "judged", "recall", "95 % interval (Wilson)", "chance",
-                     "seen most", "p, binomial", "p, corrected"},
+  return wide_table({"<intended", "<of", "<by", "presentations", "recall", "95 % interval (Wilson)",
+                     "chance", "top response", "p, binomial", "p, corrected"},
                     rows);
 }
 
@@ -129,8 +128,8 @@ std::string agreement_html(const Results& results) {
                         r.alpha)
                 .html();
   }
-  return wide_table({"<scale", "videos", "people", "k", "ICC(1)", "ICC(1,k)", "ICC(2,1)",
-                     "ICC(2,k)", "ICC(3,1)", "ICC(3,k)", "saw all", "Cronbach’s α"},
+  return wide_table({"<scale", "videos", "participants", "k", "ICC(1)", "ICC(1,k)", "ICC(2,1)",
+                     "ICC(2,k)", "ICC(3,1)", "ICC(3,k)", "complete raters", "Cronbach’s α"},
                     rows);
 }
 
@@ -143,7 +142,7 @@ std::string preferences_html(const Results& results) {
                 .number(fmt::format("{} of {}", c.for_one, c.trials), share_interval(c.low, c.high),
                         p_text(c.p), p_text(c.adjusted))
                 .html(c.adjusted < results.gathered.alpha);
-  return wide_table({"<one", "<other", "<asked", "for the first", "95 % interval (Wilson)",
+  return wide_table({"<first", "<second", "<item", "first chosen", "95 % interval (Wilson)",
                      "p, binomial", "p, corrected"},
                     rows);
 }

@@ -28,8 +28,8 @@ std::string head_of(const Gathered& gathered, const std::string& what, const std
   return fmt::format(
       R"script(# {what} of the ratings of "{study}", scale by scale.{simulated}
 #
-# Run it in its own folder:  Rscript {package}.R
-# It needs R and the package {package}:  install.packages("{package}")
+# Run in this folder:  Rscript {package}.R
+# Requires R and the package {package}:  install.packages("{package}")
 
 suppressPackageStartupMessages(library({package}))
 
@@ -38,8 +38,8 @@ answers <- read.csv(file.path("..", "{answers}"), encoding = "UTF-8",
                                    value = "character", comment = "character"))
 stimuli <- read.csv(file.path("..", "{stimuli}"), encoding = "UTF-8")
 
-# The same answers that the report counts: ratings that are no practice, warm-up or check, of
-# participants who are not excluded.
+# The answers analysed in the report: ratings outside practice, warm-up and checks, by
+# participants who were not excluded.
 counted <- subset(answers, (kind == "rating" | (kind == "emotion" & item != "emotion")) &
                     is_practice == 0 & is_warmup == 0 & is_catch == 0 &
                     excluded == 0 & !is.na(value) & value != "")
@@ -48,12 +48,12 @@ counted <- merge(counted, stimuli, by = "stimulus")
 for (name in c("participant", "stimulus", "made", "emotion", "setting"))
   counted[[name]] <- factor(counted[[name]])
 
-# Factors with two levels or more among the answers.
+# Factors with at least two levels in the data.
 wanted <- c({factors})
 varied <- function(d) wanted[vapply(wanted, function(f) nlevels(droplevels(d[[f]])) > 1, TRUE)]
 )script",
       fmt::arg("what", what), fmt::arg("study", gathered.study),
-      fmt::arg("simulated", gathered.simulated ? "\n# SIMULATED: nobody gave these answers." : ""),
+      fmt::arg("simulated", gathered.simulated ? "\n# SIMULATED answers." : ""),
       fmt::arg("package", package), fmt::arg("answers", answers), fmt::arg("stimuli", stimuli),
       fmt::arg("factors", [&] {
         std::string names;
@@ -70,8 +70,8 @@ RScripts r_scripts(const Gathered& gathered, const std::string& answers,
   RScripts scripts;
   scripts.mixed = head_of(gathered, "Linear mixed models", "lme4", answers, stimuli) +
                   R"script(
-# Fixed: what was shown. Random: participants, who lean to one end, and stimuli, which stand for
-# more than themselves.
+# Fixed effects: factors of the stimuli. Random effects: participants, who may favour one end of
+# the scale, and stimuli, which are a sample of possible stimuli.
 for (scale in unique(counted$item)) {
   d <- droplevels(subset(counted, item == scale))
   fixed <- c("1", varied(d))
@@ -85,7 +85,7 @@ for (scale in unique(counted$item)) {
 )script";
   scripts.ordinal = head_of(gathered, "Cumulative link mixed models", "ordinal", answers, stimuli) +
                     R"script(
-# The same as ordered answers, without the assumption that their steps are equal.
+# Answers as ordered categories, without assuming equal steps between them.
 for (scale in unique(counted$item)) {
   d <- droplevels(subset(counted, item == scale))
   d$answer <- factor(d$value, ordered = TRUE)

@@ -36,12 +36,11 @@ class PageParts {
       html += "<figure>\n" + embedded_svg(as_svg(figure.plot), figure.plot.title);
       html += fmt::format(
           "<figcaption>{}{} Files: {}{}</figcaption>\n</figure>\n", html_escaped(figure.caption),
-          figure.thesis.empty() ? ""
-                                : fmt::format(" After figure {} of the thesis.", figure.thesis),
-          links(figure.name),
-          figure.was.empty()
+          figure.thesis.empty()
               ? ""
-              : fmt::format(" Before, these files were called {}.", html_escaped(figure.was)));
+              : fmt::format(" Corresponds to figure {} of the thesis.", figure.thesis),
+          links(figure.name),
+          figure.was.empty() ? "" : fmt::format(" Formerly named {}.", html_escaped(figure.was)));
     }
     return html;
   }
@@ -85,13 +84,12 @@ std::size_t judged_stimuli(const Gathered& gathered) {
 std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   const Gathered& gathered = results.gathered;
   std::string html = "<h1>" + html_escaped(gathered.title) + "</h1>\n";
-  if (gathered.simulated)
-    html += "<p class=\"simulated\">Simulated: nobody gave these answers. 模擬評定</p>\n";
+  if (gathered.simulated) html += "<p class=\"simulated\">Simulated answers. 模擬評定</p>\n";
   const std::size_t answers = gathered.ratings.size() + gathered.chosen.size() +
                               gathered.preferences.size() + gathered.words.size();
   html += fmt::format("<p class=\"quiet\">Study {}: {} of {} about {}",
                       html_escaped(gathered.study), counted(answers, "answer", "answers"),
-                      counted(gathered.people.size(), "person", "people"),
+                      counted(gathered.people.size(), "participant", "participants"),
                       counted(judged_stimuli(gathered), "video", "videos"));
   html +=
       gathered.design.empty() ? ".</p>\n" : ", design " + html_escaped(gathered.design) + ".</p>\n";
@@ -110,43 +108,42 @@ std::string people_html(const Results& results) {
       if (own.is_excluded)
         names.push_back(
             fmt::format("{} ({} of {} checks passed)", own.participant, own.passed, own.checks));
-    html += paragraph("Left out:") + html_list("", names);
+    html += paragraph("Excluded:") + html_list("", names);
   }
   html += html_list("", unfinished_sentences(gathered)) + html_list("", gathered.notes);
-  html += part("What they say about themselves", demographics_html(results));
-  html += "<details><summary>Every session</summary>\n" + sessions_html(results) + "</details>\n";
+  html += part("Demographics", demographics_html(results));
+  html += "<details><summary>All sessions</summary>\n" + sessions_html(results) + "</details>\n";
   return html;
 }
 
 std::string method_html(const Gathered& gathered) {
-  return paragraph(fmt::format(
-      "Level of all tests: {:g}, two-sided. Correction for their number: {}, within each kind of "
-      "comparison; those on the scale of the emotion that was meant are corrected by themselves, "
-      "but here, where every end of every scale is looked at, all together. Rows marked * are "
-      "below the level after it.",
-      gathered.alpha, name_of(gathered.correction)));
+  return paragraph(
+      fmt::format("All tests are two-sided with α = {:g}. Correction for multiple comparisons: {}, "
+                  "within each family of comparisons. In this section all ends of all scales form "
+                  "one family; elsewhere, comparisons on the intended emotion's scale are a family "
+                  "of their own. Rows marked * are significant after correction.",
+                  gathered.alpha, name_of(gathered.correction)));
 }
 
 std::string best_html(const Results& results, const PageParts& parts) {
   const std::string table = best_seen_html(results);
   if (table.empty()) return "";
-  std::string html = method_html(results.gathered) +
-                     paragraph(
-                         "Of each end of a scale, the video in which it is seen most. “Thesis”: "
-                         "Welch’s test of the answers about the video against all answers about "
-                         "the videos of the same setting; the video is among these, and answers "
-                         "of one person are taken as independent. “Paired”: of each person, the "
-                         "answer about the video less the mean of the person’s other videos of "
-                         "the setting.") +
-                     table + parts.figures("best");
+  std::string html =
+      method_html(results.gathered) +
+      paragraph(
+          "For each end of each scale, the video rated highest. “Thesis”: Welch’s test of the "
+          "ratings of this video against all ratings of videos of the same setting, itself "
+          "included, treating ratings by the same participant as independent. “Paired”: for each "
+          "participant, the rating of this video minus the mean of the participant’s ratings of "
+          "the other videos of the setting.") +
+      table + parts.figures("best");
   for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
     const std::string rows = comparisons_html(results, ComparisonFamily::best_seen,
                                               group.name == "all" ? "" : group.name);
     if (rows.empty()) continue;
     html += fmt::format(
         "<details><summary>All {}{}</summary>\n{}</details>\n", html_escaped(group.words),
-        group.name == "acted" || group.name == "all" ? " (after figure 31 of the thesis)" : "",
-        rows);
+        group.name == "acted" || group.name == "all" ? " (as figure 31 of the thesis)" : "", rows);
   }
   return html;
 }
@@ -157,9 +154,9 @@ std::string unmatched_html(const Results& results) {
   for (const OverallComparison& c : results.overall)
     if (c.emotion.empty() && c.unmatched > 0)
       sentences.push_back(fmt::format(
-          "{}: {} judged both sides, but never of one setting and emotion, and {} left out.",
+          "{}: {} judged both sides, but never for the same setting and emotion, and {} excluded.",
           word_of(family_words, c.family),
-          counted(static_cast<std::size_t>(c.unmatched), "person", "people"),
+          counted(static_cast<std::size_t>(c.unmatched), "participant", "participants"),
           c.unmatched == 1 ? "is" : "are"));
   return html_list("", sentences);
 }
@@ -174,21 +171,22 @@ std::string differences_html(const Results& results, const PageParts& parts) {
             (results.overall.empty() ? " open" : "") + "><summary>Video by video" + thesis +
             "</summary>\n" + videos + "</details>\n";
   };
-  add(ComparisonFamily::modified_acted, "Modified against acted motions",
-      " (after figure 37 of the thesis)");
-  add(ComparisonFamily::modified_neutral, "Modified against neutral motions", "");
-  add(ComparisonFamily::modified_best, "Modified motions against the video seen most", "");
-  add(ComparisonFamily::acted_neutral, "Acted against neutral motions", "");
+  add(ComparisonFamily::modified_acted, "Modified vs. acted motions",
+      " (as figure 37 of the thesis)");
+  add(ComparisonFamily::modified_neutral, "Modified vs. neutral motions", "");
+  add(ComparisonFamily::modified_best, "Modified motions vs. the highest-rated video", "");
+  add(ComparisonFamily::acted_neutral, "Acted vs. neutral motions", "");
   if (html.empty()) return "";
   return paragraph(
-             "How far the emotion that was meant is seen, on the scale whose end it is, in points "
-             "from the middle. First over all settings (the levels of all factors but made, "
-             "emotion and strength), like with like: of each person the mean over the settings "
-             "and emotions of which that person judged both sides. Below, video by video, where "
-             "those count who saw both. The video seen most is the one of the setting, itself not "
-             "modified, whose answers lie farthest towards the emotion: it is found by the same "
-             "answers, which makes it look better than it is. results/comparisons.csv has the "
-             "other scales too. Where all of few people differ by the same, there is no t test.") +
+             "How strongly the intended emotion is perceived: scale points from the middle of the "
+             "scale towards the emotion. The first table is over all settings (levels of all "
+             "factors except made, emotion and strength): for each participant, the mean over the "
+             "settings and emotions of which the participant judged both sides. The second is "
+             "video by video, for participants who saw both videos. The highest-rated video is the "
+             "unmodified video of the setting rated farthest towards the emotion; it was selected "
+             "on the same answers, so its ratings are biased upwards. The other scales are in "
+             "results/comparisons.csv. There is no t test where all participants differ by the "
+             "same amount.") +
          unmatched_html(results) + html;
 }
 
@@ -196,11 +194,10 @@ std::string levels_html(const Results& results, const PageParts& parts) {
   const std::string videos = comparisons_html(results, ComparisonFamily::between_levels);
   if (videos.empty()) return "";
   return paragraph(
-             "Videos that differ in the level of one factor alone, such as two actors who show the "
-             "same: within persons, the first less the second.") +
+             "Pairs of videos that differ in the level of one factor only, such as two actors "
+             "showing the same emotion: within-participant differences, first minus second.") +
          parts.figures("levels") +
-         "<details><summary>Video by video (of actors, after figure 38 of the "
-         "thesis)</summary>\n" +
+         "<details><summary>Video by video (actors: as figure 38 of the thesis)</summary>\n" +
          videos + "</details>\n";
 }
 
@@ -208,12 +205,12 @@ std::string groups_part(const Results& results, const PageParts& parts) {
   const std::string table = groups_html(results);
   if (table.empty()) return "";
   return paragraph(
-             "How groups of participants differ, by what they say of themselves: Welch’s test of "
-             "the people’s own means, the two answers that most gave. Where gender was asked, the "
-             "answers of either group are drawn. Figures 41 to 43 of the thesis are about gender; "
-             "whether about that of the participants or of who is seen, our text of it does not "
-             "say: the latter is the scale masculine – feminine of all other sections.") +
-         "<details><summary>Every video and scale</summary>\n" + table + "</details>\n" +
+             "Differences between groups of participants: Welch’s test of the participants’ means, "
+             "for the two most frequent answers to each demographic question. If gender was asked, "
+             "the ratings of each group are drawn. Figures 41 to 43 of the thesis concern gender, "
+             "but our copy does not say whether that of the participants or of the person shown; "
+             "for the latter, see the scale masculine – feminine in the other sections.") +
+         "<details><summary>All videos and scales</summary>\n" + table + "</details>\n" +
          parts.figures("groups");
 }
 
@@ -227,16 +224,16 @@ std::string confusion_html(const Results& results, const PageParts& parts) {
   };
   if (is_of(true))
     html += paragraph(
-        "Ratings become points: an answer at the end of a scale gives that end 2 points, one half "
-        "way 1, the middle none; a row’s shares are of all its points. The intervals take each "
-        "judged showing as one trial. “Seen most”: showings in which the emotion itself got more "
-        "points than any other end; the exact binomial test holds them against chance, one of the "
-        "ends.");
+        "Ratings are converted to points: a rating at the end of a scale gives that end 2 points, "
+        "one halfway 1, the middle 0; percentages are of a row’s total points. The intervals treat "
+        "each rated presentation as one trial. “Top response”: presentations in which the intended "
+        "emotion received more points than any other end; the exact binomial test compares their "
+        "number with chance (one of the ends).");
   if (is_of(false))
     html += paragraph(
-        fmt::format("Choices: each showing is one choice out of {}; a row’s shares are of its "
-                    "choices. “Seen most”: choices of the emotion that was meant; the exact "
-                    "binomial test holds them against chance, one of the {}.",
+        fmt::format("Each presentation is one choice out of {}; percentages are of a row’s "
+                    "choices. “Top response”: choices of the intended emotion; the exact binomial "
+                    "test compares their number with chance (one of the {}).",
                     results.gathered.choices.size(), results.gathered.choices.size()));
   return html + recall_html(results) + figures;
 }
@@ -245,11 +242,12 @@ std::string agreement_part(const Results& results) {
   const std::string table = agreement_html(results);
   if (table.empty()) return "";
   return paragraph(
-             "Intraclass correlations after Shrout and Fleiss; k is the number of answers a "
-             "video. Where people saw a part of the videos, every answer counts and nothing is "
-             "filled in: ICC(1) from the one-way analysis of variance, ICC(2) and ICC(3) from "
-             "variance components by fitting constants (Henderson’s method 3), which in a full "
-             "table are the same mean squares. Cronbach’s α is of the people who saw all.") +
+             "Intraclass correlations (Shrout and Fleiss); k is the number of ratings per video. "
+             "Where participants saw only some of the videos, all ratings are used and none are "
+             "imputed: ICC(1) comes from the one-way analysis of variance, ICC(2) and ICC(3) from "
+             "variance components estimated by fitting constants (Henderson’s method 3), which for "
+             "complete data equal the usual mean squares. Cronbach’s α is computed over the "
+             "participants who saw all videos.") +
          table;
 }
 
@@ -257,12 +255,12 @@ std::string catch_html(const Results& results) {
   const std::string table = catch_summary_html(results);
   if (table.empty()) return "";
   return paragraph(
-             "Videos that were shown a second time: how alike the answers are. The first answer "
-             "counts in all other results, the second in none. Differences are in points of the "
-             "scale; the correlation is Pearson’s, of the first with the second ratings, all as if "
-             "independent. Who is left out is told but not part of “all”. Attention checks are "
-             "something else: they expect a certain answer, and are told under People.") +
-         table + "<details><summary>Every answer that was given twice</summary>\n" +
+             "Consistency of answers to videos shown twice. All other results use the first answer "
+             "only. Differences are in scale points; the correlation is Pearson’s, of first with "
+             "second ratings, treated as independent. Excluded participants are listed but not "
+             "part of “all”. Attention checks, which require a particular answer, are reported "
+             "under Participants.") +
+         table + "<details><summary>All repeated answers</summary>\n" +
          catch_answers_html(results) + "</details>\n";
 }
 
@@ -271,29 +269,29 @@ std::string words_html(const Results& results, const PageParts& parts) {
   const std::string answers = remarks_html(results.gathered.words);
   if (answers.empty()) return "";
   return paragraph(
-             "Answers are divided at commas, semicolons and ends of lines; each word counts once a "
-             "person and video, capital letters as small ones. results/word_counts.csv has all.") +
-         parts.figures("words") + "<details><summary>Every answer</summary>\n" + answers +
+             "Answers are split at commas, semicolons and line ends; case is ignored, and each "
+             "word counts once per participant and video. All counts are in "
+             "results/word_counts.csv.") +
+         parts.figures("words") + "<details><summary>All answers</summary>\n" + answers +
          "</details>\n";
 }
 
 std::string files_html(const std::vector<ResultTable>& tables, bool has_scripts) {
   std::string html = "<ul>\n";
   for (const ResultTable& table : tables)
-    html += fmt::format("<li><a href=\"{0}\">{0}</a>: {1} a row</li>\n", table.form->path,
+    html += fmt::format("<li><a href=\"{0}\">{0}</a>: one row per {1}</li>\n", table.form->path,
                         html_escaped(table.form->rows));
   html +=
-      "<li><a href=\"codebook.csv\">codebook.csv</a>: what every column means; "
-      "<a href=\"dataset_description.json\">dataset_description.json</a>: the same of data/, for "
-      "machines (Psych-DS)</li>\n";
+      "<li><a href=\"codebook.csv\">codebook.csv</a>: what every column means; <a "
+      "href=\"dataset_description.json\">dataset_description.json</a>: metadata of data/ in "
+      "machine-readable form (Psych-DS)</li>\n";
   if (has_scripts)
     html +=
-        "<li><a href=\"analysis/lme4.R\">analysis/lme4.R</a>, "
-        "<a href=\"analysis/ordinal.R\">analysis/ordinal.R</a>: mixed models, to be run with "
-        "R</li>\n";
+        "<li><a href=\"analysis/lme4.R\">analysis/lme4.R</a>, <a "
+        "href=\"analysis/ordinal.R\">analysis/ordinal.R</a>: mixed models in R</li>\n";
   html +=
-      "<li><a href=\"figures.csv\">figures.csv</a>: the figures by what they show, those of the "
-      "thesis that they are like, and what their files were called before</li>\n</ul>\n";
+      "<li><a href=\"figures.csv\">figures.csv</a>: list of figures, with the corresponding "
+      "figures of the thesis and former file names</li>\n</ul>\n";
   return html;
 }
 
@@ -302,20 +300,21 @@ std::string files_html(const std::vector<ResultTable>& tables, bool has_scripts)
 std::string results_page(const Results& results, const std::vector<ResultFigure>& figures,
                          const std::vector<ResultTable>& tables, const FrozenVerdict& frozen) {
   PageParts parts(results, figures);
-  parts.section("people", "People", people_html(results));
+  parts.section("people", "Participants", people_html(results));
   parts.section("means", "Means", parts.figures("means"));
   parts.section("histograms", "Answers", parts.figures("histograms"));
-  parts.section("best", "What is seen where", best_html(results, parts));
-  parts.section("differences", "Modified, acted, neutral", differences_html(results, parts));
+  parts.section("best", "Highest-rated videos", best_html(results, parts));
+  parts.section("differences", "Modified, acted and neutral motions",
+                differences_html(results, parts));
   parts.section("levels", "Actors and other factors", levels_html(results, parts));
   parts.section("groups", "Groups of participants", groups_part(results, parts));
   parts.section("confusion", "Confusion", confusion_html(results, parts));
-  parts.section("correlations", "Scales together", parts.figures("correlations"));
+  parts.section("correlations", "Correlations", parts.figures("correlations"));
   parts.section("agreement", "Agreement", agreement_part(results));
-  parts.section("catch", "Answered twice", catch_html(results));
+  parts.section("catch", "Test–retest", catch_html(results));
   parts.section("preferences", "Pairs", parts.figures("preferences") + preferences_html(results));
   parts.section("comments", "Comments", remarks_html(results.gathered.remarks));
-  parts.section("words", "Answers in words", words_html(results, parts));
+  parts.section("words", "Free-text answers", words_html(results, parts));
   parts.section("files", "Files", files_html(tables, !results.gathered.ratings.empty()));
   const std::string mark = results.gathered.simulated ? "Simulated: " : "";
   return html_page(mark + results.gathered.title, results_style,

@@ -38,17 +38,17 @@ std::string figure_list(const std::vector<ResultFigure>& figures, const Results&
                                [=](const Comparison& c) { return c.family == family; });
   };
   if (has(ComparisonFamily::best_seen))
-    table("comparisons.csv", "what is seen most in which video (best-seen)", "31");
+    table("comparisons.csv", "highest-rated video for each end of each scale (best-seen)", "31");
   if (has(ComparisonFamily::modified_acted))
-    table("comparisons.csv", "modified against acted motions (modified-acted)", "37");
+    table("comparisons.csv", "modified vs. acted motions (modified-acted)", "37");
   const bool has_actors = std::ranges::any_of(results.comparisons, [](const Comparison& c) {
     return c.family == ComparisonFamily::between_levels && c.factor == "actor";
   });
   if (has(ComparisonFamily::between_levels))
-    table("comparisons.csv", "levels of a factor against each other (between-levels)",
+    table("comparisons.csv", "levels of a factor compared (between-levels)",
           has_actors ? "38" : "");
   if (!results.groups.empty())
-    table("groups.csv", "groups of participants against each other",
+    table("groups.csv", "groups of participants compared",
           std::ranges::any_of(results.groups,
                               [](const GroupComparison& c) { return c.question == "gender"; })
               ? "41"
@@ -60,9 +60,9 @@ std::string figure_list(const std::vector<ResultFigure>& figures, const Results&
 
 void clear_results_folder(const fs::path& folder) {
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw Error({folder.string()}, "is no folder", "name one for the report with -o");
+    throw Error({folder.string()}, "is not a folder", "name a folder for the report with -o");
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / results_mark))
-    throw Error({folder.string()}, "holds something else than a report of mien study report",
+    throw Error({folder.string()}, "exists, but was not written by mien study report",
                 "name a new folder with -o");
   make_folder(folder);
   write_file(motion::inside(folder, results_mark, {folder.string()}), "");

@@ -44,10 +44,9 @@ TEST(LargestChange, TellsWhatHappenedToTheWholeMotionFirst) {
   const Clip walk = with_turn(changeable_walk(), LeftShoulder, Vec3(0, 0, 1), 0.5);
   EXPECT_EQ(told(walk, walk), "no difference");
   EXPECT_EQ(told(walk, without_first(walk, 1)), "the motion comes 1 frame (0.03 s) earlier");
-  EXPECT_EQ(told(walk, mirrored(walk)),
-            "the motion is mirrored: left and right do each other's part");
+  EXPECT_EQ(told(walk, mirrored(walk)), "the motion is mirrored: left and right are exchanged");
   EXPECT_EQ(told(walk, set_elsewhere(walk, Vec3(0.1, 0, 0), 0.0)),
-            "the figure stands up to 10.0 cm elsewhere; its poses are the same");
+            "the figure stands up to 10.0 cm elsewhere; its poses are unchanged");
   EXPECT_EQ(told(walk, without_last(walk, 2)), std::to_string(walk.frame_count() - 2) +
                                                    " frames instead of " +
                                                    std::to_string(walk.frame_count()));
@@ -61,7 +60,7 @@ TEST(LargestChange, TellsAFootThatSlides) {
   for (const FootPlant& plant : foot_plants(walk)) {
     if (!plant.left || plant.first < 5) continue;
     const std::string text = told(walk, with_sliding_foot(walk, plant, Vec3(0.005, 0, 0)));
-    EXPECT_NE(text.find("; left foot slides up to 0.5 cm where it stood, at "), std::string::npos)
+    EXPECT_NE(text.find("; left foot slides up to 0.5 cm while planted, at "), std::string::npos)
         << text;
     return;
   }
@@ -112,7 +111,7 @@ TEST(LargestChange, TakesTheWayOfHipsBelowARootForNoBone) {
   const Clip walk = with_root_above(changeable_walk());
   Clip now = walk;
   for (Pose& pose : now.poses) pose.offsets[1].x() += 0.5;
-  EXPECT_EQ(told(walk, now), "the figure stands up to 50.0 cm elsewhere; its poses are the same");
+  EXPECT_EQ(told(walk, now), "the figure stands up to 50.0 cm elsewhere; its poses are unchanged");
   for (Pose& pose : now.poses)
     pose.rotations[LeftElbow + 1] =
         pose.rotations[LeftElbow + 1] * Quat(Eigen::AngleAxisd(0.1, Vec3::UnitY()));

@@ -82,8 +82,7 @@ TEST(Csv, RefusesWithThePlaceAndTheRemedy) {
       refusal("a,b\n1,2\"3\n"),
       "t.csv:2:4: a quote in the middle of a field; quote the whole field and write the quote "
       "as \"\"");
-  EXPECT_EQ(refusal("a,b,a\n"),
-            "t.csv:1:5: the column \"a\" is there twice; rename one of the two");
+  EXPECT_EQ(refusal("a,b,a\n"), "t.csv:1:5: the column \"a\" appears twice; rename one of the two");
   EXPECT_EQ(refusal("a,b\n1,\xff\n"), "t.csv:2:3: not UTF-8 text; save it as UTF-8");
 }
 
@@ -93,7 +92,7 @@ TEST(Csv, RefusesAHeaderThatStandsThereAgain) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(),
-                 "joined.csv:3:1: the header stands here again; keep the first one alone");
+                 "joined.csv:3:1: the header is repeated here; keep only the first one");
   }
   EXPECT_EQ(parse_csv("word\nword\n", "words.csv").rows.size(), 1u);
 }

@@ -37,8 +37,8 @@ TEST(Environment, SaysWhatIsWrongAndHowToMendIt) {
   EXPECT_EQ(expanded("a${NONE}b").wrong, "the environment variable NONE is not set");
   EXPECT_EQ(expanded("a${NONE}b").remedy, "set it, or write ${NONE:-default}");
   EXPECT_EQ(expanded("${HOME").wrong, "\"${\" without \"}\"");
-  EXPECT_EQ(expanded("${1A}").wrong, "\"${1A}\" names no environment variable");
-  EXPECT_EQ(expanded("${}").wrong, "\"${}\" names no environment variable");
+  EXPECT_EQ(expanded("${1A}").wrong, "\"${1A}\" is not a valid environment variable");
+  EXPECT_EQ(expanded("${}").wrong, "\"${}\" is not a valid environment variable");
   EXPECT_EQ(expanded("${LATIN}").wrong, "the environment variable LATIN is not UTF-8 text");
 }
 

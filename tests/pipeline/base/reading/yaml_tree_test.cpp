@@ -95,7 +95,7 @@ TEST(YamlTree, TellsSyntaxWithThePlace) {
 
 TEST(YamlTree, RefusesTagsAndOddKeys) {
   EXPECT_EQ(faults_in("a: !python/object x\n"),
-            "m.yaml:1:4: the tag !python/object has no meaning here; leave it out\n");
+            "m.yaml:1:4: the tag !python/object has no meaning here; omit it\n");
   EXPECT_EQ(faults_in("[a, b]: 1\n"),
             "m.yaml:1:1: a key must be plain text; write \"name: value\"\n");
   EXPECT_EQ(faults_in(std::string(300, 'k') + ": 1\n"),
@@ -114,7 +114,7 @@ TEST(YamlTree, IsNotBlownUpByAliases) {
   std::string aliases;
   for (int i = 0; i < 1000; ++i) aliases += i == 0 ? "*a" : ", *a";
   EXPECT_NE(faults_in(large + aliases + "]\n").find("unfolds"), std::string::npos);
-  EXPECT_NE(faults_in("a: &a [*a]\n").find("inside the value that it names"), std::string::npos);
+  EXPECT_NE(faults_in("a: &a [*a]\n").find("inside the value that it refers to"), std::string::npos);
 }
 
 TEST(YamlTree, IsNotBlownUpByAnchorsWithinAnchors) {

@@ -75,13 +75,12 @@ TEST_F(Troubles, ThatHaveOneCauseAreToldTogetherWithTheCommandThatGoesOn) {
   queue += row(7, "PENDING", "JobHeldUser");
   EXPECT_EQ(text(queue),
             "held by Slurm: 1 job (17_7)\n"
-            "  held by hand\n"
-            "  scontrol release lets it go on; mien farm resume my.yaml submits it anew\n"
+            "  held by the user\n"
+            "  scontrol release releases it; mien farm resume my.yaml submits it again\n"
             "held by Slurm: 6 jobs (17_1, 17_2, 17_3, 17_4 and 2 more)\n"
-            "  wrong set-up: no manifest or list there, or another mien or kind of processor than "
-            "it was submitted with (exit code 78)\n"
-            "  mien farm logs my.yaml tells what is wrong; mend it, then mien farm resume "
-            "my.yaml\n");
+            "  wrong configuration: manifest or list missing, or a different version of mien or "
+            "kind of processor than at submission (exit code 78)\n"
+            "  mien farm logs my.yaml shows the error; fix it, then mien farm resume my.yaml\n");
 }
 
 TEST_F(Troubles, OfAStudyThatWasEditedAreOfTheEdit) {
@@ -96,8 +95,7 @@ TEST_F(Troubles, OfAStudyThatWasEditedAreOfTheEdit) {
   EXPECT_EQ(found[1].kind, JobTrouble::Kind::outdated);
   EXPECT_EQ(found[2].job, "17_3");
   for (const JobTrouble& one : found) {
-    EXPECT_TRUE(one.cause.starts_with("the manifest was edited after it was submitted"))
-        << one.cause;
+    EXPECT_TRUE(one.cause.starts_with("the manifest was edited after submission")) << one.cause;
   }
 }
 
@@ -115,9 +113,9 @@ TEST_F(Troubles, TellHowWhatEndedDid) {
   EXPECT_EQ(causes,
             "2-frames.2 killed from outside (exit code 137, SIGKILL)\n"
             "2-frames.3 crashed (exit code 139: Segmentation fault)\n"
-            "2-frames.4 4 times stopped, or failed by the machine's fault (exit code 70)\n"
+            "2-frames.4 stopped, or failed because of the machine, 4 times (exit code 70)\n"
             "2-frames.5 failed (exit code 70)\n"
-            "2-frames.6 killed, or not to be started, without a word (RaisedSignal:9(Killed))\n"
+            "2-frames.6 killed or not started, without an error message (RaisedSignal:9(Killed))\n"
             "2-frames.7 time limit reached\n");
 }
 
@@ -130,7 +128,7 @@ TEST_F(Troubles, AreOfMemoryOnlyWhereSlurmOrTheControlGroupCountsThat) {
   std::string causes;
   for (const JobTrouble& one : troubles(row(2, "FAILED", "RaisedSignal:9(Killed)") +
                                         row(4, "OUT_OF_MEMORY", "OutOfMemory"))) {
-    const bool is_of_memory = one.cause == "too little memory";
+    const bool is_of_memory = one.cause == "out of memory";
     EXPECT_EQ((one.cause + one.remedy).find("memory") != std::string::npos, is_of_memory)
         << one.cause << ": " << one.remedy;
     causes += one.element + (is_of_memory ? " memory\n" : " killed\n");
@@ -145,13 +143,15 @@ TEST_F(Troubles, OfAFolderThatWasNotWellSaySo) {
       troubles(row(1, "SPECIAL_EXIT", "JobHeldUser") + row(2, "SPECIAL_EXIT", "JobHeldUser") +
                row(3, "FAILED", "NonZeroExitCode"));
   ASSERT_EQ(found.size(), 3u);
-  EXPECT_TRUE(found[0].cause.starts_with("waited in vain for the study's folder"))
+  EXPECT_TRUE(found[0].cause.starts_with("gave up waiting for the study's folder"))
       << found[0].cause;
-  EXPECT_TRUE(found[1].cause.starts_with("held itself without a note of why")) << found[1].cause;
-  EXPECT_TRUE(found[2].cause.starts_with("ended by itself without a note")) << found[2].cause;
+  EXPECT_TRUE(found[1].cause.starts_with("put itself on hold without a recorded reason"))
+      << found[1].cause;
+  EXPECT_TRUE(found[2].cause.starts_with("ended on its own without a recorded reason"))
+      << found[2].cause;
   for (const JobTrouble& one : found) {
-    EXPECT_NE(one.cause.find("full, read-only or away"), std::string::npos) << one.cause;
-    EXPECT_TRUE(one.remedy.starts_with("make room in it, or bring it back; then mien farm resume"));
+    EXPECT_NE(one.cause.find("full, read-only or unavailable"), std::string::npos) << one.cause;
+    EXPECT_TRUE(one.remedy.starts_with("free space in it or restore it, then mien farm resume"));
   }
 }
 
@@ -176,7 +176,7 @@ TEST_F(Troubles, KnowWhatWasCancelled) {
 
 TEST_F(Troubles, OfWhatNoNodeHasSayWhatToAskForInstead) {
   const std::string told = text(row(2, "PENDING", "PartitionConfig"));
-  EXPECT_NE(told.find("no node of the partition has what is asked for"), std::string::npos) << told;
+  EXPECT_NE(told.find("no node of the partition satisfies the request"), std::string::npos) << told;
   EXPECT_NE(told.find("mien farm resume my.yaml --jobs 1"), std::string::npos) << told;
 }
 

@@ -49,16 +49,15 @@ TEST_F(SilentJobs, AreThoseWhoseNodeDoesNotAnswerAndAreToldWithTheCommands) {
     signs.nodes["n1"] = state;
     const auto found = silent(row(1, "RUNNING", "n1", "0:05") + row(2, "RUNNING", "n2", "0:05") +
                               row(3, "COMPLETING", "n1", "0:05"));
-    EXPECT_EQ(
-        troubles_text(found),
-        "silent, while Slurm counts them as running: 2 jobs (17_1, 17_3)\n"
-        "  n1 does not answer (" +
-            std::string(state) +
-            ")\n"
-            "  scontrol show node n1 tells how it is; scancel 17_1 17_3, then mien farm resume "
-            "my.yaml submits what is missing. What stays for all that ends when who runs the "
-            "cluster gives the node up: scontrol update NodeName=n1 State=DOWN "
-            "Reason=silent\n");
+    EXPECT_EQ(troubles_text(found),
+              "unresponsive, although running according to Slurm: 2 jobs (17_1, 17_3)\n"
+              "  n1 does not answer (" +
+                  std::string(state) +
+                  ")\n"
+                  "  scontrol show node n1 shows its state; scancel 17_1 17_3, then mien farm "
+                  "resume my.yaml submits what is missing. Jobs that remain nevertheless end when "
+                  "an administrator takes the node down: scontrol update NodeName=n1 State=DOWN "
+                  "Reason=silent\n");
   }
 }
 

@@ -138,8 +138,8 @@ TEST_F(BatchScript, WaitsForAFolderThatIsAwayBeforeItBegins) {
   fs::remove_all(folder / "ends");
   const CommandEnd end = run_element(3);
   EXPECT_EQ(end.code, 0) << end.errors;
-  EXPECT_NE(end.output.find("is not there; waits for that, 3600 s at most"), std::string::npos);
-  EXPECT_NE(end.output.find("goes on; 10 s were waited, because"), std::string::npos);
+  EXPECT_NE(end.output.find("does not exist; waiting, at most 3600 s"), std::string::npos);
+  EXPECT_NE(end.output.find("continues after waiting 10 s, because"), std::string::npos);
   EXPECT_NE(end.output.find("made\n"), std::string::npos);
 }
 

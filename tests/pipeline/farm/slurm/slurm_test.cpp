@@ -148,7 +148,7 @@ TEST(Slurm, DoesNotWaitForAConfigurationThatIsNotThere) {
   } else {
     ::setenv("SLURM_CONF", kept.c_str(), 1);
   }
-  EXPECT_NE(why.find("SLURM_CONF names /nowhere/slurm.conf, which is not there: unset it"),
+  EXPECT_NE(why.find("SLURM_CONF names /nowhere/slurm.conf, which does not exist: unset it"),
             std::string::npos)
       << why;
 }
@@ -175,7 +175,7 @@ TEST(Slurm, TakesWhatSbatchRepeatsForARefusalInItsOwnWords) {
   } catch (const SlurmIsFull& full) {
     const std::string told = full.what();
     EXPECT_NE(told.find("unable to accept job, sleeping and retrying"), std::string::npos) << told;
-    EXPECT_NE(told.find("a larger --chunk makes fewer"), std::string::npos) << told;
+    EXPECT_NE(told.find("use a larger --chunk for fewer jobs"), std::string::npos) << told;
     EXPECT_EQ(told.find("did not answer"), std::string::npos) << told;
   }
 }

@@ -45,7 +45,7 @@ TEST(ShippedManifests, HaveNoFaults) {
     ++checked;
   }
   EXPECT_GE(checked, 5);
-  if (!data) GTEST_SKIP() << "the real motion capture is not here; manifests on it were left out";
+  if (!data) GTEST_SKIP() << "the real motion capture is not here; manifests on it were excluded";
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ TEST(KindOfDocument, IsWhatTheKeysSay) {
 
 TEST(OtherDocuments, AreToldFromManifestsByWhatTheyHold) {
   EXPECT_EQ(to_string(told_as_no_manifest(DocumentKind::scales, "in/mine.yaml")),
-            "in/mine.yaml:1:1: holds scales, and is no manifest; name it in one, as examples: "
-            "{scales: mine.yaml}; mien check alone takes it as it is");
+            "in/mine.yaml:1:1: holds scales, and is not a manifest; refer to it in a manifest as "
+            "examples: {scales: mine.yaml}; only mien check accepts it directly");
   EXPECT_NE(to_string(told_as_no_manifest(DocumentKind::set, "a.yaml")).find("{scene: a.yaml}"),
             std::string::npos);
   EXPECT_NE(

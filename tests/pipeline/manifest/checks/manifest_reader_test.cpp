@@ -161,10 +161,10 @@ TEST_F(ManifestReaderTest, ReadsKeytimesByHand) {
       {"b", {0.5, 1.0, 2.25}}, {"a", {0.0, 3.0, 4.0}}};
   EXPECT_EQ(good.manifest.examples.keytimes, keytimes);
   EXPECT_EQ(told(reading("{b: [0.5, 0.4], a: [0, 1, 2]}").faults),
-            "m.yaml:3:50: examples.set.keytimes.b: keytimes do not ascend; write seconds in the "
-            "order in which they come\n"
+            "m.yaml:3:50: examples.set.keytimes.b: keytimes are not in ascending order; write "
+            "seconds in ascending order\n"
             "m.yaml:3:65: examples.set.keytimes.a: 3 keytimes where \"b\" has 2; give every motion "
-            "the same moments\n");
+            "the same number of keytimes\n");
 }
 
 TEST_F(ManifestReaderTest, BuiltInSetsBringTheirRatings) {
@@ -232,8 +232,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"output: {size: [961, 541], video: [gif, mkv]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              ""},
         Case{"output: {fps: 60, video: [gif]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:15: output.fps: gif shows at most 50 frames a second at their true speed; "
-             "use fewer, or another kind of video\n"},
+             "m.yaml:4:15: output.fps: gif plays at most 50 frames per second at the correct "
+             "speed; use fewer, or another video format\n"},
         Case{"output: {size: [961, 541], video: []}\nstimuli: [{id: a, clip: walk.bvh}]\n", ""},
         Case{"output: {size: [961, 541], video: []}\n"
              "stimuli: [{id: a, clip: walk.bvh, output: {video: [mp4]}}]\n",
@@ -241,58 +241,56 @@ INSTANTIATE_TEST_SUITE_P(
              "962 × 542, or no video\n"},
         Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {method: hsu, neutral: normal, "
              "styled: sad, harmonics: 5}}]\n",
-             "m.yaml:4:104: stimuli[0].modify.harmonics: only method: unuma has this; leave it "
-             "out\n"},
+             "m.yaml:4:104: stimuli[0].modify.harmonics: only method: unuma has this key; omit "
+             "it\n"},
         Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {method: hsu, neutral: normal, "
              "styled: sad, tempo: 2}}]\n",
              "m.yaml:4:100: stimuli[0].modify.tempo: a step with a method has no other changes; "
              "make a list of two steps\n"},
         Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {method: hsu, styled: sad}}]\n",
-             "m.yaml:4:58: stimuli[0].modify.method: a style is the difference of two examples, "
-             "and neutral is missing; add neutral: and styled:\n"},
+             "m.yaml:4:58: stimuli[0].modify.method: a style is the difference between two "
+             "examples, but neutral is missing; add neutral: and styled:\n"},
         Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {tempo: 2, styled: sad}}]\n",
-             "m.yaml:4:68: stimuli[0].modify.styled: only a method has this; leave it out\n"},
-        Case{
-            "output: {crop: [900, 0, 80, 40]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-            "m.yaml:4:16: output.crop: reaches beyond the picture of 960 × 540 pixels; write [from "
-            "the left, from the top, width, height] in pixels of size\n"},
+             "m.yaml:4:68: stimuli[0].modify.styled: only a method has this key; omit it\n"},
+        Case{"output: {crop: [900, 0, 80, 40]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:16: output.crop: extends beyond the image of 960 × 540 pixels; write [from "
+             "the left, from the top, width, height] in pixels of size\n"},
         Case{"output: {crop: [0, 0, 80, 9], video: []}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:16: output.crop: leaves a picture of 80 × 9 pixels; leave at least 16 each "
-             "way\n"},
+             "m.yaml:4:16: output.crop: leaves an image of 80 × 9 pixels; leave at least 16 in "
+             "each dimension\n"},
         Case{"output: {size: [640, 360], scale: 0.33}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:35: output.scale: mp4 needs an even width and height, and these are 211 × "
+             "m.yaml:4:35: output.scale: mp4 needs an even width and height, but these are 211 × "
              "119; change size, scale or crop until they are even, or use no video\n"},
         Case{"output: {crop: [0, 0, 80, 40]}\nlook: {camera: {stereo: {}}}\n"
              "stimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:16: output.crop: a stereo pair cannot be cropped; leave crop or stereo "
-             "out\n"},
+             "m.yaml:4:16: output.crop: a stereo pair cannot be cropped; omit crop or stereo\n"},
         Case{"look: {camera: {figure_px: 200, screen: {distance_cm: 60, width_cm: 50}}}\n"
              "stimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:28: look.camera.figure_px: the screen says already how large the figure is "
-             "seen; leave figure_px out, or give a view alone\n"},
-        Case{
-            "equalize: [size]\nstimuli: [{id: a, clip: walk.bvh, look: {camera: {position: [0, 1, "
-            "5], target: [0, 1, 0]}}}]\n",
-            "m.yaml:4:11: equalize: the camera of \"a\" says already how large its figure is seen; "
-            "leave size out, or give that camera a view alone\n"},
+             "m.yaml:4:28: look.camera.figure_px: the screen already determines the size of the "
+             "figure; omit figure_px, or give only a view\n"},
+        Case{"equalize: [size]\nstimuli: [{id: a, clip: walk.bvh, look: {camera: {position: [0, 1, "
+             "5], target: [0, 1, 0]}}}]\n",
+             "m.yaml:4:11: equalize: the camera of \"a\" already determines the size of its "
+             "figure; omit size, or give that camera only a view\n"},
         Case{"look: {camera: {figure_px: 600}}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:28: look.camera.figure_px: the figure would be taller than the picture of "
-             "540 pixels; use fewer pixels, or a larger size\n"},
+             "m.yaml:4:28: look.camera.figure_px: the figure would be taller than the image of 540 "
+             "pixels; use fewer pixels, or a larger size\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{target: a, created: normal, look: "
              "{camera: side}, layout: side-by-side}]\n",
-             "m.yaml:5:71: overlays[0].layout: side by side, figures hide each other from a camera "
-             "at their side; choose camera: front, three-quarter or follow\n"},
+             "m.yaml:5:71: overlays[0].layout: figures side by side hide each other in a side "
+             "view; choose camera: front, three-quarter or follow\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{target: a, created: normal, look: "
              "{figure: point-light}}]\n",
              "m.yaml:5:56: overlays[0].look.figure: the point lights of several motions cannot be "
              "told apart; give it another look: {figure: stick}\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{target: a, created: a}]\n",
-             "m.yaml:5:33: overlays[0].created: the same motion as the target; name another one\n"},
+             "m.yaml:5:33: overlays[0].created: this is the same motion as the target; name "
+             "another one\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{id: a, target: a, created: normal, "
              "layout: side-by-side, opacity: 0.5}]\n",
-             "m.yaml:5:17: overlays[0].id: \"a\" is already the id of stimuli[0]; give each its "
-             "own\nm.yaml:5:70: overlays[0].opacity: figures side by side are not seen through; "
-             "leave it out, or layout: superimposed\n"},
+             "m.yaml:5:17: overlays[0].id: \"a\" is already the id of stimuli[0]; give each a "
+             "different one\nm.yaml:5:70: overlays[0].opacity: figures side by side cannot be "
+             "transparent; omit it, or use layout: superimposed\n"},
         Case{"output: {fps: .inf}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:15: output.fps: not a finite number; write a finite one\n"},
         Case{"interpolation: {foot_lock: yes}\nstimuli: [{id: a, clip: walk.bvh}]\n",
@@ -304,16 +302,16 @@ INSTANTIATE_TEST_SUITE_P(
              "\"kriging\"?\n"},
         Case{"interpolation: {method: grid, nodes: knn, blends: 9, nugget: 0.1}\n"
              "stimuli: [{id: a, adjectives: {quickness: 1}, interpolation: {power: 3}}]\n",
-             "m.yaml:4:62: interpolation.nugget: only kriging interpolation has this; add method: "
-             "kriging, or leave it out\n"
+             "m.yaml:4:62: interpolation.nugget: only kriging interpolation has this key; add "
+             "method: kriging, or omit it\n"
              "m.yaml:5:70: stimuli[0].interpolation.power: only inverse-distance interpolation has "
-             "this; add method: inverse-distance, or leave it out\n"},
+             "this key; add method: inverse-distance, or omit it\n"},
         Case{"interpolation: {power: 3}\nstimuli:\n  - {id: a, adjectives: {quickness: 1}}\n"
              "  - {id: b, adjectives: {quickness: 1}, interpolation: {method: inverse-distance}}\n",
              ""},
         Case{"interpolation: {method: direct}\n"
              "stimuli: [{id: a, adjectives: {quickness: 1}}, {id: b, weights: {normal: 1}}]\n",
-             "m.yaml:5:31: stimuli[0].adjectives: direct interpolation takes weights, not "
+             "m.yaml:5:31: stimuli[0].adjectives: direct interpolation requires weights, not "
              "adjectives; give weights:, or another method\n"},
         Case{"interpolation: {method: grid}\nstimuli: [{id: a, adjectives: {a: 0, b: 0, c: 0, d: "
              "0, e: 0, f: 0, g: 0, h: 0, i: 0}}]\n",
@@ -330,17 +328,16 @@ INSTANTIATE_TEST_SUITE_P(
              "64 letters, digits, '.', '_' and '-', because files are named after it; for example "
              "target-1\n"},
         Case{"stimuli:\n  - {id: a, clip: walk.bvh}\n  - {id: a, clip: walk.bvh}\n",
-             "m.yaml:6:10: stimuli[1].id: \"a\" is already the id of stimuli[0]; give each its "
-             "own\n"},
-        Case{
-            "stimuli:\n  - {id: a, clip: walk.bvh}\n  - {id: A, clip: walk.bvh}\n",
-            "m.yaml:6:10: stimuli[1].id: \"A\" differs from \"a\" of stimuli[0] by case alone, and "
-            "so would their files; give it another id\n"},
+             "m.yaml:6:10: stimuli[1].id: \"a\" is already the id of stimuli[0]; give each a "
+             "different one\n"},
+        Case{"stimuli:\n  - {id: a, clip: walk.bvh}\n  - {id: A, clip: walk.bvh}\n",
+             "m.yaml:6:10: stimuli[1].id: \"A\" differs from \"a\" of stimuli[0] only in case, and "
+             "so would their files; use another id\n"},
         Case{"stimuli:\n  - {id: Con.1, clip: walk.bvh}\n  - {id: a., clip: walk.bvh}\n",
-             "m.yaml:5:10: stimuli[0].id: \"Con.1\" is reserved on Windows, and files are called "
-             "after it; give it another id\n"
-             "m.yaml:6:10: stimuli[1].id: \"a.\" ends with a dot or a space, and files are called "
-             "after it; give it another id\n"},
+             "m.yaml:5:10: stimuli[0].id: \"Con.1\" is reserved on Windows, and files are named "
+             "after it; use another id\n"
+             "m.yaml:6:10: stimuli[1].id: \"a.\" ends with a dot or a space, and files are named "
+             "after it; use another id\n"},
         Case{"stimuli:\n  - {id: 7, clip: walk.bvh}\n",
              "m.yaml:5:10: stimuli[0].id: must be text but is 7; put it in quotes: \"7\"\n"},
         Case{"stimuli:\n  - {id: a}\n",
@@ -360,16 +357,15 @@ INSTANTIATE_TEST_SUITE_P(
              "0 "
              "to 1\n"},
         Case{"stimuli:\n  - {id: a, weights: {normal: 0, sad: 0}}\n",
-             "m.yaml:5:22: stimuli[0].weights: no weight is above 0; give at least one example a "
-             "share\n"},
+             "m.yaml:5:22: stimuli[0].weights: all weights are 0; give at least one example a "
+             "weight\n"},
         Case{"stimuli:\n  - {id: a, clip: run.bvh}\n",
              "m.yaml:5:19: stimuli[0].clip: there is no file run.bvh; give a motion file (.bvh, "
              ".amc, "
              ".gltf, .glb); paths are taken from the manifest's folder\n"},
         Case{"stimuli:\n  - {id: a, clip: notes.txt}\n",
-             "m.yaml:5:19: stimuli[0].clip: \".txt\" is no kind of motion file; use .bvh, .amc, "
-             ".gltf "
-             "or .glb\n"},
+             "m.yaml:5:19: stimuli[0].clip: \".txt\" is not a motion file format; use .bvh, .amc, "
+             ".gltf or .glb\n"},
         Case{"stimuli:\n  - {id: a, clip: {file: walk.bvh, frames: [9, 3]}}\n",
              "m.yaml:5:44: stimuli[0].clip.frames: the first frame comes after the last; exchange "
              "the "
@@ -379,18 +375,18 @@ INSTANTIATE_TEST_SUITE_P(
             "m.yaml:5:19: stimuli[0].clip: must be text or a map of keys and values but is a list; "
             "for example captures/walk.bvh\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets:\n  - compare: {target: a, created: a}\n",
-             "m.yaml:6:35: sheets[0].compare.created: the same motion as the target; name another "
-             "one\n"},
+             "m.yaml:6:35: sheets[0].compare.created: this is the same motion as the target; name "
+             "another one\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets:\n  - compare: {target: a}\n",
              "m.yaml:6:14: sheets[0].compare.created: missing; add it, for example created: "
              "guess-1\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets: [{stills: [a]}, {stills: [a]}]\n",
-             "m.yaml:5:25: sheets[1].id: \"stills\" is already the id of sheets[0]; give each its "
-             "own\n"},
+             "m.yaml:5:25: sheets[1].id: \"stills\" is already the id of sheets[0]; give each a "
+             "different one\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}, {id: b, clip: walk.bvh}]\n"
              "sheets: [{gallery: [a, b], columns: 3}]\n",
-             "m.yaml:5:28: sheets[0].columns: only stills stand in columns; remove it, or make the "
-             "sheet of stills\n"},
+             "m.yaml:5:28: sheets[0].columns: only sheets of stills have columns; remove it, or "
+             "use stills\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets: [{stills: [a], columns: 13}]\n",
              "m.yaml:5:33: sheets[0].columns: 13 is out of range; use a whole number from 1 to "
              "12\n"},
@@ -411,7 +407,7 @@ TEST_F(ManifestReaderTest, TellsWhatIsWrongWithExamples) {
   EXPECT_EQ(faults_in("mien: 1\nstudy: s\nexamples: {set: {folder: nowhere}, ratings: builtin}\n"
                       "stimuli: [{id: a, weights: {x: 1}}]\n"),
             "m.yaml:3:26: examples.set.folder: there is no folder nowhere; correct the path; it is "
-            "taken from the manifest's folder\n"
+            "relative to the manifest's folder\n"
             "m.yaml:3:45: examples.ratings: only built-in sets have built-in ratings; name a CSV "
             "file, or use simulated\n");
   EXPECT_EQ(faults_in("mien: 1\nstudy: s\nstimuli:\n  - {id: a, adjectives: {x: 1}}\n"
@@ -499,10 +495,10 @@ TEST_F(ManifestReaderTest, TellsLabelsAndKeytimesOfFilesThatAreNotThere) {
       "stimuli: [{id: a, weights: {sad: 1}}]\n");
   EXPECT_EQ(told(reading.faults), "");
   EXPECT_EQ(told(check_names(reading.manifest, {{}, {}, {"sad"}, {"walk_sad", "walk_fast"}})),
-            "m.yaml:6:14: examples.set.labels.walk_sda: no example's file is called so; did you "
-            "mean \"walk_sad\"?\n"
-            "m.yaml:7:16: examples.set.keytimes.walk_fst: no example's file is called so; did you "
-            "mean \"walk_fast\"?\n");
+            "m.yaml:6:14: examples.set.labels.walk_sda: no example has a file of this name; did "
+            "you mean \"walk_sad\"?\n"
+            "m.yaml:7:16: examples.set.keytimes.walk_fst: no example has a file of this name; did "
+            "you mean \"walk_fast\"?\n");
 }
 
 TEST_F(ManifestReaderTest, ReadsAndChecksSheetsOfStills) {
@@ -523,10 +519,11 @@ sheets:
   EXPECT_TRUE(pairs_on(looks).empty());
   EXPECT_EQ(reading.manifest.sheets[1].id, "stills");
   EXPECT_EQ(reading.manifest.sheets[1].columns, 6);
-  EXPECT_EQ(told(check_names(reading.manifest, {{}, {}, {"normal"}})),
-            "m.yaml:9:14: sheets[1].stills[0]: \"stik\" is no stimulus; did you mean \"stick\"?\n"
-            "m.yaml:9:20: sheets[1].stills[1]: \"normal\" is no stimulus; use one of \"stick\", "
-            "\"dots\"\n");
+  EXPECT_EQ(
+      told(check_names(reading.manifest, {{}, {}, {"normal"}})),
+      "m.yaml:9:14: sheets[1].stills[0]: \"stik\" is not a stimulus; did you mean \"stick\"?\n"
+      "m.yaml:9:20: sheets[1].stills[1]: \"normal\" is not a stimulus; use one of \"stick\", "
+      "\"dots\"\n");
 }
 
 TEST_F(ManifestReaderTest, ChecksTheNamesInExpectations) {
@@ -553,8 +550,8 @@ TEST_F(ManifestReaderTest, RefusesExpectationsThatCompareAnExampleWithItself) {
       "    - {parameter: quickness, order: [slow, sad, slow]}\n"
       "stimuli: [{id: a, weights: {slow: 1}}]\n");
   EXPECT_EQ(told(check_names(reading.manifest, {{"quickness"}, {}, {"slow", "sad"}})),
-            "m.yaml:6:43: examples.expect[0].order[1]: \"sad\" stands in this order already, as "
-            "number 1, and cannot be rated higher than itself; name each example once\n"
+            "m.yaml:6:43: examples.expect[0].order[1]: \"sad\" is already in this order, as number "
+            "1; name each example once\n"
             "m.yaml:7:49: examples.expect[1].order[2]: \"slow\" stands in this order already, as "
             "number 1, and cannot be rated higher than itself; name each example once\n");
 }
@@ -564,7 +561,7 @@ TEST_F(ManifestReaderTest, AFileThatCannotBeReadIsAFaultToo) {
   EXPECT_EQ(told(read_manifest(folder.path() / "none.yaml", environment).faults),
             "none.yaml: there is no such file; name a manifest (YAML)\n");
   EXPECT_EQ(told(read_manifest(folder.path() / "captures", environment).faults),
-            "captures: is a folder and no file; name a manifest (YAML)\n");
+            "captures: is a folder, not a file; name a manifest (YAML)\n");
 }
 
 TEST_F(ManifestReaderTest, FindsNoFaultInTheManifestsOfTheSourceTree) {

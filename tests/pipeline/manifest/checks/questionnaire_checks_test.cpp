@@ -29,7 +29,7 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
   };
   const Wrong wrong_ones[] = {
       {"scales: all", "m.yaml:5:16: questionnaire.participants", "missing"},
-      {"participants: 4", "m.yaml:5:16: questionnaire", "asks on no scales"},
+      {"participants: 4", "m.yaml:5:16: questionnaire", "has no scales"},
       {"participants: 4, scales: [sad-hapy]", "m.yaml:5:43: questionnaire.scales[0]",
        "did you mean \"sad-happy\""},
       {"participants: 4, scales: al", "m.yaml:5:42: questionnaire.scales", "all, emotions"},
@@ -44,9 +44,9 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
        "did you mean \"actor\""},
       {"participants: 4, scales: all, order: latn", "questionnaire.order", "latin"},
       {"participants: 4, scales: all, order: latin, apart: [actor]", "questionnaire.apart",
-       "choose order: full"},
+       "use order: full"},
       {"participants: 4, scales: all, order: {blocked: actor}, apart: [actor]",
-       "questionnaire.apart[0]", "a block is of one level"},
+       "questionnaire.apart[0]", "blocks contain only one level"},
       {"participants: 4, scales: all, per_participant: 6", "questionnaire.per_participant",
        "write 5 at most"},
       {"participants: 4, scales: all, practice: [x]", "questionnaire.practice[0]",
@@ -61,7 +61,7 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
       {"participants: 4, scales: all, pairs: [[a1, b2]]", "questionnaire.pairs",
        "only pair trials"},
       {"participants: 4, scales: all, trials: pair, practice: [a1]", "questionnaire.practice",
-       "two by two"},
+       "an even number of stimuli"},
       {"participants: 4, trials: emotion, stimuli: [a1, b2], choices: [sad]",
        "questionnaire.choices", "at least 2"},
       {"participants: 4, scales: all, replays: often", "questionnaire.replays", "counted, none"},
@@ -71,7 +71,7 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
       {"participants: 4, scales: {file: no.scales.yaml}", "questionnaire.scales.file",
        "there is no file"},
       {"participants: 4, scales: all, demographics: [{id: session, ask: x, answer: text}]",
-       "questionnaire.demographics[0].id", "a column of that name"},
+       "questionnaire.demographics[0].id", "a column with this name"},
       {"participants: 4, scales: all, attention: {evry: 3}", "questionnaire.attention",
        "did you mean \"every\""},
   };

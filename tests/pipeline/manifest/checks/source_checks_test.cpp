@@ -38,7 +38,7 @@ TEST(Sources, MayNotLieWhereTheRunWrites) {
   EXPECT_EQ(fault.path, "stimuli[0].clip");
   EXPECT_EQ(fault.place.line, 3);
   EXPECT_EQ(fault.wrong, (folder / "elsewhere/clips/a.bvh").string() +
-                             " lies where the results of this study go");
+                             " is in the folder of this study's results");
   EXPECT_EQ(of_clip("{file: out/s/../s/clips/a.bvh}").at(0).path, "stimuli[0].clip.file");
   EXPECT_TRUE(of_clip("out/other/clips/a.bvh").empty());
   EXPECT_TRUE(of_clip("out/s2/a.bvh").empty());

@@ -39,41 +39,41 @@ INSTANTIATE_TEST_SUITE_P(
     Table, LookFaults,
     testing::Values(
         Case{"scene: studio, figure: {point-light: {contrast: 0.5}}",
-             "m.yaml:4:46: look.figure.point-light.contrast: the set says already what is behind "
-             "the dots; leave it out, or scene out"},
+             "m.yaml:4:46: look.figure.point-light.contrast: the set already determines the "
+             "background of the dots; omit it, or omit scene"},
         Case{"scene: {set: void, background: \"#404040\"}, figure: {point-light: {polarity: "
              "dark-on-light}}",
-             "m.yaml:4:74: look.figure.point-light.polarity: the set says already what is behind "
-             "the dots; leave it out, or scene out"},
+             "m.yaml:4:74: look.figure.point-light.polarity: the set already determines the "
+             "background of the dots; omit it, or omit scene"},
         Case{"camera: {position: [0, 1, 0], target: [0, 1, 0]}",
-             "m.yaml:4:46: look.camera.target: the camera would look at itself; name another "
-             "point than position"},
+             "m.yaml:4:46: look.camera.target: camera position and target coincide; use a target "
+             "other than the position"},
         Case{"camera: {position: [0, 5, 0], target: [0, 1, 0]}",
-             "m.yaml:4:46: look.camera.target: the camera would look straight up or down; name a "
-             "point that is not above or below position"},
+             "m.yaml:4:46: look.camera.target: the camera would look straight up or down; use a "
+             "target that is not directly above or below the position"},
         Case{"camera: {path: [{at: 0, position: [0, 1, 4], target: [0, 1, 4]}, {at: 1, position: "
              "[1, 1, 4], target: [0, 1, 0]}]}",
-             "m.yaml:4:61: look.camera.path[0].target: the camera would look at itself; name "
-             "another point than position"},
+             "m.yaml:4:61: look.camera.path[0].target: camera position and target coincide; use a "
+             "target other than the position"},
         Case{"camera: {path: [{at: 1, position: [0, 1, 4], target: [0, 1, 0]}, {at: 1, position: "
              "[1, 1, 4], target: [0, 1, 0]}]}",
-             "m.yaml:4:78: look.camera.path[1].at: the times of a path do not ascend; write "
-             "seconds in the order in which they come"},
+             "m.yaml:4:78: look.camera.path[1].at: the times of a path are not in ascending order; "
+             "write seconds in ascending order"},
         Case{"camera: {view: front, path: [{at: 0, position: [0, 1, 4], target: [0, 1, 0]}, {at: "
              "1, position: [1, 1, 4], target: [0, 1, 0]}]}",
-             "m.yaml:4:36: look.camera.path: a path says already where the camera is; leave view, "
-             "position and target out"},
+             "m.yaml:4:36: look.camera.path: the camera path already determines its position; omit "
+             "view, position and target"},
         Case{"camera: {position: [0, 1, 4]}",
              "m.yaml:4:16: look.camera: target is missing; give position and target"},
         Case{"camera: {view: side, orthographic: true, stereo: {}}",
-             "m.yaml:4:16: look.camera: an orthographic camera has neither an angle of view nor "
-             "two eyes; leave orthographic, or fov and stereo, out"},
+             "m.yaml:4:16: look.camera: an orthographic camera has neither a field of view nor "
+             "stereo; omit orthographic, or fov and stereo"},
         Case{"camera: {view: side, fov: 30, screen: {distance_cm: 60, width_cm: 50}}",
-             "m.yaml:4:34: look.camera.fov: the screen says already how wide the camera sees; "
-             "leave fov or screen out"},
+             "m.yaml:4:34: look.camera.fov: the screen already determines the field of view; omit "
+             "fov or screen"},
         Case{"camera: {view: side, orthographic: true, screen: {distance_cm: 60, width_cm: 50}}",
-             "m.yaml:4:57: look.camera.screen: an orthographic camera has no place before a "
-             "screen; leave orthographic or screen out"},
+             "m.yaml:4:57: look.camera.screen: screen requires a perspective camera; omit "
+             "orthographic or screen"},
         Case{"figure: {trail: {figure: {character: nobody.glb}}}",
              "m.yaml:4:45: look.figure.trail.figure.character: there is no file nobody.glb; give a "
              "skinned character (.gltf, .glb, .vrm); paths are taken from the manifest's folder"},

@@ -58,13 +58,13 @@ TEST(LookOptions, AreRefusedInTheWordsOfTheOptions) {
   EXPECT_EQ(faults_of_options({.figure = "point-light: {scrambeld: true}"}),
             "--figure.point-light.scrambeld: unknown key; did you mean \"scrambled\"?");
   EXPECT_EQ(faults_of_options({.figure = "point-light: {scrambled: true, lifetime: 4}"}),
-            "--figure.point-light.lifetime: scrambled dots have no limbs to spend a limited "
-            "lifetime on; leave scrambled or lifetime out");
+            "--figure.point-light.lifetime: scrambled dots are not on limbs, so they cannot have a "
+            "limited lifetime; omit scrambled or lifetime");
   EXPECT_EQ(faults_of_options({.camera = "position: [1, 2, 3]"}),
             "--camera: target is missing; give position and target");
   EXPECT_EQ(faults_of_options({.figure = "trail: {poses: 24, before: 12}"}),
-            "--figure.trail: too many poses for one picture; show at most 29 besides the present "
-            "one");
+            "--figure.trail: too many poses for one image; use at most 29 in addition to the "
+            "present one");
 }
 
 TEST(LookOptions, TakeACharacterByItsFileAloneOrAsAManifestHasIt) {

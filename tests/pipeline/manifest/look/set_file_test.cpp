@@ -55,12 +55,12 @@ TEST(SetFile, TellsEveryFaultWithItsPlace) {
             "my.set.yaml:1:1: background: missing; add it, for example background: #808080");
   EXPECT_EQ(
       faults_of_set("background: \"#808080\"\nground: {colour: \"#808080\", fade: [30, 6]}\n"),
-      "my.set.yaml:2:35: ground.fade: the floor is gone before it begins to fade; write the "
-      "smaller first");
+      "my.set.yaml:2:35: ground.fade: fading of the floor ends before it begins; write the smaller "
+      "value first");
   EXPECT_EQ(faults_of_set("background: \"#808080\"\nground: {colour: [1.4, 1, 1]}\n"),
             "my.set.yaml:2:19: ground.colour[0]: 1.4 is out of range; use a number from 0 to 1");
   EXPECT_EQ(faults_of_set("background: \"#808080\"\nbelt: {colour: \"#808080\"}\n"),
-            "my.set.yaml:2:1: belt: a belt needs a figure in place; add in_place: true");
+            "my.set.yaml:2:1: belt: a belt requires a figure walking in place; add in_place: true");
 }
 
 }  // namespace

@@ -29,10 +29,9 @@ TEST(ExampleSource, TakesSharesByName) {
   try {
     parse_weights("a=1,b=many");
   } catch (const Error& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "--weights: \"b=many\" gives no share; write name=share with a share of at least 0, "
-        "for example normal=0.6,proud=0.4");
+    EXPECT_STREQ(error.what(),
+                 "--weights: \"b=many\" has no weight; write name=weight with a weight of at least "
+                 "0, for example normal=0.6,proud=0.4");
   }
 }
 

@@ -121,8 +121,8 @@ TEST(Recipes, MayNotGivePathsAndGains) {
     FAIL() << "nothing was thrown";
   } catch (const Faults& faults) {
     EXPECT_EQ(to_string(faults.list().at(0)),
-              "/nowhere/r.yaml:2:29: recipes.both.gains: paths says already how bands are "
-              "weighted; give paths or gains");
+              "/nowhere/r.yaml:2:29: recipes.both.gains: paths already determines the band gains; "
+              "give paths or gains");
   }
 }
 
@@ -136,7 +136,7 @@ TEST(Recipes, TellWhereTheirOwnPosesAreMissing) {
       "- {id: a, clip: w.bvh, modify: {emotion: slump}}\n",
       folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; });
   const std::string faults = told(reading);
-  EXPECT_NE(faults.find("m.yaml:5:42: stimuli[0].modify.emotion: its recipe names a pose of " +
+  EXPECT_NE(faults.find("m.yaml:5:42: stimuli[0].modify.emotion: its recipe uses a pose of " +
                         (folder.path() / "r" / "no.bvh").string() + ": there is no such file"),
             std::string::npos)
       << faults;
@@ -155,7 +155,7 @@ TEST(Recipes, UnknownEmotionsAreRefusedWithTheNearestName) {
 TEST(Recipes, PathsAndGainsExcludeEachOther) {
   const ManifestReading reading = parse(
       "stimuli:\n- {id: a, weights: {normal: 1}, modify: {paths: 1.2, gains: {middle: 2}}}\n");
-  EXPECT_NE(told(reading).find("stimuli[0].modify.gains: paths says already"), std::string::npos)
+  EXPECT_NE(told(reading).find("stimuli[0].modify.gains: paths already"), std::string::npos)
       << told(reading);
 }
 

@@ -133,7 +133,7 @@ TEST_F(RerenderTest, NeedsWhatMakesFilmsAlike) {
   write_file(table, text);
   EXPECT_NE(wrong().find("no row of \"b\""), std::string::npos) << wrong();
   fs::remove(table);
-  EXPECT_NE(wrong().find("films of this study are made alike by it"), std::string::npos) << wrong();
+  EXPECT_NE(wrong().find("films are equalized with it"), std::string::npos) << wrong();
 }
 
 /// A study that makes its films alike in what the map says; its store is then as an archive has it,

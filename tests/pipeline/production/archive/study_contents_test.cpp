@@ -48,11 +48,13 @@ TEST(StudyContents, AreRefusedWithoutAProvenance) {
   const test::MadeStudy study;
   EXPECT_NE(refusal(study.beside("none")).find("there is no such study"), std::string::npos);
   write_file(study.beside("packed.tar"), "");
-  EXPECT_NE(refusal(study.beside("packed.tar")).find("unpack an archive"), std::string::npos);
+  EXPECT_NE(refusal(study.beside("packed.tar")).find("unpack archives"), std::string::npos);
   write_file(study / "provenance.json", R"({"mien": "0.2.0", "study": 5})");
-  EXPECT_NE(refusal(study.folder()).find("this is no provenance of a study"), std::string::npos);
+  EXPECT_NE(refusal(study.folder()).find("this is not the provenance of a study"),
+            std::string::npos);
   write_file(study / "provenance.json", "[");
-  EXPECT_NE(refusal(study.folder()).find("this is no provenance of a study"), std::string::npos);
+  EXPECT_NE(refusal(study.folder()).find("this is not the provenance of a study"),
+            std::string::npos);
   fs::remove(study / "provenance.json");
   EXPECT_NE(refusal(study.folder()).find("there is no such file; mien run"), std::string::npos);
 }

@@ -19,7 +19,7 @@ Verification verification_of(const test::MadeStudy& study) {
   return verify(contents_of(study.folder()), 2, {}, {});
 }
 
-/// "changed frames/a/00001.png: other bytes", a line each.
+/// "changed frames/a/00001.png: different content", a line each.
 std::string told(const test::MadeStudy& study) {
   std::string text;
   for (const Finding& finding : verification_of(study).findings) {
@@ -72,9 +72,11 @@ TEST(Verify, TellsWhatIsChangedToTheSingleFrame) {
   write_file(study / "report.html", "<!DOCTYPE html>");
   const auto size = contents_of(study.folder()).find("report.html")->size;
   EXPECT_EQ(told(study),
-            "changed frames/a/00002.png: other bytes\nchanged inputs/m.yaml: other bytes\n"
-            "changed metrics/stimuli.csv: other bytes\nchanged report.html: 15 bytes instead of " +
-                std::to_string(size) + "\nchanged videos/b.mp4: other bytes\n");
+            "changed frames/a/00002.png: different content\n"
+            "changed inputs/m.yaml: different content\n"
+            "changed metrics/stimuli.csv: different content\n"
+            "changed report.html: 15 bytes instead of " +
+                std::to_string(size) + "\nchanged videos/b.mp4: different content\n");
 }
 
 TEST(Verify, TellsChangedFramesWithoutReceiptsToo) {
@@ -83,7 +85,7 @@ TEST(Verify, TellsChangedFramesWithoutReceiptsToo) {
   const int frames = contents_of(study.folder()).find("frames/a")->frames;
   const std::string one = read_file(study / "frames/a/00002.png");
   write_file(study / "frames/a/00002.png", read_file(study / "frames/a/00001.png"));
-  EXPECT_EQ(told(study), "changed frames/a: some frame is another\n");
+  EXPECT_EQ(told(study), "changed frames/a: a frame differs\n");
   write_file(study / "frames/a/00002.png", one);
   fs::remove(study / "frames/a/00001.png");
   EXPECT_EQ(told(study), "changed frames/a: " + std::to_string(frames - 1) + " frames instead of " +
@@ -115,10 +117,10 @@ TEST(Verify, TellsWhatStandsInAFilesPlace) {
   fs::remove_all(study / "frames/a");
   write_file(study / "frames/a", "no folder");
   const std::string found = told(study);
-  EXPECT_NE(found.find("changed videos/b.mp4: is a pipe and no file\n"), std::string::npos);
-  EXPECT_NE(found.find("changed methods.md: is a folder and no file\n"), std::string::npos);
+  EXPECT_NE(found.find("changed videos/b.mp4: is a pipe, not a file\n"), std::string::npos);
+  EXPECT_NE(found.find("changed methods.md: is a folder, not a file\n"), std::string::npos);
   EXPECT_NE(found.find("changed references.bib: cannot be read ("), std::string::npos) << found;
-  EXPECT_NE(found.find("changed frames/a: is no folder of frames\n"), std::string::npos);
+  EXPECT_NE(found.find("changed frames/a: is not a folder of frames\n"), std::string::npos);
 }
 
 TEST(Verify, DecodesWhatItsHashDoesNotBetray) {
@@ -141,7 +143,8 @@ TEST(Verify, DecodesWhatItsHashDoesNotBetray) {
         << path << "\n"
         << found;
   EXPECT_NE(found.find("changed metrics/views.csv: does not decode: "), std::string::npos);
-  EXPECT_NE(found.find("changed methods.md: does not decode: is no UTF-8 text"), std::string::npos);
+  EXPECT_NE(found.find("changed methods.md: does not decode: is not UTF-8 text"),
+            std::string::npos);
   EXPECT_NE(found.find("changed videos/a_with_b.webm: has "), std::string::npos) << found;
   EXPECT_EQ(std::ranges::count(found, '\n'), 9) << found;
 }
@@ -150,7 +153,7 @@ TEST(Verify, CountsAVideosFrames) {
   const test::MadeStudy study;
   study.forge_artifact("videos/b.mp4", read_file(study / "videos/c.lossless.mp4"));
   const std::string found = told(study);
-  EXPECT_NE(found.find("changed provenance.json: other bytes\nchanged videos/b.mp4: has "),
+  EXPECT_NE(found.find("changed provenance.json: different content\nchanged videos/b.mp4: has "),
             std::string::npos)
       << found;
   EXPECT_NE(found.find(" of its record\n"), std::string::npos) << found;

@@ -51,7 +51,7 @@ TEST(ZipArchive, IsRefusedByItsOwnWordsBeforeAnythingIsUnpacked) {
   bytes.replace(22, 4, two_gib);  // the size that the file's head tells
   bytes.replace(entry + 24, 4, two_gib);
   EXPECT_EQ(refusal_of(bytes),
-            "some.zip: unpacks to more than 256 MiB; give the archive that mien wrote");
+            "some.zip: unpacks to more than 256 MiB; give an archive written by mien");
 }
 
 /// Zeros as deflate has them (RFC 1951): one, then copies of 258 of them in 13 bits each.
@@ -94,7 +94,7 @@ std::string lying_zip() {
 
 TEST(ZipArchive, IsRefusedWhenMoreComesOutThanItTells) {
   EXPECT_EQ(refusal_of(lying_zip()),
-            "some.zip: unpacks to more than 256 MiB; give the archive that mien wrote");
+            "some.zip: unpacks to more than 256 MiB; give an archive written by mien");
 }
 
 TEST(ZipArchive, IsNotUnpackedToFindWhatIsInItWithoutADirectory) {

@@ -247,7 +247,7 @@ TEST(Equalize, FindsNoPlaceForFiguresOfWhichEachFillsItsPictureElsewhere) {
     check_places(manifest, motions);
     FAIL() << "a place was found";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("cannot stand at the same place"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("cannot be at the same position"), std::string::npos)
         << error.what();
   }
   manifest.equalize = {.size = Among::study, .place = Among::study};
@@ -312,9 +312,8 @@ TEST(Equalize, MakesNoClipWhereNoExposureReachesTheOthersLuminance) {
     return result.outcomes[production.graph().index_of(task)];
   };
   EXPECT_TRUE(outcome_of("exposure")
-                  .error.starts_with("m.yaml:5:11: equalize: no exposure makes \"long\" as light "
-                                     "as the others: its mean luminance "
-                                     "becomes 0.0"))
+                  .error.starts_with("m.yaml:5:11: equalize: no exposure makes \"long\" as bright "
+                                     "as the others: the nearest mean luminance is 0.0"))
       << outcome_of("exposure").error;
   EXPECT_TRUE(outcome_of("exposure").is_bad_input);
   EXPECT_EQ(outcome_of("clip:short").state, TaskState::skipped);
@@ -416,7 +415,7 @@ TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
   const auto is_told = [&] {
     const std::vector<Fault> faults = check_meaning({.manifest = manifest});
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
-      return fault.wrong == "the camera of \"long\" says already how large its figure is seen";
+      return fault.wrong == "the camera of \"long\" already determines the size of its figure";
     });
   };
   EXPECT_FALSE(is_told());
@@ -430,7 +429,7 @@ TEST(Equalize, CannotMoveAPictureWhoseCameraIsGivenInNumbers) {
   const auto is_told = [&] {
     const std::vector<Fault> faults = check_meaning({.manifest = manifest});
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
-      return fault.wrong == "the camera of \"long\" says already where its figure is seen";
+      return fault.wrong == "the camera of \"long\" already determines the position of its figure";
     });
   };
   EXPECT_FALSE(is_told());
@@ -517,7 +516,7 @@ TEST(Films, AreNotMadeWithFadesLongerThanThey) {
   const auto error_of = [&](const std::string& task) {
     return result.outcomes[production.graph().index_of(task)].error;
   };
-  EXPECT_NE(error_of("film:short").find("the fades last 3 s and the film of \"short\""),
+  EXPECT_NE(error_of("film:short").find("the fades last 3 s, but the film of \"short\""),
             std::string::npos)
       << error_of("film:short");
   EXPECT_EQ(error_of("film:long"), "");

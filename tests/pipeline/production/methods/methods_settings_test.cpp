@@ -103,10 +103,11 @@ stimuli:
 TEST_F(MethodsSettings, AreInPlainWordsWithThoseWhoHaveThem) {
   const std::string text = methods_for(shown);
   for (const char* words :
-       {"walking on the spot", "a fixation cross for 0.5 s", "a blank of 0.2 s before the film",
+       {"walking in place", "a fixation cross for 0.5 s", "a blank of 0.2 s before the film",
         "a blank of 0.4 s after the film", "a fade-in of 0.3 s", "13 dots of 5 pixels",
         "20 noise dots", "dots of the colour #ff0000", "dots scrambled in space (b)", "(a and b)",
-        "Set by hand: head-flexion 15° and tempo × 0.8.", "At a strength of 1 they are tired: "})
+        "Manual changes: head-flexion 15° and tempo × 0.8.",
+        "Changes at a strength of 1 were, for tired: "})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
@@ -114,7 +115,7 @@ TEST_F(MethodsSettings, AreNotToldWhereNothingIsSaid) {
   const std::string text = methods_for(
       "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10}, stimuli: [{id: a, weights: "
       "{sad: 1}}]}");
-  EXPECT_EQ(text.find("Settings other than"), std::string::npos) << text;
+  EXPECT_EQ(text.find("Settings that differ"), std::string::npos) << text;
   EXPECT_EQ(text.find("dots"), std::string::npos) << text;
 }
 
@@ -129,9 +130,8 @@ TEST_F(MethodsSettings, TellTheOrderOfGuessesAndWhatPlayedBeside) {
   const std::string usual = told("");
   EXPECT_EQ(usual.find("matching"), std::string::npos) << usual;
   EXPECT_EQ(told(", order: trial-by-trial, show_examples: false"), usual);
-  EXPECT_NE(told(", order: guesses-first").find("before they saw what came of any of them"),
-            std::string::npos);
-  EXPECT_NE(told(", show_examples: true").find("The examples played beside the matching task"),
+  EXPECT_NE(told(", order: guesses-first").find("without feedback"), std::string::npos);
+  EXPECT_NE(told(", show_examples: true").find("The examples were played beside the matching task"),
             std::string::npos);
 }
 
@@ -165,14 +165,15 @@ TEST_F(MethodsSettings, CountTheRatersOfTheAnswers) {
         more + "}, stimuli: [{id: a, adjectives: {slow-quick: 0.5}}]}");
   };
   const std::string simulated = told(",simulated", ",1", 40);
-  EXPECT_NE(simulated.find("No person rated them: 40 simulated raters answered"), std::string::npos)
+  EXPECT_NE(simulated.find("No participants rated them; 40 simulated raters answered"),
+            std::string::npos)
       << simulated;
   EXPECT_NE(simulated.find("(answers.csv)"), std::string::npos);
   const std::string all_known = told("", "", 9);
-  EXPECT_NE(all_known.find("9 people rated them"), std::string::npos);
-  EXPECT_EQ(all_known.find("left out"), std::string::npos) << all_known;
+  EXPECT_NE(all_known.find("9 participants rated them"), std::string::npos);
+  EXPECT_EQ(all_known.find("excluded"), std::string::npos) << all_known;
   const std::string some_unknown = told("", "", 9, ", unknown: ignore", "p1,nobody,slow-quick,1\n");
-  EXPECT_NE(some_unknown.find("Answers about other motions and on other scales were left out"),
+  EXPECT_NE(some_unknown.find("Answers about other motions and on other scales were excluded"),
             std::string::npos)
       << some_unknown;
 }

@@ -48,12 +48,12 @@ TEST(Methods, TellTheNumbersOfTheStudy) {
   expect_in(methods, "(random seed 7)");
   expect_in(methods, "speed (fast, slow), emotion (tired), strength (0.5) and example (sad)");
   expect_in(methods, "The examples were 10 synthetic motions (mien's built-in set walks-10)");
-  expect_in(methods, "No person rated them: 14 simulated raters answered on 41 scales");
+  expect_in(methods, "No participants rated them; 14 simulated raters answered on 41 scales");
   expect_in(methods,
             "The recipe used (mien's own, after the thesis) was tired, at a strength of 0.50.");
-  expect_in(methods, "of 960 × 540 pixels with 128 samples a pixel, 25 a second");
-  expect_in(methods, "written as mp4 and webm");
-  expect_in(methods, "Of 1 pair compared, D is 0.");
+  expect_in(methods, "at 960 × 540 pixels with 128 samples per pixel and 25 frames per second");
+  expect_in(methods, "encoded as mp4 and webm");
+  expect_in(methods, "For 1 compared pair, D was 0.");
 }
 
 TEST(Methods, TellHoldsFoilsAndAmongWhichFilmsAreAlike) {
@@ -65,15 +65,14 @@ TEST(Methods, TellHoldsFoilsAndAmongWhichFilmsAreAlike) {
       "  - {id: r, role: reference, weights: {normal: 1}, modify: {tempo: 0.9, paths: 1.2}}\n"
       "  - {id: f, foil: {of: r, differ: speed}}\n"
       "sheets: [{gallery: [a, r]}]\n");
-  expect_in(methods, "geometric mean of them, by the exposure (among those with the same kind of");
+  expect_in(methods, "to the geometric mean, by exposure), separately for each kind of figure");
   expect_in(methods,
-            "In 1 stimulus parameters that were not asked for were held where they are in "
-            "the stimulus r");
+            "In 1 stimulus, parameters that were not requested were held at their values in the "
+            "stimulus r");
   expect_in(methods,
-            "1 stimulus is a foil: modified as another stimulus is, but for its change of "
-            "speed");
-  expect_in(methods, "Set by hand: ");
-  EXPECT_EQ(methods.markdown.find("matching task ends"), std::string::npos);
+            "1 stimulus is a foil: modified like another stimulus except for its change of speed");
+  expect_in(methods, "Manual changes: ");
+  EXPECT_EQ(methods.markdown.find("matching task"), std::string::npos);
 }
 
 TEST(Methods, NameSeveralRecipesAsSeveral) {

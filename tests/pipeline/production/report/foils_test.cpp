@@ -47,9 +47,9 @@ TEST(Foils, AreInTheReportWithWhatTheyDifferIn) {
     for (std::size_t at = 0; (at = table.find(words, at)) != std::string::npos; ++at) ++found;
     return found;
   };
-  EXPECT_EQ(count("<td>meant to differ</td>"), 1);
+  EXPECT_EQ(count("<td>intended to differ</td>"), 1);
   EXPECT_EQ(count("<td>held</td>"), 3);
-  EXPECT_EQ(count("differs, too"), 0);
+  EXPECT_EQ(count("also differs"), 0);
   const Manifest without = parsed("").manifest;
   Motions others(without);
   EXPECT_EQ(foil_table(without.stimuli, others), "");
@@ -106,19 +106,19 @@ TEST(Foils, ThatCannotBeMadeAreRefused) {
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}}\n"
                         "  - {id: g, foil: {of: f, differ: speed}}\n")
-                .find("\"f\" is a foil itself; name the stimulus that it is of, \"low\""),
+                .find("\"f\" is itself a foil; name the stimulus of which it is a foil, \"low\""),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, hold: others}\n")
-                .find("a foil takes this from the stimulus"),
+                .find("a foil inherits this from its stimulus"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, factors: {my lab: k}}\n")
                 .find("is no name of a column"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: plain, differ: posture}}\n")
-                .find("change nothing of its posture"),
+                .find("do not change its posture"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, modify: {emotion: sad}}\n")
-                .find("a foil takes this"),
+                .find("a foil inherits this"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, weights: {sad: 1}}\n"), "");
 }

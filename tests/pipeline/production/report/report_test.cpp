@@ -97,16 +97,16 @@ TEST(Report, ShowsSheetsOfStillsApartFromComparisons) {
   EXPECT_EQ(unbalanced_tag(both), "");
   manifest.sheets = {looks};
   const std::string page = report_of(manifest);
-  EXPECT_NE(page.find("a picture of each of 2 stimuli"), std::string::npos);
+  EXPECT_NE(page.find("a frame of each of 2 stimuli"), std::string::npos);
   EXPECT_EQ(page.find("<h2>Comparisons</h2>"), std::string::npos);
 }
 
 TEST(Report, SaysWhatIsMadeAlike) {
   Manifest manifest = study_called("plain");
-  EXPECT_EQ(report_of(manifest).find("Made alike"), std::string::npos);
+  EXPECT_EQ(report_of(manifest).find("Equalized"), std::string::npos);
   manifest.equalize = {.luminance = Among::study, .duration = true};
   const std::string page = report_of(manifest);
-  EXPECT_NE(page.find("<p>Made alike in all stimuli: length (as the shortest: "),
+  EXPECT_NE(page.find("<p>Equalized across stimuli: duration (to the shortest: "),
             std::string::npos);
   EXPECT_EQ(page.find("with the same kind of figure"), std::string::npos);
   EXPECT_NE(page.find("href=\"metrics/exposure.csv\""), std::string::npos);
@@ -116,21 +116,21 @@ TEST(Report, SaysWhatIsMadeAlike) {
 
 TEST(Report, SaysAmongWhichStimuliEachIsAlike) {
   const auto alike_in = [](const std::string& page, const std::string& words) {
-    const std::size_t start = page.find("<p>Made alike " + words + ": ");
+    const std::size_t start = page.find("<p>Equalized " + words + ": ");
     return start == std::string::npos ? "" : page.substr(start, page.find("</p>", start) - start);
   };
   using Member = std::optional<Among> Equalize::*;
   const std::pair<Member, std::string> members[] = {{&Equalize::luminance, "mean luminance"},
                                                     {&Equalize::size, "height of the standing"},
-                                                    {&Equalize::place, "place in the picture"}};
+                                                    {&Equalize::place, "position in the image"}};
   for (const auto& [member, what] : members) {
     for (const Among among : {Among::study, Among::figure}) {
       Manifest manifest = study_called("plain");
       manifest.equalize.*member = among;
       const std::string page = report_of(manifest);
       const bool by_figure = among == Among::figure;
-      const std::string of_all = alike_in(page, "in all stimuli");
-      const std::string of_kinds = alike_in(page, "among the stimuli with the same kind of figure");
+      const std::string of_all = alike_in(page, "across stimuli");
+      const std::string of_kinds = alike_in(page, "across stimuli with the same kind of figure");
       EXPECT_EQ(of_all.find(what) != std::string::npos, !by_figure) << what;
       EXPECT_EQ(of_kinds.find(what) != std::string::npos, by_figure) << what;
     }
@@ -164,7 +164,7 @@ TEST(Report, SaysWhichExpectedOrdersDoNotHold) {
 TEST(Report, ShowsNoRatingsWhereThereAreNone) {
   Manifest manifest = study_called("plain");
   manifest.ratings.source = Ratings::Source::none;
-  EXPECT_EQ(report_of(manifest).find("What people think"), std::string::npos);
+  EXPECT_EQ(report_of(manifest).find("Ratings of the examples"), std::string::npos);
 }
 
 /// Asked for an adjective that its examples do not have so much of.

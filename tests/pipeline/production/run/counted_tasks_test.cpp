@@ -18,7 +18,7 @@ TEST(CountedTasks, OfAnInterruptedRunAreAllThatAreLeft) {
       ended_with({{TaskState::made, 7}, {TaskState::interrupted, 16}, {TaskState::skipped, 3}});
   result.was_interrupted = true;
   EXPECT_EQ(counted_tasks(result),
-            "7 tasks done, 19 left; interrupted, the same command goes on from here");
+            "7 tasks done, 19 left; interrupted: run the same command again to continue");
 }
 
 TEST(CountedTasks, OfARunThatFailedAreWhatWasNotBegun) {
@@ -26,7 +26,7 @@ TEST(CountedTasks, OfARunThatFailedAreWhatWasNotBegun) {
                                       {TaskState::cached, 2},
                                       {TaskState::failed, 1},
                                       {TaskState::skipped, 3}})),
-            "1 task done, 2 were done before, 1 failed, 3 not begun because of that");
+            "1 task done, 2 up to date, 1 failed, 3 skipped because they depend on it");
 }
 
 TEST(CountedTasks, OfAFinishedStudyAreNothingToDo) {

@@ -253,7 +253,7 @@ TEST_F(StudyFolder, TellsWhichInputsHaveChangedSince) {
   EXPECT_TRUE(changes().empty());
   std::ofstream(provenance.parent_path() / "inputs/my.recipes.yaml")
       << "recipes: {heavy: {tempo: 0.8}}\n";
-  EXPECT_EQ(changes(), std::vector<std::string>{"inputs/my.recipes.yaml is not what it was"});
+  EXPECT_EQ(changes(), std::vector<std::string>{"inputs/my.recipes.yaml has changed"});
 }
 
 TEST_F(StudyFolder, TellsThatTheManifestWhichIsRunHasChanged) {
@@ -263,7 +263,7 @@ TEST_F(StudyFolder, TellsThatTheManifestWhichIsRunHasChanged) {
   const Manifest manifest =
       load_manifest(out / "provenance.json", [](const std::string&) { return std::nullopt; });
   EXPECT_EQ(changes_since(out / "provenance.json", manifest),
-            std::vector<std::string>{"inputs/as-run.yaml is not what it was"});
+            std::vector<std::string>{"inputs/as-run.yaml has changed"});
 }
 
 TEST_F(StudyFolder, IsNotToldAsMadeOfInputsThatChangedMeanwhile) {
@@ -306,7 +306,7 @@ TEST_F(StudyFolder, IsNotMadeAgainWithoutItsInputs) {
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(to_string(faults[0]), (out / "provenance.json").string() + ": there is no " +
                                       (out / "inputs/m.yaml").string() +
-                                      ", which it rests on; keep the folder inputs beside it");
+                                      ", which it depends on; keep the folder inputs beside it");
 }
 
 TEST(Codebook, IsThePageOfTables) {

@@ -126,7 +126,7 @@ class BlendOfFiles : public testing::Test {
 };
 
 TEST_F(BlendOfFiles, TellsOfAStepThatStandsForACycleWhereItHasAShare) {
-  const char* mirrored = "step: The take holds no full cycle; one step and its mirror image";
+  const char* mirrored = "step: The take contains no full cycle; one step and its mirror image";
   ASSERT_TRUE(holds(repertoire_.warnings, mirrored)) << joined(repertoire_.warnings);
   EXPECT_TRUE(holds(warnings_with({{"step", 1.0}}), mirrored));
   EXPECT_TRUE(holds(warnings_with({{"step", 0.1}, {"whole", 0.9}}), mirrored));

@@ -50,7 +50,7 @@ TEST(ModifiedMotion, WarnsOfFaultsAndKeepsThem) {
   const ModifiedMotion result = modify_motion(normal_walk(), broken_neck(OnFault::warn), {});
   EXPECT_TRUE(motion::has_errors(result.findings));
   ASSERT_EQ(result.warnings.size(), 1u);
-  EXPECT_NE(result.warnings[0].find("breaks the motion"), std::string::npos);
+  EXPECT_NE(result.warnings[0].find("makes the motion faulty"), std::string::npos);
   EXPECT_GT(moved(result.motion), 0.002);
 }
 

@@ -129,16 +129,16 @@ TEST(Hold, IsOfAdjectivesAloneAndNotOfWhatIsAskedFor) {
   EXPECT_NE(first_fault("  - {id: a, weights: {sad: 1}, hold: others}\n").find("adjectives"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: a, adjectives: {quickness: 0.4}, hold: [quickness]}\n")
-                .find("asked for already"),
+                .find("already requested"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: a, adjectives: {quickness: 0.4}, hold: {quickness: 0.5}}\n")
-                .find("asked for already"),
+                .find("already requested"),
             std::string::npos);
 }
 
 /// The range that a sentence tells.
 std::pair<double, double> range_in(const std::string& sentence) {
-  const std::string before = "blends of these examples have ";
+  const std::string before = "feasible range ";
   std::istringstream text(sentence.substr(sentence.find(before) + before.size()));
   double least = NAN, most = NAN;
   std::string to;
@@ -187,7 +187,7 @@ TEST(FeasibleParameters, AreThoseThatCanBeMade) {
   const Synthesis beyond = made_with(range.most + 0.1);
   EXPECT_FALSE(beyond.feasible[0].holds());
   ASSERT_FALSE(beyond.warnings.empty());
-  EXPECT_NE(beyond.warnings[0].find("while largeness is 0.50"), std::string::npos)
+  EXPECT_NE(beyond.warnings[0].find("with largeness 0.50"), std::string::npos)
       << beyond.warnings[0];
 }
 
@@ -217,7 +217,22 @@ TEST(FeasibleParameters, SayThatTheOthersCannotBeHad) {
   const FeasibleParameter r = feasible_parameters(wish, table).at(2);
   EXPECT_GT(r.range.miss, 0.5);
   EXPECT_FALSE(r.holds());
-  EXPECT_NE(to_sentence(r).find(", but in none "), std::string::npos) << to_sentence(r);
+  EXPECT_NE(to_sentence(r).find("; no blend has "), std::string::npos) << to_sentence(r);
+}
+
+TEST(FeasibilityTable, HasALineAParameterAndMarksWhatIsNotFeasible) {
+  const FeasibleParameter fine{.name = "pace", .asked = 0.5, .range = {.least = 0.4, .most = 0.6}};
+  FeasibleParameter beyond = fine;
+  beyond.asked = 0.9;
+  beyond.others = {{"size", 0.25}};
+  beyond.gives_up_held = true;
+  EXPECT_EQ(feasibility_table({}), "");
+  EXPECT_EQ(
+      feasibility_table({{"a", fine}, {"long-name", beyond}}),
+      "stimulus   parameter  requested  feasible range  with the others at\n"
+      "a          pace            0.50  0.40 to 0.60\n"
+      "long-name  pace          ! 0.90  0.40 to 0.60    size 0.25; if held parameters may vary\n"
+      "! requested value outside the feasible range\n");
 }
 
 TEST(Synthesis, TellsWhenAMotionIsNearlyOneCapture) {

@@ -43,7 +43,7 @@ TEST(Containers, ThatShowAFrameAtAnotherMomentDiffer) {
   render::VideoSummary late = film(25.0, matroska);
   late.times[7] += 0.004;
   EXPECT_EQ(differences_of(film(25.0, mp4), late).seen,
-            (std::vector<std::string>{"frame 7 is shown at, in seconds: 0.28 → 0.284"}));
+            (std::vector<std::string>{"time of frame 7, in seconds: 0.28 → 0.284"}));
 }
 
 TEST(Containers, AreToldApartToEnoughDigits) {

@@ -131,7 +131,7 @@ TEST_F(ComparedMediaFiles, NumbersInNamesCountByTheirValue) {
   }
   const ComparedMedia media = compared_media(in("then"), in("today"), 0.0);
   EXPECT_TRUE(media.remarks.empty()) << as_text(media);
-  EXPECT_TRUE(contains(as_text(media), "all are the same")) << as_text(media);
+  EXPECT_TRUE(contains(as_text(media), "all are identical")) << as_text(media);
 }
 
 TEST_F(ComparedMediaFiles, DoNotSayThatNothingDiffersWhereFramesAreMissing) {
@@ -141,7 +141,7 @@ TEST_F(ComparedMediaFiles, DoNotSayThatNothingDiffersWhereFramesAreMissing) {
   write_film(in("b.mkv"), frames);
   const std::string text = as_text(compared_media(in("a.mkv"), in("b.mkv"), 0.0));
   EXPECT_TRUE(contains(text, "frames 12 to 19 are missing")) << text;
-  EXPECT_TRUE(contains(text, "the 12 that stand in both are the same")) << text;
+  EXPECT_TRUE(contains(text, "the 12 common to both are identical")) << text;
 }
 
 TEST_F(ComparedMediaFiles, TellsAFilmThatIsMirrored) {

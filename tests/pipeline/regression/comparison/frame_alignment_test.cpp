@@ -65,14 +65,14 @@ TEST(FrameAlignment, TellsARepeatedFrame) {
   std::vector<int> frames = count_to(40);
   frames.insert(frames.begin() + 20, 19);
   EXPECT_EQ(align(film(count_to(40)), film(frames)).told,
-            (Told{"frame 20 repeats the one before"}));
+            (Told{"frame 20 repeats the previous one"}));
 }
 
 TEST(FrameAlignment, TellsOneThatRepeatsInAnothersPlace) {
   std::vector<int> frames = count_to(40);
   frames[21] = 20;
   EXPECT_EQ(align(film(count_to(40)), film(frames)).told,
-            (Told{"frame 21 is missing", "frame 21 repeats the one before"}));
+            (Told{"frame 21 is missing", "frame 21 repeats the previous one"}));
 }
 
 TEST(FrameAlignment, TellsExchangedFrames) {

@@ -94,7 +94,7 @@ TEST(Analysis, TakesGivenNamesAndRefusesBadOnes) {
   EXPECT_EQ(names({"x", "y"}),
             "--names: 2 names for 3 clusters; give one name for each cluster, for example "
             "--names pace,size");
-  EXPECT_EQ(names({"x", "y", "x"}).rfind("--names: \"x\" is there twice", 0), 0u);
+  EXPECT_EQ(names({"x", "y", "x"}).rfind("--names: \"x\" appears twice", 0), 0u);
   EXPECT_EQ(names({"x", "y", "sad-happy"}).rfind("--names: \"sad-happy\" is a scale", 0), 0u);
 }
 

@@ -204,17 +204,17 @@ TEST(MatchingEvaluation, DrawsEachTargetThenAll) {
 }
 
 TEST(MatchingEvaluation, RefusesEveryBadRowWithItsPlace) {
-  EXPECT_EQ(refusal("p,t,w,-1,3,1\np,t,,0.1,3,yes\np,t,w,0.1,400,1\np,u,w,0.1,,1\n"),
-            "r.csv:2:7: \"-1\" is no number from 0 up; write a decimal number, or leave the field "
-            "empty\n"
-            "r.csv:3:5: no interface; name it\n"
-            "r.csv:3:12: \"yes\" is neither 1 nor 0; write 1 for a match within the limit and 0 "
-            "for none\n"
-            "r.csv:4:1: participant \"p\" has matched \"t\" with \"w\" before; keep one of the two "
-            "trials\n"
-            "r.csv:4:11: a success after 400 s, but the limit is 300 s; correct it, or state the "
-            "limit with --limit\n"
-            "r.csv:5:11: a success without a time; write the seconds that it took");
+  EXPECT_EQ(
+      refusal("p,t,w,-1,3,1\np,t,,0.1,3,yes\np,t,w,0.1,400,1\np,u,w,0.1,,1\n"),
+      "r.csv:2:7: \"-1\" is not a number of at least 0; write a decimal number, or leave the field "
+      "empty\n"
+      "r.csv:3:5: no interface; give a name\n"
+      "r.csv:3:12: \"yes\" is neither 1 nor 0; write 1 for a match within the limit, otherwise 0\n"
+      "r.csv:4:1: participant \"p\" has already matched \"t\" with \"w\"; keep one of the two "
+      "trials\n"
+      "r.csv:4:11: a success after 400 s exceeds the limit of 300 s; correct it, or state the "
+      "limit with --limit\n"
+      "r.csv:5:11: a success without a time; write the seconds that it took");
   EXPECT_EQ(refusal(""), "r.csv: there are no trials; add a row for each trial");
 }
 
@@ -274,7 +274,7 @@ TEST(MatchingEvaluation, RefusesTablesThatDoNotBelongTogether) {
   };
   EXPECT_EQ(refused(saved_table("p2", "b", "120", "0.02")),
             "p2.csv:2:23: design is \"b\", but \"a\" before; evaluate the sessions of each design "
-            "by themselves");
+            "separately");
   EXPECT_EQ(refused(saved_table("p2", "a", "60", "0.02")).find("p2.csv:2:25: limit_s is"), 0u);
   EXPECT_EQ(refused(saved_table("p2", "a", "120", "0.03")).find("p2.csv:2:29: threshold_m is"), 0u);
   EXPECT_EQ(refused(saved_table("p1", "a", "120", "0.02")).find("p1.csv:2:1: participant"), 0u);

@@ -35,7 +35,7 @@ TEST(SimulatedChart, KeepsItsTextsToThePageAndApart) {
 TEST(SimulatedChart, AlwaysSaysThatNobodyTookPart) {
   for (const bool users : {true, false}) {
     const Plot plot = simulated_chart(summaries(users), 0.06);
-    EXPECT_TRUE(test::says(plot, "Simulated: no person took part  模擬"));
+    EXPECT_TRUE(test::says(plot, "Simulated participants  模擬"));
     EXPECT_TRUE(test::says(plot, "0.06 m"));
     EXPECT_EQ(test::says(plot, "80 %"), users);  // which only users have: shares
     EXPECT_EQ(test::says(plot, "Never matched"), users);

@@ -102,10 +102,9 @@ TEST(TargetSampling, ExamplesThatLeaveNoRoomAreRefused) {
     sample_targets(random_table(2), names, {.farthest_from_example = 0.001});
     FAIL() << "was not refused";
   } catch (const Error& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "only 0 of 200000 random places lie within 0.001 of an example and can be made by a "
-        "blend of the examples; name fewer parameters, or allow a larger distance");
+    EXPECT_STREQ(error.what(),
+                 "only 0 of 200000 random samples are within 0.001 of an example and can be made "
+                 "by a blend of the examples; use fewer parameters, or allow a larger distance");
   }
   EXPECT_THROW(sample_targets(random_table(9), {"a", "z"}, {}), Error);
 }

@@ -77,7 +77,7 @@ TEST(Power, TellsNoNumberWhereDifferencesOfStimuliMisleadTheTest) {
   const PowerEstimate estimate = estimate_power(manifest, question);
   EXPECT_TRUE(is_test_misled(question, estimate));
   for (const std::string& sentence : power_sentences(question, estimate))
-    EXPECT_EQ(sentence.find("Found by"), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find("Sample size for"), std::string::npos) << sentence;
 }
 
 TEST(Power, IsTheSameForTheSameSeed) {

@@ -115,7 +115,7 @@ TEST(SessionPlan, SaysAtItsKeyThatAStimulusCannotBeSeenTwice) {
   } catch (const Error& error) {
     const std::string told = error.what();
     EXPECT_NE(told.find("questionnaire.catch.repeat: p001 cannot see a stimulus a second time with "
-                        "others in between; leave it out, or show more stimuli"),
+                        "others in between; omit it, or show more stimuli"),
               std::string::npos)
         << told;
     EXPECT_TRUE(std::regex_search(told, std::regex(":[0-9]+:[0-9]+: "))) << told;

@@ -52,8 +52,8 @@ TEST(Gathered, TellsEveryFaultWithItsPlace) {
       << refusal;
   EXPECT_TRUE(tells(refusal, "does not ask \"sad-hapy\"; did you mean \"sad-happy\"?")) << refusal;
   EXPECT_TRUE(tells(refusal, "a.csv:4:")) << refusal;
-  EXPECT_TRUE(tells(refusal, "\"9\" is no answer on")) << refusal;
-  EXPECT_TRUE(tells(refusal, "\"soon\" is no answer on")) << refusal;
+  EXPECT_TRUE(tells(refusal, "\"9\" is not a valid answer on")) << refusal;
+  EXPECT_TRUE(tells(refusal, "\"soon\" is not a valid answer on")) << refusal;
 }
 
 TEST(Gathered, RefusesValuesThatContradictTheRawAnswer) {
@@ -69,17 +69,17 @@ TEST(Gathered, RefusesAnswersOfAnotherDesignAndOfAnotherKind) {
   const Manifest manifest = two_emotion_study(2);
   std::vector<AnswerRow> rows = answers_to(manifest);
   rows.back().design = "ffff";
-  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of the design \"ffff\" among"));
+  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of design \"ffff\" among"));
   rows = answers_to(manifest);
   rows[0].kind = "emotion";
-  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of the kind emotion, where"));
+  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of kind emotion, but"));
 }
 
 TEST(Gathered, RefusesWhatHoldsNothingThatCounts) {
   const Manifest manifest = two_emotion_study(2);
   std::vector<AnswerRow> rows = answers_to(manifest);
   for (AnswerRow& row : rows) row.is_practice = true;
-  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "a.csv:1:1: holds no answers that count"));
+  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "a.csv:1:1: holds no answers to analyse"));
 }
 
 TEST(Gathered, LeavesOutWhoFailsChecksAndSaysSo) {

@@ -160,7 +160,7 @@ TEST(HttpServer, RefusesARequestThatDoesNotSayWhomItIsFor) {
         "POST /a HTTP/1.1\r\nContent-Length: 1\r\n\r\na"})
     EXPECT_EQ(status_in(reply_of(server.port(), request)), 400) << request;
   const std::string answer = reply_of(server.port(), "GET /a HTTP/1.1\r\n\r\n");
-  EXPECT_NE(body_in(answer).find("does not say whom it is for"), std::string::npos) << answer;
+  EXPECT_NE(body_in(answer).find("has no Host header"), std::string::npos) << answer;
   EXPECT_EQ(status_in(reply_of(server.port(), "GET /a HTTP/1.0\r\nHost: here\r\n\r\n")), 200);
 }
 
@@ -292,7 +292,7 @@ std::string refusal_to_listen(const HttpSettings& settings) {
   try {
     const HttpServer server(settings, echo);
   } catch (const Error& error) {
-    const std::string words = error.what(), begin = "cannot be listened at: ";
+    const std::string words = error.what(), begin = "cannot listen on this address: ";
     const std::size_t from = words.find(begin) + begin.size();
     return words.substr(from, words.find(';', from) - from);
   }

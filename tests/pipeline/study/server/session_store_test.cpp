@@ -141,7 +141,7 @@ TEST(SessionStore, RefusesACopyThatLacksTheLogOfAServerThatRan) {
     fs::copy_file(file, copy);
     const std::string said = refusal_of(copy);
     EXPECT_NE(said.find(log.string()), std::string::npos) << said;
-    EXPECT_NE(said.find("end the server"), std::string::npos) << said;
+    EXPECT_NE(said.find("stop the server"), std::string::npos) << said;
     fs::remove(log);
     fs::copy_file(file, copy, fs::copy_options::overwrite_existing);
     fs::copy_file(file.string() + "-wal", log);

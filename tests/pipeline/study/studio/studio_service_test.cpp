@@ -136,7 +136,7 @@ TEST_F(Studio, HasOneDoorForWhateverADocumentNames) {
       for (const char* door : {"motion", "choices", "figure", "save", "jobs"}) {
         const HttpResponse response = post(door, body);
         EXPECT_EQ(response.status, 422) << door << " " << at << " " << name;
-        EXPECT_NE(response.body.find("neither named by the manifest"), std::string::npos)
+        EXPECT_NE(response.body.find("neither named in the manifest"), std::string::npos)
             << door << " " << at << ": " << response.body;
         EXPECT_EQ(response.body.find("secret: words"), std::string::npos) << response.body;
         EXPECT_EQ(response.body.find("root:"), std::string::npos) << response.body;

@@ -49,6 +49,6 @@ export interface MatchingTrial {
 export function checkedMatching(experiment: unknown): MatchingExperiment {
   const given = experiment as Partial<MatchingExperiment> | null | undefined;
   if (given?.format !== "mien-matching-1" || !given.sessions?.length)
-    throw new Error("This is no matching experiment that this page understands; export it again.");
+    throw new Error("This page cannot read the matching experiment; export it again.");
   return given as MatchingExperiment;
 }

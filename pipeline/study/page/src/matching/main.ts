@@ -23,7 +23,7 @@ async function coreOf(mode: Mode): Promise<LiveCore> {
   if (mode === "served") return openServed(`${base()}live/`);
   await runScript("live_core.js");
   const files = (globalThis as { mien_live_files?: { module: string; bundle: string } }).mien_live_files;
-  if (!files) throw new Error("live_core.js brings no motion core.");
+  if (!files) throw new Error("live_core.js contains no motion core.");
   return openWasm(files.module, files.bundle);
 }
 

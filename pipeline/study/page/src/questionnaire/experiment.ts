@@ -135,7 +135,7 @@ export interface PageRecord {
 export function checked(experiment: unknown): Experiment {
   const given = experiment as Partial<Experiment> | null | undefined;
   if (given?.format !== "mien-questionnaire-1" || !given.sessions?.length)
-    throw new Error("This is no questionnaire that this page understands; export it again.");
+    throw new Error("This page cannot read the questionnaire; export it again.");
   return given as Experiment;
 }
 

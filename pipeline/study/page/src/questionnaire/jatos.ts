@@ -22,7 +22,7 @@ const jatosOfWindow = (): Jatos | undefined => (globalThis as { jatos?: Jatos })
 /** Once jatos.js has loaded what JATOS knows of this run. */
 function loadedJatos(): Promise<Jatos> {
   const jatos = jatosOfWindow();
-  if (!jatos) throw new Error("This questionnaire must be opened by JATOS.");
+  if (!jatos) throw new Error("This questionnaire must be opened through JATOS.");
   return new Promise((ready) => jatos.onLoad(() => ready(jatos)));
 }
 

@@ -23,7 +23,7 @@ async function fetched(media: Media): Promise<string> {
   if (!answer.ok) throw new Error(`${media.file}: ${answer.status}`);
   const bytes = await answer.arrayBuffer();
   const hash = await sha256Of(bytes);
-  if (hash !== null && hash !== media.sha256) throw new Error(`${media.file}: damaged on the way`);
+  if (hash !== null && hash !== media.sha256) throw new Error(`${media.file}: damaged in transmission`);
   return URL.createObjectURL(new Blob([bytes], { type: media.type }));
 }
 
@@ -66,7 +66,7 @@ export function runScript(file: string): Promise<void> {
     const script = document.createElement("script");
     script.src = file;
     script.addEventListener("load", () => done());
-    script.addEventListener("error", () => failed(new Error(`${file} is not there`)));
+    script.addEventListener("error", () => failed(new Error(`${file} was not found`)));
     document.head.append(script);
   });
 }
@@ -75,7 +75,7 @@ export function runScript(file: string): Promise<void> {
 async function unpacked(token: string, media: Media): Promise<string> {
   await runScript(media.file.replace(/\.glb$/, ".js"));
   const packed = (globalThis as { mienMedia?: Record<string, string> }).mienMedia?.[token];
-  if (!packed) throw new Error(`${media.file}: nothing in its script`);
+  if (!packed) throw new Error(`${media.file}: its script is empty`);
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
   return URL.createObjectURL(new Blob([bytes], { type: media.type }));
 }

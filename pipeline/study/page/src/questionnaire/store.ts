@@ -22,7 +22,7 @@ export interface Store<Own extends Named = Session> {
   noteSaved?(): void;
 }
 
-/** Why nothing more is taken from this window. */
+/** Why no further answers are accepted from this window. */
 export class SessionClosed extends Error {
   constructor(readonly why: "elsewhere" | "refused" | "enough") { super(why); }
 }
@@ -140,7 +140,7 @@ export function folderStore<Own extends Named>(
 
 type Wait = (why: "saving" | "failed") => void;
 
-/** Errors of a server that say that nothing more is taken from this window. */
+/** Errors of a server that say that no further answers are accepted from this window. */
 const closing: Record<string, SessionClosed["why"]> = {
   elsewhere: "elsewhere",
   other: "elsewhere",  // another window of this browser was first

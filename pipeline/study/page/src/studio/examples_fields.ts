@@ -21,7 +21,7 @@ export function exampleFields(studio: Studio): HTMLElement[] {
   const chosen = choice([...new Set(names)].filter((name) => name !== ""), setText(set),
     (name) => choose(studio, name), (name) => withCount(studio, name));
   chosen.name = "examples";
-  const fields: HTMLElement[] = [labelled("Examples", chosen, "of the whole study: built-in, or a folder of motion files")];
+  const fields: HTMLElement[] = [labelled("Examples", chosen, "for the whole study: built-in, or a folder of motion files")];
   if (isMap(set)) fields.push(...folderFields(studio, set));
   return fields;
 }
@@ -69,7 +69,7 @@ function folderFields(studio: Studio, set: JsonMap): HTMLElement[] {
   const rated = choice([...new Set(names)], now, (name) =>
     change(withMember(examplesOf(studio), "ratings", name === "none" ? undefined : name)));
   rated.name = "ratings";
-  return [pattern("include", "which files of the folder, by a pattern of their names: *walk*.bvh"),
-    pattern("exclude", "files that are left out"),
-    labelled("Ratings", rated, "what people thought of the examples; simulated: from measured features")];
+  return [pattern("include", "files of the folder to use, as a pattern: *walk*.bvh"),
+    pattern("exclude", "files to exclude"),
+    labelled("Ratings", rated, "ratings of the examples; simulated: derived from measured features")];
 }

@@ -67,10 +67,10 @@ export function slider(settings: SliderSettings): HTMLElement {
   });
   const head = element("div", { class: "slider-head" }, element("span", { class: "slider-name" }, name));
   if (settings.unit) head.append(element("span", { class: "quiet" }, settings.unit));
-  const reached = element("output", { class: "reached", title: "what the motion has of it" });
+  const reached = element("output", { class: "reached", title: "value of the motion" });
   head.append(reached, number);
   if (settings.removed) {
-    const remove = element("button", { type: "button", class: "small", "aria-label": `take ${name} away` }, "×");
+    const remove = element("button", { type: "button", class: "small", "aria-label": `remove ${name}` }, "×");
     remove.addEventListener("click", settings.removed);
     head.append(remove);
   }

@@ -29,7 +29,7 @@ export function listPanel(studio: Studio): HTMLElement {
     takeAway(studio);
     const where = partsNaming(studio.document(), gone);
     if (where.length)
-      say(`${gone} is still named by ${where.join(" and ")}: take it out there, or undo (Ctrl+Z)`);
+      say(`${gone} is still used in ${where.join(" and ")}: remove it there, or undo (Ctrl+Z)`);
   }, "small");
   const build = (): void => {
     if (note.dataset["of"] !== studio.selected) say("");
@@ -51,8 +51,8 @@ export function listPanel(studio: Studio): HTMLElement {
 function hindrance(document: Document, wanted: string): string {
   if (wanted === "") return "an id is needed";
   if (!/^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$/.test(wanted))
-    return "an id begins with a letter or digit and holds letters, digits, '.', '_' and '-': files are named after it";
-  return document.stimuli.some((one) => one.id === wanted) ? `there is another ${wanted}` : "";
+    return "an id begins with a letter or digit and contains only letters, digits, '.', '_' and '-', because files are named after it";
+  return document.stimuli.some((one) => one.id === wanted) ? `${wanted} already exists` : "";
 }
 
 const textOf = (stimulus: Stimulus): string => sourceOf(stimulus) + ("modify" in stimulus ? ", modified" : "");

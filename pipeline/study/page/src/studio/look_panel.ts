@@ -28,7 +28,7 @@ export function lookPanel(studio: Studio): HTMLElement {
     const whose = choice(["all", "own"], isOwn ? "own" : "all", (name) => {
       isOwn = name === "own";
       build();
-    }, (name) => (name === "own" ? `${studio.selected} alone` : "all stimuli"));
+    }, (name) => (name === "own" ? `${studio.selected} only` : "all stimuli"));
     const field = (key: string, names: string[], usual: string): HTMLElement => {
       const isFigure = key === "figure";
       const now = (isFigure && figureText(look[key])) || nameOf(look[key], usual);
@@ -37,19 +37,19 @@ export function lookPanel(studio: Studio): HTMLElement {
       select.name = key;
       const own = key in mapOf(studio.stimulus()?.["look"]);
       const made = labelled(key, select);
-      if (own) made.append(element("span", { class: "quiet" }, "of its own"));
+      if (own) made.append(element("span", { class: "quiet" }, "of this stimulus"));
       return made;
     };
     const own = mapOf(studio.stimulus()?.["look"]);
     panel.replaceChildren(
-      labelled("Change it for", whose),
+      labelled("Applies to", whose),
       field("scene", studio.words.scenes, "studio"),
       field("camera", studio.words.cameras, "three-quarter"),
       field("figure", [...studio.words.figures, ...charactersOf(studio)], "stick"),
-      element("p", { class: "quiet" }, "The page shows the figure, the set's colours and the camera's direction. A still "
-        + "shows what the film will look like."));
+      element("p", { class: "quiet" }, "The page shows the figure, the set's colours and the camera direction. A still "
+        + "shows the final appearance."));
     if (Object.keys(own).length > 0) {
-      const back = element("button", { type: "button", class: "button" }, `${studio.selected}: as all stimuli`);
+      const back = element("button", { type: "button", class: "button" }, `${studio.selected}: same as all stimuli`);
       back.addEventListener("click", () => studio.changeStimulus(withMember(studio.stimulus()!, "look", undefined)));
       panel.append(back);
     }

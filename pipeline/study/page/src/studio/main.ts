@@ -46,20 +46,20 @@ function stageBar(studio: Studio, stage: StageView): HTMLElement {
   play.title = "Space";
   const against = element("span");
   const arrangement = choice(["beside", "over"], "beside", (name) => stage.arrange(name as "beside" | "over"),
-    (name) => (name === "over" ? "over it" : "beside it"));
+    (name) => (name === "over" ? "superimposed" : "side by side"));
   arrangement.setAttribute("aria-label", "arrangement");
   const hot = element("input", { type: "checkbox" });
   hot.checked = true;
   hot.addEventListener("change", () => stage.setHeat(hot.checked));
-  const heatField = element("label", { class: "check", title: "joints in the colours of their distance" }, hot, "heat");
+  const heatField = element("label", { class: "check", title: "joints coloured by distance" }, hot, "heat");
   const distance = element("span", { class: "distance", role: "status" });
   const figure = element("span");
   const offer = (): void => {
     const names = ["", "stick", "mannequin", ...charactersOf(studio)];
     const select = choice(names, figureText(studio.shownOn), (name) => studio.showOn(figureOfText(name)),
-      (name) => (name ? name.replace(/^character (.*\/)?/, "") : "as the look"));
+      (name) => (name ? name.replace(/^character (.*\/)?/, "") : "as in the look"));
     select.name = "shown-on";
-    figure.replaceChildren(labelled("Figure", select, "here alone; what films show stands under Look"));
+    figure.replaceChildren(labelled("Figure", select, "for this page only; see Look for what films show"));
   };
   const offerMotions = (): void => {
     const select = choice(["", ...othersOf(studio)], studio.against, (name) => studio.compareWith(name),
@@ -96,7 +96,7 @@ function findings(studio: Studio): HTMLElement {
       ...made.warnings.map((text) => element("p", { class: "doubtful" }, text)),
       ...made.notes.map((text) => element("p", { class: "quiet" }, text)),
     ];
-    told.replaceChildren(...lines.length > 0 ? lines : [element("p", { class: "quiet" }, "The lint finds nothing.")]);
+    told.replaceChildren(...lines.length > 0 ? lines : [element("p", { class: "quiet" }, "No lint findings.")]);
   };
   studio.on((change) => (change === "motion" || change === "faults") && build());
   return told;

@@ -58,7 +58,7 @@ class CollectionChange {
 
   private add(name: string, value: Json): TextChange {
     if (!isMap(this.parent)) throw this.source.refusal(this.parent.range![0],
-      `there is no map here to put "${name}" into`, 'write "{}" here, or the value by hand');
+      `there is no map here for "${name}"`, 'write "{}" here, or the value by hand');
     const member = { [name]: value };
     if (this.isFlow) return this.insertInBrackets(this.children.length, yamlLine(member).slice(1, -1));
     return inserted(this.source.endOfLine(this.children[this.children.length - 1]!.end),
@@ -67,7 +67,7 @@ class CollectionChange {
 
   private insert(index: number, value: Json): TextChange {
     if (!isSeq(this.parent)) throw this.source.refusal(this.parent.range![0],
-      "there is no list here to put something into", 'write "[]" here, or the value by hand');
+      "there is no list here", 'write "[]" here, or the value by hand');
     if (this.isFlow) return this.insertInBrackets(index, yamlLine(value));
     const element = yamlElement(value, this.column);
     if (index === 0) return inserted(this.children[0]!.head, `${element}${this.margin()}`);
@@ -97,7 +97,7 @@ class CollectionChange {
   /** What goes; throws Refusal where a comment between two members would go with it. */
   private without(begin: number, end: number, from: number, to = end): TextChange {
     if (this.source.text.slice(from, to).includes("#")) throw this.source.refusal(begin,
-      "a comment beside this value would be lost with it", "move the comment, or take the value out of the file by hand");
+      "a comment beside this value would be lost", "move the comment, or remove the value from the file by hand");
     return { begin, end, text: "" };
   }
 }
@@ -131,7 +131,7 @@ export function edited(text: string, file: string, from: Json, to: Json): string
     const next = afterChange(source, file, change);
     if (next === null) throw source.refusal(source.parentOf(change.path).range![0],
       `${pathText(change.path)} cannot be changed in this form of YAML`,
-      "change it in the file by hand, or write the value plainly there");
+      "edit the file by hand, or write the value there in plain form");
     now = next;
   }
   return now;

@@ -39,7 +39,7 @@ function option(studio: Studio, index: number, key: string): HTMLElement {
   const schema = studio.words.modification[key]!;
   const title = schema.description;
   const made = element("div", { class: "option", "data-option": key });
-  const remove = element("button", { type: "button", class: "small", "aria-label": `take ${key} away` }, "×");
+  const remove = element("button", { type: "button", class: "small", "aria-label": `remove ${key}` }, "×");
   remove.addEventListener("click", () => setAt(studio, index, key, undefined));
   const name = element("span", { class: "slider-name", title }, key);
   if (key === "gains") made.append(element("div", { class: "slider-head" }, name, remove), ...gains(studio, index, schema));
@@ -127,7 +127,7 @@ function gains(studio: Studio, index: number, schema: KeySchema): HTMLElement[] 
     }));
   if ("bands" in values) {
     const row = labelled("bands", field(studio, index, "gains.bands", parts["bands"]!), parts["bands"]!.description);
-    const remove = element("button", { type: "button", class: "small", "aria-label": "take bands away" }, "×");
+    const remove = element("button", { type: "button", class: "small", "aria-label": "remove bands" }, "×");
     remove.addEventListener("click", () => setAt(studio, index, "gains.bands", undefined));
     row.append(remove);
     made.push(row);

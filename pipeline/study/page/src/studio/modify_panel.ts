@@ -6,10 +6,10 @@ import { amountSlider, setAt, setInStep, setSteps, stepsOf, valueAt, type Amount
 import type { Studio } from "./studio";
 
 const amounts: Amount[] = [
-  { path: "paths", title: "lengths of the paths of hands, head and feet: 1 as they are", least: 0, most: 2, usual: 1 },
+  { path: "paths", title: "path lengths of hands, head and feet; 1: unchanged", least: 0, most: 2, usual: 1 },
   { path: "acceleration", title: "sharper (above 0) or smoother (below)", least: -1, most: 1, usual: 0 },
-  { path: "tempo", title: "times as fast", least: 0.25, most: 4, usual: 1 },
-  { path: "variation", title: "how much cycles differ from each other", least: 0, most: 1, usual: 0 },
+  { path: "tempo", title: "speed factor", least: 0.25, most: 4, usual: 1 },
+  { path: "variation", title: "variation between cycles", least: 0, most: 1, usual: 0 },
 ];
 
 /** What is done to the motion once it is made: one step, or several after each other. */
@@ -22,14 +22,14 @@ export function modifyPanel(studio: Studio): HTMLElement {
     const stimulus = studio.stimulus();
     if (!stimulus) return;
     if ("foil" in stimulus) {
-      panel.append(...paragraphs(["A foil is modified as the stimulus that it is of."]));
+      panel.append(...paragraphs(["A foil has the modifications of its stimulus."]));
       return;
     }
     stepsOf(stimulus).forEach((_, index) => panel.append(step(studio, index)));
     panel.append(element("div", { class: "row" },
       button("Add a step", () => setSteps(studio, [...stepsOf(studio.stimulus()!), firstStep(studio)]))));
     if (stepsOf(stimulus).length === 0)
-      panel.append(...paragraphs(["A step changes the motion by a recipe of an emotion, by the lengths of its paths, "
+      panel.append(...paragraphs(["A step changes the motion by an emotion recipe, or by its path lengths, "
         + "its acceleration, posture, tempo or variation."]));
   };
   studio.on((change) => {
@@ -81,7 +81,7 @@ function step(studio: Studio, index: number): HTMLElement {
 function changes(studio: Studio, index: number, values: JsonMap): HTMLElement[] {
   const made = [recipe(studio, index, values)];
   if ("emotion" in values) made.push(amountSlider(studio, index,
-    { path: "strength", title: "of the recipe and what stands below", least: 0, most: 2, usual: 1 }));
+    { path: "strength", title: "of the recipe and the settings below", least: 0, most: 2, usual: 1 }));
   for (const amount of amounts) made.push(amountSlider(studio, index, amount));
   const posture = mapOf(values["posture"]);
   for (const [name, value] of Object.entries(posture)) made.push(postureSlider(studio, index, name, Number(value)));

@@ -60,15 +60,15 @@ function tellReached(studio: Studio, panel: HTMLElement): void {
 function heads(studio: Studio, stimulus: Stimulus): HTMLElement {
   const role = choice(["target", "created", "reference"], String(stimulus["role"] ?? "created"),
     (name) => studio.changeStimulus(withMember(stimulus, "role", name === "created" ? undefined : name)));
-  return element("div", { class: "fields" }, ...exampleFields(studio), labelled("Role", role, "place and colour on sheets"));
+  return element("div", { class: "fields" }, ...exampleFields(studio), labelled("Role", role, "position and colour on sheets"));
 }
 
 function content(studio: Studio, stimulus: Stimulus): HTMLElement[] {
   const source = sourceOf(stimulus);
-  if (source === "clip") return paragraphs(["This stimulus shows a motion file. What is done to it stands under Modify."]);
-  if (source === "path") return paragraphs(["This stimulus walks a path, as the manifest says. What is done to it "
-    + "stands under Modify."]);
-  if (source === "foil") return paragraphs(["This stimulus is the foil of another and has no sliders of its own."]);
+  if (source === "clip") return paragraphs(["This stimulus shows a motion file. See Modify for its modifications."]);
+  if (source === "path") return paragraphs(["This stimulus walks along the path in the manifest. See Modify for "
+    + "its modifications."]);
+  if (source === "foil") return paragraphs(["This stimulus is a foil of another and has no sliders."]);
   const tabs = element("div", { class: "kinds", role: "group", "aria-label": "made from" });
   for (const kind of kinds) {
     const tab = button(kind, () => changeKind(studio, stimulus, kind), kind === source ? "chosen" : "");
@@ -129,8 +129,8 @@ function sliders(studio: Studio, stimulus: Stimulus, kind: Kind): HTMLElement[] 
   const words = { adjectives: "add an adjective pair…", features: "add a feature…", weights: "add an example…" };
   const add = adder(words[kind], rest, (name) => set(name, kind === "weights" ? 0.2 : rounded(known.get(name)?.mean ?? 0.5), ""));
   const notes: string[] = [];
-  if (kind === "adjectives" && studio.choices.simulated) notes.push("Ratings are of simulated raters.");
-  if ("hold" in stimulus) notes.push("Other parameters are held, as the manifest says.");
+  if (kind === "adjectives" && studio.choices.simulated) notes.push("The ratings are simulated.");
+  if ("hold" in stimulus) notes.push("Other parameters are held as specified in the manifest.");
   const note = paragraphs(notes);
   for (const one of note) one.className = "quiet";
   return [...made, ...(rest.length > 0 ? [add] : []), ...note];

@@ -48,12 +48,12 @@ export function renderPanel(studio: Studio, stage: StageView): HTMLElement {
   panel.append(
     labelled("Quality", choice(["draft", "standard", "final", "manifest"], quality, (name) => {
       quality = name;
-    }, (name) => (name === "manifest" ? "as the manifest says" : name))),
-    element("div", { class: "row" }, button("Still of this moment", () => void begin("still"), "main"),
+    }, (name) => (name === "manifest" ? "as in the manifest" : name))),
+    element("div", { class: "row" }, button("Still of this frame", () => void begin("still"), "main"),
       button("Video", () => void begin("video"), "main"), stop),
     bar, told, shown,
-    element("p", { class: "quiet" }, "Made by the renderer that mien run uses, of what is shown here, saved or not. "
-      + "Figures are not made alike with the study's other films (equalize)."));
+    element("p", { class: "quiet" }, "Rendered as by mien run, from the current state, saved or not. "
+      + "Equalization with the study's other films (equalize) is not applied."));
   const { jobBefore: jobBefore } = studio;
   if (jobBefore) void watched(() => Promise.resolve(jobBefore));
   return panel;

@@ -107,7 +107,7 @@ async function answerTo(what: string, body?: unknown): Promise<Response> {
     });
   } catch {
     throw new Refusal([{ path: "", wrong: "the studio does not answer",
-      remedy: "has it been ended in its terminal? Start it again: this page has lost its link" }]);
+      remedy: "has it been ended in its terminal? Play from the beginning: this page has lost its link" }]);
   }
   if (response.ok) return response;
   const told = (await response.json().catch(() => ({}))) as Partial<Fault> & { faults?: Fault[] };

@@ -10,7 +10,7 @@ const margin = 64;  // pixels, for names
 
 /** One cycle from left to right: where it is different, where feet stand, keytimes and findings. */
 export function timeline(studio: Studio, stage: StageView): HTMLElement {
-  const canvas = element("canvas", { class: "timeline", tabindex: "0", role: "slider", "aria-label": "moment of the motion",
+  const canvas = element("canvas", { class: "timeline", tabindex: "0", role: "slider", "aria-label": "time in the motion",
     "aria-valuemin": "0", "aria-valuemax": "100" });
   // What is there already is not drawn again.
   let drawn: unknown[] = [];

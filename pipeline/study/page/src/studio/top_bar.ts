@@ -3,15 +3,15 @@ import type { ManifestState } from "./document";
 import { Refusal } from "./refusal";
 import type { Studio } from "./studio";
 
-const noWalker = "The walker that arrow keys or a gamepad steer runs on the motion core compiled for browsers, "
-  + "which is not there yet. End the studio and start it as ./mien studio --walk: that compiles it once, which takes "
-  + "some minutes, and from then on it is opened here.";
+const noWalker = "The walker steered by arrow keys or a gamepad needs the motion core compiled for browsers, "
+  + "which is missing. Stop the studio and start it with ./mien studio --walk: this compiles it once, which takes "
+  + "some minutes; afterwards it opens from here.";
 
 /** The way to the walker, or why there is none. */
 function walkerLink(studio: Studio, tell: (text: string) => void): HTMLElement {
   if (!studio.hasWalker) return button("Walker…", () => tell(noWalker), "small walker");
   return element("a", { class: "button small walker", href: "walk.html", target: "_blank", rel: "noopener",
-    title: "a walker that arrow keys or a gamepad steer, and sliders of moods" }, "Walker");
+    title: "a walker steered by arrow keys or a gamepad, with sliders for moods" }, "Walker");
 }
 
 /** The manifest's name, the way back and forth, and saving. */
@@ -30,7 +30,7 @@ export function topBar(studio: Studio): { element: HTMLElement; save: () => Prom
     undo.disabled = !studio.history.canUndo();
     redo.disabled = !studio.history.canRedo();
     keep.disabled = !studio.hasChanges();
-    state.textContent = studio.hasChanges() ? (studio.is_on_disk ? "not saved yet" : "not saved yet: the file is new") : "saved";
+    state.textContent = studio.hasChanges() ? (studio.is_on_disk ? "not saved yet" : "not saved yet (new file)") : "saved";
   };
   const refuse = (text: string, ...ways: HTMLElement[]): void => {
     const close = button("Close", () => {
@@ -47,11 +47,11 @@ export function topBar(studio: Studio): { element: HTMLElement; save: () => Prom
       await studio.save(base);
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      if (error.status !== 409) return refuse(`Nothing was saved. ${error.message}`);
+      if (error.status !== 409) return refuse(`Not saved. ${error.message}`);
       const { manifest } = error.answer as { manifest: ManifestState };
-      refuse(`Nothing was saved. ${error.message}`,
-        button("Write what is here into it", () => void save(manifest), "small"),
-        button("Load it again", () => {
+      refuse(`Not saved. ${error.message}`,
+        button("Overwrite it", () => void save(manifest), "small"),
+        button("Reload it", () => {
           refusal.hidden = true;
           void studio.reload().catch((told: Error) => refuse(told.message));
         }, "small"));

@@ -14,7 +14,7 @@ export function yamlPanel(studio: Studio): HTMLElement {
       told.textContent = "Copied.";
     } catch {
       getSelection()?.selectAllChildren(of);
-      told.textContent = "Marked: copy it with Ctrl+C.";
+      told.textContent = "Selected: copy it with Ctrl+C.";
     }
   };
   panel.append(

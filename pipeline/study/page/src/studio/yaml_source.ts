@@ -26,7 +26,7 @@ export class YamlSource {
   constructor(readonly text: string, private readonly file: string) {
     this.document = parseDocument(text, { keepSourceTokens: true, merge: true, lineCounter: this.lines });
     const [error] = this.document.errors;
-    if (error) throw this.refusal(error.pos[0], error.message.split(" at line ")[0]!, "mend it in the file by hand");
+    if (error) throw this.refusal(error.pos[0], error.message.split(" at line ")[0]!, "correct it in the file by hand");
   }
 
   value = (): Json => this.document.toJS() as Json;
@@ -82,8 +82,8 @@ export class YamlSource {
   /** Throws Refusal for what stands elsewhere, behind an alias, and for what an alias uses again. */
   refuseShared(node: Node): void {
     const at = node.range![0];
-    if (isAlias(node)) throw this.refusal(at, "this value stands elsewhere in the file, behind an alias",
-      "write the value out here, or change it by hand where its anchor is");
+    if (isAlias(node)) throw this.refusal(at, "this value is defined elsewhere in the file, through an alias",
+      "write the value out here, or edit it by hand at its anchor");
     let line = 0;
     if (node.anchor) visit(this.document, { Alias: (_, { source, range }) => {
       if (source === node.anchor) line ||= this.lines.linePos(range![0]).line;
@@ -96,7 +96,7 @@ export class YamlSource {
     const at = parent.range![0];
     if (this.childrenOf(parent).some((child) => child.step === "<<"))
       throw this.refusal(at, `"${step}" comes from the merge key << of this map`,
-        "write the value out here, or change it by hand where its anchor is");
+        "write the value out here, or edit it by hand at its anchor");
     throw this.refusal(at, `there is no "${step}" here`, "load the file again");
   }
 }

@@ -29,7 +29,7 @@ export class MoodPanel {
 
   private changed(): void {
     const isNone = this.shares().every((share) => share === 0);
-    this.note.textContent = isNone ? "No mood is chosen: the last one stays." : "";
+    this.note.textContent = isNone ? "No mood selected: the previous one is kept." : "";
     this.told();
   }
 }

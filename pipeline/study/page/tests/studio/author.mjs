@@ -75,10 +75,10 @@ writeFileSync(file, `${seen.saved}# by another hand\n`);
 await tab("Motion");
 await set("quickness", 0.8);
 await page.keyboard.press("Control+s");
-await page.getByText("has been changed since it was opened here").waitFor();
+await page.getByText("has been changed since it was opened").waitFor();
 seen.kept = text().includes("quickness: 0.9");
 await pictures("refusal");
-await page.getByRole("button", { name: "Write what is here into it" }).click();
+await page.getByRole("button", { name: "Overwrite it" }).click();
 await page.waitForFunction(() => document.querySelector(".state").textContent === "saved");
 seen.over = text();
 seen.D = await page.evaluate(() => globalThis.studio.studio.made.distance.D);
@@ -86,7 +86,7 @@ seen.D = await page.evaluate(() => globalThis.studio.studio.made.distance.D);
 // A still and a video of the same.
 await tab("Render");
 await page.getByLabel("Quality").selectOption("draft");
-await page.getByRole("button", { name: "Still of this moment" }).click();
+await page.getByRole("button", { name: "Still of this frame" }).click();
 await page.locator(".result img").waitFor({ timeout: 120000 });
 seen.still = await page.evaluate(async () => {
   const picture = document.querySelector(".result img");

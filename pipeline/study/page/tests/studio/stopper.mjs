@@ -37,7 +37,7 @@ await stop.click();
 await again.waitForFunction(() => document.querySelector(".told").textContent === "Stopped.", null, { timeout: 60000 });
 
 await again.getByLabel("Quality").selectOption("draft");
-await again.getByRole("button", { name: "Still of this moment" }).click();
+await again.getByRole("button", { name: "Still of this frame" }).click();
 await again.locator(".result img").waitFor({ timeout: 120000 });
 seen.still = true;
 

@@ -113,18 +113,19 @@ TEST(AnswerRow, IsReadFromColumnsInAnyOrderAndBesideOthers) {
 }
 
 TEST(AnswerRow, TellsEveryFaultWithItsPlace) {
-  EXPECT_EQ(faults_with("kind", "guess"),
-            "a.csv:2:16: \"guess\" is no kind; there are rating, emotion, pair, attention");
+  EXPECT_EQ(
+      faults_with("kind", "guess"),
+      "a.csv:2:16: \"guess\" is not a valid kind; there are rating, emotion, pair, attention");
   EXPECT_NE(faults_with("rt_ms", "soon").find("\"soon\" is not a number"), std::string::npos);
   EXPECT_NE(faults_with("rt_ms", "-3").find("-3 is below 0"), std::string::npos);
-  EXPECT_NE(faults_with("stalls", "1.5").find("1.5 is no whole number"), std::string::npos);
+  EXPECT_NE(faults_with("stalls", "1.5").find("1.5 is not a whole number"), std::string::npos);
   EXPECT_NE(faults_with("trial", "0").find("there is no trial 0"), std::string::npos);
-  EXPECT_NE(faults_with("trial", "").find("the trial is not told"), std::string::npos);
+  EXPECT_NE(faults_with("trial", "").find("the trial is missing"), std::string::npos);
   EXPECT_NE(faults_with("participant", "").find("a.csv:2:1: the participant"), std::string::npos);
   EXPECT_NE(faults_with("simulated", "yes").find("\"yes\" is neither 0 nor 1"), std::string::npos);
   EXPECT_NE(faults_with("pole_left", "up").find("there are low, high"), std::string::npos);
-  EXPECT_NE(faults_with("seed", "-1").find("\"-1\" is no seed"), std::string::npos);
-  EXPECT_NE(faults_with("item", "").find("the item is not told"), std::string::npos);
+  EXPECT_NE(faults_with("seed", "-1").find("\"-1\" is not a valid seed"), std::string::npos);
+  EXPECT_NE(faults_with("item", "").find("the item is missing"), std::string::npos);
 }
 
 TEST(AnswerRow, TellsSeveralFaultsAtOnce) {
@@ -142,8 +143,7 @@ TEST(AnswerRow, IsNotThereTwice) {
   const std::string told =
       faults_of(to_csv({row_of("p", 1, "a"), row_of("p", 1, "b"), row_of("p", 1, "a")}));
   EXPECT_NE(told.find("a.csv:4:"), std::string::npos);
-  EXPECT_NE(told.find("participant \"p\" answers trial 1 on \"a\" a second time (the first: "
-                      "a.csv:2:"),
+  EXPECT_NE(told.find("participant \"p\" answers trial 1 on \"a\" a second time (first: a.csv:2:"),
             std::string::npos)
       << told;
 }
@@ -153,7 +153,8 @@ TEST(AnswerRow, TellsPeopleWithOneNameApartByWhatTheyAnsweredTwice) {
                                  row_of("p2", 1, "a", "x"), row_of("p2", 1, "a", "y")};
   const std::vector<std::string> told = tell_people_apart(rows);
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0], "participant \"p2\" is 2 people: sessions x, y");
+  EXPECT_EQ(told[0],
+            "participant \"p2\" has 2 different sessions, treated as different people: x, y");
   EXPECT_EQ(rows[0].participant, "p1");
   EXPECT_EQ(rows[1].participant, "p1");
   EXPECT_EQ(rows[2].participant, "p2/x");

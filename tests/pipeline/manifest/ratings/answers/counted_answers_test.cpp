@@ -59,7 +59,7 @@ TEST(CountedAnswers, AreReadAsRatingsOfAManifest) {
   EXPECT_EQ(answers.answers[3].value, 0.5);
   EXPECT_FALSE(answers.simulated);
   ASSERT_EQ(answers.warnings.size(), 1u);
-  EXPECT_EQ(answers.warnings[0], "participant \"p3\" is left out: 0 of 2 attention checks passed");
+  EXPECT_EQ(answers.warnings[0], "participant \"p3\" is excluded: 0 of 2 attention checks passed");
 }
 
 TEST(CountedAnswers, OfASimulationAreMarked) {
@@ -92,7 +92,7 @@ TEST(CountedAnswers, ThatAreNoneAreRefused) {
     parse_answers(to_csv(rows), "a.csv", asked_scales());
     FAIL() << "accepted";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("no ratings that count"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("no ratings to analyse"), std::string::npos);
   }
 }
 

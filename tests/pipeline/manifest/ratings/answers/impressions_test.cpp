@@ -154,7 +154,7 @@ TEST(Answers, OfAManifestAreAboutItsExamples) {
   ASSERT_EQ(answers.answers.size(), 2u);
   EXPECT_EQ(answers.answers[0].stimulus, "a");
   EXPECT_EQ(answers.warnings,
-            (std::vector<std::string>{"a.csv:3:1: unknown stimulus \"walk_o\" (2 rows) left out"}));
+            (std::vector<std::string>{"a.csv:3:1: unknown stimulus \"walk_o\" (2 rows) excluded"}));
 }
 
 TEST(Answers, InWordsAreAboutTheExamplesToo) {

@@ -81,10 +81,10 @@ TEST(StudyAnswers, RepeatedOnesAreSettledByTheRule) {
   EXPECT_EQ(value(Rules::Repeated::last).answers[0].value, -2.0);
   EXPECT_EQ(value(Rules::Repeated::mean).answers[0].value, -0.5);
   EXPECT_EQ(value(Rules::Repeated::mean).answers.size(), 8u);
-  EXPECT_EQ(told(value(Rules::Repeated::last)),
-            std::vector<std::string>{
-                "repeated x.csv:10:15 a second answer of participant \"p\" about \"a\" on "
-                "\"slow-fast\" (the other in line 2): the last is taken"});
+  EXPECT_EQ(
+      told(value(Rules::Repeated::last)),
+      std::vector<std::string>{"repeated x.csv:10:15 a second answer of participant \"p\" about "
+                               "\"a\" on \"slow-fast\" (the other in line 2): the last is used"});
 }
 
 TEST(StudyAnswers, FirstAndLastGoByTheOrderOfAnswering) {
@@ -104,15 +104,14 @@ TEST(StudyAnswers, OfManyUnknownNamesTheFirstAreTold) {
   EXPECT_NE(told_faults.find("x.csv:14:3: unknown stimulus \"other-5\" (1 row); "),
             std::string::npos)
       << told_faults;
-  EXPECT_TRUE(
-      told_faults.ends_with("\nx.csv:15:3: and 4 more unknown stimuli (5 rows); see that the file "
-                            "is about these examples "
-                            "and scales (--unknown ignore leaves them out)"))
+  EXPECT_TRUE(told_faults.ends_with(
+      "\nx.csv:15:3: and 4 more unknown stimuli (5 rows); check that the file is about these "
+      "examples and scales (--unknown ignore leaves them out)"))
       << told_faults;
   // warnings.csv has room for all.
   EXPECT_EQ(told(read(csv, {.unknown = Rules::Unknown::ignore})).size(), 9u);
   EXPECT_EQ(told(read(csv, {.unknown = Rules::Unknown::ignore, .plain = true})).back(),
-            "unknown-stimulus x.csv:15:3 and 4 more unknown stimuli (5 rows) left out");
+            "unknown-stimulus x.csv:15:3 and 4 more unknown stimuli (5 rows) excluded");
 }
 
 TEST(StudyAnswers, UnknownNamesAreToldOnceWithTheirRows) {
@@ -123,11 +122,9 @@ TEST(StudyAnswers, UnknownNamesAreToldOnceWithTheirRows) {
             "\"open\"? (--unknown ignore leaves it out)");
   const StudyAnswers study = read(csv, {.unknown = Rules::Unknown::ignore});
   EXPECT_EQ(study.answers.size(), 8u);
-  EXPECT_EQ(told(study),
-            (std::vector<std::string>{"unknown-stimulus x.csv:10:3 unknown stimulus \"c\" (2 "
-                                      "rows) left out",
-                                      "unknown-scale x.csv:12:5 unknown scale \"opne\" (1 row) "
-                                      "left out"}));
+  EXPECT_EQ(told(study), (std::vector<std::string>{
+                             "unknown-stimulus x.csv:10:3 unknown stimulus \"c\" (2 rows) excluded",
+                             "unknown-scale x.csv:12:5 unknown scale \"opne\" (1 row) excluded"}));
 }
 
 TEST(StudyAnswers, MissingOnesAreToldOrRefused) {
@@ -193,8 +190,8 @@ TEST(StudyAnswers, EveryFaultIsToldAtOnce) {
 
 TEST(StudyAnswers, InWordsAreToBeTurnedIntoAnswersFirst) {
   EXPECT_EQ(study_refusal("participant,language,motion,verb,modifier1\np,english,a,walk,slowly\n"),
-            "x.csv:1:1: words, not answers on scales; turn them into answers with mien study "
-            "words");
+            "x.csv:1:1: free-text answers instead of answers on scales; convert them with mien "
+            "study words");
 }
 
 }  // namespace

@@ -99,8 +99,8 @@ TEST(WordAnswers, RefuseASecondAnswerAndATableThatSaysNothing) {
   EXPECT_EQ(words_refusal("1,en,1,walk,,slowly,\n1,en,2,walk,,quickly,\n"),
             "w.csv:3:8: a second answer of participant \"1\" about \"walk\"; keep one of them");
   EXPECT_EQ(words_refusal("1,en,1,walk,,horsely,\n"),
-            "w.csv: no answer could be read by the lexicon; compare the languages and words of "
-            "both files");
+            "w.csv: the lexicon matches none of the answers; check the languages and words of both "
+            "files");
 }
 
 TEST(WordAnswers, NeedALexicon) {
@@ -108,8 +108,7 @@ TEST(WordAnswers, NeedALexicon) {
     parse_answers(std::string(word_header) + "1,en,1,walk,,slowly,\n", "w.csv", builtin_scales());
     FAIL() << "accepted";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("the scales come without a lexicon"),
-              std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("the scales file has no lexicon"), std::string::npos);
   }
 }
 

@@ -107,9 +107,9 @@ TEST(FeatureParameters, AFeatureThatTheExamplesLackIsRefused) {
     synthesize(with_features("a", {{lacking, 0.5}}), repertoire);
     FAIL() << "was not refused";
   } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()), "the examples have no parameter \"" + lacking +
-                                             "\"; name a scale that was rated, or a feature that "
-                                             "all examples have");
+    EXPECT_EQ(std::string(error.what()),
+              "the examples have no parameter \"" + lacking +
+                  "\"; use a rated scale, or a feature that all examples have");
   }
 }
 

@@ -51,15 +51,14 @@ TEST(Scales, AreReadWithRangesGroupsAndOrder) {
 }
 
 TEST(Scales, RefuseWithEveryFaultAndItsPlace) {
-  EXPECT_EQ(
-      refusal("range: [3, -3]\nscales:\n  a: {low: x, high: y}\n  b: {low: x, high: y, "
-              "range: [2, 2]}\ngroups:\n  b: {scales: [a, bb]}\n"),
-      "s.yaml:1:8: range: the low end is not below the high end; write [low, high]; to turn a "
-      "scale round, exchange its names\n"
-      "s.yaml:4:31: scales.b.range: the low end is not below the high end; write [low, high]; "
-      "to turn a scale round, exchange its names\n"
-      "s.yaml:6:3: groups.b: a scale has the same name; name the group otherwise\n"
-      "s.yaml:6:19: groups.b.scales[1]: unknown scale \"bb\"; did you mean \"b\"?");
+  EXPECT_EQ(refusal("range: [3, -3]\nscales:\n  a: {low: x, high: y}\n  b: {low: x, high: y, "
+                    "range: [2, 2]}\ngroups:\n  b: {scales: [a, bb]}\n"),
+            "s.yaml:1:8: range: the lower limit is not below the upper limit; write [low, high]; "
+            "to reverse a scale, exchange the names of its ends\n"
+            "s.yaml:4:31: scales.b.range: the lower limit is not below the upper limit; write "
+            "[low, high]; to reverse a scale, exchange the names of its ends\n"
+            "s.yaml:6:3: groups.b: a scale has the same name; rename the group\n"
+            "s.yaml:6:19: groups.b.scales[1]: unknown scale \"bb\"; did you mean \"b\"?");
   EXPECT_EQ(refusal("scales: {a: {low: x, hihg: y}}\n"),
             "s.yaml:1:22: scales.a.hihg: unknown key; did you mean \"high\"?");
   EXPECT_EQ(refusal("scales: {a: {low: x}}\n"),

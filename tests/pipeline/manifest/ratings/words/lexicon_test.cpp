@@ -56,8 +56,8 @@ TEST(Lexicon, FoldsItsWords) {
 
 TEST(Lexicon, RefusesAWordOfTwoMeanings) {
   EXPECT_EQ(lexicon_refusal(replaced(small, "[nopea]", "[nopea, hidas]")),
-            "l.yaml:6:74: words.slow-fast.high.finnish[1]: \"hidas\" has a second meaning; leave "
-            "one of them out, or the word altogether if readers would dispute it");
+            "l.yaml:6:74: words.slow-fast.high.finnish[1]: \"hidas\" has a second meaning; remove "
+            "one of them, or the word altogether if it is ambiguous");
   EXPECT_NE(
       lexicon_refusal(replaced(small, "[nopea]", "[hyvin]")).find("\"hyvin\" has a second meaning"),
       std::string::npos);
@@ -75,7 +75,7 @@ TEST(Lexicon, RefusesUnknownScalesAndLanguages) {
 
 TEST(Lexicon, RefusesTwoLanguagesOfOneName) {
   EXPECT_NE(lexicon_refusal(replaced(small, "words:\n", "  other: {called: [suomi]}\nwords:\n"))
-                .find("is also called \"suomi\"; name each language once"),
+                .find("is also named \"suomi\"; name each language once"),
             std::string::npos);
 }
 

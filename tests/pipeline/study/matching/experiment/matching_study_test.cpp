@@ -51,7 +51,7 @@ TEST(MatchingChecks, RefuseWhatIsNotThere) {
   EXPECT_NE(fault_of("{participants: 2, interfaces: [weights], primary: [quickness]}")
                 .find("no interface has adjectives"),
             std::string::npos);
-  EXPECT_NE(fault_of("{participants: 2, practice: [t1, t2, p1]}").find("no motion to be matched"),
+  EXPECT_NE(fault_of("{participants: 2, practice: [t1, t2, p1]}").find("no target motion"),
             std::string::npos);
   EXPECT_NE(fault_of("{participants: 2, target_colour: green}").find("target_colour"),
             std::string::npos);
@@ -61,7 +61,8 @@ TEST(MatchingChecks, RefuseWhatIsNotThere) {
   EXPECT_NE(fault_of("{participants: 2, order: guesses}").find("guesses-first"), std::string::npos);
   EXPECT_NE(fault_of("{participants: 2, limit_s: 0}").find(": matching.limit_s: "),
             std::string::npos);
-  EXPECT_NE(fault_of("{participants: 2, targets: [t1, round]}").find("and this walks a path"),
+  EXPECT_NE(fault_of("{participants: 2, targets: [t1, round]}")
+                .find("but this stimulus walks along a path"),
             std::string::npos);
   EXPECT_NE(fault_of("{participants: 2}\nquestionnaire: {participants: 2, scales: emotions}")
                 .find("a manifest of its own"),

@@ -178,7 +178,7 @@ TEST(Export, OfAnotherDesignDoesNotMixWithAnswersToTheFirst) {
     refuse_answers_to_another(place, "another");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("holds answers to another questionnaire"),
+    EXPECT_NE(std::string(error.what()).find("holds answers to a different questionnaire"),
               std::string::npos)
         << error.what();
   }

@@ -26,9 +26,9 @@ TEST(ResultFigures, DrawsPairsAgainstChance) {
   ASSERT_EQ(figures.size(), 1u);
   EXPECT_EQ(figures[0].name, "pairs-sad-happy");
   test::expect_texts_apart(figures[0].plot);
-  for (const std::string& words :
-       {std::string("chance 50 %"), std::string("not happy"), std::string("n = 12"),
-        std::string(simulated_ratings_mark), std::string("Which of two was chosen: more happy")})
+  for (const std::string& words : {std::string("chance 50 %"), std::string("not happy"),
+                                   std::string("n = 12"), std::string(simulated_ratings_mark),
+                                   std::string("Preferred stimulus of each pair: more happy")})
     EXPECT_TRUE(test::says(figures[0].plot, words)) << words;
 }
 

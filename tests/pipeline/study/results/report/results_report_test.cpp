@@ -220,7 +220,7 @@ TEST(ResultsReport, NamesFiguresOfActorsAndGenderWhereThereAreTwo) {
 
 TEST(ResultsReport, SaysWhatFilesOfFiguresWereCalledBefore) {
   const auto files = usual_report();
-  EXPECT_NE(files.at("report.html").find("these files were called figure-33-confusion-acted."),
+  EXPECT_NE(files.at("report.html").find("Formerly named figure-33-confusion-acted."),
             std::string::npos);
   EXPECT_NE(files.at("figures.csv").find("figure-36-differences-modified-neutral"),
             std::string::npos);
@@ -287,9 +287,9 @@ TEST(ResultsReport, ExplainsChoicesAsChoices) {
   std::erase_if(rows, [](const AnswerRow& row) { return row.item != "emotion"; });
   const auto files = report_on(manifest, rows);
   const std::string& page = files.at("report.html");
-  EXPECT_NE(page.find("Choices: each showing is one choice out of 3"), std::string::npos);
-  EXPECT_NE(page.find("one of the 3."), std::string::npos);
-  EXPECT_EQ(page.find("Ratings become points"), std::string::npos);
+  EXPECT_NE(page.find("Each presentation is one choice out of 3"), std::string::npos);
+  EXPECT_NE(page.find("one of the 3)."), std::string::npos);
+  EXPECT_EQ(page.find("Ratings are converted to points"), std::string::npos);
   EXPECT_EQ(page.find("one of the ends"), std::string::npos);
   EXPECT_EQ(page.find("lme4"), std::string::npos);
 }
@@ -297,9 +297,9 @@ TEST(ResultsReport, ExplainsChoicesAsChoices) {
 TEST(ResultsReport, CountsOnePersonAsOne) {
   const Manifest manifest = two_emotion_study(1);
   const std::string page = report_on(manifest, answers_to(manifest)).at("report.html");
-  EXPECT_NE(page.find("10 answers of 1 person about 5 videos"), std::string::npos);
-  EXPECT_NE(page.find("1 of 1 person counts."), std::string::npos);
-  EXPECT_EQ(page.find("1 people"), std::string::npos);
+  EXPECT_NE(page.find("10 answers of 1 participant about 5 videos"), std::string::npos);
+  EXPECT_NE(page.find("1 of 1 participant analysed."), std::string::npos);
+  EXPECT_EQ(page.find("1 participants"), std::string::npos);
 }
 
 TEST(ResultsReport, EscapesWhatParticipantsWrote) {
