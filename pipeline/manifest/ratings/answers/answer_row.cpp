@@ -14,6 +14,7 @@
 
 #include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
+#include "pipeline/manifest/ratings/answers/trial_form.h"
 
 namespace mien::pipeline {
 
@@ -36,8 +37,7 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
     {{"trial", "", "number of the trial in the participant's order, from 1"}, &Row::trial},
     {{"block", "", "practice, main, or the level of the factor that the order is blocked by"},
      &Row::block},
-    {{"kind", "", "rating, emotion (which of a list), pair (which of two) or attention"},
-     &Row::kind},
+    {{"kind", "", trial_forms_meaning}, &Row::kind},
     {{"stimulus", "", "the stimulus that was rated; of a pair the one at the left"},
      &Row::stimulus},
     {{"stimulus_sha256", "", "SHA-256 of the media that was shown"}, &Row::stimulus_sha256},
@@ -127,9 +127,9 @@ class AnswerRowReader {
     if (row.trial < 1 && !text("trial").empty() && motion::as_written_number(text("trial")))
       fault("trial", fmt::format("there is no trial {}", motion::excerpt(text("trial"))),
             "trials count from 1");
-    refuse_other("kind", answer_kinds);
-    if (row.kind != "attention") refuse_empty("stimulus");
-    if (row.kind != "attention") refuse_empty("item");
+    refuse_other("kind", kinds_);
+    if (row.kind != attention_kind) refuse_empty("stimulus");
+    if (row.kind != attention_kind) refuse_empty("item");
     if (!row.pole_left.empty())
       refuse_other("pole_left", std::array<std::string_view, 2>{"low", "high"});
     return row;
@@ -206,6 +206,7 @@ class AnswerRowReader {
   }
 
   const CsvTable& table_;
+  const std::vector<std::string_view> kinds_ = answer_kinds();
   std::map<std::string_view, int> index_;
   const std::vector<CsvField>* fields_ = nullptr;
 };
@@ -215,7 +216,7 @@ class AnswerRowReader {
 const TableForm answer_form = {"answers.csv", "an answer", answer_row_columns};
 
 bool AnswerRow::counts() const {
-  return !is_practice && !is_warmup && !is_catch && kind != "attention" && !value.empty() &&
+  return !is_practice && !is_warmup && !is_catch && kind != attention_kind && !value.empty() &&
          value != "NA";
 }
 
