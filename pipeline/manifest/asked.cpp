@@ -1,6 +1,8 @@
 #include "pipeline/manifest/asked.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "pipeline/manifest/ratings/scales/emotion_scales.h"
 
@@ -86,17 +88,36 @@ std::vector<std::string> asked_stimuli(const Manifest& manifest) {
   return ids;
 }
 
-std::vector<std::pair<std::string, std::string>> asked_pairs(const Manifest& manifest) {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  for (const std::vector<std::string>& pair : questionnaire_of(manifest).pairs) {
-    if (pair.size() == 2) pairs.emplace_back(pair[0], pair[1]);
-  }
-  if (!pairs.empty()) return pairs;
+std::vector<std::vector<std::string>> asked_subjects(const Manifest& manifest) {
+  const Questionnaire& asked = questionnaire_of(manifest);
   const std::vector<std::string> ids = asked_stimuli(manifest);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    for (std::size_t j = i + 1; j < ids.size(); ++j) pairs.emplace_back(ids[i], ids[j]);
+  std::vector<std::vector<std::string>> subjects;
+  if (asked.trials->stimuli == 1) {
+    for (const std::string& id : ids) subjects.push_back({id});
+    return subjects;
   }
-  return pairs;
+  std::ranges::copy_if(asked.pairs, std::back_inserter(subjects),
+                       [&](const auto& pair) { return pair.size() == asked.trials->stimuli; });
+  if (!subjects.empty()) return subjects;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    for (std::size_t j = i + 1; j < ids.size(); ++j) subjects.push_back({ids[i], ids[j]});
+  }
+  return subjects;
+}
+
+std::vector<std::string> shown_stimuli(const Manifest& manifest) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  std::set<std::string> ids(asked.practice.begin(), asked.practice.end());
+  ids.insert(asked.reference);
+  for (const std::vector<std::string>& pair : asked.pairs) ids.insert(pair.begin(), pair.end());
+  // All pairs of the stimuli show all of these.
+  if (asked.pairs.empty())
+    std::ranges::copy(asked_stimuli(manifest), std::inserter(ids, ids.end()));
+  std::vector<std::string> shown;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (ids.contains(stimulus.id)) shown.push_back(stimulus.id);
+  }
+  return shown;
 }
 
 std::vector<std::pair<std::string, std::string>> asked_choices(const Manifest& manifest) {

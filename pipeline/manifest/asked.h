@@ -36,18 +36,20 @@ ScaleSet asked_scales(const Manifest& manifest);
 /// where it names them.
 std::vector<std::string> asked_stimuli(const Manifest& manifest);
 
-/// The pairs of a questionnaire of pairs; all of its stimuli where it names none.
-std::vector<std::pair<std::string, std::string>> asked_pairs(const Manifest& manifest);
+/// What the trials are about, in that order: a stimulus each, or two; all pairs where the
+/// questionnaire names none.
+std::vector<std::vector<std::string>> asked_subjects(const Manifest& manifest);
 
-/// What may be chosen in an emotion trial: id → as shown. Those that are named, else the levels of
-/// the factor emotion.
+/// Ids of all stimuli that a questionnaire shows: asked about, in practice, or beside; each once,
+/// in the order of the manifest.
+std::vector<std::string> shown_stimuli(const Manifest& manifest);
+
+/// What may be chosen in a trial that offers choices: id → as shown. Those that are named, else the
+/// levels of the factor emotion.
 std::vector<std::pair<std::string, std::string>> asked_choices(const Manifest& manifest);
 
 /// The level of a factor of a stimulus by its id; empty where it has none.
 std::string level_of(const Manifest& manifest, const std::string& stimulus,
                      const std::string& factor);
-
-/// The item of an emotion trial, in answers and plans.
-inline constexpr char emotion_item[] = "emotion";
 
 }  // namespace mien::pipeline

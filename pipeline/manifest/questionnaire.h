@@ -6,11 +6,10 @@
 
 #include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/questionnaire_forms.h"
+#include "pipeline/manifest/ratings/answers/trial_form.h"
 
 namespace mien::pipeline {
 
-/// What participants are asked about a stimulus.
-enum class TrialForm { rating, emotion, pair };
 enum class InterfaceLanguage { english, japanese };
 enum class StartsAt { none, middle };
 enum class PoleSide { random, fixed };
@@ -19,8 +18,6 @@ enum class ShownAs { video, turn };
 enum class Phones { served, refused };
 enum class TestCorrection { holm, benjamini_hochberg, none };
 
-inline constexpr Words<TrialForm> trial_form_words = {
-    {"rating", TrialForm::rating}, {"emotion", TrialForm::emotion}, {"pair", TrialForm::pair}};
 inline constexpr Words<InterfaceLanguage> language_words = {{"en", InterfaceLanguage::english},
                                                             {"ja", InterfaceLanguage::japanese}};
 inline constexpr Words<StartsAt> starts_at_words = {{"none", StartsAt::none},
@@ -116,11 +113,11 @@ struct Questionnaire {
   TextSource consent, instructions, ending;  ///< empty where nothing is said
   std::string question;                      ///< above the items of a trial; empty for a usual one
   StimulusChoice stimuli;
-  int per_participant = 0;  ///< trials that are analysed; 0: all
-  TrialForm trials = TrialForm::rating;
+  int per_participant = 0;                 ///< trials that are analysed; 0: all
+  const TrialForm* trials = &rating_form;  ///< what participants are asked about a stimulus
   ScaleChoice scales;
-  std::vector<std::pair<std::string, std::string>> choices;  ///< of emotion trials: id → as shown
-  std::vector<std::vector<std::string>> pairs;  ///< of pair trials: two stimuli each; empty: all
+  std::vector<std::pair<std::string, std::string>> choices;  ///< to choose from: id → as shown
+  std::vector<std::vector<std::string>> pairs;  ///< of forms with two stimuli; empty: all
   AnswerSettings answer;
   TrialOrder order;
   std::vector<std::string> apart;     ///< factors in which no two trials in a row are alike

@@ -4,7 +4,6 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/run/run.h"
-#include "pipeline/study/questionnaire/shown_media.h"
 #include "pipeline/tasks/progress.h"
 #include "pipeline/tasks/task_graph.h"
 

@@ -24,7 +24,10 @@ std::string at(const char* key) { return member_path("questionnaire", key); }
 class QuestionnaireCheck {
  public:
   explicit QuestionnaireCheck(const Manifest& manifest)
-      : manifest_(manifest), asked_(*manifest.questionnaire), list_(manifest.places) {
+      : manifest_(manifest),
+        asked_(*manifest.questionnaire),
+        form_(*asked_.trials),
+        list_(manifest.places) {
     for (const Stimulus& stimulus : manifest.stimuli) ids_.push_back(stimulus.id);
     factors_ = factors_of(manifest);
   }
@@ -100,8 +103,8 @@ class QuestionnaireCheck {
   void check_scales() {
     const ScaleChoice& choice = asked_.scales;
     const bool is_asked = choice.all || choice.emotions || !choice.ids.empty();
-    if (!is_asked && asked_.trials != TrialForm::emotion && !list_.was_given(at("scales"))) {
-      list_.add("questionnaire", "has no scales",
+    if (!is_asked && form_.item.empty() && !list_.was_given(at("scales"))) {
+      list_.add("questionnaire", "asks on no scales",
                 "add scales: all, scales: emotions or scales: [sad-happy]");
     }
     Names known;
@@ -131,23 +134,23 @@ class QuestionnaireCheck {
   }
 
   void check_trials() {
-    if (asked_.trials != TrialForm::emotion && !asked_.choices.empty())
-      list_.add_at_key(at("choices"), "only emotion trials have choices", "add trials: emotion");
-    if (asked_.trials != TrialForm::pair && !asked_.pairs.empty())
-      list_.add_at_key(at("pairs"), "only pair trials have pairs", "add trials: pair");
-    if (asked_.trials == TrialForm::emotion && asked_.choices.empty() &&
-        asked_choices(manifest_).size() < 2) {
-      list_.add(at("trials"), "there are fewer than two emotions to choose from",
+    for (const auto& [name, form] : trial_form_words) {
+      if (list_.was_given(at(form->key)) && std::string_view(form->key) != form_.key)
+        list_.add_at_key(at(form->key), fmt::format("only {} trials have {}", name, form->key),
+                         fmt::format("add trials: {}", name));
+    }
+    if (form_.offers_choices && asked_.choices.empty() && asked_choices(manifest_).size() < 2) {
+      list_.add(at("trials"), "there are no two emotions to choose from",
                 "add choices: [sad, happy], or the factor emotion to the stimuli");
     }
-    if (asked_.trials == TrialForm::pair && !asked_.reference.empty())
-      list_.add(at("reference"), "the stimuli of a pair are already side by side", "omit it");
-    if (asked_.trials == TrialForm::pair && asked_.answer.words)
-      list_.add(member_path(at("answer"), "words"), "choices between two stimuli have no words",
-                "omit it");
-    if (asked_.trials == TrialForm::pair && asked_.practice.size() % 2 == 1)
-      list_.add(at("practice"), "practice with pairs needs an even number of stimuli",
-                "name an even number");
+    if (form_.stimuli > 1 && !asked_.reference.empty())
+      list_.add(at("reference"), "a pair stands beside each other already", "leave it out");
+    if (!form_.is_on_scale && asked_.answer.words)
+      list_.add(member_path(at("answer"), "words"), "one of two is chosen without words",
+                "leave it out");
+    if (asked_.practice.size() % form_.stimuli != 0)
+      list_.add(at("practice"), "stimuli of pairs are practised two by two",
+                "name an even number of them");
     for (std::size_t i = 0; i < asked_.pairs.size(); ++i)
       check_ids(element_path(at("pairs"), i), asked_.pairs[i], "stimulus", ids_);
   }
@@ -176,7 +179,7 @@ class QuestionnaireCheck {
   bool are_too_many_pairs() {
     constexpr std::size_t most_pairs = 5000;
     const std::size_t count = asked_stimuli(manifest_).size();
-    if (asked_.trials != TrialForm::pair || !asked_.pairs.empty()) return false;
+    if (form_.stimuli == 1 || !asked_.pairs.empty()) return false;
     if (count * (count - 1) / 2 <= most_pairs || count == 0) return false;
     list_.add(at("trials"),
               fmt::format("the number of pairs of {} stimuli exceeds {}", count, most_pairs),
@@ -186,8 +189,7 @@ class QuestionnaireCheck {
 
   void check_numbers() {
     if (are_too_many_pairs()) return;
-    const std::size_t trials = asked_.trials == TrialForm::pair ? asked_pairs(manifest_).size()
-                                                                : asked_stimuli(manifest_).size();
+    const std::size_t trials = asked_subjects(manifest_).size();
     if (trials == 0 || ids_.empty()) return;
     const int all = static_cast<int>(trials);
     const int own = asked_.per_participant == 0 ? all : std::min(asked_.per_participant, all);
@@ -230,6 +232,7 @@ class QuestionnaireCheck {
 
   const Manifest& manifest_;
   const Questionnaire& asked_;
+  const TrialForm& form_;
   FaultList list_;
   Names ids_;
   Names factors_;

@@ -1,7 +1,6 @@
 #include "pipeline/manifest/checks/session_checks.h"
 
 #include <algorithm>
-#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -13,20 +12,6 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Ids of those that somebody sees; all pairs of stimuli are not laid out for it.
-std::set<std::string> seen_stimuli(const Manifest& manifest) {
-  const Questionnaire& asked = *manifest.questionnaire;
-  std::set<std::string> seen(asked.practice.begin(), asked.practice.end());
-  seen.insert(asked.reference);
-  if (asked.trials == TrialForm::pair && !asked.pairs.empty()) {
-    for (const auto& pair : asked.pairs) seen.insert(pair.begin(), pair.end());
-  } else {
-    const std::vector<std::string> stimuli = asked_stimuli(manifest);
-    seen.insert(stimuli.begin(), stimuli.end());
-  }
-  return seen;
-}
-
 bool is_played_by_browsers(render::VideoKind kind) {
   using render::VideoKind;
   return kind == VideoKind::mp4 || kind == VideoKind::webm || kind == VideoKind::webm_av1;
@@ -35,9 +20,7 @@ bool is_played_by_browsers(render::VideoKind kind) {
 /// How many trials the main part of a session has, warm-up and repeated ones among them.
 int main_trials(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
-  const int all =
-      static_cast<int>(asked.trials == TrialForm::pair ? asked_pairs(manifest).size()
-                                                       : asked_stimuli(manifest).size());
+  const int all = static_cast<int>(asked_subjects(manifest).size());
   const int own = asked.per_participant == 0 ? all : std::min(asked.per_participant, all);
   return own + asked.repeated + asked.warm_up;
 }
@@ -46,11 +29,11 @@ int main_trials(const Manifest& manifest) {
 
 std::vector<Fault> check_shown_videos(const Manifest& manifest) {
   if (!manifest.questionnaire || manifest.questionnaire->view != ShownAs::video) return {};
-  const std::set<std::string> seen = seen_stimuli(manifest);
+  const std::vector<std::string> shown = shown_stimuli(manifest);
   const Stimulus* first = nullptr;
   int others = -1;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    if (!seen.contains(stimulus.id)) continue;
+    if (std::ranges::find(shown, stimulus.id) == shown.end()) continue;
     if (std::ranges::any_of(stimulus.output.video, is_played_by_browsers)) continue;
     if (++others == 0) first = &stimulus;
   }

@@ -8,6 +8,7 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/study/questionnaire/latin_square.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
+#include "pipeline/study/trials/trial_kind.h"
 
 namespace mien::pipeline {
 
@@ -27,7 +28,7 @@ void count_session(const SessionPlan& plan, Balance& balance) {
     ++balance.at_place[{subject, std::to_string(seen.size() + 1)}];
     if (!seen.empty()) ++balance.follows[{seen.back(), subject}];
     for (const std::string& other : seen) ++balance.together[std::minmax(subject, other)];
-    if (trial.kind == TrialKind::pair) balance.left[subject] += trial.stimuli[0] < trial.stimuli[1];
+    if (trial.stimuli.size() > 1) balance.left[subject] += trial.stimuli[0] < trial.stimuli[1];
     seen.push_back(subject);
   }
   balance.most_places = std::max(balance.most_places, static_cast<int>(seen.size()));
@@ -35,9 +36,9 @@ void count_session(const SessionPlan& plan, Balance& balance) {
 
 void count_sides(const SessionPlan& plan, Balance& balance) {
   const auto asked = std::ranges::find_if(plan.trials, &Trial::is_analysed);
-  if (asked == plan.trials.end() || asked->kind == TrialKind::pair) return;
+  if (asked == plan.trials.end() || !asked->kind->form->is_on_scale) return;
   for (const AskedItem& item : asked->items) {
-    if (item.item != emotion_item) balance.flipped[item.item] += item.flipped;
+    if (item.item != asked->kind->form->item) balance.flipped[item.item] += item.flipped;
   }
 }
 
@@ -122,14 +123,13 @@ CountRange left_range(const Balance& balance) {
 
 std::vector<std::string> balance_sentences(const Manifest& manifest, const Balance& balance,
                                            int participants) {
-  const bool are_pairs = questionnaire_of(manifest).trials == TrialForm::pair;
-  const char* subject = are_pairs ? "pair" : "stimulus";
+  const TrialForm& form = *questionnaire_of(manifest).trials;
   std::vector<std::string> sentences = {
-      fmt::format("Each {} is shown to {} of {}.", subject,
+      fmt::format("Each {} is seen by {} of {}.", form.subject,
                   shown(seen_range(balance), "participants"), participants),
-      fmt::format("Each {} appears {} in each position.", subject,
+      fmt::format("Each {} comes {} in each place.", form.subject,
                   shown(place_range(balance), "times")),
-      fmt::format("Each {} directly follows every other one {}.", subject,
+      fmt::format("Each {} comes {} right after each other one.", form.subject,
                   shown(follows_range(balance), "times")),
       fmt::format("Every pair of {} co-occurs in {}.", are_pairs ? "pairs" : "stimuli",
                   shown(together_range(balance), "sessions"))};
@@ -137,9 +137,9 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
     sentences.push_back(fmt::format("The high end of each scale is on the left for {}.",
                                     shown(flipped_range(balance), "participants")));
   }
-  if (are_pairs) {
-    sentences.push_back(fmt::format("The first stimulus of each pair is on the left {}.",
-                                    shown(left_range(balance), "times")));
+  if (form.stimuli > 1) {
+    sentences.push_back(
+        fmt::format("The first of a pair is at the left {}.", shown(left_range(balance), "times")));
   }
   add_latin_sentence(manifest, balance, participants, sentences);
   return sentences;
@@ -173,10 +173,9 @@ std::string plans_csv(const std::vector<SessionPlan>& plans) {
         if (item.flipped) flipped.push_back(item.item);
       }
       const std::string first = trial.stimuli.empty() ? "" : trial.stimuli[0];
-      const std::string against = trial.stimuli.size() > 1 ? trial.stimuli[1] : trial.reference;
       const auto truth = [](bool value) { return std::string(value ? "1" : "0"); };
       csv.row({plan.participant, std::to_string(trial.number), trial.block,
-               std::string(word_of(trial_kind_words, trial.kind)), first, against,
+               std::string(trial.kind_name()), first, trial.against(),
                fmt::format("{}", fmt::join(items, ";")), fmt::format("{}", fmt::join(flipped, ";")),
                truth(trial.practice), truth(trial.warm_up), truth(trial.is_catch), trial.expected,
                std::to_string(plan.seed)});

@@ -6,7 +6,6 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/synthesis/motions.h"
-#include "pipeline/study/questionnaire/shown_media.h"
 
 namespace mien::pipeline {
 
@@ -51,7 +50,7 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
     double longest = trial.reference.empty() ? 0.0 : video(trial.reference);
     for (const std::string& stimulus : trial.stimuli) longest = std::max(longest, video(stimulus));
     sum += longest + pace.answer * static_cast<double>(trial.items.size()) + pace.between;
-    if (asked.comments && trial.kind != TrialKind::attention) sum += pace.comment;
+    if (asked.comments && !trial.is_attention_check()) sum += pace.comment;
   }
   return sum;
 }

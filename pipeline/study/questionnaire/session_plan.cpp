@@ -10,15 +10,11 @@
 #include "pipeline/study/questionnaire/random_order.h"
 #include "pipeline/study/questionnaire/session_duration.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
+#include "pipeline/study/trials/trial_kind.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-TrialKind kind_of(TrialForm form) {
-  if (form == TrialForm::emotion) return TrialKind::emotion;
-  return form == TrialForm::pair ? TrialKind::pair : TrialKind::rating;
-}
 
 /// Lays out one session after the other.
 class Planner {
@@ -26,7 +22,10 @@ class Planner {
   explicit Planner(const Manifest& manifest)
       : manifest_(manifest),
         asked_(questionnaire_of(manifest)),
+        form_(*asked_.trials),
+        kind_(trial_kind_of(form_)),
         subjects_(trial_subjects(manifest)),
+        asked_scales_(asked_scales_by_item(manifest)),
         shown_(subjects_.size()) {
     for (const Scale& scale : asked_scales(manifest).scales) scales_.push_back(scale.id);
   }
@@ -59,7 +58,7 @@ class Planner {
   }
 
   void lay_choices() {
-    if (asked_.trials != TrialForm::emotion) return;
+    if (!form_.offers_choices) return;
     const auto choices = asked_choices(manifest_);
     for (const std::size_t i : random_order(choices.size(), plan_.seed, "choices"))
       plan_.choices.push_back(choices[are_sides_random() ? i : plan_.choices.size()].first);
@@ -67,22 +66,22 @@ class Planner {
 
   void lay_items() {
     items_.clear();
-    if (asked_.trials == TrialForm::emotion) items_.push_back({.item = emotion_item});
-    const bool has_poles = asked_.trials != TrialForm::pair && !asked_.answer.words;
+    if (!form_.item.empty()) items_.push_back({.item = std::string(form_.item)});
+    const bool has_poles = form_.is_on_scale && !asked_.answer.words;
     for (const std::string& scale : scales_)
       items_.push_back({.item = scale, .flipped = has_poles && is_flipped(scale, index_)});
   }
 
   Trial trial_of(std::vector<std::string> stimuli, std::string block) const {
     return {.block = std::move(block),
-            .kind = kind_of(asked_.trials),
+            .kind = &kind_,
             .stimuli = std::move(stimuli),
             .reference = asked_.reference,
             .items = items_};
   }
 
   void lay_practice() {
-    const std::size_t each = asked_.trials == TrialForm::pair ? 2 : 1;
+    const std::size_t each = form_.stimuli;
     for (std::size_t i = 0; i + each <= asked_.practice.size(); i += each) {
       const auto first = asked_.practice.begin() + static_cast<std::ptrdiff_t>(i);
       Trial trial = trial_of({first, first + static_cast<std::ptrdiff_t>(each)}, "practice");
@@ -100,7 +99,7 @@ class Planner {
       Trial trial = trial_of(subjects_.stimuli[one.subject], subjects_.blocks[one.subject]);
       trial.warm_up = one.warm_up;
       trial.is_catch = one.repeated;
-      if (trial.kind == TrialKind::pair) turn(trial, turned[one.subject]);
+      if (form_.stimuli > 1) turn(trial, turned[one.subject]);
       if (trial.is_analysed()) ++shown_[one.subject];
       plan_.trials.push_back(std::move(trial));
       if (std::ranges::find(checks, place) != checks.end()) lay_attention(place);
@@ -130,27 +129,27 @@ class Planner {
   void lay_attention(std::size_t place) {
     Trial check;
     check.block = plan_.trials.back().block;
-    check.kind = TrialKind::attention;
+    check.kind = &kind_;
     check.is_catch = true;
     check.items = {items_[random_choice(items_.size(), plan_.seed, "checked", place)]};
-    check.expected = expected_of(check.items.front().item, place);
+    check.expected = expected_of(check, place);
     plan_.trials.push_back(std::move(check));
   }
 
-  std::string expected_of(const std::string& item, std::size_t place) const {
-    if (item == emotion_item)
-      return plan_.choices[random_choice(plan_.choices.size(), plan_.seed, "expected", place)];
-    const bool is_right = random_choice(2, plan_.seed, "expected", place) == 1;
-    if (asked_.trials == TrialForm::pair) return is_right ? "right" : "left";
-    if (asked_.answer.words) return "yes";
-    if (asked_.answer.slider) return is_right ? "100" : "0";
-    return is_right ? std::to_string(asked_.answer.points) : "1";
+  std::string expected_of(const Trial& check, std::size_t place) const {
+    const AskedItem& item = check.items.front();
+    const std::vector<std::string> answers =
+        kind_.checkable({check, item, find_scale(asked_scales_, item.item), plan_.choices});
+    return answers[random_choice(answers.size(), plan_.seed, "expected", place)];
   }
 
   const Manifest& manifest_;
   const Questionnaire& asked_;
+  const TrialForm& form_;
+  const TrialKind& kind_;
   TrialSubjects subjects_;
   std::vector<std::string> scales_;
+  AskedScales asked_scales_;
   std::vector<std::size_t> shown_;  ///< how often each subject is analysed so far
   std::vector<AskedItem> items_;    ///< of the session in the making
   SessionPlan plan_;

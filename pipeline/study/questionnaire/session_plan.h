@@ -7,45 +7,9 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/study/trials/trial.h"
 
 namespace mien::pipeline {
-
-enum class TrialKind { rating, emotion, pair, attention, matching };
-
-inline constexpr Words<TrialKind> trial_kind_words = {{"rating", TrialKind::rating},
-                                                      {"emotion", TrialKind::emotion},
-                                                      {"pair", TrialKind::pair},
-                                                      {"attention", TrialKind::attention},
-                                                      {"matching", TrialKind::matching}};
-
-/// One question of a trial: a scale by its id, or `emotion_item` (manifest/asked.h). Of a trial of
-/// matching: the interface, whose stimulus is the target.
-struct AskedItem {
-  std::string item;
-  bool flipped = false;  ///< the high end is at the left
-
-  friend bool operator==(const AskedItem&, const AskedItem&) = default;
-};
-
-/// One page of a session.
-struct Trial {
-  int number = 0;     ///< from 1, through all blocks
-  std::string block;  ///< "practice", "main", or the level of the blocking factor
-  TrialKind kind = TrialKind::rating;
-  std::vector<std::string> stimuli;  ///< one; two of a pair, from left to right; none of a check
-  std::string reference;             ///< stimulus beside; empty for none
-  std::vector<AskedItem> items;      ///< in the order in which they stand there
-  bool practice = false;
-  bool warm_up = false;
-  bool is_catch = false;  ///< an attention check, or a stimulus that is shown a second time
-  /// Of an attention check: the raw answer that passes. Else empty.
-  std::string expected;
-
-  /// Neither practice nor warm-up nor a check.
-  bool is_analysed() const { return !practice && !warm_up && !is_catch; }
-
-  friend bool operator==(const Trial&, const Trial&) = default;
-};
 
 /// All that one participant is shown.
 struct SessionPlan {

@@ -13,11 +13,8 @@ struct ShownMedia {
   std::string path;  ///< in the study's folder: "videos/walk.mp4", "clips/walk.glb"
 };
 
-/// Ids of all stimuli that a questionnaire shows: asked about, in practice, or beside; each once,
-/// in the order of the manifest.
-std::vector<std::string> shown_stimuli(const Manifest& manifest);
-
-/// Their videos or, where they may be turned, their motions in 3-D as well.
+/// Of all stimuli that a questionnaire shows (shown_stimuli): their videos or, where they may be
+/// turned, their motions in 3-D as well.
 std::vector<ShownMedia> shown_media(const Manifest& manifest);
 
 }  // namespace mien::pipeline

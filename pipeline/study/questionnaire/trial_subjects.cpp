@@ -43,12 +43,7 @@ std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
 
 TrialSubjects trial_subjects(const Manifest& manifest) {
   const Questionnaire& asked = questionnaire_of(manifest);
-  TrialSubjects subjects;
-  if (asked.trials == TrialForm::pair) {
-    for (const auto& [one, other] : asked_pairs(manifest)) subjects.stimuli.push_back({one, other});
-  } else {
-    for (const std::string& id : asked_stimuli(manifest)) subjects.stimuli.push_back({id});
-  }
+  TrialSubjects subjects{.stimuli = asked_subjects(manifest)};
   subjects.likeness.factors = asked.apart;
   for (const std::vector<std::string>& stimuli : subjects.stimuli) {
     std::vector<std::string> levels;

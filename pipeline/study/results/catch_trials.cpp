@@ -8,6 +8,7 @@
 
 #include "motion/text/as_number.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
+#include "pipeline/manifest/ratings/answers/trial_form.h"
 
 namespace mien::pipeline {
 
@@ -17,7 +18,8 @@ namespace {
 using CatchKey = std::tuple<std::string, std::string, std::string, std::string, std::string>;
 
 CatchKey catch_key(const AnswerRow& row) {
-  const bool is_turned = row.kind == "pair" && row.against < row.stimulus;
+  const TrialForm* form = find_trial_form(row.kind);
+  const bool is_turned = form != nullptr && form->stimuli > 1 && row.against < row.stimulus;
   return {row.participant, row.kind, is_turned ? row.against : row.stimulus,
           is_turned ? row.stimulus : row.against, row.item};
 }
@@ -25,7 +27,7 @@ CatchKey catch_key(const AnswerRow& row) {
 bool is_answered(const AnswerRow& row) { return !row.value.empty() && row.value != "NA"; }
 
 /// A stimulus that is shown again: the columns of checks and of repetitions are one.
-bool is_shown_again(const AnswerRow& row) { return row.is_catch && row.kind != "attention"; }
+bool is_shown_again(const AnswerRow& row) { return row.is_catch && row.kind != attention_kind; }
 
 CatchAnswer catch_answer(const Gathered& gathered, const AnswerRow& first,
                          const AnswerRow& second) {

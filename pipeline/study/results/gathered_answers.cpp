@@ -11,6 +11,7 @@
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
+#include "pipeline/manifest/ratings/answers/trial_form.h"
 
 namespace mien::pipeline {
 
@@ -53,12 +54,12 @@ class AnswerSorter {
   }
 
   void check_and_add(const AnswerRow& row) {
-    if (row.kind == "attention") return;
+    if (row.kind == attention_kind) return;
     const auto stimulus = known_stimulus(row, row.stimulus);
     if (!stimulus || !is_of_asked_kind(row)) return;
     if (is_on_scale(row)) {
       add_rating(row, *stimulus);
-    } else if (row.kind == "emotion") {
+    } else if (row.item == find_trial_form(row.kind)->item) {
       add_choice(row, *stimulus);
     } else {
       add_preference(row, *stimulus);
@@ -84,14 +85,15 @@ class AnswerSorter {
   }
 
   bool is_of_asked_kind(const AnswerRow& row) {
-    const std::string_view asked = word_of(trial_form_words, asked_.trials);
+    const TrialForm& asked = *asked_.trials;
     // A study of pairs may ask to rate by how much, too.
-    if (row.kind == asked || (asked == "pair" && row.kind == "rating")) return true;
+    if (row.kind == asked.name || (asked.stimuli > 1 && row.kind == rating_form.name)) return true;
     if (told_.insert("kind " + row.kind).second)
       fault(row,
-            fmt::format("an answer of kind {}, but the questionnaire has trials of kind {}",
-                        row.kind, asked),
-            "give the manifest that these answers belong to");
+            fmt::format("an answer of the kind {}, where the questionnaire has trials of "
+                        "the kind {}",
+                        row.kind, asked.name),
+            "give the manifest that these answers are of");
     return false;
   }
 

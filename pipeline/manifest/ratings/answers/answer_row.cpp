@@ -14,6 +14,7 @@
 
 #include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
+#include "pipeline/manifest/ratings/answers/trial_form.h"
 
 namespace mien::pipeline {
 
@@ -30,16 +31,20 @@ struct AnswerColumn {
 };
 
 constexpr auto answer_columns = std::to_array<AnswerColumn>({
-    {{"participant", "", "participant id: position in the design, not a name"}, &Row::participant},
-    {{"session", "", "random id of the browser session"}, &Row::session},
-    {{"trial", "", "trial number in the participant's order, from 1"}, &Row::trial},
-    {{"block", "", "practice, main, or the level of the blocking factor"}, &Row::block},
-    {{"kind", "", "rating, emotion (choice from a list), pair (choice of two) or attention"},
-     &Row::kind},
-    {{"stimulus", "", "stimulus rated; for a pair, the one on the left"}, &Row::stimulus},
-    {{"stimulus_sha256", "", "SHA-256 of the media shown"}, &Row::stimulus_sha256},
-    {{"against", "", "reference shown beside it, or the other stimulus of a pair"}, &Row::against},
-    {{"item", "", "scale id; emotion for a choice from a list"}, &Row::item},
+    {{"participant", "", "who answered: the place in the design, no name"}, &Row::participant},
+    {{"session", "", "random name of the browser session in which the answer was given"},
+     &Row::session},
+    {{"trial", "", "number of the trial in the participant's order, from 1"}, &Row::trial},
+    {{"block", "", "practice, main, or the level of the factor that the order is blocked by"},
+     &Row::block},
+    {{"kind", "", trial_forms_meaning}, &Row::kind},
+    {{"stimulus", "", "the stimulus that was rated; of a pair the one at the left"},
+     &Row::stimulus},
+    {{"stimulus_sha256", "", "SHA-256 of the media that was shown"}, &Row::stimulus_sha256},
+    {{"against", "", "the reference that was shown beside, or the other stimulus of a pair"},
+     &Row::against},
+    {{"item", "", "the scale that was answered on; emotion where one of a list was chosen"},
+     &Row::item},
     {{"value_raw", "",
       "raw answer: position from the left, from 1 (points) or 0–100 (slider); the word chosen or "
       "written; left or right"},
@@ -121,9 +126,9 @@ class AnswerRowReader {
     if (row.trial < 1 && !text("trial").empty() && motion::as_written_number(text("trial")))
       fault("trial", fmt::format("there is no trial {}", motion::excerpt(text("trial"))),
             "trials count from 1");
-    refuse_other("kind", answer_kinds);
-    if (row.kind != "attention") refuse_empty("stimulus");
-    if (row.kind != "attention") refuse_empty("item");
+    refuse_other("kind", kinds_);
+    if (row.kind != attention_kind) refuse_empty("stimulus");
+    if (row.kind != attention_kind) refuse_empty("item");
     if (!row.pole_left.empty())
       refuse_other("pole_left", std::array<std::string_view, 2>{"low", "high"});
     return row;
@@ -200,6 +205,7 @@ class AnswerRowReader {
   }
 
   const CsvTable& table_;
+  const std::vector<std::string_view> kinds_ = answer_kinds();
   std::map<std::string_view, int> index_;
   const std::vector<CsvField>* fields_ = nullptr;
 };
@@ -209,7 +215,7 @@ class AnswerRowReader {
 const TableForm answer_form = {"answers.csv", "answer", answer_row_columns};
 
 bool AnswerRow::counts() const {
-  return !is_practice && !is_warmup && !is_catch && kind != "attention" && !value.empty() &&
+  return !is_practice && !is_warmup && !is_catch && kind != attention_kind && !value.empty() &&
          value != "NA";
 }
 

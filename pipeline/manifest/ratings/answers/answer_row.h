@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,11 +20,11 @@ struct AnswerRow {
   std::string session;          ///< of the browser
   int trial = 0;                ///< from 1
   std::string block;            ///< "practice", "main", or a level of the blocking factor
-  std::string kind = "rating";  ///< answer_kinds
+  std::string kind = "rating";  ///< of the trial: answer_kinds (trial_form.h)
   std::string stimulus;         ///< empty for an attention check without one
   std::string stimulus_sha256;  ///< of the media that was shown
   std::string against;          ///< the reference beside, or the other one of a pair
-  std::string item;             ///< id of the scale; "emotion"
+  std::string item;             ///< id of the scale, or the own item of the form (TrialForm)
   std::string value_raw;        ///< place from the left, chosen word, "left" or "right"
   std::string value;            ///< in the scale's own range, high pole = most; or what was chosen
   std::string pole_left;        ///< "low" or "high"; empty for what has no poles
@@ -55,9 +54,6 @@ struct AnswerRow {
   /// Whether it counts as an answer: no practice, no warm-up, no check, and not left empty.
   bool counts() const;
 };
-
-inline constexpr std::array<std::string_view, 4> answer_kinds = {"rating", "emotion", "pair",
-                                                                 "attention"};
 
 /// The columns in their order, as codebooks tell them.
 extern const TableForm answer_form;

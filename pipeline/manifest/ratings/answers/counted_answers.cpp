@@ -9,6 +9,7 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/manifest/ratings/answers/attention.h"
 #include "pipeline/manifest/ratings/answers/raw_form.h"
+#include "pipeline/manifest/ratings/answers/trial_form.h"
 
 namespace mien::pipeline {
 
@@ -44,7 +45,8 @@ std::set<std::string> told_excluded(const std::vector<AnswerRow>& rows,
 
 bool is_on_scale(const AnswerRow& row) {
   // A trial that asks which emotion is seen may ask scales too.
-  return row.kind == "rating" || (row.kind == "emotion" && row.item != "emotion");
+  const TrialForm* form = find_trial_form(row.kind);
+  return form != nullptr && form->is_on_scale && row.item != form->item;
 }
 
 CountedAnswers counted_answers(const CsvTable& table, const ScaleSet& scales) {

@@ -6,6 +6,7 @@
 #include "pipeline/study/questionnaire/latin_square.h"
 #include "pipeline/study/questionnaire/random_order.h"
 #include "pipeline/study/questionnaire/session_duration.h"
+#include "pipeline/study/trials/trial_kind.h"
 
 namespace mien::pipeline {
 
@@ -29,7 +30,7 @@ void add_trial(SessionPlan& plan, const std::string& block, const std::string& t
                const std::string& interface) {
   plan.trials.push_back({.number = static_cast<int>(plan.trials.size()) + 1,
                          .block = block,
-                         .kind = TrialKind::matching,
+                         .kind = &matching_trials,
                          .stimuli = {target},
                          .items = {{interface, false}},
                          .practice = block == "practice"});

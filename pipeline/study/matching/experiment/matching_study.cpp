@@ -79,7 +79,7 @@ ordered_json sessions_of(const std::vector<SessionPlan>& plans) {
     for (const Trial& trial : plan.trials) {
       trials.push_back({{"number", trial.number},
                         {"block", trial.block},
-                        {"kind", word_of(trial_kind_words, trial.kind)},
+                        {"kind", trial.kind_name()},
                         {"media", ordered_json::array()},
                         {"target", trial.stimuli.front()},
                         {"interface", trial.items.front().item},

@@ -39,7 +39,7 @@ ordered_json items_json(const Manifest& manifest) {
 
 ordered_json choices_json(const Manifest& manifest) {
   ordered_json choices = ordered_json::object();
-  if (questionnaire_of(manifest).trials != TrialForm::emotion) return choices;
+  if (!questionnaire_of(manifest).trials->offers_choices) return choices;
   for (const auto& [id, text] : asked_choices(manifest)) choices[id] = text;
   return choices;
 }
@@ -66,7 +66,7 @@ ordered_json trial_json(const Manifest& manifest, const Trial& trial) {
     items.push_back({{"item", asked.item}, {"flipped", asked.flipped}});
   return {{"number", trial.number},
           {"block", trial.block},
-          {"kind", word_of(trial_kind_words, trial.kind)},
+          {"kind", trial.kind_name()},
           {"media", media},
           {"reference",
            trial.reference.empty() ? std::string() : media_token(manifest, trial.reference)},

@@ -15,7 +15,6 @@
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/synthesis/motions.h"
-#include "pipeline/study/questionnaire/shown_media.h"
 #include "pipeline/tasks/hash.h"
 
 namespace mien::pipeline {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/ratings/answers/counted_answers.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -19,8 +21,8 @@ std::vector<std::string> bin_labels(const AskedScale& scale) {
   const int bins = scale.slider ? slider_bins : scale.points;
   const double width = scale.most - scale.least;
   for (int bin = 0; bin < bins; ++bin) {
-    const double value =
-        scale.slider ? scale.least + (bin + 0.5) * width / bins : value_of(scale, false, bin + 1);
+    const double value = scale.slider ? scale.least + (bin + 0.5) * width / bins
+                                      : written_value_of_raw(scale, bin + 1, false);
     labels.push_back(fmt::format("{:g}", value));
   }
   return labels;
@@ -35,14 +37,16 @@ std::size_t bin_of(const AskedScale& scale, double value) {
 
 }  // namespace
 
+const AskedScale* LiveResults::scale_of(const AnswerRow& row) const {
+  return is_on_scale(row) ? find_scale(facts_.scales, row.item) : nullptr;
+}
+
 LiveResults::Tally& LiveResults::tally_of(const AnswerRow& row) {
-  const bool is_pair = row.kind == "pair";
-  const auto [found, is_new] = tallies_.try_emplace({row.item, is_pair});
+  const TrialForm& form = *find_trial_form(row.kind);
+  const auto [found, is_new] = tallies_.try_emplace({row.item, form.stimuli > 1});
   if (!is_new) return found->second;
-  if (row.kind == "emotion") found->second.labels = facts_.choices;
-  const auto scale = facts_.scales.find(row.item);
-  if (row.kind == "rating" && scale != facts_.scales.end())
-    found->second.labels = bin_labels(scale->second);
+  if (form.offers_choices && row.item == form.item) found->second.labels = facts_.choices;
+  if (const AskedScale* scale = scale_of(row)) found->second.labels = bin_labels(*scale);
   found->second.counts.resize(found->second.labels.size());
   return found->second;
 }
@@ -63,14 +67,14 @@ void LiveResults::add(const std::vector<AnswerRow>& rows) {
     if (!row.counts()) continue;
     Tally& tally = tally_of(row);
     ++tally.answers;
-    const auto scale = facts_.scales.find(row.item);
-    if (row.kind != "rating" || scale == facts_.scales.end()) {
+    const AskedScale* scale = scale_of(row);
+    if (scale == nullptr) {
       count(tally, row.value);
-    } else if (!scale->second.words) {
+    } else if (!scale->words) {
       const double value = std::strtod(row.value.c_str(), nullptr);
       tally.sum += value;
       tally.is_measured = true;
-      ++tally.counts[bin_of(scale->second, value)];
+      ++tally.counts[bin_of(*scale, value)];
     }
   }
 }

@@ -35,6 +35,8 @@ class LiveResults {
     std::vector<int> counts;
   };
 
+  /// The scale that a row lies on, or nullptr.
+  const AskedScale* scale_of(const AnswerRow& row) const;
   Tally& tally_of(const AnswerRow& row);
   static void count(Tally& tally, const std::string& label);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -66,14 +65,13 @@ AnswerRow row_of_trial(const AskedFacts& facts, const SessionPlan& plan, const T
   row.session = record.session;
   row.trial = trial.number;
   row.block = trial.block;
-  row.kind = word_of(trial_kind_words, trial.kind);
+  row.kind = trial.kind_name();
   if (!trial.stimuli.empty()) row.stimulus = trial.stimuli.front();
   row.stimulus_sha256 = hash_at(facts.sha256, row.stimulus);
-  row.against = trial.kind == TrialKind::pair && trial.stimuli.size() > 1 ? trial.stimuli[1]
-                                                                          : trial.reference;
+  row.against = trial.against();
   row.is_practice = trial.practice;
   row.is_warmup = trial.warm_up;
-  row.is_catch = trial.is_catch || trial.kind == TrialKind::attention;
+  row.is_catch = trial.is_catch || trial.is_attention_check();
   row.expected = trial.expected;
   row.seed = plan.seed;
   row.design = facts.design;
@@ -81,28 +79,27 @@ AnswerRow row_of_trial(const AskedFacts& facts, const SessionPlan& plan, const T
   return row;
 }
 
-void add_response(const AskedFacts& facts, const Trial& trial, const GivenResponse& response,
-                  AnswerRow& row) {
+void add_response(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
+                  const GivenResponse& response, AnswerRow& row) {
   row.item = response.item;
   row.value_raw = table_text(response.value_raw);
   row.value = row.value_raw;
   row.rt_ms = response.rt_ms;
-  if (!trial.expected.empty()) row.passed = response.value_raw == trial.expected;
-  if (trial.kind == TrialKind::pair) {
-    row.value = response.value_raw == "left" ? row.stimulus : row.against;
+  if (trial.is_attention_check()) {
+    row.passed = response.value_raw == trial.expected;
     return;
   }
-  const auto scale = facts.scales.find(response.item);
-  if (trial.kind != TrialKind::rating || scale == facts.scales.end() || scale->second.words) return;
   const auto asked = std::ranges::find(trial.items, response.item, &AskedItem::item);
-  const bool flipped = asked != trial.items.end() && asked->flipped;
-  row.pole_left = flipped ? "high" : "low";
-  if (response.is_number)
-    row.value =
-        shortest(value_of(scale->second, flipped, std::strtod(row.value_raw.c_str(), nullptr)));
+  trial.kind->complete(question_of(facts, plan, trial, *asked), row);
 }
 
 }  // namespace
+
+Question question_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
+                     const AskedItem& item) {
+  return {trial, item, find_scale(facts.scales, item.item),
+          plan.choices.empty() ? facts.choices : plan.choices};
+}
 
 AskedFacts asked_facts(const nlohmann::ordered_json& experiment) {
   AskedFacts facts;
@@ -113,7 +110,9 @@ AskedFacts asked_facts(const nlohmann::ordered_json& experiment) {
                         .slider = item.value("slider", false),
                         .words = item.value("words", false),
                         .least = item.at("least"),
-                        .most = item.at("most")};
+                        .most = item.at("most"),
+                        .low = item.value("low", ""),
+                        .high = item.value("high", "")};
   }
   if (const auto choices = experiment.find("choices"); choices != experiment.end()) {
     for (const auto& [id, shown] : choices->items()) facts.choices.push_back(id);
@@ -175,17 +174,11 @@ std::vector<AnswerRow> rows_of(const AskedFacts& facts, const SessionPlan& plan,
   std::vector<AnswerRow> rows;
   for (const GivenResponse& response : record.responses) {
     AnswerRow row = row_of_trial(facts, plan, trial, record);
-    add_response(facts, trial, response, row);
+    add_response(facts, plan, trial, response, row);
     if (rows.empty()) row.comment = table_text(record.comment);
     rows.push_back(std::move(row));
   }
   return rows;
-}
-
-double value_of(const AskedScale& scale, bool flipped, double raw) {
-  const double share = scale.slider ? raw / 100 : (raw - 1) / (scale.points - 1);
-  const double value = scale.least + (flipped ? 1 - share : share) * (scale.most - scale.least);
-  return std::strtod(fmt::format("{:.6f}", value).c_str(), nullptr) + 0.0;
 }
 
 }  // namespace mien::pipeline

@@ -10,17 +10,9 @@
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/study/questionnaire/service/matching_record.h"
 #include "pipeline/study/questionnaire/session_plan.h"
+#include "pipeline/study/trials/trial_kind.h"
 
 namespace mien::pipeline {
-
-/// How an item is answered.
-struct AskedScale {
-  int points = 5;
-  bool slider = false;
-  bool words = false;
-  double least = -2.0;  ///< the answer that means the low pole
-  double most = 2.0;
-};
 
 /// A question about the participant.
 struct AskedQuestion {
@@ -34,24 +26,20 @@ struct AskedQuestion {
 struct AskedFacts {
   std::string design;  ///< hash
   bool simulated = false;
-  std::map<std::string, AskedScale> scales;  ///< by item
-  std::vector<std::string> choices;          ///< of emotion trials: ids
+  AskedScales scales;
+  std::vector<std::string> choices;  ///< of emotion trials: ids
   std::vector<AskedQuestion> questions;
   std::map<std::string, std::string> sha256;  ///< of the media, by stimulus
   std::optional<MatchingFacts> matching;      ///< of a matching experiment
 };
 
+/// An item of a trial, asked or answered.
+Question question_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
+                     const AskedItem& item);
+
 /// As experiment.json tells it, of all its sessions. Throws nlohmann::json::exception when that is
 /// something else.
 AskedFacts asked_facts(const nlohmann::ordered_json& experiment);
-
-/// An answer to one item.
-struct GivenResponse {
-  std::string item;
-  std::string value_raw;   ///< as text; of numbers the shortest
-  bool is_number = false;  ///< it was given as a number
-  std::optional<double> rt_ms;
-};
 
 /// What a page gave: of the consent, the demographics, a trial or the ending.
 struct PageRecord {
@@ -77,8 +65,5 @@ std::vector<std::string> record_names(const SessionPlan& plan, const AskedFacts&
 /// (record_check.h). What would break lines or end texts in a table is a space there.
 std::vector<AnswerRow> rows_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                                const PageRecord& record);
-
-/// A raw answer in the scale's own range, the high pole being the most.
-double value_of(const AskedScale& scale, bool flipped, double raw);
 
 }  // namespace mien::pipeline

@@ -1,12 +1,9 @@
 #include "pipeline/study/questionnaire/service/record_check.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <set>
 
 #include <fmt/format.h>
-
-#include "pipeline/manifest/asked.h"
 
 namespace mien::pipeline {
 
@@ -14,6 +11,10 @@ namespace {
 
 constexpr char consent_refused[] = "refused";
 constexpr char attention_item[] = "attention";
+
+void refuse(const std::string& fault) {
+  if (!fault.empty()) throw RecordFault(fault);
+}
 
 /// The one response that there may be to each of these items, in any order.
 void check_items(const PageRecord& record, const std::vector<std::string>& items) {
@@ -25,47 +26,8 @@ void check_items(const PageRecord& record, const std::vector<std::string>& items
   if (!left.empty()) throw RecordFault(fmt::format("\"{}\" is not answered", *left.begin()));
 }
 
-void check_whole(const GivenResponse& response, double least, double most) {
-  const double value =
-      response.is_number ? std::strtod(response.value_raw.c_str(), nullptr) : std::nan("");
-  if (!(value >= least && value <= most && value == std::floor(value)))
-    throw RecordFault(fmt::format("an answer is not a whole number from {} to {}", least, most));
-}
-
 void check_word(const GivenResponse& response, const std::vector<std::string>& words) {
-  if (response.is_number || std::ranges::find(words, response.value_raw) == words.end())
-    throw RecordFault("an answer is not one of the choices");
-}
-
-void check_on_scale(const GivenResponse& response, const AskedScale& scale) {
-  if (!scale.words)
-    check_whole(response, scale.slider ? 0 : 1, scale.slider ? 100 : scale.points);
-  else if (response.is_number)
-    throw RecordFault("a free-text answer is a number");
-}
-
-/// As the other trials of the questionnaire are answered: a check looks like them.
-TrialKind answered_like(const Trial& trial, const GivenResponse& response) {
-  if (trial.kind != TrialKind::attention) return trial.kind;
-  if (response.item == emotion_item) return TrialKind::emotion;
-  const bool is_pair = trial.expected == "left" || trial.expected == "right";
-  return is_pair ? TrialKind::pair : TrialKind::rating;
-}
-
-void check_response(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
-                    const GivenResponse& response) {
-  switch (answered_like(trial, response)) {
-    case TrialKind::emotion:
-      check_word(response, plan.choices.empty() ? facts.choices : plan.choices);
-      break;
-    case TrialKind::pair:
-      check_word(response, {"left", "right"});
-      break;
-    default: {
-      const auto scale = facts.scales.find(response.item);
-      check_on_scale(response, scale == facts.scales.end() ? AskedScale() : scale->second);
-    }
-  }
+  refuse(choice_fault(response, words));
 }
 
 void check_media(const AskedFacts& facts, const Trial& trial, const PageRecord& record) {
@@ -83,18 +45,21 @@ void check_media(const AskedFacts& facts, const Trial& trial, const PageRecord& 
 
 void check_trial_record(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                         const PageRecord& record) {
-  if (record.matching.has_value() != (trial.kind == TrialKind::matching))
-    throw RecordFault("the record is of a different kind of trial");
+  if (record.matching.has_value() != (trial.kind == &matching_trials))
+    throw RecordFault("the record is of another kind of trial");
   if (record.matching) {
     check_items(record, {});
     return check_matching_record(facts.matching.value(), trial, *record.matching);
   }
+  std::vector<AskedItem> asked = trial.items;
+  if (asked.empty() && trial.is_attention_check()) asked = {{attention_item}};
   std::vector<std::string> items;
-  for (const AskedItem& item : trial.items) items.push_back(item.item);
-  if (items.empty() && trial.kind == TrialKind::attention) items = {attention_item};
+  for (const AskedItem& item : asked) items.push_back(item.item);
   check_items(record, items);
-  for (const GivenResponse& response : record.responses)
-    check_response(facts, plan, trial, response);
+  for (const GivenResponse& response : record.responses) {
+    const AskedItem& item = *std::ranges::find(asked, response.item, &AskedItem::item);
+    refuse(trial.kind->fault(question_of(facts, plan, trial, item), response));
+  }
   check_media(facts, trial, record);
 }
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/ratings/answers/trial_form.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -23,6 +25,19 @@ std::vector<std::string> varied_factors(const Gathered& gathered) {
   return factors;
 }
 
+/// The answers that lie on a scale (is_on_scale), in R.
+std::string on_scale_in_r() {
+  std::string condition;
+  for (const auto& [name, form] : trial_form_words) {
+    if (!form->is_on_scale) continue;
+    if (!condition.empty()) condition += " | ";
+    condition += form->item.empty()
+                     ? fmt::format("kind == \"{}\"", name)
+                     : fmt::format("(kind == \"{}\" & item != \"{}\")", name, form->item);
+  }
+  return condition;
+}
+
 std::string head_of(const Gathered& gathered, const std::string& what, const std::string& package,
                     const std::string& answers, const std::string& stimuli) {
   return fmt::format(
@@ -38,9 +53,9 @@ answers <- read.csv(file.path("..", "{answers}"), encoding = "UTF-8",
                                    value = "character", comment = "character"))
 stimuli <- read.csv(file.path("..", "{stimuli}"), encoding = "UTF-8")
 
-# The answers analysed in the report: ratings outside practice, warm-up and checks, by
-# participants who were not excluded.
-counted <- subset(answers, (kind == "rating" | (kind == "emotion" & item != "emotion")) &
+# The same answers that the report counts: ratings that are no practice, warm-up or check, of
+# participants who are not excluded.
+counted <- subset(answers, ({on_scale}) &
                     is_practice == 0 & is_warmup == 0 & is_catch == 0 &
                     excluded == 0 & !is.na(value) & value != "")
 counted$value <- as.numeric(counted$value)
@@ -55,7 +70,7 @@ varied <- function(d) wanted[vapply(wanted, function(f) nlevels(droplevels(d[[f]
       fmt::arg("what", what), fmt::arg("study", gathered.study),
       fmt::arg("simulated", gathered.simulated ? "\n# SIMULATED answers." : ""),
       fmt::arg("package", package), fmt::arg("answers", answers), fmt::arg("stimuli", stimuli),
-      fmt::arg("factors", [&] {
+      fmt::arg("on_scale", on_scale_in_r()), fmt::arg("factors", [&] {
         std::string names;
         for (const std::string& factor : varied_factors(gathered))
           names += (names.empty() ? "\"" : ", \"") + factor + "\"";

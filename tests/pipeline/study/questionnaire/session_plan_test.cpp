@@ -53,8 +53,8 @@ void expect_sound(const Manifest& manifest, const std::vector<SessionPlan>& plan
     for (const Trial& trial : plan.trials) {
       EXPECT_EQ(trial.number, &trial - plan.trials.data() + 1);
       warm_up += trial.warm_up;
-      repeated += trial.is_catch && trial.kind != TrialKind::attention;
-      if (trial.kind == TrialKind::attention) continue;
+      repeated += trial.is_catch && !trial.is_attention_check();
+      if (trial.is_attention_check()) continue;
       if (before != nullptr && !before->practice) {
         EXPECT_NE(before->stimuli, trial.stimuli);
         for (const std::string& factor : asked.apart) {
@@ -161,17 +161,17 @@ TEST(SessionPlan, AsksForAnAnswerThatThereIs) {
   for (const SessionPlan& plan : plans_of(20, "attention: {every: 3}, answer: {points: 7}")) {
     int checks = 0;
     for (const Trial& trial : plan.trials) {
-      if (trial.kind == TrialKind::attention) points.insert(trial.expected);
-      checks += trial.kind == TrialKind::attention;
+      if (trial.is_attention_check()) points.insert(trial.expected);
+      checks += trial.is_attention_check();
     }
     EXPECT_EQ(checks, 6);
-    EXPECT_NE(plan.trials.back().kind, TrialKind::attention);
+    EXPECT_FALSE(plan.trials.back().is_attention_check());
   }
   EXPECT_EQ(points, (std::set<std::string>{"1", "7"}));
   for (const SessionPlan& plan : plans_of(20, "trials: emotion, attention: {every: 3}")) {
     EXPECT_EQ(plan.choices.size(), 4u);
     for (const Trial& trial : plan.trials) {
-      if (trial.kind == TrialKind::attention && trial.items[0].item == emotion_item)
+      if (trial.is_attention_check() && trial.items[0].item == emotion_form.item)
         emotions.insert(trial.expected);
     }
   }

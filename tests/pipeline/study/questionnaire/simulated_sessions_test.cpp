@@ -10,31 +10,13 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/study/questionnaire/asked_study.h"
-#include "pipeline/study/questionnaire/raw_answer.h"
+#include "pipeline/study/trials/asked_scale.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
 namespace {
 
 using test::asked_study;
-
-TEST(RawAnswer, GoesThereAndBackWhicheverEndIsLeft) {
-  const Scale scale{.id = "s", .low = "l", .high = "h", .least = -3, .most = 3};
-  AnswerSettings answer;
-  answer.points = 7;
-  EXPECT_EQ(value_of_raw(scale, answer, 1, false), -3.0);
-  EXPECT_EQ(value_of_raw(scale, answer, 1, true), 3.0);
-  EXPECT_EQ(value_of_raw(scale, answer, 5, false), 1.0);
-  for (int raw = 1; raw <= 7; ++raw) {
-    for (const bool flipped : {false, true}) {
-      const double value = value_of_raw(scale, answer, raw, flipped);
-      EXPECT_EQ(raw_of_value(scale, answer, value, flipped), raw);
-    }
-  }
-  answer.slider = true;
-  EXPECT_EQ(value_of_raw(scale, answer, 25, true), 1.5);
-  EXPECT_EQ(raw_of_value(scale, answer, 99, false), 100.0);
-}
 
 TEST(SimulatedSessions, HaveARowForEveryItemOfEveryTrialThatCanBeReadAgain) {
   const Manifest manifest = asked_study(
@@ -50,16 +32,14 @@ TEST(SimulatedSessions, HaveARowForEveryItemOfEveryTrialThatCanBeReadAgain) {
   EXPECT_EQ(rows.size(), expected);
   const auto again = answer_rows(parse_csv(to_csv(rows), "answers.csv"));
   ASSERT_EQ(again.size(), rows.size());
-  const ScaleSet scales = asked_scales(manifest);
+  const auto scales = asked_scales_by_item(manifest);
   for (const AnswerRow& row : again) {
     EXPECT_TRUE(row.simulated);
     EXPECT_EQ(row.design, design_hash(manifest, plans));
     EXPECT_EQ(row.against, row.kind == "attention" ? "" : "b2");
     EXPECT_EQ(row.passed.has_value(), row.kind == "attention");
-    const Scale& scale = *find_scale(scales, row.item);
     EXPECT_EQ(std::stod(row.value),
-              value_of_raw(scale, manifest.questionnaire->answer, std::stod(row.value_raw),
-                           row.pole_left == "high"));
+              value_of_raw(scales.at(row.item), std::stod(row.value_raw), row.pole_left == "high"));
   }
 }
 

@@ -99,7 +99,7 @@ TEST(CatchTrials, OfWhoIsLeftOutAreToldButNotCounted) {
 TEST(CatchTrials, OfChoicesAndPairsAreTheSameOrNot) {
   Manifest manifest = repeating_study();
   manifest.questionnaire->attention_every = 0;
-  manifest.questionnaire->trials = TrialForm::emotion;
+  manifest.questionnaire->trials = &emotion_form;
   std::vector<AnswerRow> rows = answers_to(manifest);
   std::erase_if(rows, [](const AnswerRow& row) { return row.item != "emotion"; });
   for (AnswerRow& row : rows) row.value = is_second(row) ? "happy" : "sad";
@@ -109,7 +109,7 @@ TEST(CatchTrials, OfChoicesAndPairsAreTheSameOrNot) {
   EXPECT_FALSE(answers[0].is_equal());
   EXPECT_TRUE(std::isnan(catch_summaries_of(answers)[0].mean_difference));
 
-  manifest.questionnaire->trials = TrialForm::pair;
+  manifest.questionnaire->trials = &pair_form;
   manifest.questionnaire->pairs = {{"walk", "sad"}, {"walk", "happy"}, {"sad", "happy"}};
   manifest.questionnaire->scales.ids = {"sad-happy"};
   rows = answers_to(manifest);

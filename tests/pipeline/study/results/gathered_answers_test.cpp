@@ -103,11 +103,11 @@ TEST(Gathered, LeavesOutWhoFailsChecksAndSaysSo) {
 
 TEST(Gathered, TakesChoicesAndPairs) {
   Manifest manifest = two_emotion_study(6);
-  manifest.questionnaire->trials = TrialForm::emotion;
+  manifest.questionnaire->trials = &emotion_form;
   const Gathered chosen = gather(manifest, answers_to(manifest));
   EXPECT_EQ(chosen.chosen.size(), 6u * 5u);
   EXPECT_EQ(chosen.choices.size(), 3u);
-  manifest.questionnaire->trials = TrialForm::pair;
+  manifest.questionnaire->trials = &pair_form;
   manifest.questionnaire->pairs = {{"walk", "sad"}, {"walk", "happy"}};
   manifest.questionnaire->scales.ids = {"sad-happy"};
   const Gathered pairs = gather(manifest, answers_to(manifest, {{{"happy", "sad-happy"}, 2.0}}));

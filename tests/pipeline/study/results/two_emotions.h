@@ -38,7 +38,7 @@ inline Manifest two_emotion_study(int participants = 20, std::uint64_t seed = 1)
 /// The same stimuli, three pairs of them.
 inline Manifest pair_study() {
   Manifest manifest = two_emotion_study(12);
-  manifest.questionnaire->trials = TrialForm::pair;
+  manifest.questionnaire->trials = &pair_form;
   manifest.questionnaire->pairs = {{"walk", "sad"}, {"walk", "happy"}, {"acted-sad", "happy"}};
   manifest.questionnaire->scales.ids = {"sad-happy"};
   return manifest;

@@ -1,5 +1,5 @@
-import type { Experiment, Item, Response, Trial } from "./experiment";
 import { element } from "./elements";
+import type { Item, Response } from "./experiment";
 import { degreeOf, meaningOf, type Texts } from "./texts";
 
 /** One thing that is asked and its answer, if any. */
@@ -12,9 +12,9 @@ export interface Asked {
 }
 
 /** Told when an answer has been given; `isKey` where it was a digit, after which one goes on. */
-type Answered = (asked: Asked, isKey: boolean) => void;
+export type Answered = (asked: Asked, isKey: boolean) => void;
 
-interface Choice {
+export interface Choice {
   value: string;
   text: string;
   /** Smaller, below it. */
@@ -27,7 +27,7 @@ interface Choice {
 let names = 0;
 
 /** Buttons of which one is chosen: arrows move, digits choose. */
-function choicesOf(
+export function choicesOf(
   item: string, title: string, left: string, right: string, choices: Choice[],
   raw: (value: string) => number | string, chosen: string | null, answered: Answered,
 ): Asked {
@@ -78,7 +78,7 @@ function choicesOf(
 }
 
 /** The further from the middle the stronger, one hue a side: sides tell nothing of poles. */
-function lookOf(place: number, points: number): string {
+export function lookOf(place: number, points: number): string {
   const middle = (points + 1) / 2;
   const depth = Math.round((3 * Math.abs(place - middle)) / (middle - 1));
   if (place === middle) return "middle";
@@ -136,7 +136,7 @@ function sliderOf(id: string, item: Item, flipped: boolean, answered: Answered):
   return asked;
 }
 
-function wordsOf(id: string, title: string, answered: Answered): Asked {
+export function wordsOf(id: string, title: string, answered: Answered): Asked {
   let at = performance.now();
   const input = element("textarea", { rows: "2", maxlength: "2000", id: `asked-${(names += 1)}` });
   const asked: Asked = {
@@ -152,68 +152,13 @@ function wordsOf(id: string, title: string, answered: Answered): Asked {
   return asked;
 }
 
-function pairOf(id: string, item: Item | undefined, texts: Texts, answered: Answered): Asked {
-  const title = item ? texts.more(item.high) : id;
-  return choicesOf(id, title, "", "",
-    [{ value: "left", text: texts.left, look: "left-2" }, { value: "right", text: texts.right, look: "right-2" }],
-    String, null, answered);
-}
-
-/** Words of which one is chosen. */
-function emotionOf(
-  ids: string[], experiment: Experiment, texts: Texts, answered: Answered,
+/** A scale with its ends, answered as it says; in words where it is none. */
+export function scaleOf(
+  id: string, item: Item | undefined, flipped: boolean, language: string, texts: Texts, answered: Answered,
 ): Asked {
-  const choices = ids.map((id, index): Choice => ({ value: id, text: experiment.choices?.[id] ?? id,
-    note: index < 9 ? String(index + 1) : undefined, look: "plain" }));
-  return choicesOf("emotion", texts.whichEmotion, "", "", choices, String, null, answered);
-}
-
-/** The check that an answer is given as told, in the way in which all trials are answered. */
-function checkOf(
-  trial: Trial, ids: string[], experiment: Experiment, texts: Texts, answered: Answered,
-): Asked {
-  const id = trial.items[0]?.item ?? "attention";
-  const flipped = trial.items[0]?.flipped ?? false;
-  const item = experiment.items[id];
-  if (id === "emotion") return emotionOf(ids, experiment, texts, answered);
-  if (trial.expected === "left" || trial.expected === "right") return pairOf(id, item, texts, answered);
-  if (item?.words) return wordsOf(id, texts.attention, answered);
-  if (item?.slider) return sliderOf(id, { ...item, default: null }, flipped, answered);
-  if (item) return pointsOf(id, { ...item, default: null }, flipped, experiment.language, texts, answered);
-  const choices = [1, 2, 3, 4, 5].map((place): Choice => ({ value: String(place), text: String(place),
-    look: lookOf(place, 5) }));
-  return choicesOf(id, texts.attention, "", "", choices, Number, null, answered);
-}
-
-/** What a check asks for. */
-export function checkText(trial: Trial, experiment: Experiment, texts: Texts): string {
-  const expected = trial.expected ?? "";
-  const id = trial.items[0]?.item ?? "";
-  const item = experiment.items[id];
-  if (id === "emotion") return texts.chooseWord(experiment.choices?.[expected] ?? expected);
-  if (expected === "left" || expected === "right") return texts.chooseWord(texts[expected]);
-  if (item?.words) return texts.writeWord(expected);
-  const place = Number(expected);
-  if (item?.slider)
-    return place === 0 ? texts.putLeft : place === 100 ? texts.putRight : texts.putSlider(place);
-  return place === 1 ? texts.pressLeftmost : place === (item?.points ?? 5) ? texts.pressRightmost
-    : texts.pressNumber(place);
-}
-
-/** All that a trial asks, in its order. */
-export function askedOf(
-  trial: Trial, choicesInOrder: string[], experiment: Experiment, texts: Texts, answered: Answered,
-): Asked[] {
-  if (trial.kind === "attention")
-    return [checkOf(trial, choicesInOrder, experiment, texts, answered)];
-  if (trial.kind === "emotion") return [emotionOf(choicesInOrder, experiment, texts, answered)];
-  return trial.items.map(({ item: id, flipped }) => {
-    const item = experiment.items[id];
-    if (trial.kind === "pair") return pairOf(id, item, texts, answered);
-    if (!item || item.words) return wordsOf(id, item ? `${item.low} – ${item.high}` : texts.describe, answered);
-    return item.slider ? sliderOf(id, item, flipped, answered)
-      : pointsOf(id, item, flipped, experiment.language, texts, answered);
-  });
+  if (!item || item.words) return wordsOf(id, item ? `${item.low} – ${item.high}` : texts.describe, answered);
+  return item.slider ? sliderOf(id, item, flipped, answered)
+    : pointsOf(id, item, flipped, language, texts, answered);
 }
 
 /** Answers in the order in which they were asked; times from `since`. */

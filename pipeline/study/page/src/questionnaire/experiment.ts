@@ -11,7 +11,7 @@ export interface Experiment {
   texts: { consent: string[]; instructions: string[]; ending: string[] };
   settings: Settings;
   items: Record<string, Item>;
-  /** Of "which emotion" trials: as they are shown. */
+  /** What trials offer to choose from: as it is shown. */
   choices?: Record<string, string>;
   demographics: Demographic[];
   media: Record<string, Media>;
@@ -74,7 +74,7 @@ export interface Session {
   participant: string;
   /** Digits: more of them than a number of JavaScript holds. */
   seed: string | number;
-  /** Ids of what emotion trials offer, as they stand there. */
+  /** Ids of what trials offer, as they stand there. */
   choices?: string[];
   trials: Trial[];
 }
@@ -82,7 +82,8 @@ export interface Session {
 export interface Trial {
   number: number;
   block: string;
-  kind: "rating" | "emotion" | "pair" | "attention";
+  /** Of trialKinds (trials/trial_kinds.ts). */
+  kind: string;
   media: string[];
   reference: string;
   items: { item: string; flipped: boolean }[];

@@ -1,4 +1,5 @@
-import type { Experiment, Item, PageRecord, Session, Trial } from "./experiment";
+import type { Experiment, PageRecord, Session, Trial } from "./experiment";
+import { kindOf } from "./trials/trial_kinds";
 
 /** As pipeline/manifest/ratings/answers/answer_row.h has them. */
 const answerColumns = [
@@ -15,13 +16,6 @@ const truth = (is: boolean): string => (is ? "1" : "0");
 const numberText = (value: number | null | undefined): string =>
   value === null || value === undefined ? "" : String(value);
 
-/** A raw answer in the scale's own range, its high pole being the most. */
-function valueOf(item: Item, flipped: boolean, raw: number): number {
-  const share = item.slider ? raw / 100 : (raw - 1) / (item.points - 1);
-  const value = item.least + (flipped ? 1 - share : share) * (item.most - item.least);
-  return Number(value.toFixed(6)) + 0;
-}
-
 /** What a table cannot hold is a space there. */
 const tableText = (text: string): string =>
   text.replace(/[\x00-\x08\x0b-\x1f\x7f]/g, " ");
@@ -32,16 +26,11 @@ function rowsOf(
 ): Row[] {
   const stimulus = (token: string | undefined) => (token && experiment.stimuli?.[token]) ?? "";
   const [shown, other] = trial.media;
+  const kind = kindOf(trial);
   const expected = trial.expected ?? "";
   return record.responses.map((response, index) => {
-    const asked = trial.items.find(({ item }) => item === response.item);
-    const item = experiment.items[response.item];
-    const hasPoles = trial.kind === "rating" && !!item && !item.words;
     const raw = tableText(String(response.value_raw));
-    let value = raw;
-    if (hasPoles && asked && typeof response.value_raw === "number")
-      value = String(valueOf(item, asked.flipped, response.value_raw));
-    if (trial.kind === "pair") value = stimulus(response.value_raw === "left" ? shown : other);
+    const { value, pole_left } = kind.meaning(trial, response, raw, experiment, stimulus);
     return {
       participant: session.participant,
       session: record.session,
@@ -50,15 +39,15 @@ function rowsOf(
       kind: trial.kind,
       stimulus: stimulus(shown),
       stimulus_sha256: record.media_sha256?.[0] ?? "",
-      against: stimulus(trial.kind === "pair" ? other : trial.reference),
+      against: stimulus(other ?? trial.reference),
       item: response.item,
       value_raw: raw,
       value,
-      pole_left: hasPoles ? (asked?.flipped ? "high" : "low") : "",
+      pole_left,
       rt_ms: numberText(response.rt_ms),
       is_practice: truth(trial.practice),
       is_warmup: truth(trial.warm_up),
-      is_catch: truth(trial.catch || trial.kind === "attention"),
+      is_catch: truth(trial.catch || !!kind.isCheck),
       expected,
       passed: expected === "" ? "" : truth(String(response.value_raw) === expected),
       replays: numberText(record.replays),

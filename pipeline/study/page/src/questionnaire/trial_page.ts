@@ -1,11 +1,12 @@
 import { ParameterType, type JsPsych, type JsPsychPlugin, type TrialType } from "jspsych";
-import { askedOf, checkText, responsesOf, type Asked } from "./answers";
+import { responsesOf, type Asked } from "./answers";
 import { button, element } from "./elements";
 import type { Experiment, PageRecord, Session, Trial } from "./experiment";
 import { countBlurs } from "./measures";
 import type { Stock } from "./media";
 import { Stage, type ShownMedia } from "./stage";
 import type { Texts } from "./texts";
+import { kindOf } from "./trials/trial_kinds";
 
 const info = {
   name: "mien-trial-page",
@@ -66,8 +67,9 @@ class TrialAtWork {
     const { trial, around, page } = this;
     const { experiment, texts } = around;
     const shown = shownOf(trial, around);
-    this.asked = askedOf(trial, around.session.choices ?? Object.keys(experiment.choices ?? {}),
-      experiment, texts, (asked, isKey) => this.answered(asked, isKey));
+    this.asked = kindOf(trial).ask({ trial, experiment, texts,
+      choices: around.session.choices ?? Object.keys(experiment.choices ?? {}),
+      answered: (asked, isKey) => this.answered(asked, isKey) });
     page.classList.add(trial.kind, shown.length > 1 ? "wide" : "narrow");
     if (!shown.length) page.classList.add("bare");
     page.append(this.head());
@@ -84,8 +86,7 @@ class TrialAtWork {
       ...this.commentParts(),
       element("div", { class: "buttons" }, this.next, this.note));
     for (const legend of rows.querySelectorAll("legend"))
-      if (legend.textContent === this.question() || (trial.kind === "pair" && trial.items.length === 1))
-        legend.classList.add("unseen");
+      if (legend.textContent === this.question()) legend.classList.add("unseen");
     page.append(this.answers);
     this.display.replaceChildren(page);
     scrollTo(0, 0);
@@ -109,18 +110,13 @@ class TrialAtWork {
   private question(): string {
     const { trial, around } = this;
     const { texts, experiment } = around;
-    if (trial.kind === "attention") return checkText(trial, experiment, texts);
-    if (experiment.settings.question) return experiment.settings.question;
-    const [only, other] = trial.items;
-    if (trial.kind === "pair" && only && !other && experiment.items[only.item])
-      return texts.whichIsMore(experiment.items[only.item]!.high);
-    return trial.kind === "emotion" ? texts.whichEmotion
-      : trial.kind === "pair" ? texts.whichOfTwo : texts.rate;
+    const kind = kindOf(trial);
+    return (!kind.isCheck && experiment.settings.question) || kind.question(trial, experiment, texts);
   }
 
   private commentParts(): HTMLElement[] {
     const { experiment, texts } = this.around;
-    if (!experiment.settings.comments || this.trial.kind === "attention") return [];
+    if (!experiment.settings.comments || kindOf(this.trial).isCheck) return [];
     return [element("div", { class: "asked comment" },
       element("label", { for: this.comment.id }, `${texts.comment} (${texts.optional})`), this.comment)];
   }

@@ -33,7 +33,7 @@ TEST(MatchingPlan, HasEveryTargetOnceWithEachInterface) {
       int analysed = 0;
       for (const Trial& trial : plan.trials) {
         EXPECT_EQ(trial.number, &trial - plan.trials.data() + 1);
-        EXPECT_EQ(trial.kind, TrialKind::matching);
+        EXPECT_EQ(trial.kind, &matching_trials);
         if (!trial.is_analysed()) continue;
         ++analysed;
         seen.emplace(trial.stimuli.front(), trial.items.front().item);

@@ -105,7 +105,7 @@ TEST_F(Records, AreReadBackFromATable) {
 }
 
 TEST_F(Records, OfChecksAreAnsweredAsTheOtherTrialsAre) {
-  Trial check{.number = 1, .kind = TrialKind::attention, .items = {{"emotion"}}, .expected = "sad"};
+  Trial check{.number = 1, .kind = &emotion_trials, .items = {{"emotion"}}, .expected = "sad"};
   SessionPlan plan{.trials = {check}, .choices = {"sad", "happy"}};
   nlohmann::json text = good_record(study_, 0, "consent");
   text["record"] = "trial-1";
@@ -115,10 +115,12 @@ TEST_F(Records, OfChecksAreAnsweredAsTheOtherTrialsAre) {
   };
   EXPECT_NO_THROW(give("emotion", "happy"));
   EXPECT_THROW(give("emotion", 1), RecordFault);
+  plan.trials[0].kind = &pair_trials;
   plan.trials[0].items = {{"sad-happy"}};
   plan.trials[0].expected = "left";
   EXPECT_NO_THROW(give("sad-happy", "right"));
   EXPECT_THROW(give("sad-happy", 1), RecordFault);
+  plan.trials[0].kind = &rating_trials;
   plan.trials[0].expected = "5";
   EXPECT_NO_THROW(give("sad-happy", 1));
   EXPECT_THROW(give("sad-happy", "left"), RecordFault);
@@ -135,8 +137,8 @@ SessionPlan plan_in(const nlohmann::json& session, const nlohmann::json& stimuli
                 .warm_up = told.at("warm_up"),
                 .is_catch = told.at("catch"),
                 .expected = told.at("expected")};
-    for (const auto& [word, kind] : trial_kind_words)
-      if (told.at("kind") == word) trial.kind = kind;
+    for (const TrialKind* kind : trial_kinds)
+      if (told.at("kind") == kind->name) trial.kind = kind;
     for (const nlohmann::json& token : told.at("media"))
       trial.stimuli.push_back(stimuli.at(token.get<std::string>()));
     const std::string reference = told.at("reference");

@@ -15,11 +15,7 @@ std::string token_of_stimulus(const std::string& stimulus) {
 }
 
 Trial rating(int number, const std::string& stimulus, std::vector<AskedItem> items) {
-  return {.number = number,
-          .block = "main",
-          .kind = TrialKind::rating,
-          .stimuli = {stimulus},
-          .items = std::move(items)};
+  return {.number = number, .block = "main", .stimuli = {stimulus}, .items = std::move(items)};
 }
 
 SessionPlan example_plan(int index, int more) {
@@ -32,18 +28,17 @@ SessionPlan example_plan(int index, int more) {
                  rating(3, "walk-sad", {{"words", false}}),
                  {.number = 4,
                   .block = "main",
-                  .kind = TrialKind::attention,
                   .items = {{"sad-happy", false}},
                   .is_catch = true,
                   .expected = "5"},
                  {.number = 5,
                   .block = "main",
-                  .kind = TrialKind::emotion,
+                  .kind = &emotion_trials,
                   .stimuli = {"walk-happy"},
                   .items = {{"emotion", false}}},
                  {.number = 6,
                   .block = "main",
-                  .kind = TrialKind::pair,
+                  .kind = &pair_trials,
                   .stimuli = {"walk-happy", "walk-sad"},
                   .items = {{"sad-happy", false}}}};
   plan.trials[0].block = "practice";
@@ -65,7 +60,7 @@ nlohmann::ordered_json session_of(const SessionPlan& plan) {
     trials.push_back(
         {{"number", trial.number},
          {"block", trial.block},
-         {"kind", word_of(trial_kind_words, trial.kind)},
+         {"kind", trial.kind_name()},
          {"media", std::move(media)},
          {"reference", trial.reference.empty() ? "" : token_of_stimulus(trial.reference)},
          {"items", std::move(items)},
@@ -122,9 +117,9 @@ nlohmann::json response_to(const ServedStudy& study, const Trial& trial, const A
   const auto scale = study.facts.scales.find(asked.item);
   if (scale != study.facts.scales.end() && scale->second.slider) value = 70;
   if (scale != study.facts.scales.end() && scale->second.words) value = "a bit, \"tired\"";
-  if (trial.kind == TrialKind::attention) value = 5;
-  if (trial.kind == TrialKind::emotion) value = "happy";
-  if (trial.kind == TrialKind::pair) value = "right";
+  if (trial.is_attention_check()) value = 5;
+  if (trial.kind == &emotion_trials) value = "happy";
+  if (trial.kind == &pair_trials) value = "right";
   return {{"item", asked.item}, {"value_raw", value}, {"rt_ms", 1200.5}};
 }
 

@@ -282,7 +282,7 @@ TEST(ResultsReport, OfPairsNamesNoScriptsAndSaysWhatWasAsked) {
 
 TEST(ResultsReport, ExplainsChoicesAsChoices) {
   Manifest manifest = two_emotion_study(6);
-  manifest.questionnaire->trials = TrialForm::emotion;
+  manifest.questionnaire->trials = &emotion_form;
   std::vector<AnswerRow> rows = answers_to(manifest);
   std::erase_if(rows, [](const AnswerRow& row) { return row.item != "emotion"; });
   const auto files = report_on(manifest, rows);

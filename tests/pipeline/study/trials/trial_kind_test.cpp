@@ -1,0 +1,143 @@
+#include "pipeline/study/trials/trial_kind.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace mien::pipeline {
+namespace {
+
+const std::vector<std::string> choices = {"sad", "happy", "calm"};
+
+/// A trial of a kind with two stimuli at most, that asks its own item and a scale.
+Trial trial_of(const TrialKind& kind) {
+  Trial trial{.kind = &kind, .stimuli = {"walk", "run"}, .items = {{"sad-happy", true}}};
+  trial.stimuli.resize(kind.form->stimuli);
+  if (!kind.form->item.empty()) trial.items.push_back({std::string(kind.form->item)});
+  return trial;
+}
+
+/// Calls `ask` with every item of every kind that a manifest may ask for, on every form of scale.
+void for_each_question(auto&& ask) {
+  const AskedScale scales[] = {{.points = 5},
+                               {.points = 2, .least = -1, .most = 1},
+                               {.slider = true, .least = 0, .most = 3},
+                               {.words = true, .low = "sad", .high = "happy"}};
+  for (const auto& [name, form] : trial_form_words) {
+    const TrialKind& kind = trial_kind_of(*form);
+    const Trial trial = trial_of(kind);
+    for (const AskedScale& scale : scales) {
+      if (scale.words && !form->is_on_scale) continue;
+      for (const AskedItem& item : trial.items)
+        ask(kind, Question{trial, item, item.item == form->item ? nullptr : &scale, choices});
+    }
+  }
+}
+
+AnswerRow completed(const Question& question, const std::string& raw) {
+  AnswerRow row;
+  row.stimulus = question.trial.stimuli[0];
+  row.against = question.trial.against();
+  row.value_raw = raw;
+  question.trial.kind->complete(question, row);
+  return row;
+}
+
+GivenResponse response_of(const Question& question, const std::string& raw) {
+  const bool is_number = raw.find_first_not_of("0123456789") == std::string::npos;
+  return {.item = question.item.item, .value_raw = raw, .is_number = is_number};
+}
+
+TEST(TrialKinds, AreAllThatAManifestMayAskForByTheSameNames) {
+  std::set<std::string_view> names;
+  for (const TrialKind* kind : trial_kinds) EXPECT_TRUE(names.insert(kind->name).second);
+  for (const auto& [name, form] : trial_form_words) {
+    EXPECT_EQ(trial_kind_of(*form).name, name);
+    EXPECT_EQ(find_trial_form(name), form);
+  }
+  EXPECT_EQ(find_trial_form(attention_kind), nullptr);
+}
+
+TEST(TrialKinds, TakeEveryAnswerThatACheckMayAskFor) {
+  for_each_question([](const TrialKind& kind, const Question& question) {
+    const std::vector<std::string> answers = kind.checkable(question);
+    ASSERT_FALSE(answers.empty());
+    EXPECT_EQ(std::set<std::string>(answers.begin(), answers.end()).size(), answers.size());
+    for (const std::string& answer : answers)
+      EXPECT_EQ(kind.fault(question, response_of(question, answer)), "") << kind.name << answer;
+  });
+}
+
+TEST(TrialKinds, TakeWhatSimulatedPeopleAnswer) {
+  for_each_question([](const TrialKind& kind, const Question& question) {
+    for (int i = 0; i < 100; ++i) {
+      const double share = 0.01 * i;
+      const SimulatedView view{.opinion = [&](std::size_t which) { return share - 0.5 * which; },
+                               .shown = i % 3 == 0 ? "calm" : "angry",
+                               .is_seen = i % 2 == 0,
+                               .chance = share};
+      const std::string raw = kind.simulated(question, view);
+      EXPECT_EQ(kind.fault(question, response_of(question, raw)), "") << kind.name << " " << raw;
+      EXPECT_FALSE(completed(question, raw).value.empty());
+    }
+  });
+}
+
+TEST(TrialKinds, RefuseWhatNoPageOffers) {
+  for_each_question([](const TrialKind& kind, const Question& question) {
+    const bool takes_any_text = question.scale != nullptr && question.scale->words;
+    EXPECT_EQ(kind.fault(question, response_of(question, "both")).empty(), takes_any_text);
+    EXPECT_NE(kind.fault(question, response_of(question, "101")), "");
+  });
+}
+
+TEST(Trials, ThatAskAnEmotionAskScalesAsRatingsDo) {
+  const AskedScale scale{.points = 5, .least = -2, .most = 2};
+  const Trial emotion = trial_of(emotion_trials), rating = trial_of(rating_trials);
+  const Question one{emotion, emotion.items[0], &scale, choices};
+  const Question other{rating, rating.items[0], &scale, choices};
+  for (const char* raw : {"1", "2", "5"}) {
+    EXPECT_EQ(completed(one, raw).value, completed(other, raw).value);
+    EXPECT_EQ(completed(one, raw).pole_left, "high");
+  }
+  EXPECT_EQ(completed(one, "1").value, "2");
+  const Question choice{emotion, emotion.items[1], nullptr, choices};
+  EXPECT_EQ(completed(choice, "happy").value, "happy");
+  EXPECT_EQ(completed(choice, "happy").pole_left, "");
+}
+
+TEST(Trials, OfTwoStimuliAreAnsweredWithOneOfThem) {
+  const Trial trial = trial_of(pair_trials);
+  const AskedScale scale;
+  const Question question{trial, trial.items[0], &scale, choices};
+  EXPECT_EQ(completed(question, "left").value, "walk");
+  EXPECT_EQ(completed(question, "right").value, "run");
+  EXPECT_EQ(completed(question, "right").pole_left, "");
+}
+
+TEST(Trials, AreCalledAttentionChecksWhereAnAnswerIsExpected) {
+  Trial trial = trial_of(pair_trials);
+  EXPECT_EQ(trial.kind_name(), "pair");
+  trial.expected = "left";
+  EXPECT_EQ(trial.kind_name(), "attention");
+}
+
+TEST(RawAnswer, GoesThereAndBackWhicheverEndIsLeft) {
+  AskedScale scale{.points = 7, .least = -3, .most = 3};
+  EXPECT_EQ(value_of_raw(scale, 1, false), -3.0);
+  EXPECT_EQ(value_of_raw(scale, 1, true), 3.0);
+  EXPECT_EQ(value_of_raw(scale, 5, false), 1.0);
+  for (int raw = 1; raw <= 7; ++raw) {
+    for (const bool flipped : {false, true}) {
+      const double value = value_of_raw(scale, raw, flipped);
+      EXPECT_EQ(raw_of_value(scale, value, flipped), raw);
+      EXPECT_NEAR(written_value_of_raw(scale, raw, flipped), value, 5e-7);
+    }
+  }
+  scale.slider = true;
+  EXPECT_EQ(value_of_raw(scale, 25, true), 1.5);
+  EXPECT_EQ(raw_of_value(scale, 99, false), 100.0);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
