@@ -104,7 +104,7 @@ class QuestionnaireCheck {
     const ScaleChoice& choice = asked_.scales;
     const bool is_asked = choice.all || choice.emotions || !choice.ids.empty();
     if (!is_asked && form_.item.empty() && !list_.was_given(at("scales"))) {
-      list_.add("questionnaire", "asks on no scales",
+      list_.add("questionnaire", "has no scales",
                 "add scales: all, scales: emotions or scales: [sad-happy]");
     }
     Names known;
@@ -140,17 +140,17 @@ class QuestionnaireCheck {
                          fmt::format("add trials: {}", name));
     }
     if (form_.offers_choices && asked_.choices.empty() && asked_choices(manifest_).size() < 2) {
-      list_.add(at("trials"), "there are no two emotions to choose from",
+      list_.add(at("trials"), "there are fewer than two emotions to choose from",
                 "add choices: [sad, happy], or the factor emotion to the stimuli");
     }
     if (form_.stimuli > 1 && !asked_.reference.empty())
-      list_.add(at("reference"), "a pair stands beside each other already", "leave it out");
+      list_.add(at("reference"), "the stimuli of a pair are already side by side", "omit it");
     if (!form_.is_on_scale && asked_.answer.words)
-      list_.add(member_path(at("answer"), "words"), "one of two is chosen without words",
-                "leave it out");
+      list_.add(member_path(at("answer"), "words"), "choices between two stimuli have no words",
+                "omit it");
     if (asked_.practice.size() % form_.stimuli != 0)
-      list_.add(at("practice"), "stimuli of pairs are practised two by two",
-                "name an even number of them");
+      list_.add(at("practice"), "practice with pairs needs an even number of stimuli",
+                "name an even number");
     for (std::size_t i = 0; i < asked_.pairs.size(); ++i)
       check_ids(element_path(at("pairs"), i), asked_.pairs[i], "stimulus", ids_);
   }

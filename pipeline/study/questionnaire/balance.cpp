@@ -125,21 +125,21 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
                                            int participants) {
   const TrialForm& form = *questionnaire_of(manifest).trials;
   std::vector<std::string> sentences = {
-      fmt::format("Each {} is seen by {} of {}.", form.subject,
+      fmt::format("Each {} is shown to {} of {}.", form.subject,
                   shown(seen_range(balance), "participants"), participants),
-      fmt::format("Each {} comes {} in each place.", form.subject,
+      fmt::format("Each {} appears {} in each position.", form.subject,
                   shown(place_range(balance), "times")),
-      fmt::format("Each {} comes {} right after each other one.", form.subject,
+      fmt::format("Each {} directly follows every other one {}.", form.subject,
                   shown(follows_range(balance), "times")),
-      fmt::format("Every pair of {} co-occurs in {}.", are_pairs ? "pairs" : "stimuli",
+      fmt::format("Every pair of {} co-occurs in {}.", form.stimuli > 1 ? "pairs" : "stimuli",
                   shown(together_range(balance), "sessions"))};
   if (!balance.flipped.empty()) {
     sentences.push_back(fmt::format("The high end of each scale is on the left for {}.",
                                     shown(flipped_range(balance), "participants")));
   }
   if (form.stimuli > 1) {
-    sentences.push_back(
-        fmt::format("The first of a pair is at the left {}.", shown(left_range(balance), "times")));
+    sentences.push_back(fmt::format("The first stimulus of each pair is on the left {}.",
+                                    shown(left_range(balance), "times")));
   }
   add_latin_sentence(manifest, balance, participants, sentences);
   return sentences;

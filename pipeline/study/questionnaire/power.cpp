@@ -154,7 +154,7 @@ void check_level(const std::vector<std::string>& levels, const PowerQuestion& qu
 void check(const Manifest& manifest, const PowerQuestion& question) {
   const TrialSubjects subjects = trial_subjects(manifest);
   if (questionnaire_of(manifest).trials->stimuli > 1)
-    throw Error("power is estimated of ratings, and this questionnaire asks about pairs",
+    throw Error("power is estimated for ratings only, but this questionnaire compares pairs",
                 "leave --power out");
   if (subjects_per_participant(manifest, subjects) < 2)
     throw Error("no participant sees two stimuli, as a paired test requires",

@@ -90,10 +90,9 @@ class AnswerSorter {
     if (row.kind == asked.name || (asked.stimuli > 1 && row.kind == rating_form.name)) return true;
     if (told_.insert("kind " + row.kind).second)
       fault(row,
-            fmt::format("an answer of the kind {}, where the questionnaire has trials of "
-                        "the kind {}",
+            fmt::format("an answer of kind {}, but the questionnaire has trials of kind {}",
                         row.kind, asked.name),
-            "give the manifest that these answers are of");
+            "give the manifest that these answers belong to");
     return false;
   }
 
@@ -145,7 +144,7 @@ class AnswerSorter {
     fault(row,
           fmt::format("the raw answer {} with the {} pole on the left corresponds to {:g}, not {}",
                       row.value_raw, row.pole_left, expected, row.value),
-          "give the file as the questionnaire wrote it, and its manifest");
+          "use the file as written by the questionnaire, and its manifest");
   }
 
   void add_choice(const AnswerRow& row, std::size_t stimulus) {

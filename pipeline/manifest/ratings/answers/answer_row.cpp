@@ -31,20 +31,15 @@ struct AnswerColumn {
 };
 
 constexpr auto answer_columns = std::to_array<AnswerColumn>({
-    {{"participant", "", "who answered: the place in the design, no name"}, &Row::participant},
-    {{"session", "", "random name of the browser session in which the answer was given"},
-     &Row::session},
-    {{"trial", "", "number of the trial in the participant's order, from 1"}, &Row::trial},
-    {{"block", "", "practice, main, or the level of the factor that the order is blocked by"},
-     &Row::block},
+    {{"participant", "", "participant id: position in the design, not a name"}, &Row::participant},
+    {{"session", "", "random id of the browser session"}, &Row::session},
+    {{"trial", "", "trial number in the participant's order, from 1"}, &Row::trial},
+    {{"block", "", "practice, main, or the level of the blocking factor"}, &Row::block},
     {{"kind", "", trial_forms_meaning}, &Row::kind},
-    {{"stimulus", "", "the stimulus that was rated; of a pair the one at the left"},
-     &Row::stimulus},
-    {{"stimulus_sha256", "", "SHA-256 of the media that was shown"}, &Row::stimulus_sha256},
-    {{"against", "", "the reference that was shown beside, or the other stimulus of a pair"},
-     &Row::against},
-    {{"item", "", "the scale that was answered on; emotion where one of a list was chosen"},
-     &Row::item},
+    {{"stimulus", "", "stimulus rated; for a pair, the one on the left"}, &Row::stimulus},
+    {{"stimulus_sha256", "", "SHA-256 of the media shown"}, &Row::stimulus_sha256},
+    {{"against", "", "reference shown beside it, or the other stimulus of a pair"}, &Row::against},
+    {{"item", "", "scale id; emotion for a choice from a list"}, &Row::item},
     {{"value_raw", "",
       "raw answer: position from the left, from 1 (points) or 0–100 (slider); the word chosen or "
       "written; left or right"},

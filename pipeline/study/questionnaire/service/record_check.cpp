@@ -46,7 +46,7 @@ void check_media(const AskedFacts& facts, const Trial& trial, const PageRecord& 
 void check_trial_record(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                         const PageRecord& record) {
   if (record.matching.has_value() != (trial.kind == &matching_trials))
-    throw RecordFault("the record is of another kind of trial");
+    throw RecordFault("the record is of a different kind of trial");
   if (record.matching) {
     check_items(record, {});
     return check_matching_record(facts.matching.value(), trial, *record.matching);

@@ -53,8 +53,8 @@ answers <- read.csv(file.path("..", "{answers}"), encoding = "UTF-8",
                                    value = "character", comment = "character"))
 stimuli <- read.csv(file.path("..", "{stimuli}"), encoding = "UTF-8")
 
-# The same answers that the report counts: ratings that are no practice, warm-up or check, of
-# participants who are not excluded.
+# The answers analysed in the report: ratings outside practice, warm-up and checks, by
+# participants who were not excluded.
 counted <- subset(answers, ({on_scale}) &
                     is_practice == 0 & is_warmup == 0 & is_catch == 0 &
                     excluded == 0 & !is.na(value) & value != "")
