@@ -13,14 +13,15 @@
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/production/archive/frame_comparison.h"
 #include "pipeline/production/archive/scratch_folder.h"
-#include "pipeline/production/clips/durations.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
+#include "pipeline/production/film/film_exposure.h"
 #include "pipeline/production/film/film_frames.h"
+#include "pipeline/production/film/film_framing.h"
 #include "pipeline/production/film/film_record.h"
-#include "pipeline/production/film/film_table_forms.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/film/film_task.h"
+#include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/tasks/store.h"
 
@@ -65,7 +66,7 @@ FilmSubject subject_named(const std::string& id, const Manifest& manifest, Motio
 class Rerendering {
  public:
   Rerendering(const FilmSubject& subject, const FramesToRerender& wanted, const Manifest& manifest,
-            const Equalized& alike, const StudyContents& contents, int threads)
+              const Equalized& alike, const StudyContents& contents, int threads)
       : wanted_(wanted),
         contents_(contents),
         output_(subject.film.output),
@@ -217,8 +218,8 @@ std::vector<RerenderedFrame> rerender(const Manifest& manifest, const StudyConte
         done((static_cast<double>(w) + share) / static_cast<double>(wanted.size()),
              wanted[w].film.id);
     };
-    const Rerendering rerendering(subject, wanted[w], manifest, alike.of(wanted[w].film.id), contents,
-                              threads);
+    const Rerendering rerendering(subject, wanted[w], manifest, alike.of(wanted[w].film.id),
+                                  contents, threads);
     for (RerenderedFrame& frame : rerendering.draw(stop, progress))
       result.push_back(std::move(frame));
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "pipeline/base/documents/table.h"
@@ -9,30 +8,9 @@
 
 namespace mien::pipeline {
 
-inline constexpr std::array impressions_columns = std::to_array<Column>({
-    {"scale", "", "id of the scale"},
-    {"low", "", "name of its low end"},
-    {"high", "", "name of its high end"},
-    {"example", "", "label of the example"},
-    {"ratings", "", "whose ratings: given (by people) or simulated"},
-    {"answers", "", "how many answers there are; 1 where only a mean was given"},
-    {"mean", "0–1", "mean answer as a share of the scale: 0 the low end, 1 the high end"},
-    {"sd", "0–1",
-     "standard deviation of the answers (by n, unless study analyze was told otherwise), same "
-     "unit; "
-     "empty for given means"},
-    {"mean_answer", "scale",
-     "mean answer as it was given: on a scale from −2 to 2 negative towards the low end"},
-    {"sd_answer", "scale", "its standard deviation, same unit; empty for given means"},
-});
-
-inline constexpr TableForm impressions_form = {"metrics/impressions.csv", "a scale and example",
-                                               impressions_columns};
+extern const TableForm impressions_form;
 
 /// What people think of the examples.
 std::string impressions_csv(const Impressions& impressions, const ScaleSet& scales);
-
-/// The table of a study that nobody rated.
-std::string no_impressions_csv();
 
 }  // namespace mien::pipeline
