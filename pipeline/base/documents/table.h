@@ -38,9 +38,6 @@ std::vector<std::string> header_of(const TableForm& form,
 /// The column of that name, or null.
 const Column* find_column(const TableForm& form, std::string_view name);
 
-/// A table of that form, without rows.
-inline CsvWriter table_of(const TableForm& form) { return CsvWriter(header_of(form)); }
-
 /// The form as a section of a page in Markdown: what a row is, and a table of the columns.
 std::string markdown_of(const TableForm& form);
 
