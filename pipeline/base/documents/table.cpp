@@ -1,5 +1,10 @@
 #include "pipeline/base/documents/table.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
 namespace mien::pipeline {
 
 std::vector<std::string> header_of(const TableForm& form, const std::vector<std::string>& names) {
@@ -14,5 +19,22 @@ std::vector<std::string> header_of(const TableForm& form, const std::vector<std:
   }
   return header;
 }
+
+const Column* find_column(const TableForm& form, std::string_view name) {
+  const auto found = std::ranges::find(form.columns, name, &Column::name);
+  return found == form.columns.end() ? nullptr : &*found;
+}
+
+std::string markdown_of(const TableForm& form) {
+  std::string text = fmt::format(
+      "## {}\n\nA row {}.\n\n| column | unit | meaning |\n|---|---|---|\n", form.path, form.rows);
+  for (const Column& column : form.columns)
+    text += fmt::format("| `{}` | {} | {} |\n", column.name, column.unit, column.meaning);
+  return text;
+}
+
+std::string given_or_simulated(bool is_simulated) { return is_simulated ? "simulated" : "given"; }
+
+std::string field_text(double number) { return std::isfinite(number) ? shortest(number) : ""; }
 
 }  // namespace mien::pipeline

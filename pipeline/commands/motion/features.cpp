@@ -12,7 +12,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/measures/features/motion_features.h"
 #include "motion/rig/body_mapping.h"
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/motion.h"
 
@@ -105,20 +105,30 @@ void show_json(const std::vector<MeasuredFile>& all, const Console& console) {
   console.out << result.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
+struct MeasuredFeature {
+  std::string motion;
+  double value;
+  const motion::MotionFeature& feature;
+};
+
+constexpr auto measured_columns = table_of<MeasuredFeature>(
+    "features.csv", "a motion and feature",
+    {{"motion", "", "name of the file", [](auto& r) { return r.motion; }},
+     {"feature", "", "id of the motion feature", [](auto& r) { return r.feature.id; }},
+     {"value", "see unit", "empty where the motion has no steps", [](auto& r) { return r.value; }},
+     {"unit", "", "unit of the value", [](auto& r) { return motion::symbol_of(r.feature.unit); }},
+     {"group", "", "its group", [](auto& r) { return motion::id_of(r.feature.group); }},
+     {"reconstructed", "0/1", "1: not legible in the published tables",
+      [](auto& r) { return r.feature.reconstructed; }},
+     {"name", "", "English name", [](auto& r) { return r.feature.name; }},
+     {"name_ja", "", "Japanese name", [](auto& r) { return r.feature.japanese; }}});
+
 void show_csv(const std::vector<MeasuredFile>& all, const Console& console) {
-  CsvWriter table(
-      {"motion", "feature", "value", "unit", "group", "reconstructed", "name", "name_ja"});
-  for (const MeasuredFile& one : all) {
-    for (std::size_t i = 0; i < one.values.size(); ++i) {
-      const motion::MotionFeature& feature = motion::motion_features()[i];
-      table.row({one.name, std::string(feature.id),
-                 std::isfinite(one.values[i]) ? shortest(one.values[i]) : "",
-                 std::string(motion::symbol_of(feature.unit)),
-                 std::string(motion::id_of(feature.group)), feature.reconstructed ? "1" : "0",
-                 std::string(feature.name), std::string(feature.japanese)});
-    }
-  }
-  console.out << table.text();
+  std::vector<MeasuredFeature> rows;
+  for (const MeasuredFile& one : all)
+    for (std::size_t i = 0; i < one.values.size(); ++i)
+      rows.push_back({one.name, one.values[i], motion::motion_features()[i]});
+  console.out << measured_columns.of(rows).csv;
 }
 
 std::string shown(double value, motion::FeatureUnit unit) {

@@ -12,8 +12,8 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/rig/recording_clip.h"
-#include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/production/report/lint_timeline.h"
@@ -129,18 +129,32 @@ void show_json(const std::vector<LintedFile>& all, const Console& console) {
   console.out << result.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
+struct FileFinding {
+  std::string motion;
+  const motion::Finding& found;
+};
+
+constexpr auto findings_columns = table_of<FileFinding>(
+    "findings.csv", "a finding",
+    {{"motion", "", "name of the file", [](auto& r) { return r.motion; }},
+     {"check", "", "rule of the lint", [](auto& r) { return r.found.check; }},
+     {"joint", "", "joint of the body; empty where none is meant",
+      [](auto& r) { return r.found.joint; }},
+     {"first", "", "first frame", [](auto& r) { return r.found.first; }},
+     {"last", "", "last frame", [](auto& r) { return r.found.last; }},
+     {"measured", "see unit", "what was measured", [](auto& r) { return r.found.measured; }},
+     {"threshold", "see unit", "what the rule allows", [](auto& r) { return r.found.threshold; }},
+     {"unit", "", "unit of the two", [](auto& r) { return r.found.unit; }},
+     {"severity", "", "error or warning",
+      [](auto& r) { return motion::name_of(r.found.severity); }},
+     {"sentence", "", "the finding in words", [](auto& r) { return r.found.sentence; }}});
+
 void show_csv(const std::vector<LintedFile>& all, const Console& console) {
-  CsvWriter table({"motion", "check", "joint", "first", "last", "measured", "threshold", "unit",
-                   "severity", "sentence"});
-  for (const LintedFile& one : all) {
-    for (const motion::Finding& finding : one.motion.findings) {
-      table.row({one.motion.name, finding.check, finding.joint, std::to_string(finding.first),
-                 std::to_string(finding.last), shortest(finding.measured),
-                 shortest(finding.threshold), finding.unit,
-                 std::string(motion::name_of(finding.severity)), finding.sentence});
-    }
-  }
-  console.out << table.text();
+  std::vector<FileFinding> rows;
+  for (const LintedFile& one : all)
+    for (const motion::Finding& finding : one.motion.findings)
+      rows.push_back({one.motion.name, finding});
+  console.out << findings_columns.of(rows).csv;
 }
 
 std::string counted(long count, const std::string& what) {

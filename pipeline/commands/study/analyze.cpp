@@ -11,7 +11,7 @@
 
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/environment.h"
-#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
@@ -183,10 +183,8 @@ int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
   const StudyAnswers answers = read_study_answers(options.answers, scales, stimuli_of(made), rules);
   const Calibration calibration = calibrate(made, answers.plain(), scales);
   const fs::path folder = folder_for(options);
-  make_folder(folder);
-  write_file(folder / "calibration.csv", calibration_csv(calibration));
-  write_file(folder / "corrections.csv", corrections_csv(calibration));
-  write_file(folder / "warnings.csv", warnings_csv(answers.warnings));
+  write_tables(folder, {calibration_table(calibration), corrections_table(calibration),
+                        warnings_table(answers.warnings)});
   write_plot(calibration_chart(calibration), folder, "calibration");
   show_warnings(answers.warnings, folder, console);
   show_corrections(calibration, folder, console);

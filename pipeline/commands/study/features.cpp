@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/reading/example_source.h"
@@ -28,10 +28,8 @@ void write_all(const FeatureClusters& clusters, const Repertoire& repertoire,
                const std::filesystem::path& folder) {
   std::vector<std::string> examples;
   for (const RatedExample& example : repertoire.names) examples.push_back(example.name);
-  make_folder(folder);
-  write_file(folder / "features.csv", scaled_features_csv(clusters, examples));
-  write_file(folder / "linkage.csv", feature_linkage_csv(clusters));
-  write_file(folder / "clusters.csv", feature_clusters_csv(clusters));
+  write_tables(folder, {scaled_features_table(clusters, examples), feature_linkage_table(clusters),
+                        feature_clusters_table(clusters)});
   write_plot(dendrogram_plot(dendrogram_of(clusters)), folder, "dendrogram");
 }
 

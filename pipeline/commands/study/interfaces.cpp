@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/matching/simulated_chart.h"
@@ -44,9 +44,7 @@ void show(const std::vector<InterfaceSummary>& summaries, const Console& console
 void write_all(const fs::path& folder, const std::vector<InterfaceResult>& results,
                const std::vector<InterfaceSummary>& summaries, double threshold,
                const Console& console) {
-  make_folder(folder);
-  write_file(folder / "interface_trials.csv", results_csv(results));
-  write_file(folder / "interface_summary.csv", summary_csv(summaries));
+  write_tables(folder, {results_table(results), summary_table(summaries)});
   std::vector<motion::InterpolationMethod> methods;
   for (const InterfaceSummary& s : summaries) {
     if (std::find(methods.begin(), methods.end(), s.method) == methods.end()) {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/matching/method_comparison.h"
@@ -50,9 +50,7 @@ int compare(MethodsCommand command, const Console& console) {
       repertoire, command.parameters, command.methods, manifest.interpolation, command.trial);
   show(trials, repertoire.simulated_ratings, console);
   if (command.out.empty()) return exit_done;
-  make_folder(command.out);
-  write_file(fs::path(command.out) / "methods.csv",
-             method_trials_csv(trials, repertoire.simulated_ratings));
+  write_tables(command.out, {method_trials_table(trials, repertoire.simulated_ratings)});
   console.out << '\n' << (fs::path(command.out) / "methods.csv").string() << '\n';
   return exit_done;
 }

@@ -10,8 +10,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
-#include "pipeline/base/documents/csv.h"
-#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
@@ -66,38 +65,63 @@ std::vector<Unrated> predicted_motions(const PredictOptions& options, const Repe
   return all;
 }
 
-const char* ratings_word(const FeatureRegression& regression) {
-  return regression.simulated ? "simulated" : "given";
+struct PredictedRating {
+  std::string motion;
+  bool simulated;  ///< what it is predicted from
+  const Prediction& predicted;
+  ParameterLabel label;
+};
+
+constexpr auto predictions_columns = table_of<PredictedRating>(
+    "predictions.csv", "a motion and parameter",
+    {{"motion", "", "name of the file", [](auto& r) { return r.motion; }},
+     {"parameter", "", "scale or group of scales", [](auto& r) { return r.predicted.parameter; }},
+     whose_ratings_column,
+     {"predicted", "0–1", "share of the scale; may lie outside",
+      [](auto& r) { return r.predicted.value; }},
+     {"low_90", "0–1", "lower end of its 90 % interval", [](auto& r) { return r.predicted.low; }},
+     {"high_90", "0–1", "its upper end", [](auto& r) { return r.predicted.high; }},
+     {"leverage", "", "distance from the examples, in the fit",
+      [](auto& r) { return r.predicted.leverage; }},
+     {"extrapolated", "0/1", "1: farther than any example is from the others",
+      [](auto& r) { return r.predicted.extrapolated; }},
+     {"name", "", "English name", [](auto& r) { return english_text(r.label); }},
+     {"name_ja", "", "Japanese name", [](auto& r) { return japanese_text(r.label); }}});
+
+WrittenTable predictions_table(const std::vector<Unrated>& motions,
+                               const FeatureRegression& regression, const ScaleSet& scales) {
+  std::vector<PredictedRating> rows;
+  for (const Unrated& motion : motions)
+    for (const Prediction& p : motion.predictions)
+      rows.push_back({motion.name, regression.simulated, p, rating_label(p.parameter, scales)});
+  return predictions_columns.of(rows);
 }
 
-std::string predictions_csv(const std::vector<Unrated>& motions,
-                            const FeatureRegression& regression, const ScaleSet& scales) {
-  CsvWriter table({"motion", "parameter", "ratings", "predicted", "low_90", "high_90", "leverage",
-                   "extrapolated", "name", "name_ja"});
-  for (const Unrated& motion : motions) {
-    for (const Prediction& p : motion.predictions) {
-      const ParameterLabel label = rating_label(p.parameter, scales);
-      table.row({motion.name, p.parameter, ratings_word(regression), shortest(p.value),
-                 shortest(p.low), shortest(p.high), shortest(p.leverage),
-                 p.extrapolated ? "1" : "0", english_text(label), japanese_text(label)});
-    }
-  }
-  return table.text();
-}
+struct PredictedMean {
+  std::string stimulus;
+  std::string scale;
+  double value;
+};
+
+constexpr auto rated_columns = table_of<PredictedMean>(
+    "predicted_ratings.csv", "a motion and scale",
+    {{"stimulus", "", "name of the file", [](auto& r) { return r.stimulus; }},
+     {"scale", "", "id of the scale", [](auto& r) { return r.scale; }},
+     {"value", "scale", "predicted mean answer", [](auto& r) { return r.value; }},
+     {"simulated", "", "always 1: nobody answered", [](auto&) { return true; }}});
 
 /// As means of answers that a manifest can take for ratings; within the scales' ranges.
-std::string ratings_csv(const std::vector<Unrated>& motions, const ScaleSet& scales) {
-  CsvWriter table({"stimulus", "scale", "value", "simulated"});
+WrittenTable ratings_table(const std::vector<Unrated>& motions, const ScaleSet& scales) {
+  std::vector<PredictedMean> rows;
   for (const Unrated& motion : motions) {
     for (const Prediction& p : motion.predictions) {
       const Scale* scale = find_scale(scales, p.parameter);
       if (scale == nullptr) continue;
       const double share = std::clamp(p.value, 0.0, 1.0);
-      table.row({motion.name, scale->id,
-                 shortest(scale->least + share * (scale->most - scale->least)), "1"});
+      rows.push_back({motion.name, scale->id, scale->least + share * (scale->most - scale->least)});
     }
   }
-  return table.text();
+  return rated_columns.of(rows);
 }
 
 void show_checks(const FeatureRegression& regression, const Console& console) {
@@ -128,20 +152,18 @@ void show_predictions(const std::vector<Unrated>& motions, const Console& consol
   }
 }
 
-void write_tables(const fs::path& folder, const std::vector<Unrated>& motions,
-                  const FeatureRegression& regression, const ScaleSet& scales,
-                  const Console& console) {
-  make_folder(folder);
-  const auto write = [&](const char* name, const std::string& text) {
-    write_file(folder / name, text);
-    console.out << (folder / name).string() << '\n';
-  };
+void write_predictions(const fs::path& folder, const std::vector<Unrated>& motions,
+                       const FeatureRegression& regression, const ScaleSet& scales,
+                       const Console& console) {
+  std::vector<WrittenTable> tables = {checks_table(regression, scales), left_out_table(regression)};
+  if (!motions.empty()) {
+    tables.push_back(predictions_table(motions, regression, scales));
+    tables.push_back(ratings_table(motions, scales));
+  }
+  write_tables(folder, tables);
   console.out << '\n';
-  write("prediction_checks.csv", checks_csv(regression, scales));
-  write("left_out_predictions.csv", left_out_csv(regression));
-  if (motions.empty()) return;
-  write("predictions.csv", predictions_csv(motions, regression, scales));
-  write("predicted_ratings.csv", ratings_csv(motions, scales));
+  for (const WrittenTable& table : tables)
+    console.out << (folder / table.form.path).string() << '\n';
 }
 
 int show_prediction(const PredictOptions& options, const Console& console) {
@@ -151,7 +173,7 @@ int show_prediction(const PredictOptions& options, const Console& console) {
   show_checks(regression, console);
   show_predictions(motions, console);
   if (!options.out.empty()) {
-    write_tables(options.out, motions, regression, repertoire.scales, console);
+    write_predictions(options.out, motions, regression, repertoire.scales, console);
   }
   return exit_done;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/matching/experiment/starting_distance.h"
@@ -84,8 +85,7 @@ int make_targets(TargetsCommand command, const Console& console) {
   show(set, ratings, examples, console);
   if (command.out.empty()) return exit_done;
   const fs::path folder(command.out);
-  make_folder(folder);
-  write_file(folder / "targets.csv", targets_csv(set, examples, ratings));
+  write_tables(folder, {targets_table(set, examples, ratings)});
   write_file(folder / "targets.yaml",
              target_manifest_yaml(matching_manifest(manifest, set), set, folder));
   console.out << '\n'

@@ -7,6 +7,7 @@
 #include <fmt/ostream.h>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/ratings/answers/word_answers.h"
@@ -27,39 +28,40 @@ struct WordsOptions {
 
 double percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; }
 
-std::string coverage_csv(const WordAnswers& words) {
-  CsvWriter csv({"language", "answers", "understood", "modifiers", "modifiers_understood"});
-  for (const WordCoverage& language : words.coverage) {
-    csv.row({language.language, std::to_string(language.answers),
-             std::to_string(language.understood), std::to_string(language.modifiers),
-             std::to_string(language.modifiers_understood)});
-  }
-  return csv.text();
+constexpr auto coverage_columns = table_of<WordCoverage>(
+    "coverage.csv", "a language",
+    {{"language", "", "the language", [](auto& r) { return r.language; }},
+     {"answers", "", "answers with a modifier", [](auto& r) { return r.answers; }},
+     {"understood", "", "of these with one that is understood",
+      [](auto& r) { return r.understood; }},
+     {"modifiers", "", "all modifiers", [](auto& r) { return r.modifiers; }},
+     {"modifiers_understood", "", "of these understood",
+      [](auto& r) { return r.modifiers_understood; }}});
+
+/// Of words that were not understood, or read as others.
+constexpr auto words_table(std::string_view path) {
+  return table_of<WordCount>(
+      path, "a word",
+      {{"language", "", "the language", [](auto& r) { return r.language; }},
+       {"text", "", "as it was written", [](auto& r) { return r.text; }},
+       {"read_as", "", "the word taken for it; empty: none", [](auto& r) { return r.as; }},
+       {"count", "", "how often it was written", [](auto& r) { return r.count; }}});
 }
 
-std::string counts_csv(const std::vector<WordCount>& counts) {
-  CsvWriter csv({"language", "text", "read_as", "count"});
-  for (const WordCount& entry : counts) {
-    csv.row({entry.language, entry.text, entry.as, std::to_string(entry.count)});
-  }
-  return csv.text();
-}
+constexpr auto not_understood_columns = words_table("not_understood.csv");
+constexpr auto respelled_columns = words_table("respelled.csv");
 
-std::string stimuli_csv(const WordAnswers& words) {
-  CsvWriter csv({"stimulus", "answers", "understood"});
-  for (const StimulusCount& stimulus : words.stimuli) {
-    csv.row(
-        {stimulus.stimulus, std::to_string(stimulus.answers), std::to_string(stimulus.understood)});
-  }
-  return csv.text();
-}
+constexpr auto stimulus_counts_columns = table_of<StimulusCount>(
+    "answers_a_stimulus.csv", "a stimulus",
+    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
+     {"answers", "", "answers in a language of the lexicon", [](auto& r) { return r.answers; }},
+     {"understood", "", "of these, that place it on a scale",
+      [](auto& r) { return r.understood; }}});
 
 void write_report(const WordAnswers& words, const std::filesystem::path& folder) {
-  make_folder(folder);
-  write_file(folder / "coverage.csv", coverage_csv(words));
-  write_file(folder / "not_understood.csv", counts_csv(words.not_understood));
-  write_file(folder / "respelled.csv", counts_csv(words.respelled));
-  write_file(folder / "answers_a_stimulus.csv", stimuli_csv(words));
+  write_tables(
+      folder, {coverage_columns.of(words.coverage), not_understood_columns.of(words.not_understood),
+               respelled_columns.of(words.respelled), stimulus_counts_columns.of(words.stimuli)});
 }
 
 void tell_coverage(const WordAnswers& words, std::ostream& out) {

@@ -11,6 +11,7 @@
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/session_checks.h"
+#include "pipeline/manifest/ratings/answers/participant_row.h"
 
 namespace mien::pipeline {
 
@@ -204,15 +205,12 @@ class QuestionnaireCheck {
   }
 
   void check_demographics() {
-    const std::set<std::string> others = {"participant", "session", "design", "consented_at",
-                                          "finished"};
     std::set<std::string> taken;
     for (std::size_t i = 0; i < asked_.demographics.size(); ++i) {
       const std::string& id = asked_.demographics[i].id;
       const std::string path = member_path(element_path(at("demographics"), i), "id");
-      if (others.contains(id))
-        list_.add(path, "the table of participants has a column with this name",
-                  "use another name");
+      if (find_column(participant_form, id) != nullptr)
+        list_.add(path, "the table of participants has a column of that name", "name it otherwise");
       if (!id.empty() && !taken.insert(id).second)
         list_.add(path, motion::in_quotes(id) + " is already the id of another question",
                   "give each a different one");

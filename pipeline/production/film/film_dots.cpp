@@ -1,13 +1,12 @@
 #include "pipeline/production/film/film_dots.h"
 
 #include <algorithm>
+#include <optional>
 #include <variant>
 #include <vector>
 
-#include "pipeline/base/documents/csv.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_shot.h"
-#include "pipeline/production/film/film_table_forms.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -29,12 +28,46 @@ std::vector<Eye> eyes_at(const scenes::Shot& shot, int frame) {
   return {{"left", cameras[0], 0}, {"right", cameras[1], cameras[0].width}};
 }
 
+/// A dot of a frame as one eye sees it.
+struct SeenDot {
+  int frame;
+  double time_s;
+  std::size_t number;
+  const scenes::Dot& dot;
+  motion::Vec3 at;
+  std::optional<Eigen::Vector2f> seen;  ///< from the upper left corner of the picture
+  bool is_visible;
+  const char* eye;
+
+  std::optional<double> pixels(int axis) const {
+    return seen ? std::optional(static_cast<double>((*seen)[axis])) : std::nullopt;
+  }
+};
+
+constexpr auto dots_columns = table_of<SeenDot>(
+    "clips/<stimulus>.dots.csv", "a frame and dot of a point-light figure",
+    {{"frame", "", "frame of the film, counted from 0", [](auto& r) { return r.frame; }},
+     {"time_s", "s", "time of the frame", [](auto& r) { return r.time_s; }},
+     {"dot", "", "number of the dot, counted from 0; the same in all frames",
+      [](auto& r) { return r.number; }},
+     {"kind", "", "the joint's name, limb, noise or mask", [](auto& r) { return r.dot.kind; }},
+     {"x_px", "pixels", "centre of the dot from the left edge; empty behind the camera",
+      [](auto& r) { return r.pixels(0); }},
+     {"y_px", "pixels", "centre of the dot from the upper edge, downwards",
+      [](auto& r) { return r.pixels(1); }},
+     {"x_m", "m", "place in the world: to the figure's left", [](auto& r) { return r.at.x(); }},
+     {"y_m", "m", "place in the world: up", [](auto& r) { return r.at.y(); }},
+     {"z_m", "m", "place in the world: the way that the figure walks",
+      [](auto& r) { return r.at.z(); }},
+     {"visible", "0/1", "1: within the eye's picture", [](auto& r) { return r.is_visible; }},
+     {"eye", "", "both; of a stereo pair left and right, a row each",
+      [](auto& r) { return r.eye; }}});
+
 /// The rows of one frame of an actor's dots, counted from `first` on, as one eye sees them.
-void add_rows(CsvWriter& table, const Eye& eye, const scenes::Actor& actor, int frame,
+void add_rows(std::vector<SeenDot>& rows, const Eye& eye, const scenes::Actor& actor, int frame,
               std::size_t first) {
   const render::Camera& camera = eye.camera;
   const render::Window shown_part = window_of(camera);
-  const double seconds = frame / actor.clip.frames_per_second;
   for (std::size_t d = 0; d < actor.dots.size(); ++d) {
     const scenes::Dot& dot = actor.dots[d];
     const auto shown = std::min(static_cast<std::size_t>(frame), dot.path.size() - 1);
@@ -45,29 +78,27 @@ void add_rows(CsvWriter& table, const Eye& eye, const scenes::Actor& actor, int 
                             seen->x() < static_cast<float>(shown_part.width) &&
                             seen->y() < static_cast<float>(shown_part.height);
     if (seen) seen->x() += static_cast<float>(eye.left);
-    const auto pixels = [&](int axis) {
-      return seen ? shortest(static_cast<double>((*seen)[axis])) : std::string();
-    };
-    table.row({std::to_string(frame), shortest(seconds), std::to_string(first + d), dot.kind,
-               pixels(0), pixels(1), shortest(at.x()), shortest(at.y()), shortest(at.z()),
-               is_visible ? "1" : "0", eye.name});
+    rows.push_back({frame, frame / actor.clip.frames_per_second, first + d, dot, at, seen,
+                    is_visible, eye.name});
   }
 }
 
 }  // namespace
 
+const TableForm dots_form = dots_columns.form();
+
 std::string dots_csv(const scenes::Shot& shot) {
-  CsvWriter table = table_of(dots_form);
+  std::vector<SeenDot> rows;
   for (int frame = 0; frame < shot.frame_count(); ++frame) {
     for (const Eye& eye : eyes_at(shot, frame)) {
       std::size_t first = 0;
       for (const scenes::Actor& actor : shot.actors) {
-        add_rows(table, eye, actor, frame, first);
+        add_rows(rows, eye, actor, frame, first);
         first += actor.dots.size();
       }
     }
   }
-  return table.text();
+  return dots_columns.of(rows).csv;
 }
 
 bool has_dots(const Stimulus& stimulus) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/determinants.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/clips/finished_motions.h"
@@ -11,7 +12,9 @@
 
 namespace mien::pipeline {
 
-/// Where the dots of a shot's point-light figures are (film_table_forms.h).
+extern const TableForm dots_form;
+
+/// Where the dots of a shot's point-light figures are.
 std::string dots_csv(const scenes::Shot& shot);
 
 /// Whether a stimulus is shown as dots.

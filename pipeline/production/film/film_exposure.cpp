@@ -9,10 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/production/film/film_shot.h"
-#include "pipeline/production/film/film_table_forms.h"
 #include "render/image/contact_sheet.h"
 #include "render/image/luminance.h"
 #include "render/tracer/tracer.h"
@@ -213,14 +211,32 @@ std::vector<Fault> faults_of(const Manifest& manifest, const AdjustmentsById& ad
   return list.take();
 }
 
+struct ExposedFilm {
+  std::string stimulus;
+  const Adjustment& found;
+};
+
+constexpr auto exposure_columns = table_of<ExposedFilm>(
+    "metrics/exposure.csv", "a stimulus, where luminance is equalized",
+    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
+     {"mean_luminance", "0–1", "relative luminance, linear, of a few frames as they would be",
+      [](auto& r) { return std::round(1e6 * r.found.mean) / 1e6; }},
+     {"wanted_luminance", "0–1",
+      "that of all films: the geometric mean of these, in which point lights that share an "
+      "exposure count by their mean",
+      [](auto& r) { return std::round(1e6 * r.found.wanted) / 1e6; }},
+     {"exposure_stops", "stops", "exposure that is added: 1 doubles the light, −1 halves it",
+      [](auto& r) { return r.found.stops; }}});
+
 void refuse(std::vector<Fault> faults) {
   if (!faults.empty()) throw Faults(std::move(faults));
 }
 
 }  // namespace
 
-float stops_for(const std::vector<render::Framebuffer>& films, const render::Tone& tone,
-                double wanted) {
+const TableForm exposure_form = exposure_columns.form();
+
+float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted) {
   return stops_where([&](float stops) { return mean_of(films, tone, stops); }, wanted);
 }
 
@@ -237,14 +253,12 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
   }
   const AdjustmentsById adjustments = adjustments_of(manifest, samples);
   refuse(faults_of(manifest, adjustments, sampling));
-  CsvWriter table = table_of(exposure_form);
+  std::vector<ExposedFilm> rows;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const Adjustment& found = adjustments.at(stimulus.id);
-    films.exposure_stops[stimulus.id] = found.stops;
-    table.row({stimulus.id, shortest(std::round(1e6 * found.mean) / 1e6),
-               shortest(std::round(1e6 * found.wanted) / 1e6), shortest(found.stops)});
+    rows.push_back({stimulus.id, adjustments.at(stimulus.id)});
+    films.exposure_stops[stimulus.id] = rows.back().found.stops;
   }
-  return table.text();
+  return exposure_columns.of(rows).csv;
 }
 
 std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& motions) {

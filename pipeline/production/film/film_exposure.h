@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
@@ -23,12 +24,14 @@ namespace mien::pipeline {
 /// which the mean of all of them is that: a scrambled figure's dots, of which fewer hide each
 /// other, would else be darker than those of its original.
 
+extern const TableForm exposure_form;
+
 /// The stops, −8 … 8, that added to the tone's bring the mean over films of `mean_luminance` to
 /// `wanted`; the nearest end where none does.
 float stops_for(const std::vector<render::Framebuffer>& films, const render::Tone& tone,
                 double wanted);
 
-/// Finds the exposure of each film, and returns metrics/exposure.csv (film_table_forms.h). Figures
+/// Finds the exposure of each film, and returns metrics/exposure.csv. Figures
 /// are as tall and stand where `films` has them. Throws Faults when no exposure brings a film, or
 /// the films that share one, within 1 %; where it is far from there, after a quick look.
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,

@@ -1,6 +1,7 @@
 #include "pipeline/production/film/film_framing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,10 +10,8 @@
 
 #include <Eigen/Geometry>
 
-#include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/places.h"
-#include "pipeline/production/film/film_table_forms.h"
 #include "scenes/cameras/figure_place.h"
 
 namespace mien::pipeline {
@@ -27,7 +26,41 @@ using SizesById = std::map<std::string, double>;
 double step_below(double pixels) { return std::floor(64.0 * pixels) / 64.0; }
 double nearest_step(double pixels) { return std::round(64.0 * pixels) / 64.0; }
 
-std::string in_hundredths(double pixels) { return shortest(std::round(100.0 * pixels) / 100.0); }
+double in_hundredths(double pixels) { return std::round(100.0 * pixels) / 100.0; }
+
+struct EqualizedSize {
+  std::string stimulus;
+  double framed_px;
+  double figure_px;
+};
+
+constexpr auto sizes_columns = table_of<EqualizedSize>(
+    "metrics/sizes.csv", "a stimulus, where size is equalized",
+    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
+     {"framed_px", "pixels", "height of the standing figure where its camera would show it",
+      [](auto& r) { return in_hundredths(r.framed_px); }},
+     {"figure_px", "pixels", "height that it has in all films: the least of these",
+      [](auto& r) { return r.figure_px; }}});
+
+struct EqualizedPlace {
+  std::string stimulus;
+  Vector2d framed;
+  std::array<double, 2> common;
+};
+
+constexpr auto places_columns = table_of<EqualizedPlace>(
+    "metrics/places.csv", "a stimulus, where place is equalized",
+    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
+     {"framed_x_px", "pixels",
+      "where its camera would show the middle of its way on the floor, or of a camera that goes "
+      "with it the figure's own place: right of the picture's middle",
+      [](auto& r) { return in_hundredths(r.framed.x()); }},
+     {"framed_y_px", "pixels", "likewise, below the picture's middle",
+      [](auto& r) { return in_hundredths(r.framed.y()); }},
+     {"x_px", "pixels", "where that place is in all films, right of the picture's middle",
+      [](auto& r) { return r.common[0]; }},
+     {"y_px", "pixels", "likewise, below the picture's middle",
+      [](auto& r) { return r.common[1]; }}});
 
 /// Called with the share of the stimuli that were looked at.
 using Between = std::function<void(double share)>;
@@ -157,16 +190,17 @@ auto placed_in(const Manifest& manifest, const Find& find) {
 
 }  // namespace
 
+const TableForm sizes_form = sizes_columns.form();
+const TableForm places_form = places_columns.form();
+
 std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
                       EqualizedFilms& films) {
   const SizesById framed = framed_sizes(manifest, motions, between_stimuli_of(run));
   films.figure_px = common_sizes(manifest, framed);
-  CsvWriter table = table_of(sizes_form);
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    table.row({stimulus.id, in_hundredths(framed.at(stimulus.id)),
-               shortest(films.figure_px.at(stimulus.id))});
-  }
-  return table.text();
+  std::vector<EqualizedSize> rows;
+  for (const Stimulus& stimulus : manifest.stimuli)
+    rows.push_back({stimulus.id, framed.at(stimulus.id), films.figure_px.at(stimulus.id)});
+  return sizes_columns.of(rows).csv;
 }
 
 std::string places_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
@@ -174,14 +208,11 @@ std::string places_csv(const Manifest& manifest, FinishedMotions& motions, TaskR
   const StandingsById standings =
       standings_at(films.figure_px, manifest, motions, between_stimuli_of(run));
   films.figure_place = placed_in(manifest, [&] { return common_places(manifest, standings); });
-  CsvWriter table = table_of(places_form);
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    const Vector2d& framed = standings.at(stimulus.id).framed;
-    const auto& [x, y] = films.figure_place.at(stimulus.id);
-    table.row({stimulus.id, in_hundredths(framed.x()), in_hundredths(framed.y()), shortest(x),
-               shortest(y)});
-  }
-  return table.text();
+  std::vector<EqualizedPlace> rows;
+  for (const Stimulus& stimulus : manifest.stimuli)
+    rows.push_back(
+        {stimulus.id, standings.at(stimulus.id).framed, films.figure_place.at(stimulus.id)});
+  return places_columns.of(rows).csv;
 }
 
 void check_places(const Manifest& manifest, FinishedMotions& motions) {

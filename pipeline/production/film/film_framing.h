@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/film/film_equalized.h"
@@ -9,13 +10,16 @@
 
 namespace mien::pipeline {
 
-/// Finds how tall all figures are, and returns metrics/sizes.csv (film_table_forms.h).
+extern const TableForm sizes_form;
+extern const TableForm places_form;
+
+/// Finds how tall all figures are, and returns metrics/sizes.csv.
 std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
                       EqualizedFilms& films);
 
 /// Finds where all figures stand: the mean of the places that the cameras show, moved as far as it
 /// must be for every figure to stay within its picture that was within it before. Figures are as
-/// tall as `films` has them. Returns metrics/places.csv (film_table_forms.h). Throws Error where no
+/// tall as `films` has them. Returns metrics/places.csv. Throws Error where no
 /// place is left.
 std::string places_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
                        EqualizedFilms& films);

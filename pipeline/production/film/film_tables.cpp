@@ -4,7 +4,6 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/production/film/film_record.h"
-#include "pipeline/production/film/film_table_forms.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/receipt.h"
 
@@ -20,6 +19,14 @@ struct MadeFilm {
   std::vector<std::string> hashes;  // of its videos
 };
 
+struct MadeVideo {
+  const MadeFilm& of;
+  const VideoRecord& video;
+  std::string hash;
+
+  std::string unless_identical(std::string text) const { return video.identical ? "" : text; }
+};
+
 using Films = std::vector<MadeFilm>;
 
 constexpr double cost_seconds = 0.01;
@@ -27,48 +34,85 @@ constexpr double cost_seconds = 0.01;
 /// Six digits: more than a display can show.
 std::string rounded(double value) { return fmt::format("{:.6f}", value); }
 
-std::string luminance_csv(const Films& films) {
-  CsvWriter table = table_of(luminance_form);
-  for (const auto& [stimulus, film, hashes] : films) {
-    const render::ClipLuminance& found = film.luminance;
-    table.row({stimulus, std::to_string(found.frames), rounded(found.mean),
-               rounded(found.deviation), rounded(found.rms_contrast), rounded(found.darkest),
-               rounded(found.lightest), shortest(film.exposure_stops)});
-  }
-  return table.text();
+std::string place_of_figure(const FilmRecord& film, std::size_t axis) {
+  return film.figure_place ? fmt::format("{:.2f}", (*film.figure_place)[axis]) : "";
 }
 
-std::string videos_csv(const Films& films) {
-  CsvWriter table = table_of(videos_form);
-  for (const auto& [stimulus, film, hashes] : films) {
-    for (std::size_t i = 0; i < film.videos.size(); ++i) {
-      const VideoRecord& video = film.videos[i];
-      const auto unless_identical = [&](const std::string& text) {
-        return video.identical ? std::string() : text;
-      };
-      table.row({stimulus, video.file, video.format, std::to_string(video.frames),
-                 std::to_string(film.first_film_frame), std::to_string(film.film_frames),
-                 shortest(video.fps), rounded(video.duration_s), video.identical ? "1" : "0",
-                 unless_identical(fmt::format("{:.2f}", video.worst_psnr_db)),
-                 unless_identical(std::to_string(video.worst_psnr_frame)),
-                 unless_identical(fmt::format("{:.4f}", video.worst_ssim)),
-                 unless_identical(std::to_string(video.worst_ssim_frame)), hashes[i]});
-    }
-  }
-  return table.text();
-}
+constexpr SharedColumn film_column = {"stimulus", "", "id of the stimulus or overlay",
+                                      [](auto& r) { return r.stimulus; }};
 
-std::string views_csv(const Films& films) {
-  CsvWriter table = table_of(views_form);
-  for (const auto& [stimulus, film, hashes] : films) {
-    const auto place = [&film](std::size_t axis) {
-      return film.figure_place ? fmt::format("{:.2f}", (*film.figure_place)[axis]) : "";
-    };
-    table.row({stimulus, fmt::format("{:.2f}", film.figure_px),
-               film.visual_degrees ? fmt::format("{:.3f}", *film.visual_degrees) : "", place(0),
-               place(1)});
-  }
-  return table.text();
+constexpr auto luminance_columns = table_of<MadeFilm>(
+    "metrics/luminance.csv", "a film",
+    {film_column,
+     {"frames", "",
+      "frames that were looked at: all, or those of the contact sheet where neither frames nor "
+      "videos are written",
+      [](auto& r) { return r.record.luminance.frames; }},
+     {"mean_luminance", "0–1", "relative luminance, linear: mean of all pixels and frames",
+      [](auto& r) { return rounded(r.record.luminance.mean); }},
+     {"sd_luminance", "0–1", "standard deviation over the pixels, mean of the frames",
+      [](auto& r) { return rounded(r.record.luminance.deviation); }},
+     {"rms_contrast", "", "standard deviation by mean, mean of the frames",
+      [](auto& r) { return rounded(r.record.luminance.rms_contrast); }},
+     {"min_frame_luminance", "0–1", "mean luminance of the darkest frame",
+      [](auto& r) { return rounded(r.record.luminance.darkest); }},
+     {"max_frame_luminance", "0–1", "mean luminance of the lightest frame",
+      [](auto& r) { return rounded(r.record.luminance.lightest); }},
+     {"exposure_stops", "stops", "exposure that was added: 1 doubles the light, −1 halves it",
+      [](auto& r) { return r.record.exposure_stops; }}});
+
+constexpr auto videos_columns = table_of<MadeVideo>(
+    "metrics/videos.csv", "a video",
+    {{"stimulus", "", "id of the stimulus or overlay", [](auto& r) { return r.of.stimulus; }},
+     {"file", "", "the video, from the study's folder", [](auto& r) { return r.video.file; }},
+     {"format", "", "kind of video, as output.video names it",
+      [](auto& r) { return r.video.format; }},
+     {"frames", "", "frames of the whole video", [](auto& r) { return r.video.frames; }},
+     {"first_film_frame", "",
+      "frame of the video at which the film begins, after card, cross and blank; counted from 0",
+      [](auto& r) { return r.of.record.first_film_frame; }},
+     {"film_frames", "", "frames of the film", [](auto& r) { return r.of.record.film_frames; }},
+     {"fps", "1/s", "frames a second", [](auto& r) { return r.video.fps; }},
+     {"duration_s", "s", "duration of the whole video",
+      [](auto& r) { return rounded(r.video.duration_s); }},
+     {"identical", "0/1", "1: every decoded frame is the frame drawn",
+      [](auto& r) { return r.video.identical; }},
+     {"worst_psnr_db", "dB", "lowest peak signal-to-noise ratio of a frame; empty where identical",
+      [](auto& r) { return r.unless_identical(fmt::format("{:.2f}", r.video.worst_psnr_db)); }},
+     {"worst_psnr_frame", "", "that frame; empty where identical",
+      [](auto& r) { return r.unless_identical(std::to_string(r.video.worst_psnr_frame)); }},
+     {"worst_ssim", "0–1",
+      "lowest structural similarity of a frame, 1 for the same; empty where identical",
+      [](auto& r) { return r.unless_identical(fmt::format("{:.4f}", r.video.worst_ssim)); }},
+     {"worst_ssim_frame", "", "that frame; empty where identical",
+      [](auto& r) { return r.unless_identical(std::to_string(r.video.worst_ssim_frame)); }},
+     {"video_hash", "", "XXH3-128 of the file", [](auto& r) { return r.hash; }}});
+
+constexpr auto views_columns = table_of<MadeFilm>(
+    "metrics/views.csv", "a film",
+    {film_column,
+     {"figure_px", "pixels", "height of the standing figure in the picture",
+      [](auto& r) { return fmt::format("{:.2f}", r.record.figure_px); }},
+     {"visual_degrees", "°",
+      "visual angle of that height on the screen that the camera names; empty without one",
+      [](auto& r) {
+        return r.record.visual_degrees ? fmt::format("{:.3f}", *r.record.visual_degrees) : "";
+      }},
+     {"figure_x_px", "pixels",
+      "where the figure stands in the picture: the middle of its way on the floor, or of a camera "
+      "that goes with it the figure's own place, how far right of the picture's middle; empty "
+      "where "
+      "it is behind the camera",
+      [](auto& r) { return place_of_figure(r.record, 0); }},
+     {"figure_y_px", "pixels", "likewise, below the picture's middle",
+      [](auto& r) { return place_of_figure(r.record, 1); }}});
+
+std::vector<MadeVideo> videos_of(const Films& films) {
+  std::vector<MadeVideo> rows;
+  for (const MadeFilm& film : films)
+    for (std::size_t i = 0; i < film.record.videos.size(); ++i)
+      rows.push_back({film, film.record.videos[i], film.hashes[i]});
+  return rows;
 }
 
 MadeFilm made_film(const std::string& id, const fs::path& folder) {
@@ -80,13 +124,16 @@ MadeFilm made_film(const std::string& id, const fs::path& folder) {
   return film;
 }
 
-struct Table {
-  const TableForm& form;
-  std::string (*make)(const Films&);
+struct FilmTable {
+  TableForm form;
+  std::string (*csv)(const Films&);
 };
 
-constexpr Table tables[] = {
-    {luminance_form, luminance_csv}, {videos_form, videos_csv}, {views_form, views_csv}};
+constexpr FilmTable tables[] = {
+    {luminance_columns.form(), [](const Films& films) { return luminance_columns.of(films).csv; }},
+    {videos_columns.form(),
+     [](const Films& films) { return videos_columns.of(videos_of(films)).csv; }},
+    {views_columns.form(), [](const Films& films) { return views_columns.of(films).csv; }}};
 
 }  // namespace
 
@@ -96,7 +143,7 @@ std::string film_record_path(const std::string& stimulus) {
 
 std::vector<TableForm> film_table_forms() {
   std::vector<TableForm> forms;
-  for (const Table& table : tables) forms.push_back(table.form);
+  for (const FilmTable& table : tables) forms.push_back(table.form);
   return forms;
 }
 
@@ -109,14 +156,14 @@ Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
     task.inputs.push_back("film:" + film->id);
     task.determinants.add("stimulus", film->id);
   }
-  for (const Table& table : tables) task.products.push_back({std::string(table.form.path), {}});
+  for (const FilmTable& table : tables) task.products.push_back({std::string(table.form.path), {}});
   task.cost_seconds = cost_seconds;
   task.make = [&manifest](TaskRun& run) {
     Films films;
     for (const Stimulus* film : films_of(manifest))
       films.push_back(made_film(film->id, run.store.folder()));
     for (std::size_t i = 0; i < run.keys.size(); ++i) {
-      run.put_text(i, tables[i].make(films), read_csv);
+      run.put_text(i, tables[i].csv(films), read_csv);
     }
   };
   return task;

@@ -10,7 +10,7 @@
 namespace mien::pipeline {
 
 /// The task "films": what the films' records say, as tidy CSV: metrics/luminance.csv, videos.csv
-/// and views.csv (film_table_forms.h). It reads the products of all film tasks. `manifest` outlives
+/// and views.csv. It reads the products of all film tasks. `manifest` outlives
 /// it. Overlays have rows like stimuli.
 Task films_task(const Manifest& manifest, const SharedDeterminants& shared);
 

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "motion/math/rotation.h"
 #include "motion/measures/distance/distance.h"
-#include "pipeline/base/documents/csv.h"
-#include "pipeline/production/report/table_forms.h"
+#include "pipeline/production/report/tables.h"
 
 namespace mien::pipeline {
 
@@ -75,7 +75,42 @@ std::vector<CertifiedAspect> certificate(const motion::Clip& of, const motion::C
            share(a.unevenness, b.unevenness), held_share}};
 }
 
-std::string number(double value) { return std::isnan(value) ? "" : shortest(value); }
+struct FoilAspectRow {
+  std::string id;
+  Foil foil;
+  CertifiedAspect certified;
+};
+
+constexpr auto foils_columns = table_of<FoilAspectRow>(
+    "metrics/foils.csv", "a foil and aspect",
+    {{"foil", "", "id of the foil", [](auto& r) { return r.id; }},
+     {"of", "", "id of the stimulus that it is a foil of", [](auto& r) { return r.foil.of; }},
+     {"differ", "", "aspect in which the two are meant to differ",
+      [](auto& r) { return name_of(r.foil.differ); }},
+     {"aspect", "", "aspect of this row: posture, path-length, speed or acceleration",
+      [](auto& r) { return name_of(r.certified.aspect); }},
+     {"measure", "", "what was measured of both finished motions, with its unit",
+      [](auto& r) { return r.certified.measure; }},
+     {"of_value", "see measure", "of the stimulus; empty where only the difference is known",
+      [](auto& r) { return r.certified.of_value; }},
+     {"foil_value", "see measure", "of the foil", [](auto& r) { return r.certified.foil_value; }},
+     {"difference", "° or share",
+      "of the posture the largest turn of a joint, degrees; otherwise the foil's value by the "
+      "other's, minus 1",
+      [](auto& r) { return r.certified.difference; }},
+     {"is_held", "0/1",
+      "1: the difference is below 2°, or 0.05; empty for the aspect that is meant to differ",
+      [](auto& r) {
+        return r.certified.aspect == r.foil.differ ? std::nullopt
+                                                   : std::optional(r.certified.is_held());
+      }}});
+
+std::vector<FoilAspectRow> foil_aspects(const Manifest& manifest, Motions& motions) {
+  std::vector<FoilAspectRow> rows;
+  for (const auto& [id, foil, aspects] : foil_certificates(manifest.stimuli, motions))
+    for (const CertifiedAspect& aspect : aspects) rows.push_back({id, foil, aspect});
+  return rows;
+}
 
 }  // namespace
 
@@ -119,19 +154,6 @@ std::vector<Certificate> foil_certificates(std::span<const Stimulus> stimuli, Mo
   return certificates;
 }
 
-std::string foils_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table = table_of(foils_form);
-  for (const auto& [id, foil, aspects] : foil_certificates(manifest.stimuli, motions)) {
-    for (const CertifiedAspect& aspect : aspects) {
-      table.row({id, foil.of, std::string(name_of(foil.differ)),
-                 std::string(name_of(aspect.aspect)), aspect.measure, number(aspect.of_value),
-                 number(aspect.foil_value), shortest(aspect.difference),
-                 aspect.aspect == foil.differ ? ""
-                 : aspect.is_held()           ? "1"
-                                              : "0"});
-    }
-  }
-  return table.text();
-}
+const StudyTable foils_table = study_table<foils_columns, foil_aspects>;
 
 }  // namespace mien::pipeline

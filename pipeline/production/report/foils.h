@@ -43,7 +43,4 @@ struct Certificate {
 /// Of every foil among some of a study's stimuli.
 std::vector<Certificate> foil_certificates(std::span<const Stimulus> stimuli, Motions& motions);
 
-/// The certificate of every foil (foils_form).
-std::string foils_csv(const Manifest& manifest, Motions& motions);
-
 }  // namespace mien::pipeline

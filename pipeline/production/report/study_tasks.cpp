@@ -4,10 +4,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/determinants.h"
-#include "pipeline/manifest/ratings/answers/impression_table.h"
-#include "pipeline/production/report/foils.h"
 #include "pipeline/production/report/report.h"
-#include "pipeline/production/report/table_forms.h"
 #include "pipeline/production/report/tables.h"
 #include "pipeline/tasks/code_identity.h"
 
@@ -20,22 +17,10 @@ namespace fs = std::filesystem;
 constexpr double tables_cost_seconds = 0.05;
 constexpr double report_cost_seconds = 0.01;
 
-struct Table {
-  const TableForm& form;
-  std::string (*make)(const Manifest&, Motions&);
-};
-
-constexpr Table tables[] = {{distances_form, distances_csv},
-                            {joint_distances_form, joint_distances_csv},
-                            {weights_form, weights_csv},
-                            {clips_form, clips_csv},
-                            {parameters_form, parameters_csv},
-                            {examples_form, examples_csv},
-                            {impressions_form, impressions_csv},
-                            {expectations_form, expectations_csv},
-                            {findings_form, findings_csv},
-                            {feature_changes_form, feature_changes_csv},
-                            {foils_form, foils_csv}};
+constexpr const StudyTable* tables[] = {
+    &distances_table,  &joint_distances_table, &weights_table,     &clips_table,
+    &parameters_table, &examples_table,        &impressions_table, &expectations_table,
+    &findings_table,   &feature_changes_table, &foils_table};
 
 void put_page(TaskRun& run, std::size_t product, const std::string& text) {
   run.put_text(product, text, [&](const fs::path& file) {
@@ -58,7 +43,7 @@ Hash study_key(const Manifest& manifest, const SharedDeterminants& shared, const
 
 std::vector<TableForm> study_table_forms() {
   std::vector<TableForm> forms;
-  for (const Table& table : tables) forms.push_back(table.form);
+  for (const StudyTable* table : tables) forms.push_back(table->form);
   return forms;
 }
 
@@ -68,11 +53,12 @@ Task tables_task(const Manifest& manifest, Motions& motions, const Hash& study) 
   task.kind = "tables";
   task.determinants.add("study", study);
   for (const Stimulus& stimulus : manifest.stimuli) task.inputs.push_back("motion:" + stimulus.id);
-  for (const Table& table : tables) task.products.push_back({std::string(table.form.path), {}});
+  for (const StudyTable* table : tables)
+    task.products.push_back({std::string(table->form.path), {}});
   task.cost_seconds = tables_cost_seconds;
   task.make = [&manifest, &motions](TaskRun& run) {
     for (std::size_t i = 0; i < run.keys.size(); ++i)
-      run.put_text(i, tables[i].make(manifest, motions), read_csv);
+      run.put_text(i, tables[i]->csv(manifest, motions), read_csv);
   };
   return task;
 }

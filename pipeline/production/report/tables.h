@@ -2,29 +2,48 @@
 
 #include <string>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {
 
-// The study's numbers as tidy CSV; table_forms.h and impression_table.h have their columns.
+/// One of a study's tables of numbers, tidy CSV.
+struct StudyTable {
+  TableForm form;
+  std::string (*csv)(const Manifest& manifest, Motions& motions);
+};
 
-std::string distances_csv(const Manifest& manifest, Motions& motions);
-std::string joint_distances_csv(const Manifest& manifest, Motions& motions);
-std::string weights_csv(const Manifest& manifest, Motions& motions);
-std::string clips_csv(const Manifest& manifest, Motions& motions);
-std::string parameters_csv(const Manifest& manifest, Motions& motions);
+/// `rows_of(manifest, motions)` are the table's rows.
+template <const auto& table, auto rows_of>
+inline constexpr StudyTable study_table = {table.form(),
+                                           [](const Manifest& manifest, Motions& motions) {
+                                             return table.of(rows_of(manifest, motions)).csv;
+                                           }};
 
-/// Without rows where nothing is blended or nothing was rated.
-std::string impressions_csv(const Manifest& manifest, Motions& motions);
+extern const StudyTable distances_table;
+extern const StudyTable joint_distances_table;
+extern const StudyTable feature_changes_table;
+extern const StudyTable weights_table;
+extern const StudyTable clips_table;
+extern const StudyTable parameters_table;
+extern const StudyTable findings_table;
+extern const StudyTable foils_table;  ///< the certificate of every foil
 
 /// Without rows where nothing is made with examples.
-std::string examples_csv(const Manifest& manifest, Motions& motions);
+extern const StudyTable examples_table;
+
+/// Without rows where nothing is blended or nothing was rated.
+extern const StudyTable impressions_table;
 
 /// The manipulation checks (expectation.h).
-std::string expectations_csv(const Manifest& manifest, Motions& motions);
+extern const StudyTable expectations_table;
 
-std::string findings_csv(const Manifest& manifest, Motions& motions);
-std::string feature_changes_csv(const Manifest& manifest, Motions& motions);
+/// "whose ratings the motion rests on", of an `r.ratings`.
+inline constexpr SharedColumn ratings_column = {
+    "ratings", "",
+    "whose ratings the motion rests on: given (by people), simulated, or none (features, weights, "
+    "files)",
+    [](auto& r) { return r.ratings; }};
 
 }  // namespace mien::pipeline

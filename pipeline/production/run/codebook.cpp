@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/production/clips/durations.h"
 #include "pipeline/production/film/film_dots.h"
-#include "pipeline/production/film/film_table_forms.h"
+#include "pipeline/production/film/film_exposure.h"
+#include "pipeline/production/film/film_framing.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/report/study_tasks.h"
 #include "pipeline/production/run/stimuli_table.h"
+#include "pipeline/production/synthesis/durations_task.h"
 
 namespace mien::pipeline {
 
@@ -70,13 +70,7 @@ std::string codebook_json(const Manifest& manifest) {
 
 std::string codebook_markdown() {
   std::string text;
-  for (const TableForm& form : all_table_forms()) {
-    text += fmt::format("## {}\n\nOne row per {}.\n\n| column | unit | meaning |\n|---|---|---|\n",
-                        form.path, form.rows);
-    for (const Column& column : form.columns)
-      text += fmt::format("| `{}` | {} | {} |\n", column.name, column.unit, column.meaning);
-    text += "\n";
-  }
+  for (const TableForm& form : all_table_forms()) text += markdown_of(form) + "\n";
   text.pop_back();
   return text;
 }

@@ -1,5 +1,8 @@
 #include "pipeline/production/run/stimuli_table.h"
 
+#include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -21,10 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Row = std::vector<std::string>;
-
-void add(Row& row, const Row& more) { row.insert(row.end(), more.begin(), more.end()); }
-
 std::string listed(const NamedValues& values) {
   std::string text;
   for (const auto& [name, value] : values) {
@@ -45,21 +44,10 @@ std::string asked_of(const Stimulus& stimulus) {
   return text;
 }
 
-/// From `source` to `modified_share`.
-Row making_of(const Stimulus& stimulus, Motions& motions) {
-  const Synthesis& made = motions.of(stimulus.id);
-  return {std::string(source_of(stimulus)),
-          asked_of(stimulus),
-          ratings_of(&stimulus, motions),
-          method_of(stimulus),
-          made.modified,
-          made.modified.empty() ? "" : shortest(made.modified_share)};
-}
-
-Row making_of(const Overlay& overlay) {
+std::string motions_of(const Overlay& overlay) {
   std::string names;
   for (const auto& [role, name] : motions_on(overlay)) names += (names.empty() ? "" : " ") + name;
-  return {"motions", names, "", "", "", ""};
+  return names;
 }
 
 std::string figure_options(const Look& look) {
@@ -69,104 +57,170 @@ std::string figure_options(const Look& look) {
   return options.is_null() || options.empty() ? "" : options.dump();
 }
 
-/// A name and its options.
-Row camera_of(const Look& look) {
+std::string camera_options(const Look& look) {
   OrderedJson camera = written(look.camera, Writing{.for_key = true});
   if (camera.is_object()) camera.erase("view");
-  return {look.camera.view, !camera.is_object() || camera.empty() ? "" : camera.dump()};
-}
-
-/// From `scene` to `shutter_deg`.
-Row settings_of(const Stimulus& film) {
-  const Output& output = film.output;
-  const auto [width, height] = output.shown_size();
-  Row row = {scene_name(film.look), figure_name(film.look), figure_options(film.look)};
-  add(row, camera_of(film.look));
-  add(row, {std::to_string(width), std::to_string(height), shortest(output.fps),
-            std::to_string(output.cycles), output.in_place ? "1" : "0",
-            std::string(name_of(output.quality)),
-            std::to_string(quality_of(FilmSettings{.output = output}).samples_per_pixel),
-            shortest(output.shutter)});
-  return row;
+  return !camera.is_object() || camera.empty() ? "" : camera.dump();
 }
 
 FilmRecord film_record(const fs::path& folder, const std::string& film) {
   return parse_film_record(read_file(folder / film_record_path(film)));
 }
 
-/// An artifact and its hash; both empty where it was not made.
-Row file_of(const fs::path& folder, const std::string& path, bool is_made) {
-  if (!is_made) return {"", ""};
-  const auto receipt = read_receipt(folder, path);
-  return {path, receipt ? receipt->hash : ""};
-}
+/// A film as it was made; its motion is told of stimuli alone.
+struct MadeStimulus {
+  const Stimulus& film;
+  const fs::path& folder;
+  FilmRecord record;
+  std::vector<std::string> levels;
+  std::string asked;
+  const Synthesis* made = nullptr;  ///< null of an overlay
+  std::string ratings = {};
+  std::string method = {};
 
-/// From `film_frames` to the end.
-Row files_of(const Stimulus& film, const fs::path& folder) {
-  const Output& output = film.output;
-  const FilmRecord record = film_record(folder, film.id);
-  Row row = {std::to_string(record.film_frames), shortest(record.film_frames / output.fps)};
-  if (record.videos.empty()) {
-    add(row, {"", "", ""});
-  } else {
-    const VideoRecord& video = record.videos.front();
-    const Row file = file_of(folder, video.file, true);
-    add(row, {file[0], shortest(video.frames / video.fps), file[1]});
+  const Output& output() const { return film.output; }
+  bool loops() const { return made != nullptr && made->motion.clip.loops; }
+  const VideoRecord* video() const {
+    return record.videos.empty() ? nullptr : &record.videos.front();
   }
-  const ClipFiles& clips = output.clips;
-  add(row,
-      file_of(folder, "clips/" + film.id + (clips.bvh ? ".bvh" : ".glb"), clips.bvh || clips.glb));
-  add(row, file_of(folder, "frames/" + film.id, output.frames != FrameFormat::none));
-  return row;
-}
+  /// From the study's folder; empty where it was not made.
+  std::string clip() const {
+    const ClipFiles& clips = film.output.clips;
+    if (!clips.bvh && !clips.glb) return "";
+    return "clips/" + film.id + (clips.bvh ? ".bvh" : ".glb");
+  }
+  std::string frames() const {
+    return film.output.frames == FrameFormat::none ? "" : "frames/" + film.id;
+  }
+  /// Of an artifact; empty where it was not made.
+  std::string hash_of(const std::string& path) const {
+    const auto receipt = path.empty() ? std::nullopt : read_receipt(folder, path);
+    return receipt ? receipt->hash : "";
+  }
+};
 
-std::string cycle_seconds(const motion::Clip& clip) {
-  return clip.loops ? shortest(clip.duration_seconds()) : "";
-}
+constexpr auto stimuli_columns = table_of<MadeStimulus>(
+    "metrics/stimuli.csv", "a stimulus, then one an overlay",
+    {{"stimulus", "", "id of the stimulus or overlay: other tables name it so",
+      [](auto& r) { return r.film.id; }},
+     {"kind", "", "stimulus or overlay", [](auto& r) { return r.made ? "stimulus" : "overlay"; }},
+     {"role", "", "target, created or reference; empty for an overlay",
+      [](auto& r) { return r.made ? name_of(r.film.role) : ""; }},
+     {"factor_*", "",
+      "level of a factor of the design; emotion, strength, example and clip are filled in where "
+      "they are plain from the stimulus; empty where it has none",
+      [](auto& r) { return r.levels; }},
+     {"source", "",
+      "what the motion is made from: adjectives, features, weights or clip; motions for an overlay",
+      [](auto& r) { return r.made ? source_of(r.film) : "motions"; }},
+     {"asked", "", "of these, what: name=value, or the file, or the motions of an overlay",
+      [](auto& r) { return r.asked; }},
+     {"ratings", "",
+      "whose ratings the motion rests on: given (by people), simulated, or none (features, "
+      "weights, files)",
+      [](auto& r) { return r.ratings; }},
+     {"method", "", "how the shares of the examples were found; empty for a file",
+      [](auto& r) { return r.method; }},
+     {"modified", "", "what was done to the motion; empty for nothing",
+      [](auto& r) { return r.made ? r.made->modified : ""; }},
+     {"modified_share", "0–1",
+      "share of the strengths asked for that was kept: below 1 where on_fault reduced them",
+      [](auto& r) { return r.made && !r.made->modified.empty() ? r.made->modified_share : NAN; }},
+     {"scene", "", "the set", [](auto& r) { return scene_name(r.film.look); }},
+     {"figure", "", "what the motion is shown on",
+      [](auto& r) { return figure_name(r.film.look); }},
+     {"figure_options", "", "how it differs from that figure's defaults, as JSON",
+      [](auto& r) { return figure_options(r.film.look); }},
+     {"camera", "", "the view", [](auto& r) { return r.film.look.camera.view; }},
+     {"camera_options", "", "how it differs from that view's defaults, as JSON",
+      [](auto& r) { return camera_options(r.film.look); }},
+     {"width_px", "pixels", "width of the frames",
+      [](auto& r) { return r.output().shown_size()[0]; }},
+     {"height_px", "pixels", "height of the frames",
+      [](auto& r) { return r.output().shown_size()[1]; }},
+     {"fps", "1/s", "frames a second", [](auto& r) { return r.output().fps; }},
+     {"cycles", "",
+      "how often a looping motion is repeated; where durations are equalized the film ends earlier",
+      [](auto& r) { return r.output().cycles; }},
+     {"in_place", "0/1", "1: on the spot, as on a treadmill",
+      [](auto& r) { return r.output().in_place; }},
+     {"quality", "", "draft, standard or final",
+      [](auto& r) { return name_of(r.output().quality); }},
+     {"samples_per_pixel", "", "what that is in samples",
+      [](auto& r) { return quality_of(FilmSettings{.output = r.output()}).samples_per_pixel; }},
+     {"shutter_deg", "°", "part of a frame's time, of 360°, for which the shutter is open",
+      [](auto& r) { return r.output().shutter; }},
+     {"cycle_s", "s", "duration of one cycle; empty where nothing loops",
+      [](auto& r) { return r.loops() ? r.made->motion.clip.duration_seconds() : NAN; }},
+     {"film_frames", "", "frames of the film", [](auto& r) { return r.record.film_frames; }},
+     {"film_s", "s", "duration of the film",
+      [](auto& r) { return r.record.film_frames / r.output().fps; }},
+     {"video", "", "the first video, from the study's folder; videos.csv has all",
+      [](auto& r) { return r.video() ? r.video()->file : ""; }},
+     {"video_s", "s", "its duration, with card, cross and blanks",
+      [](auto& r) { return r.video() ? r.video()->frames / r.video()->fps : NAN; }},
+     {"video_hash", "", "its XXH3-128",
+      [](auto& r) { return r.video() ? r.hash_of(r.video()->file) : ""; }},
+     {"clip", "", "the motion as a file, from the study's folder",
+      [](auto& r) { return r.clip(); }},
+     {"clip_hash", "", "its XXH3-128", [](auto& r) { return r.hash_of(r.clip()); }},
+     {"frames", "", "folder of the film's frames, from the study's folder",
+      [](auto& r) { return r.frames(); }},
+     {"frames_hash", "", "XXH3-128 of the names and hashes of all frames",
+      [](auto& r) { return r.hash_of(r.frames()); }}});
+
+struct ToldWarning {
+  std::string stimulus;
+  const char* about;
+  std::string sentence;
+};
+
+constexpr auto warnings_columns = table_of<ToldWarning>(
+    "metrics/warnings.csv", "a warning",
+    {{"stimulus", "", "id of the stimulus or overlay; empty for what concerns the examples",
+      [](auto& r) { return r.stimulus; }},
+     {"about", "", "examples, design (stimuli among each other), motion or film",
+      [](auto& r) { return r.about; }},
+     {"warning", "", "a sentence", [](auto& r) { return r.sentence; }}});
 
 }  // namespace
 
+const TableForm stimuli_form = stimuli_columns.form();
+const TableForm warnings_form = warnings_columns.form();
+
 std::string stimuli_csv(const Manifest& manifest, Motions& motions, const fs::path& folder) {
   const std::vector<std::string> factors = factors_of(manifest);
-  CsvWriter table(header_of(stimuli_form, factors));
+  std::vector<MadeStimulus> rows;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    Row row = {stimulus.id, "stimulus", std::string(name_of(stimulus.role))};
-    for (const std::string& factor : factors) row.push_back(level_of(stimulus, factor));
-    add(row, making_of(stimulus, motions));
-    add(row, settings_of(stimulus));
-    row.push_back(cycle_seconds(motions.of(stimulus.id).motion.clip));
-    add(row, files_of(stimulus, folder));
-    table.row(row);
+    std::vector<std::string> levels;
+    for (const std::string& factor : factors) levels.push_back(level_of(stimulus, factor));
+    rows.push_back({stimulus, folder, film_record(folder, stimulus.id), std::move(levels),
+                    asked_of(stimulus), &motions.of(stimulus.id), ratings_of(&stimulus, motions),
+                    method_of(stimulus)});
   }
-  for (const Overlay& overlay : manifest.overlays) {
-    Row row = {overlay.film.id, "overlay", ""};
-    row.resize(row.size() + factors.size());
-    add(row, making_of(overlay));
-    add(row, settings_of(overlay.film));
-    row.emplace_back();
-    add(row, files_of(overlay.film, folder));
-    table.row(row);
-  }
-  return table.text();
+  for (const Overlay& overlay : manifest.overlays)
+    rows.push_back({overlay.film, folder, film_record(folder, overlay.film.id),
+                    std::vector<std::string>(factors.size()), motions_of(overlay)});
+  return stimuli_columns.of(rows, factors).csv;
 }
 
 std::string warnings_csv(const Manifest& manifest, Motions& motions, const fs::path& folder) {
-  CsvWriter table = table_of(warnings_form);
+  std::vector<ToldWarning> rows;
   if (uses_examples(manifest)) {
     for (const std::string& warning : motions.repertoire().warnings)
-      table.row({"", "examples", warning});
+      rows.push_back({"", "examples", warning});
   }
   for (const Repetition& repetition : repetitions_in(manifest))
-    table.row({repetition.id, "design", to_sentence(repetition)});
+    rows.push_back({repetition.id, "design", to_sentence(repetition)});
   for (const Stimulus& stimulus : manifest.stimuli) {
     for (const std::string& warning : motions.of(stimulus.id).warnings)
-      table.row({stimulus.id, "motion", warning});
+      rows.push_back({stimulus.id, "motion", warning});
   }
   for (const Stimulus* film : films_of(manifest)) {
     for (const std::string& warning : film_record(folder, film->id).warnings)
-      table.row({film->id, "film", warning});
+      rows.push_back({film->id, "film", warning});
   }
-  return table.text();
+  return warnings_columns.of(rows).csv;
 }
 
 }  // namespace mien::pipeline

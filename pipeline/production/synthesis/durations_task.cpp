@@ -1,10 +1,10 @@
 #include "pipeline/production/synthesis/durations_task.h"
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/base/documents/csv.h"
 #include "pipeline/production/clips/durations.h"
 #include "pipeline/tasks/code_identity.h"
 
@@ -14,17 +14,32 @@ namespace {
 
 constexpr double duration_cost_seconds = 0.001;  // a stimulus whose motion is there
 
+struct FilmDuration {
+  std::string stimulus;
+  double own_s;
+  double common_s;
+};
+
+constexpr auto durations_columns = table_of<FilmDuration>(
+    "metrics/durations.csv", "a stimulus, where duration is equalized",
+    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
+     {"own_s", "s", "how long its film would be by itself", [](auto& r) { return r.own_s; }},
+     {"duration_s", "s", "how long all films are, to their nearest frame: the least of these",
+      [](auto& r) { return r.common_s; }}});
+
 std::string durations_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table = table_of(durations_form);
-  const std::string common = shortest(motions.shortest_seconds());
+  std::vector<FilmDuration> rows;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const motion::Clip own = playback_clip(motions.clip(stimulus.id), stimulus.output);
-    table.row({stimulus.id, shortest(own.frame_count() / own.frames_per_second), common});
+    const motion::Clip own = shown_clip(motions.clip(stimulus.id), stimulus.output);
+    rows.push_back(
+        {stimulus.id, own.frame_count() / own.frames_per_second, motions.shortest_seconds()});
   }
-  return table.text();
+  return durations_columns.of(rows).csv;
 }
 
 }  // namespace
+
+const TableForm durations_form = durations_columns.form();
 
 Task durations_task(const Manifest& manifest, const SharedDeterminants& shared, Motions& motions) {
   Task task;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/manifest/ratings/answers/impression_table.h"
 #include "pipeline/study/analysis/analysis_tables.h"
 #include "pipeline/study/analysis/published_clusters.h"
@@ -55,19 +56,19 @@ Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales) {
 
 void write_analysis(const Analysis& analysis, const ScaleSet& scales, const Thresholds& thresholds,
                     const std::filesystem::path& folder) {
-  make_folder(folder);
-  write_file(folder / "quantification.csv", quantification_csv(analysis, scales));
-  write_file(folder / "thresholds.csv", thresholds_csv(analysis, scales, thresholds));
-  write_file(folder / "impressions.csv", impressions_csv(analysis.impressions, scales));
-  write_file(folder / "linkage.csv", linkage_csv(analysis));
-  write_file(folder / "clusters.csv", clusters_csv(analysis));
-  write_file(folder / "primary.csv", primary_csv(analysis));
-  write_file(folder / "agreement.csv", agreement_csv(analysis));
-  write_file(folder / "warnings.csv", warnings_csv(analysis.warnings));
+  std::vector<WrittenTable> tables = {
+      quantification_table(analysis, scales),
+      thresholds_table(analysis, scales, thresholds),
+      {impressions_form, impressions_csv(analysis.impressions, scales)},
+      linkage_table(analysis),
+      clusters_table(analysis),
+      primary_table(analysis),
+      agreement_table(analysis),
+      warnings_table(analysis.warnings)};
+  if (const auto published = compare_with_published(analysis); !published.empty())
+    tables.push_back(published_table(published, analysis.impressions.simulated));
+  write_tables(folder, tables);
   write_file(folder / "clusters.scales.yaml", clusters_yaml(analysis, scales));
-  if (const auto published = compare_with_published(analysis); !published.empty()) {
-    write_file(folder / "published.csv", published_csv(published, analysis.impressions.simulated));
-  }
   write_plot(dendrogram_plot(dendrogram_of(analysis, scales)), folder, "dendrogram");
   write_plot(
       threshold_chart(threshold_curve(analysis.quantities, thresholds, scales), thresholds,

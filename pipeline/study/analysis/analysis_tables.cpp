@@ -1,20 +1,14 @@
 #include "pipeline/study/analysis/analysis_tables.h"
 
-#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <ranges>
 
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-std::string ratings_of(const Analysis& analysis) {
-  return analysis.impressions.simulated ? "simulated" : "given";
-}
-
-std::string number(double value) { return std::isnan(value) ? "" : shortest(value); }
-
-std::string flag(bool value) { return value ? "1" : "0"; }
 
 const std::string& scale_at(const Analysis& analysis, int row) {
   return analysis.impressions.scales[static_cast<size_t>(row)];
@@ -33,97 +27,197 @@ std::string removed_by(const Quantity& q) {
   return q.disputed ? "disagreement" : "";
 }
 
+struct ScaleQuantity {
+  const Analysis& all;
+  const Scale& scale;
+  std::size_t row;
+
+  const Quantity& of() const { return all.quantities[row]; }
+};
+
+struct ThresholdRow {
+  const Analysis& all;
+  const KeptAt& of;
+};
+
+struct MergeRow {
+  const Analysis& all;
+  std::size_t step;  ///< from 0
+
+  const Merge& of() const { return all.linkage.merges[step]; }
+  std::string members() const {
+    std::string names;
+    for (const int member : of().members)
+      names += (names.empty() ? "" : " ") + name_of(all, member);
+    return names;
+  }
+};
+
+struct ClusteredScale {
+  const Analysis& all;
+  std::size_t cluster;
+  std::size_t member;
+
+  const ScaleCluster& of() const { return all.clusters[cluster]; }
+};
+
+struct PrimaryImpression {
+  const Analysis& all;
+  const ScaleCluster& of;
+  Eigen::Index example;
+};
+
+struct ScaleAgreement {
+  const Analysis& all;
+  std::size_t row;
+
+  const Agreement& of() const { return all.agreements[row]; }
+};
+
+constexpr SharedColumn ratings_column = {
+    "ratings", "", "given (by people) or simulated",
+    [](auto& r) { return given_or_simulated(r.all.impressions.simulated); }};
+
+constexpr auto quantification_columns = table_of<ScaleQuantity>(
+    "quantification.csv", "a scale",
+    {{"scale", "", "id of the scale", [](auto& r) { return r.scale.id; }},
+     {"low", "", "name of its low end", [](auto& r) { return r.scale.low; }},
+     {"high", "", "name of its high end", [](auto& r) { return r.scale.high; }},
+     ratings_column,
+     {"answers", "", "number of answers",
+      [](auto& r) { return r.all.impressions.count.row(static_cast<Eigen::Index>(r.row)).sum(); }},
+     {"max_abs_mean", "scale", "largest distance of an example's mean from the middle",
+      [](auto& r) { return r.of().largest_mean; }},
+     {"at_example", "", "the example that has it",
+      [](auto& r) { return r.all.impressions.examples[static_cast<size_t>(r.of().at_example)]; }},
+     {"mean_sd", "scale", "mean over the examples of the answers' SD; empty for given means",
+      [](auto& r) { return r.of().mean_deviation; }},
+     {"least_max_abs_mean", "scale", "threshold of max_abs_mean on this scale",
+      [](auto& r) { return r.of().thresholds.largest_mean; }},
+     {"most_mean_sd", "scale", "threshold of mean_sd on this scale",
+      [](auto& r) { return r.of().thresholds.mean_deviation; }},
+     {"kept", "0/1", "1: the scale is kept", [](auto& r) { return r.of().kept(); }},
+     {"removed_by", "", "neutral, disagreement, neutral+disagreement or empty",
+      [](auto& r) { return removed_by(r.of()); }}});
+
+constexpr auto thresholds_columns = table_of<ThresholdRow>(
+    "thresholds.csv", "a condition and threshold",
+    {{"condition", "", "max_abs_mean or mean_sd",
+      [](auto& r) {
+        return r.of.condition == KeptAt::Condition::largest_mean ? "max_abs_mean" : "mean_sd";
+      }},
+     ratings_column,
+     {"threshold", "", "for answers from −2 to 2", [](auto& r) { return r.of.threshold; }},
+     {"kept_by_condition", "", "scales that this condition keeps",
+      [](auto& r) { return r.of.by_condition; }},
+     {"kept_by_both", "", "scales that both conditions keep",
+      [](auto& r) { return r.of.by_both; }}});
+
+constexpr auto linkage_columns = table_of<MergeRow>(
+    "linkage.csv", "a merge of two clusters",
+    {{"step", "", "number of the merge, from 1", [](auto& r) { return r.step + 1; }},
+     {"first", "", "a scale, or #3 for what step 3 made",
+      [](auto& r) { return name_of(r.all, r.of().first); }},
+     {"second", "", "likewise", [](auto& r) { return name_of(r.all, r.of().second); }},
+     {"size", "", "scales of the new cluster", [](auto& r) { return r.of().members.size(); }},
+     {"members", "", "these, joined by blanks", [](auto& r) { return r.members(); }},
+     ratings_column,
+     {"delta_e", "", "ΔE: growth of the error sum of squares (Ward)",
+      [](auto& r) { return r.of().increase; }},
+     {"height", "", "√(2ΔE): height in the dendrogram", [](auto& r) { return r.of().height; }}});
+
+constexpr auto clusters_columns = table_of<ClusteredScale>(
+    "clusters.csv", "a clustered scale",
+    {{"cluster", "", "from 1, along the dendrogram", [](auto& r) { return r.cluster + 1; }},
+     {"name", "", "name of the cluster", [](auto& r) { return r.of().name; }},
+     {"scale", "", "id of the scale",
+      [](auto& r) { return scale_at(r.all, r.of().members[r.member]); }},
+     ratings_column,
+     {"rank", "", "by nearness to the centroid: 1 is nearest",
+      [](auto& r) { return r.member + 1; }},
+     {"to_centroid", "", "distance from the centroid",
+      [](auto& r) { return r.of().to_centroid[r.member]; }},
+     {"basis", "", "kept: clusters of the kept scales; all: none was kept",
+      [](auto& r) { return r.all.none_kept ? "all" : "kept"; }}});
+
+constexpr auto primary_columns = table_of<PrimaryImpression>(
+    "primary.csv", "a cluster and example: the matrix A′",
+    {{"primary", "", "name of the cluster", [](auto& r) { return r.of.name; }},
+     {"example", "", "label of the example",
+      [](auto& r) { return r.all.impressions.examples[static_cast<size_t>(r.example)]; }},
+     ratings_column,
+     {"impression", "0–1", "mean over the cluster's scales: 0 the low end, 1 the high end",
+      [](auto& r) { return r.of.mean[r.example]; }}});
+
+constexpr auto agreement_columns = table_of<ScaleAgreement>(
+    "agreement.csv", "a scale",
+    {{"scale", "", "id of the scale", [](auto& r) { return r.all.impressions.scales[r.row]; }},
+     ratings_column,
+     {"raters", "", "people who rated any example", [](auto& r) { return r.of().all.raters; }},
+     {"complete_raters", "", "people who rated every example",
+      [](auto& r) { return r.of().complete_raters; }},
+     {"alpha", "", "Cronbach's alpha of these", [](auto& r) { return r.of().alpha; }},
+     {"icc_2_k", "", "ICC(2,k) of these", [](auto& r) { return r.of().icc_2_k; }},
+     {"answers_per_example", "", "the k of icc_1_k",
+      [](auto& r) { return r.of().all.answers_per_stimulus; }},
+     {"icc_1_k", "", "ICC(1,k) of all answers; empty where undefined",
+      [](auto& r) { return r.of().all.one_k; }}});
+
+/// Lines and columns count from 1.
+std::optional<int> counted(int n) { return n > 0 ? std::optional(n) : std::nullopt; }
+
+constexpr auto warnings_columns = table_of<StudyWarning>(
+    "warnings.csv", "a warning",
+    {{"kind", "", "kind of warning", [](auto& r) { return r.kind; }},
+     {"file", "", "the file that it is about", [](auto& r) { return r.place.file; }},
+     {"line", "", "its line, from 1; empty: the whole file",
+      [](auto& r) { return counted(r.place.line); }},
+     {"column", "", "the character in that line, from 1",
+      [](auto& r) { return counted(r.place.column); }},
+     {"message", "", "a sentence", [](auto& r) { return r.text; }}});
+
+auto rows_below(std::size_t count) { return std::views::iota(std::size_t{0}, count); }
+
 }  // namespace
 
-std::string quantification_csv(const Analysis& analysis, const ScaleSet& scales) {
-  CsvWriter table({"scale", "low", "high", "ratings", "answers", "max_abs_mean", "at_example",
-                   "mean_sd", "least_max_abs_mean", "most_mean_sd", "kept", "removed_by"});
-  for (size_t j = 0; j < analysis.quantities.size(); ++j) {
-    const Quantity& q = analysis.quantities[j];
-    const Scale& scale = *find_scale(scales, q.scale);
-    table.row({q.scale, scale.low, scale.high, ratings_of(analysis),
-               std::to_string(analysis.impressions.count.row(static_cast<Eigen::Index>(j)).sum()),
-               number(q.largest_mean),
-               analysis.impressions.examples[static_cast<size_t>(q.at_example)],
-               number(q.mean_deviation), number(q.thresholds.largest_mean),
-               number(q.thresholds.mean_deviation), flag(q.kept()), removed_by(q)});
-  }
-  return table.text();
+WrittenTable quantification_table(const Analysis& analysis, const ScaleSet& scales) {
+  std::vector<ScaleQuantity> rows;
+  for (const std::size_t row : rows_below(analysis.quantities.size()))
+    rows.push_back({analysis, *find_scale(scales, analysis.quantities[row].scale), row});
+  return quantification_columns.of(rows);
 }
 
-std::string thresholds_csv(const Analysis& analysis, const ScaleSet& scales,
-                           const Thresholds& thresholds) {
-  CsvWriter table({"condition", "ratings", "threshold", "kept_by_condition", "kept_by_both"});
-  for (const KeptAt& kept : threshold_curve(analysis.quantities, thresholds, scales)) {
-    table.row({kept.condition == KeptAt::Condition::largest_mean ? "max_abs_mean" : "mean_sd",
-               ratings_of(analysis), number(kept.threshold), std::to_string(kept.by_condition),
-               std::to_string(kept.by_both)});
-  }
-  return table.text();
+WrittenTable thresholds_table(const Analysis& analysis, const ScaleSet& scales,
+                              const Thresholds& thresholds) {
+  return thresholds_columns.of_parts(analysis,
+                                     threshold_curve(analysis.quantities, thresholds, scales));
 }
 
-std::string linkage_csv(const Analysis& analysis) {
-  CsvWriter table({"step", "first", "second", "size", "members", "ratings", "delta_e", "height"});
-  int step = 0;
-  for (const Merge& merge : analysis.linkage.merges) {
-    std::string members;
-    for (const int member : merge.members) {
-      if (!members.empty()) members += ' ';
-      members += name_of(analysis, member);
-    }
-    table.row({std::to_string(++step), name_of(analysis, merge.first),
-               name_of(analysis, merge.second), std::to_string(merge.members.size()), members,
-               ratings_of(analysis), number(merge.increase), number(merge.height)});
-  }
-  return table.text();
+WrittenTable linkage_table(const Analysis& analysis) {
+  return linkage_columns.of_parts(analysis, rows_below(analysis.linkage.merges.size()));
 }
 
-std::string clusters_csv(const Analysis& analysis) {
-  CsvWriter table({"cluster", "name", "scale", "ratings", "rank", "to_centroid", "basis"});
-  int number_of_cluster = 0;
-  for (const ScaleCluster& cluster : analysis.clusters) {
-    ++number_of_cluster;
-    for (size_t m = 0; m < cluster.members.size(); ++m) {
-      table.row({std::to_string(number_of_cluster), cluster.name,
-                 scale_at(analysis, cluster.members[m]), ratings_of(analysis),
-                 std::to_string(m + 1), number(cluster.to_centroid[m]),
-                 analysis.none_kept ? "all" : "kept"});
-    }
-  }
-  return table.text();
+WrittenTable clusters_table(const Analysis& analysis) {
+  std::vector<ClusteredScale> rows;
+  for (const std::size_t cluster : rows_below(analysis.clusters.size()))
+    for (const std::size_t member : rows_below(analysis.clusters[cluster].members.size()))
+      rows.push_back({analysis, cluster, member});
+  return clusters_columns.of(rows);
 }
 
-std::string primary_csv(const Analysis& analysis) {
-  CsvWriter table({"primary", "example", "ratings", "impression"});
-  for (const ScaleCluster& cluster : analysis.clusters) {
-    for (Eigen::Index i = 0; i < cluster.mean.size(); ++i) {
-      table.row({cluster.name, analysis.impressions.examples[static_cast<size_t>(i)],
-                 ratings_of(analysis), number(cluster.mean[i])});
-    }
-  }
-  return table.text();
+WrittenTable primary_table(const Analysis& analysis) {
+  std::vector<PrimaryImpression> rows;
+  for (const ScaleCluster& cluster : analysis.clusters)
+    for (Eigen::Index i = 0; i < cluster.mean.size(); ++i) rows.push_back({analysis, cluster, i});
+  return primary_columns.of(rows);
 }
 
-std::string agreement_csv(const Analysis& analysis) {
-  CsvWriter table({"scale", "ratings", "raters", "complete_raters", "alpha", "icc_2_k",
-                   "answers_per_example", "icc_1_k"});
-  for (size_t j = 0; j < analysis.agreements.size(); ++j) {
-    const Agreement& a = analysis.agreements[j];
-    table.row({analysis.impressions.scales[j], ratings_of(analysis), std::to_string(a.all.raters),
-               std::to_string(a.complete_raters), number(a.alpha), number(a.icc_2_k),
-               number(a.all.answers_per_stimulus), number(a.all.one_k)});
-  }
-  return table.text();
+WrittenTable agreement_table(const Analysis& analysis) {
+  return agreement_columns.of_parts(analysis, rows_below(analysis.agreements.size()));
 }
 
-std::string warnings_csv(const std::vector<StudyWarning>& warnings) {
-  CsvWriter table({"kind", "file", "line", "column", "message"});
-  const auto count = [](int n) { return n > 0 ? std::to_string(n) : std::string(); };
-  for (const StudyWarning& warning : warnings) {
-    table.row({warning.kind, warning.place.file, count(warning.place.line),
-               count(warning.place.column), warning.text});
-  }
-  return table.text();
+WrittenTable warnings_table(const std::vector<StudyWarning>& warnings) {
+  return warnings_columns.of(warnings);
 }
 
 }  // namespace mien::pipeline

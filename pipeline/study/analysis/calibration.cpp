@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/personal_values.h"
 
 namespace mien::pipeline {
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-fs::path table_of(const fs::path& study) {
+fs::path parameters_file(const fs::path& study) {
   std::error_code error;
   return fs::is_directory(study, error) ? study / "metrics" / "parameters.csv" : study;
 }
@@ -79,15 +79,40 @@ Correction correction_of(const std::string& parameter,
   return correction;
 }
 
-std::string known_number(double value) { return std::isnan(value) ? "" : shortest(value); }
+constexpr auto calibration_columns = table_of<GivenOrSimulated<PerceivedParameter>>(
+    "calibration.csv", "a stimulus and parameter",
+    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.of.made.stimulus; }},
+     {"parameter", "", "scale or group of scales", [](auto& r) { return r.of.made.parameter; }},
+     whose_ratings_column,
+     {"asked", "0–1", "what the stimulus asks for", [](auto& r) { return r.of.made.asked; }},
+     {"reached", "0–1", "what the blend has", [](auto& r) { return r.of.made.reached; }},
+     {"perceived", "0–1", "mean over people of their answers",
+      [](auto& r) { return r.of.perceived; }},
+     {"sd", "0–1", "standard deviation of it, n − 1", [](auto& r) { return r.of.deviation; }},
+     {"people", "", "who answered", [](auto& r) { return r.of.people; }},
+     {"next", "0–1", "what to ask for so that people see what was asked for now",
+      [](auto& r) { return r.of.next; }}});
+
+constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
+    "corrections.csv", "a parameter: perceived = intercept + slope · asked",
+    {{"parameter", "", "scale or group of scales", [](auto& r) { return r.of.parameter; }},
+     whose_ratings_column,
+     {"stimuli", "", "stimuli that it is fitted to", [](auto& r) { return r.of.stimuli; }},
+     {"intercept", "0–1", "perceived where 0 is asked for", [](auto& r) { return r.of.intercept; }},
+     {"slope", "", "growth of perceived by asked", [](auto& r) { return r.of.slope; }},
+     {"slope_se", "", "its standard error", [](auto& r) { return r.of.slope_error; }},
+     {"r_squared", "0–1", "share of the variance explained",
+      [](auto& r) { return r.of.r_squared; }},
+     {"usable", "0/1", "1: people saw more where more was asked for",
+      [](auto& r) { return r.of.is_usable(); }}});
 
 }  // namespace
 
 std::vector<MadeParameter> read_made_parameters(const fs::path& study) {
   if (!fs::exists(study))
     throw Error("there is no study in " + study.string(),
-                "name the folder of a finished study, such as out/my-study");
-  const CsvTable table = read_csv(table_of(study));
+                "name the folder of a study that was run, as out/my-study");
+  const CsvTable table = read_csv(parameters_file(study));
   const auto column = [&](const char* name) {
     return static_cast<std::size_t>(require_column(table, name));
   };
@@ -106,8 +131,8 @@ std::vector<MadeParameter> read_made_parameters(const fs::path& study) {
 
 std::set<std::string> other_stimuli(const fs::path& study, const std::vector<MadeParameter>& made) {
   std::set<std::string> others;
-  const fs::path all = table_of(study).parent_path() / "stimuli.csv";
-  const CsvTable table = read_csv(fs::exists(all) ? all : table_of(study));
+  const fs::path all = parameters_file(study).parent_path() / "stimuli.csv";
+  const CsvTable table = read_csv(fs::exists(all) ? all : parameters_file(study));
   const auto column = static_cast<std::size_t>(require_column(table, "stimulus"));
   for (const auto& row : table.rows) others.insert(row[column].text);
   for (const MadeParameter& parameter : made) others.erase(parameter.stimulus);
@@ -150,28 +175,12 @@ Calibration calibrate(const std::vector<MadeParameter>& made, const Answers& ans
   return calibration;
 }
 
-std::string calibration_csv(const Calibration& calibration) {
-  CsvWriter table({"stimulus", "parameter", "ratings", "asked", "reached", "perceived", "sd",
-                   "people", "next"});
-  for (const PerceivedParameter& seen : calibration.stimuli) {
-    table.row({seen.made.stimulus, seen.made.parameter,
-               calibration.simulated ? "simulated" : "given", shortest(seen.made.asked),
-               shortest(seen.made.reached), shortest(seen.perceived), known_number(seen.deviation),
-               std::to_string(seen.people), seen.next ? shortest(*seen.next) : ""});
-  }
-  return table.text();
+WrittenTable calibration_table(const Calibration& calibration) {
+  return calibration_columns.of_parts(calibration.simulated, calibration.stimuli);
 }
 
-std::string corrections_csv(const Calibration& calibration) {
-  CsvWriter table(
-      {"parameter", "ratings", "stimuli", "intercept", "slope", "slope_se", "r_squared", "usable"});
-  for (const Correction& correction : calibration.corrections) {
-    table.row({correction.parameter, calibration.simulated ? "simulated" : "given",
-               std::to_string(correction.stimuli), shortest(correction.intercept),
-               shortest(correction.slope), known_number(correction.slope_error),
-               known_number(correction.r_squared), correction.is_usable() ? "1" : "0"});
-  }
-  return table.text();
+WrittenTable corrections_table(const Calibration& calibration) {
+  return corrections_columns.of_parts(calibration.simulated, calibration.corrections);
 }
 
 }  // namespace mien::pipeline

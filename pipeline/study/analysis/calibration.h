@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/manifest/ratings/answers/impressions.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
@@ -69,11 +70,10 @@ struct Calibration {
 Calibration calibrate(const std::vector<MadeParameter>& made, const Answers& answers,
                       const ScaleSet& scales);
 
-/// A row a stimulus and parameter: stimulus, parameter, ratings, asked, reached, perceived, sd,
-/// people, next.
-std::string calibration_csv(const Calibration& calibration);
+/// A row a stimulus and parameter.
+WrittenTable calibration_table(const Calibration& calibration);
 
-/// A row a parameter: parameter, ratings, stimuli, intercept, slope, slope_se, r_squared, usable.
-std::string corrections_csv(const Calibration& calibration);
+/// A row a parameter.
+WrittenTable corrections_table(const Calibration& calibration);
 
 }  // namespace mien::pipeline

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 
 namespace mien::pipeline {
 
@@ -72,6 +73,55 @@ std::string node_name(const FeatureClusters& clusters, int node) {
   return fmt::format("#{}", node - clusters.linkage.leaves + 1);
 }
 
+struct FeatureMerge {
+  const FeatureClusters& all;
+  std::size_t step;  ///< from 0
+
+  const Merge& of() const { return all.linkage.merges[step]; }
+};
+
+struct ClusteredFeature {
+  const FeatureClusters& all;
+  int leaf;
+
+  const std::string& id() const { return all.features[static_cast<std::size_t>(leaf)]; }
+  int cluster() const { return all.partition.group[static_cast<std::size_t>(leaf)]; }
+};
+
+struct ScaledFeature {
+  std::string feature;
+  std::string example;
+  double scaled;
+};
+
+constexpr auto linkage_of_features = table_of<FeatureMerge>(
+    "linkage.csv", "a merge of two clusters",
+    {{"step", "", "number of the merge, from 1", [](auto& r) { return r.step + 1; }},
+     {"first", "", "a feature, or #3 for what step 3 made",
+      [](auto& r) { return node_name(r.all, r.of().first); }},
+     {"second", "", "likewise", [](auto& r) { return node_name(r.all, r.of().second); }},
+     {"size", "", "features of the new cluster", [](auto& r) { return r.of().members.size(); }},
+     {"delta_e", "", "ΔE: growth of the error sum of squares (Ward)",
+      [](auto& r) { return shortest_measured(r.of().increase); }},
+     {"height", "", "√(2ΔE): height in the dendrogram",
+      [](auto& r) { return shortest_measured(r.of().height); }}});
+
+constexpr auto clusters_of_features = table_of<ClusteredFeature>(
+    "clusters.csv", "a feature",
+    {{"cluster", "", "its cluster, from 1 along the dendrogram",
+      [](auto& r) { return r.cluster() + 1; }},
+     {"name", "", "name of the cluster",
+      [](auto& r) { return r.all.names[static_cast<std::size_t>(r.cluster())]; }},
+     {"feature", "", "id of the motion feature", [](auto& r) { return r.id(); }},
+     {"published_group", "", "its group in the adjective paper",
+      [](auto& r) { return motion::id_of(feature_of(r.id()).group); }}});
+
+constexpr auto scaled_columns = table_of<ScaledFeature>(
+    "features.csv", "a feature and example",
+    {{"feature", "", "id of the motion feature", [](auto& r) { return r.feature; }},
+     {"example", "", "label of the example", [](auto& r) { return r.example; }},
+     {"scaled", "", "0–1 over the examples, or z scores", [](auto& r) { return r.scaled; }}});
+
 /// Rows of min–max scaled values as z scores, which differ from them by origin and unit only.
 Eigen::MatrixXd standardised(Eigen::MatrixXd rows) {
   rows.colwise() -= rows.rowwise().mean().eval();
@@ -122,39 +172,23 @@ Dendrogram dendrogram_of(const FeatureClusters& clusters) {
   return dendrogram;
 }
 
-std::string feature_linkage_csv(const FeatureClusters& clusters) {
-  CsvWriter csv({"step", "first", "second", "size", "delta_e", "height"});
-  int step = 0;
-  for (const Merge& merge : clusters.linkage.merges) {
-    csv.row({std::to_string(++step), node_name(clusters, merge.first),
-             node_name(clusters, merge.second), std::to_string(merge.members.size()),
-             shortest_measured(merge.increase), shortest_measured(merge.height)});
-  }
-  return csv.text();
+WrittenTable feature_linkage_table(const FeatureClusters& clusters) {
+  return linkage_of_features.of_parts(
+      clusters, std::views::iota(std::size_t{0}, clusters.linkage.merges.size()));
 }
 
-std::string feature_clusters_csv(const FeatureClusters& clusters) {
-  CsvWriter csv({"cluster", "name", "feature", "published_group"});
-  for (const int leaf : leaf_order(clusters.linkage)) {
-    const std::string& id = clusters.features[static_cast<std::size_t>(leaf)];
-    const int cluster = clusters.partition.group[static_cast<std::size_t>(leaf)];
-    csv.row({std::to_string(cluster + 1), clusters.names[static_cast<std::size_t>(cluster)], id,
-             std::string(motion::id_of(feature_of(id).group))});
-  }
-  return csv.text();
+WrittenTable feature_clusters_table(const FeatureClusters& clusters) {
+  return clusters_of_features.of_parts(clusters, leaf_order(clusters.linkage));
 }
 
-std::string scaled_features_csv(const FeatureClusters& clusters,
-                                const std::vector<std::string>& examples) {
-  CsvWriter csv({"feature", "example", "scaled"});
-  for (std::size_t r = 0; r < clusters.features.size(); ++r) {
-    for (std::size_t i = 0; i < examples.size(); ++i) {
-      csv.row(
-          {clusters.features[r], examples[i],
-           shortest(clusters.scaled(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(i)))});
-    }
-  }
-  return csv.text();
+WrittenTable scaled_features_table(const FeatureClusters& clusters,
+                                   const std::vector<std::string>& examples) {
+  std::vector<ScaledFeature> rows;
+  for (std::size_t r = 0; r < clusters.features.size(); ++r)
+    for (std::size_t i = 0; i < examples.size(); ++i)
+      rows.push_back({clusters.features[r], examples[i],
+                      clusters.scaled(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(i))});
+  return scaled_columns.of(rows);
 }
 
 }  // namespace mien::pipeline

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/scales/feature_parameters.h"
 #include "pipeline/study/analysis/dendrogram.h"
 
@@ -31,15 +32,14 @@ FeatureClusters cluster_features(const FeatureParameters& parameters, int cluste
 /// The tree with its cut.
 Dendrogram dendrogram_of(const FeatureClusters& clusters);
 
-/// A row a merge: step, first, second (a feature, or "#3" for what step 3 made), size, delta_e,
-/// height.
-std::string feature_linkage_csv(const FeatureClusters& clusters);
+/// A row a merge.
+WrittenTable feature_linkage_table(const FeatureClusters& clusters);
 
-/// A row a feature: cluster (1 …, along the dendrogram), name, feature, published_group.
-std::string feature_clusters_csv(const FeatureClusters& clusters);
+/// A row a feature.
+WrittenTable feature_clusters_table(const FeatureClusters& clusters);
 
-/// A row a feature and example: feature, example, scaled (0 … 1 over the examples, or z scores).
-std::string scaled_features_csv(const FeatureClusters& clusters,
-                                const std::vector<std::string>& examples);
+/// A row a feature and example.
+WrittenTable scaled_features_table(const FeatureClusters& clusters,
+                                   const std::vector<std::string>& examples);
 
 }  // namespace mien::pipeline

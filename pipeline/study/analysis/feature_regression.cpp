@@ -6,7 +6,7 @@
 
 #include "motion/error.h"
 #include "motion/math/percentile.h"
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/production/synthesis/parameter_label.h"
 
 namespace mien::pipeline {
@@ -81,6 +81,60 @@ ParameterRegression fitted(const std::string& parameter, const Eigen::MatrixXd& 
   return result;
 }
 
+struct CheckRow {
+  std::size_t examples;
+  bool simulated;
+  const PredictionCheck& check;
+  ParameterLabel label;
+};
+
+struct LeftOutExample {
+  const FeatureRegression& all;
+  bool simulated;
+  const PredictionCheck& check;
+  const ParameterRegression& parameter;
+  std::size_t example;
+
+  double at(const Eigen::VectorXd& values) const {
+    return values[static_cast<Eigen::Index>(example)];
+  }
+};
+
+constexpr SharedColumn parameter_column = {"parameter", "", "scale or group of scales",
+                                           [](auto& r) { return r.check.parameter; }};
+constexpr SharedColumn left_out_column = {"left_out", "",
+                                          "example, or style: all takes of a style together",
+                                          [](auto& r) { return r.check.left_out; }};
+
+constexpr auto checks_columns = table_of<CheckRow>(
+    "prediction_checks.csv", "a parameter and kind of check",
+    {parameter_column,
+     whose_ratings_column,
+     left_out_column,
+     {"examples", "", "examples that were predicted", [](auto& r) { return r.examples; }},
+     {"rmse", "0–1", "root mean square error, share of the scale",
+      [](auto& r) { return r.check.rmse; }},
+     {"mean_rmse", "0–1", "the same of predicting the mean of the others",
+      [](auto& r) { return r.check.mean_rmse; }},
+     {"r_squared", "", "Q² = 1 − (rmse / mean_rmse)²; below 0: worse than the mean",
+      [](auto& r) { return r.check.r_squared; }},
+     {"name", "", "English name", [](auto& r) { return english_text(r.label); }},
+     {"name_ja", "", "Japanese name", [](auto& r) { return japanese_text(r.label); }}});
+
+constexpr auto left_out_columns = table_of<LeftOutExample>(
+    "left_out_predictions.csv", "a parameter, kind of check and example",
+    {parameter_column,
+     whose_ratings_column,
+     left_out_column,
+     {"example", "", "label of the example", [](auto& r) { return r.all.examples[r.example]; }},
+     {"observed", "0–1", "its rating", [](auto& r) { return r.at(r.parameter.observed); }},
+     {"predicted", "0–1", "from the features, without it in the fit",
+      [](auto& r) { return r.at(r.check.predictions.predicted); }},
+     {"mean_predicted", "0–1", "mean of the others",
+      [](auto& r) { return r.at(r.check.predictions.mean_predicted); }},
+     {"penalty", "", "of the ridge regression",
+      [](auto& r) { return r.at(r.check.predictions.penalty); }}});
+
 }  // namespace
 
 std::string style_of(const std::string& example) {
@@ -138,37 +192,22 @@ std::vector<Prediction> predict(const FeatureRegression& regression,
   return predictions;
 }
 
-std::string checks_csv(const FeatureRegression& regression, const ScaleSet& scales) {
-  CsvWriter table({"parameter", "ratings", "left_out", "examples", "rmse", "mean_rmse", "r_squared",
-                   "name", "name_ja"});
-  for (const ParameterRegression& parameter : regression.parameters) {
-    const ParameterLabel label = rating_label(parameter.parameter, scales);
-    for (const PredictionCheck& check : parameter.checks) {
-      table.row({check.parameter, regression.simulated ? "simulated" : "given", check.left_out,
-                 std::to_string(regression.examples.size()), shortest(check.rmse),
-                 shortest(check.mean_rmse), shortest(check.r_squared), english_text(label),
-                 japanese_text(label)});
-    }
-  }
-  return table.text();
+WrittenTable checks_table(const FeatureRegression& regression, const ScaleSet& scales) {
+  std::vector<CheckRow> rows;
+  for (const ParameterRegression& parameter : regression.parameters)
+    for (const PredictionCheck& check : parameter.checks)
+      rows.push_back({regression.examples.size(), regression.simulated, check,
+                      rating_label(parameter.parameter, scales)});
+  return checks_columns.of(rows);
 }
 
-std::string left_out_csv(const FeatureRegression& regression) {
-  CsvWriter table({"parameter", "ratings", "left_out", "example", "observed", "predicted",
-                   "mean_predicted", "penalty"});
-  for (const ParameterRegression& parameter : regression.parameters) {
-    for (const PredictionCheck& check : parameter.checks) {
-      for (std::size_t i = 0; i < regression.examples.size(); ++i) {
-        const auto at = static_cast<Eigen::Index>(i);
-        table.row({check.parameter, regression.simulated ? "simulated" : "given", check.left_out,
-                   regression.examples[i], shortest(parameter.observed[at]),
-                   shortest(check.predictions.predicted[at]),
-                   shortest(check.predictions.mean_predicted[at]),
-                   shortest(check.predictions.penalty[at])});
-      }
-    }
-  }
-  return table.text();
+WrittenTable left_out_table(const FeatureRegression& regression) {
+  std::vector<LeftOutExample> rows;
+  for (const ParameterRegression& parameter : regression.parameters)
+    for (const PredictionCheck& check : parameter.checks)
+      for (std::size_t i = 0; i < regression.examples.size(); ++i)
+        rows.push_back({regression, regression.simulated, check, parameter, i});
+  return left_out_columns.of(rows);
 }
 
 }  // namespace mien::pipeline

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/base/statistics/ridge_regression.h"
 #include "pipeline/production/synthesis/repertoire.h"
 
@@ -63,12 +64,10 @@ struct Prediction {
 std::vector<Prediction> predict(const FeatureRegression& regression,
                                 const motion::FeatureValues& features);
 
-/// A row a parameter and kind of check: parameter, ratings, left_out, examples, rmse, mean_rmse,
-/// r_squared (Q²), name, name_ja.
-std::string checks_csv(const FeatureRegression& regression, const ScaleSet& scales);
+/// A row a parameter and kind of check.
+WrittenTable checks_table(const FeatureRegression& regression, const ScaleSet& scales);
 
-/// A row a parameter, kind of check and example: parameter, ratings, left_out, example, observed,
-/// predicted, mean_predicted, penalty.
-std::string left_out_csv(const FeatureRegression& regression);
+/// A row a parameter, kind of check and example.
+WrittenTable left_out_table(const FeatureRegression& regression);
 
 }  // namespace mien::pipeline

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/words/adjective_pairs.h"
 
 namespace mien::pipeline {
@@ -39,6 +39,19 @@ PublishedComparison compare(const Analysis& analysis, PublishedCluster table,
   return result;
 }
 
+constexpr auto published_columns = table_of<GivenOrSimulated<PublishedComparison>>(
+    "published.csv", "a table of the adjective paper",
+    {{"table", "", "Table 2 or Table 3", [](auto& r) { return r.of.table; }},
+     whose_ratings_column,
+     {"kept_in_both", "", "pairs kept here and there", [](auto& r) { return r.of.kept_in_both; }},
+     {"kept_only_here", "", "pairs kept here alone", [](auto& r) { return r.of.kept_only_here; }},
+     {"kept_only_there", "", "pairs kept there alone",
+      [](auto& r) { return r.of.kept_only_there; }},
+     {"kept_agreement", "0–1", "share of pairs that both keep or both remove",
+      [](auto& r) { return r.of.kept_agreement; }},
+     {"rand", "0–1", "Rand index over the pairs kept in both", [](auto& r) { return r.of.rand; }},
+     {"adjusted_rand", "-1–1", "adjusted Rand index", [](auto& r) { return r.of.adjusted_rand; }}});
+
 }  // namespace
 
 std::vector<PublishedComparison> compare_with_published(const Analysis& analysis) {
@@ -49,15 +62,8 @@ std::vector<PublishedComparison> compare_with_published(const Analysis& analysis
           compare(analysis, &AdjectivePair::table_3, "Table 3")};
 }
 
-std::string published_csv(const std::vector<PublishedComparison>& comparisons, bool simulated) {
-  CsvWriter table({"table", "ratings", "kept_in_both", "kept_only_here", "kept_only_there",
-                   "kept_agreement", "rand", "adjusted_rand"});
-  for (const PublishedComparison& c : comparisons) {
-    table.row({c.table, simulated ? "simulated" : "given", std::to_string(c.kept_in_both),
-               std::to_string(c.kept_only_here), std::to_string(c.kept_only_there),
-               shortest(c.kept_agreement), shortest(c.rand), shortest(c.adjusted_rand)});
-  }
-  return table.text();
+WrittenTable published_table(const std::vector<PublishedComparison>& comparisons, bool simulated) {
+  return published_columns.of_parts(simulated, comparisons);
 }
 
 }  // namespace mien::pipeline

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/study/analysis/analysis.h"
 
 namespace mien::pipeline {
@@ -22,8 +23,7 @@ struct PublishedComparison {
 /// Against Tables 2 and 3; nothing unless every scale is an adjective pair of the paper.
 std::vector<PublishedComparison> compare_with_published(const Analysis& analysis);
 
-/// A row a table: table, ratings, kept_in_both, kept_only_here, kept_only_there, kept_agreement,
-/// rand, adjusted_rand.
-std::string published_csv(const std::vector<PublishedComparison>& comparisons, bool simulated);
+/// A row a table.
+WrittenTable published_table(const std::vector<PublishedComparison>& comparisons, bool simulated);
 
 }  // namespace mien::pipeline

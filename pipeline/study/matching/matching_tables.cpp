@@ -1,82 +1,130 @@
 #include "pipeline/study/matching/matching_tables.h"
 
 #include <cmath>
+#include <ranges>
 
-#include "pipeline/base/documents/csv.h"
-#include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/p_value.h"
+#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/study/matching/matching_charts.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-std::string sessions(bool simulated) { return simulated ? "simulated" : "given"; }
+using MeanRow = GivenOrSimulated<MatchingMean>;
+using ShareRow = GivenOrSimulated<MatchingShare>;
+using ComparedRow = GivenOrSimulated<MatchingComparison>;
 
-std::string number(double value) { return std::isfinite(value) ? shortest(value) : ""; }
+double share(int part, int all) { return all > 0 ? part / static_cast<double>(all) : NAN; }
 
-std::string target_name(const std::string& target) { return target.empty() ? "all" : target; }
+constexpr SharedColumn measure_column = {"measure", "", "first_guess_d (metres) or time_s",
+                                         [](auto& r) { return name_of(r.of.measure); }};
+constexpr SharedColumn interface_column = {"interface", "", "adjectives, features, weights …",
+                                           [](auto& r) { return r.of.interface; }};
+constexpr SharedColumn first_column = {"first", "", "an interface",
+                                       [](auto& r) { return r.of.first; }};
+constexpr SharedColumn second_column = {"second", "", "the one that is taken from it",
+                                        [](auto& r) { return r.of.second; }};
+constexpr SharedColumn pairs_column = {"participants", "", "participants",
+                                       [](auto& r) { return r.of.exact.pairs; }};
+constexpr SharedColumn target_column = {
+    "target", "", "the target; all: over the means of participants",
+    [](auto& r) { return r.of.target.empty() ? "all" : r.of.target; }};
+constexpr SharedColumn sessions_column = {"sessions", "", "given (by people) or simulated",
+                                          [](auto& r) { return given_or_simulated(r.simulated); }};
 
-std::string share(int part, int all) {
-  return all > 0 ? shortest(part / static_cast<double>(all)) : "";
-}
+constexpr auto means_columns = table_of<MeanRow>(
+    "means.csv", "a measure, interface and target",
+    {measure_column,
+     interface_column,
+     target_column,
+     sessions_column,
+     {"n", "", "values", [](auto& r) { return r.of.n; }},
+     {"mean", "m or s", "their mean", [](auto& r) { return r.of.mean; }},
+     {"sd", "m or s", "their standard deviation, n − 1", [](auto& r) { return r.of.sd; }}});
+
+constexpr auto shares_columns = table_of<ShareRow>(
+    "shares.csv", "an interface and target",
+    {interface_column,
+     target_column,
+     sessions_column,
+     {"guesses", "", "blind guesses", [](auto& r) { return r.of.guesses; }},
+     {"near_guesses", "", "of these with D below the threshold",
+      [](auto& r) { return r.of.near_guesses; }},
+     {"near_share", "0–1", "their share",
+      [](auto& r) { return share(r.of.near_guesses, r.of.guesses); }},
+     {"trials", "", "trials", [](auto& r) { return r.of.trials; }},
+     {"failures", "", "of these without a match", [](auto& r) { return r.of.failures; }},
+     {"failure_share", "0–1", "their share",
+      [](auto& r) { return share(r.of.failures, r.of.trials); }}});
+
+constexpr auto time_saved_columns = table_of<ComparedRow>(
+    "time_saved.csv", "a pair of interfaces and target",
+    {first_column,
+     second_column,
+     target_column,
+     sessions_column,
+     pairs_column,
+     {"saved_s", "s", "what the second saves: mean of first less second",
+      [](auto& r) { return r.of.difference.mean; }},
+     {"low_90", "s", "lower end of its 90 % interval; empty where all are the same",
+      [](auto& r) { return r.of.difference.low(0.9); }},
+     {"high_90", "s", "its upper end", [](auto& r) { return r.of.difference.high(0.9); }}});
+
+constexpr auto compared_columns = table_of<ComparedRow>(
+    "comparisons.csv", "a measure, pair of interfaces and target",
+    {measure_column,
+     first_column,
+     second_column,
+     target_column,
+     sessions_column,
+     pairs_column,
+     {"mean_difference", "m or s", "mean of first less second",
+      [](auto& r) { return r.of.difference.mean; }},
+     {"w_plus", "", "Wilcoxon: sum of the ranks above 0",
+      [](auto& r) { return r.of.exact.w_plus; }},
+     {"w_minus", "", "sum of the ranks below 0", [](auto& r) { return r.of.exact.w_minus; }},
+     {"p_paper", "", "normal approximation without continuity correction, as published",
+      [](auto& r) { return p_of_table(r.of.paper.p); }},
+     {"p_paper_holm", "", "corrected (Holm) within a measure",
+      [](auto& r) { return p_of_table(r.of.paper_holm); }},
+     {"p_exact", "", "exact, two-sided", [](auto& r) { return p_of_table(r.of.exact.p); }},
+     {"p_exact_holm", "", "corrected (Holm) within a measure",
+      [](auto& r) { return p_of_table(r.of.exact_holm); }},
+     {"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation",
+      [](auto& r) { return r.of.exact.rank_biserial; }},
+     {"d_z", "", "mean difference in units of its SD", [](auto& r) { return r.of.d_z; }},
+     {"t", "", "paired t", [](auto& r) { return r.of.difference.t; }},
+     {"p_t", "", "its two-sided p", [](auto& r) { return p_of_table(r.of.difference.p); }}});
 
 }  // namespace
 
-std::string means_csv(const MatchingEvaluation& evaluation, bool simulated) {
-  CsvWriter table({"measure", "interface", "target", "sessions", "n", "mean", "sd"});
-  for (const MatchingMean& m : evaluation.means) {
-    table.row({name_of(m.measure), m.interface, target_name(m.target), sessions(simulated),
-               std::to_string(m.n), number(m.mean), number(m.sd)});
-  }
-  return table.text();
+WrittenTable means_table(const MatchingEvaluation& evaluation, bool simulated) {
+  return means_columns.of_parts(simulated, evaluation.means);
 }
 
-std::string shares_csv(const MatchingEvaluation& evaluation, bool simulated) {
-  CsvWriter table({"interface", "target", "sessions", "guesses", "near_guesses", "near_share",
-                   "trials", "failures", "failure_share"});
-  for (const MatchingShare& s : evaluation.shares) {
-    table.row({s.interface, target_name(s.target), sessions(simulated), std::to_string(s.guesses),
-               std::to_string(s.near_guesses), share(s.near_guesses, s.guesses),
-               std::to_string(s.trials), std::to_string(s.failures), share(s.failures, s.trials)});
-  }
-  return table.text();
+WrittenTable shares_table(const MatchingEvaluation& evaluation, bool simulated) {
+  return shares_columns.of_parts(simulated, evaluation.shares);
 }
 
-std::string time_saved_csv(const MatchingEvaluation& evaluation, bool simulated) {
-  CsvWriter table(
-      {"first", "second", "target", "sessions", "participants", "saved_s", "low_90", "high_90"});
-  for (const MatchingComparison& c : evaluation.comparisons) {
-    if (c.measure != MatchingMeasure::time_s) continue;
-    table.row({c.first, c.second, target_name(c.target), sessions(simulated),
-               std::to_string(c.exact.pairs), number(c.difference.mean),
-               number(c.difference.low(0.9)), number(c.difference.high(0.9))});
-  }
-  return table.text();
+WrittenTable time_saved_table(const MatchingEvaluation& evaluation, bool simulated) {
+  const auto is_time = [](const MatchingComparison& c) {
+    return c.measure == MatchingMeasure::time_s;
+  };
+  return time_saved_columns.of_parts(simulated,
+                                     evaluation.comparisons | std::views::filter(is_time));
 }
 
-std::string comparisons_csv(const MatchingEvaluation& evaluation, bool simulated) {
-  CsvWriter table({"measure", "first", "second", "target", "sessions", "participants",
-                   "mean_difference", "w_plus", "w_minus", "p_paper", "p_paper_holm", "p_exact",
-                   "p_exact_holm", "rank_biserial", "d_z", "t", "p_t"});
-  for (const MatchingComparison& c : evaluation.comparisons) {
-    table.row({name_of(c.measure), c.first, c.second, target_name(c.target), sessions(simulated),
-               std::to_string(c.exact.pairs), number(c.difference.mean), number(c.exact.w_plus),
-               number(c.exact.w_minus), p_of_table(c.paper.p), p_of_table(c.paper_holm),
-               p_of_table(c.exact.p), p_of_table(c.exact_holm), number(c.exact.rank_biserial),
-               number(c.d_z), number(c.difference.t), p_of_table(c.difference.p)});
-  }
-  return table.text();
+WrittenTable comparisons_table(const MatchingEvaluation& evaluation, bool simulated) {
+  return compared_columns.of_parts(simulated, evaluation.comparisons);
 }
 
 void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResults& results,
                       const std::filesystem::path& folder) {
-  make_folder(folder);
   const bool simulated = results.simulated;
-  write_file(folder / "means.csv", means_csv(evaluation, simulated));
-  write_file(folder / "shares.csv", shares_csv(evaluation, simulated));
-  write_file(folder / "time_saved.csv", time_saved_csv(evaluation, simulated));
-  write_file(folder / "comparisons.csv", comparisons_csv(evaluation, simulated));
+  write_tables(folder,
+               {means_table(evaluation, simulated), shares_table(evaluation, simulated),
+                time_saved_table(evaluation, simulated), comparisons_table(evaluation, simulated)});
   write_plot(bar_chart_plot(first_guess_chart(evaluation, simulated)), folder, "first_guess_d");
   write_plot(bar_chart_plot(first_guess_success_chart(evaluation, simulated)), folder,
              "first_guess_success");

@@ -8,7 +8,7 @@
 #include "motion/interpolation/blend.h"
 #include "motion/interpolation/reach.h"
 #include "motion/measures/distance/distance.h"
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/base/statistics/named_random.h"
 
 namespace mien::pipeline {
@@ -73,6 +73,22 @@ double largest_jump(const Trial& trial, const std::vector<TrialWish>& wishes, in
   return largest;
 }
 
+constexpr auto method_columns = table_of<GivenOrSimulated<MethodTrial>>(
+    "methods.csv", "a method of interpolation",
+    {{"method", "", "the method", [](auto& r) { return motion::name_of(r.of.method); }},
+     {"wishes", "", "settings of the sliders that were tried", [](auto& r) { return r.of.wishes; }},
+     {"mean_error", "0–1", "|reached − asked| of the parameter that is missed most, mean",
+      [](auto& r) { return shortest_measured(r.of.mean_error); }},
+     {"worst_error", "0–1", "the largest of these",
+      [](auto& r) { return shortest_measured(r.of.worst_error); }},
+     {"jump", "0–1", "largest change of a weight in one step between settings",
+      [](auto& r) { return shortest_measured(r.of.jump); }},
+     {"mean_examples", "", "effective number of examples, 1 / Σ w²",
+      [](auto& r) { return r.of.mean_examples; }},
+     {"mean_d_m", "m", "D to the motion that has what is asked for",
+      [](auto& r) { return r.of.mean_distance; }},
+     whose_ratings_column});
+
 }  // namespace
 
 std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
@@ -108,16 +124,8 @@ std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
   return results;
 }
 
-std::string method_trials_csv(const std::vector<MethodTrial>& trials, bool simulated_ratings) {
-  CsvWriter table({"method", "wishes", "mean_error", "worst_error", "jump", "mean_examples",
-                   "mean_d_m", "ratings"});
-  for (const MethodTrial& trial : trials) {
-    table.row({std::string(motion::name_of(trial.method)), std::to_string(trial.wishes),
-               shortest_measured(trial.mean_error), shortest_measured(trial.worst_error),
-               shortest_measured(trial.jump), shortest(trial.mean_examples),
-               shortest(trial.mean_distance), simulated_ratings ? "simulated" : "given"});
-  }
-  return table.text();
+WrittenTable method_trials_table(const std::vector<MethodTrial>& trials, bool simulated_ratings) {
+  return method_columns.of_parts(simulated_ratings, trials);
 }
 
 }  // namespace mien::pipeline

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/production/synthesis/slider_interface.h"
 
@@ -37,8 +38,7 @@ std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
                                          const Interpolation& interpolation,
                                          const MethodTrialOptions& options);
 
-/// A row a method: method, wishes, mean_error, worst_error, jump, mean_examples, mean_d_m, ratings.
-/// Without the seconds, which no other run would repeat.
-std::string method_trials_csv(const std::vector<MethodTrial>& trials, bool simulated_ratings);
+/// A row a method, without the seconds, which no other run would repeat.
+WrittenTable method_trials_table(const std::vector<MethodTrial>& trials, bool simulated_ratings);
 
 }  // namespace mien::pipeline

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/study/matching/primary_parameters.h"
 
 namespace mien::pipeline {
@@ -90,8 +91,51 @@ InterfaceSummary summary_of(const std::vector<InterfaceResult>& results,
   return s;
 }
 
-std::string way_of(double step) { return step > 0.0 ? "nearest" : "user"; }
-std::string step_text(double step) { return step > 0.0 ? shortest(step) : ""; }
+constexpr SharedColumn method_column = {"method", "", "method of interpolation",
+                                        [](auto& r) { return motion::name_of(r.method); }};
+constexpr SharedColumn kind_column = {"interface", "", "adjectives, features or weights",
+                                      [](auto& r) { return name_of(r.kind); }};
+constexpr SharedColumn way_column = {"way", "", "nearest setting of a grid, or user (simulated)",
+                                     [](auto& r) { return r.step > 0.0 ? "nearest" : "user"; }};
+constexpr SharedColumn step_column = {"step", "0–1", "of the grid; empty of users",
+                                      [](auto& r) { return r.step > 0.0 ? r.step : NAN; }};
+constexpr SharedColumn nobody_column = {"simulated", "", "always 1: no person is involved",
+                                        [](auto&) { return true; }};
+
+constexpr auto results_columns = table_of<InterfaceResult>(
+    "interface_trials.csv", "a target, interface and way to it",
+    {method_column,
+     {"target", "", "id of the target", [](auto& r) { return r.target; }},
+     kind_column,
+     way_column,
+     step_column,
+     {"user", "", "number of the simulated user, from 1",
+      [](auto& r) { return r.user > 0 ? std::optional(r.user) : std::nullopt; }},
+     {"first_d_m", "m", "D of the nearest setting, or of the first guess",
+      [](auto& r) { return r.first_distance; }},
+     {"d_m", "m", "D in the end", [](auto& r) { return r.distance; }},
+     {"looks", "", "motions that were made", [](auto& r) { return r.looks; }},
+     {"matched", "0/1", "1: D is below the threshold in the end",
+      [](auto& r) { return r.matches; }},
+     nobody_column});
+
+constexpr auto summary_columns = table_of<InterfaceSummary>(
+    "interface_summary.csv", "an interface and way",
+    {method_column,
+     kind_column,
+     way_column,
+     step_column,
+     {"count", "", "trials", [](auto& r) { return r.count; }},
+     {"mean_first_d_m", "m", "mean D at first", [](auto& r) { return r.mean_first; }},
+     {"sd_first_d_m", "m", "its standard deviation, n − 1", [](auto& r) { return r.sd_first; }},
+     {"first_success", "0–1", "share of first guesses below the threshold",
+      [](auto& r) { return r.first_success; }},
+     {"mean_d_m", "m", "mean D in the end", [](auto& r) { return r.mean_last; }},
+     {"sd_d_m", "m", "its standard deviation, n − 1", [](auto& r) { return r.sd_last; }},
+     {"failure", "0–1", "share that never came below the threshold",
+      [](auto& r) { return r.failure; }},
+     {"mean_looks", "", "mean of the motions made", [](auto& r) { return r.mean_looks; }},
+     nobody_column});
 
 }  // namespace
 
@@ -144,28 +188,12 @@ std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& resu
   return summaries;
 }
 
-std::string results_csv(const std::vector<InterfaceResult>& results) {
-  CsvWriter table({"method", "target", "interface", "way", "step", "user", "first_d_m", "d_m",
-                   "looks", "matched", "simulated"});
-  for (const InterfaceResult& r : results) {
-    table.row({std::string(motion::name_of(r.method)), r.target, name_of(r.kind), way_of(r.step),
-               step_text(r.step), r.user > 0 ? std::to_string(r.user) : "",
-               shortest(r.first_distance), shortest(r.distance), std::to_string(r.looks),
-               r.matches ? "1" : "0", "1"});
-  }
-  return table.text();
+WrittenTable results_table(const std::vector<InterfaceResult>& results) {
+  return results_columns.of(results);
 }
 
-std::string summary_csv(const std::vector<InterfaceSummary>& summaries) {
-  CsvWriter table({"method", "interface", "way", "step", "count", "mean_first_d_m", "sd_first_d_m",
-                   "first_success", "mean_d_m", "sd_d_m", "failure", "mean_looks", "simulated"});
-  for (const InterfaceSummary& s : summaries) {
-    table.row({std::string(motion::name_of(s.method)), name_of(s.kind), way_of(s.step),
-               step_text(s.step), std::to_string(s.count), shortest(s.mean_first),
-               shortest(s.sd_first), shortest(s.first_success), shortest(s.mean_last),
-               shortest(s.sd_last), shortest(s.failure), shortest(s.mean_looks), "1"});
-  }
-  return table.text();
+WrittenTable summary_table(const std::vector<InterfaceSummary>& summaries) {
+  return summary_columns.of(summaries);
 }
 
 }  // namespace mien::pipeline

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/production/synthesis/slider_interface.h"
 #include "pipeline/study/matching/simulated_trial.h"
 #include "pipeline/study/matching/target_sampling.h"
@@ -62,12 +63,7 @@ struct InterfaceSummary {
 /// In the order of the results: an entry an interface and way.
 std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& results);
 
-/// A row a result: method (of interpolation), target, interface, way (nearest, user), step, user,
-/// first_d_m, d_m, looks, matched, simulated (always 1).
-std::string results_csv(const std::vector<InterfaceResult>& results);
-
-/// A row a summary: method, interface, way, step, count, mean_first_d_m, sd_first_d_m,
-/// first_success, mean_d_m, sd_d_m, failure, mean_looks, simulated.
-std::string summary_csv(const std::vector<InterfaceSummary>& summaries);
+WrittenTable results_table(const std::vector<InterfaceResult>& results);
+WrittenTable summary_table(const std::vector<InterfaceSummary>& summaries);
 
 }  // namespace mien::pipeline

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/reading/manifest_yaml.h"
 
 namespace mien::pipeline {
@@ -31,6 +31,35 @@ Matching matching_of(const TargetSet& set) {
   return matching;
 }
 
+struct TargetParameter {
+  const TargetSet& set;
+  const SampledTarget& target;
+  std::size_t parameter;
+  std::string ratings;
+  std::string nearest;
+
+  double at(const Eigen::RowVectorXd& place) const {
+    return place[static_cast<Eigen::Index>(parameter)];
+  }
+};
+
+constexpr auto targets_columns = table_of<TargetParameter>(
+    "targets.csv", "a target and parameter",
+    {{"target", "", "id of the target", [](auto& r) { return r.target.id; }},
+     {"kind", "", "target or practice",
+      [](auto& r) { return r.target.practice ? "practice" : "target"; }},
+     {"parameter", "", "adjective or motion feature",
+      [](auto& r) { return r.set.parameters[r.parameter]; }},
+     {"asked", "0–1", "where it was sampled", [](auto& r) { return r.at(r.target.place); }},
+     {"reached", "0–1", "what the blend has", [](auto& r) { return r.at(r.target.reached); }},
+     {"source", "", "adjectives or features",
+      [](auto& r) { return r.set.are_features ? "features" : "adjectives"; }},
+     {"ratings", "", "given (by people), simulated or none", [](auto& r) { return r.ratings; }},
+     {"nearest_example", "", "label of the example nearest to it",
+      [](auto& r) { return r.nearest; }},
+     {"distance", "", "to that, in the parameters", [](auto& r) { return r.target.distance; }},
+     {"seed", "", "that targets were sampled with", [](auto& r) { return r.set.seed; }}});
+
 }  // namespace
 
 Manifest target_manifest(const Manifest& source, const TargetSet& set) {
@@ -55,21 +84,14 @@ std::string target_manifest_yaml(const Manifest& targets, const TargetSet& set,
          manifest_yaml(targets, folder);
 }
 
-std::string targets_csv(const TargetSet& set, const std::vector<std::string>& examples,
-                        const std::string& ratings) {
-  CsvWriter table({"target", "kind", "parameter", "asked", "reached", "source", "ratings",
-                   "nearest_example", "distance", "seed"});
-  for (const SampledTarget& target : set.targets) {
-    for (std::size_t d = 0; d < set.parameters.size(); ++d) {
-      table.row({target.id, target.practice ? "practice" : "target", set.parameters[d],
-                 shortest(target.place[static_cast<Eigen::Index>(d)]),
-                 shortest(target.reached[static_cast<Eigen::Index>(d)]),
-                 set.are_features ? "features" : "adjectives", ratings,
-                 examples[static_cast<std::size_t>(target.nearest_example)],
-                 shortest(target.distance), std::to_string(set.seed)});
-    }
-  }
-  return table.text();
+WrittenTable targets_table(const TargetSet& set, const std::vector<std::string>& examples,
+                           const std::string& ratings) {
+  std::vector<TargetParameter> rows;
+  for (const SampledTarget& target : set.targets)
+    for (std::size_t d = 0; d < set.parameters.size(); ++d)
+      rows.push_back(
+          {set, target, d, ratings, examples[static_cast<std::size_t>(target.nearest_example)]});
+  return targets_columns.of(rows);
 }
 
 }  // namespace mien::pipeline

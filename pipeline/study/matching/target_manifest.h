@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/study/matching/target_sampling.h"
 
@@ -26,9 +27,8 @@ Manifest target_manifest(const Manifest& source, const TargetSet& set);
 std::string target_manifest_yaml(const Manifest& targets, const TargetSet& set,
                                  const std::filesystem::path& folder);
 
-/// A row a target and parameter: target, kind (target, practice), parameter, asked, reached (by the
-/// blend), source (adjectives, features), ratings, nearest_example, distance (to it), seed.
-std::string targets_csv(const TargetSet& set, const std::vector<std::string>& examples,
-                        const std::string& ratings);
+/// A row a target and parameter.
+WrittenTable targets_table(const TargetSet& set, const std::vector<std::string>& examples,
+                           const std::string& ratings);
 
 }  // namespace mien::pipeline

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/study/questionnaire/latin_square.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
@@ -80,7 +80,62 @@ void add_latin_sentence(const Manifest& manifest, const Balance& balance, int pa
                                 : fmt::format(", balanced sequences a multiple of {}", rows)));
 }
 
+struct BalanceCount {
+  const char* count;
+  std::string one;
+  std::string other;
+  int times;
+};
+
+constexpr auto balance_columns = table_of<BalanceCount>(
+    "balance.csv", "a count",
+    {{"count", "", "seen, place, follows, together, flipped or left",
+      [](auto& r) { return r.count; }},
+     {"one", "", "what is counted: a stimulus, pair or scale", [](auto& r) { return r.one; }},
+     {"other", "", "the other stimulus, or the place in the order",
+      [](auto& r) { return r.other; }},
+     {"times", "", "how often", [](auto& r) { return r.times; }}});
+
+struct PlannedTrial {
+  const SessionPlan& plan;
+  const Trial& trial;
+
+  /// Joined by semicolons.
+  std::string items(bool flipped_alone) const {
+    std::string text;
+    for (const AskedItem& item : trial.items)
+      if (item.flipped || !flipped_alone) text += (text.empty() ? "" : ";") + item.item;
+    return text;
+  }
+};
+
+constexpr auto plans_columns = table_of<PlannedTrial>(
+    "plans.csv", "a trial of a participant",
+    {{"participant", "", "place in the design", [](auto& r) { return r.plan.participant; }},
+     {"trial", "", "number of the trial, from 1", [](auto& r) { return r.trial.number; }},
+     {"block", "", "practice, main, or a level of the blocking factor",
+      [](auto& r) { return r.trial.block; }},
+     {"kind", "", "kind of trial", [](auto& r) { return word_of(trial_kind_words, r.trial.kind); }},
+     {"stimulus", "", "what is shown; of a pair at the left",
+      [](auto& r) { return r.trial.stimuli.empty() ? "" : r.trial.stimuli[0]; }},
+     {"against", "", "the other one of a pair, or the reference",
+      [](auto& r) { return r.trial.stimuli.size() > 1 ? r.trial.stimuli[1] : r.trial.reference; }},
+     {"items", "", "what is asked, in order", [](auto& r) { return r.items(false); }},
+     {"flipped", "", "of these with the high end at the left",
+      [](auto& r) { return r.items(true); }},
+     {"is_practice", "0/1", "1: not analysed", [](auto& r) { return r.trial.practice; }},
+     {"is_warmup", "0/1", "1: of the main part, but not analysed",
+      [](auto& r) { return r.trial.warm_up; }},
+     {"is_catch", "0/1", "1: an attention check or a repeated stimulus",
+      [](auto& r) { return r.trial.is_catch; }},
+     {"expected", "", "the raw answer that passes a check",
+      [](auto& r) { return r.trial.expected; }},
+     {"seed", "", "of the participant's order", [](auto& r) { return r.plan.seed; }}});
+
 }  // namespace
+
+const TableForm balance_form = balance_columns.form();
+const TableForm plans_form = plans_columns.form();
 
 Balance balance_of(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   Balance balance;
@@ -146,42 +201,27 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
 }
 
 std::string balance_csv(const Balance& balance) {
-  CsvWriter csv({"count", "one", "other", "times"});
-  for (const auto& [subject, count] : balance.seen)
-    csv.row({"seen", subject, "", std::to_string(count)});
-  const auto pairs = [&](const char* name, const Balance::PairCounts& counts) {
-    for (const auto& [key, count] : counts)
-      csv.row({name, key.first, key.second, std::to_string(count)});
+  std::vector<BalanceCount> rows;
+  const auto add = [&](const char* name, const auto& counts) {
+    for (const auto& [subject, times] : counts) rows.push_back({name, subject, "", times});
   };
-  pairs("place", balance.at_place);
-  pairs("follows", balance.follows);
-  pairs("together", balance.together);
-  for (const auto& [item, count] : balance.flipped)
-    csv.row({"flipped", item, "", std::to_string(count)});
-  for (const auto& [pair, count] : balance.left) csv.row({"left", pair, "", std::to_string(count)});
-  return csv.text();
+  const auto add_pairs = [&](const char* name, const Balance::PairCounts& counts) {
+    for (const auto& [pair, times] : counts) rows.push_back({name, pair.first, pair.second, times});
+  };
+  add("seen", balance.seen);
+  add_pairs("place", balance.at_place);
+  add_pairs("follows", balance.follows);
+  add_pairs("together", balance.together);
+  add("flipped", balance.flipped);
+  add("left", balance.left);
+  return balance_columns.of(rows).csv;
 }
 
 std::string plans_csv(const std::vector<SessionPlan>& plans) {
-  CsvWriter csv({"participant", "trial", "block", "kind", "stimulus", "against", "items", "flipped",
-                 "is_practice", "is_warmup", "is_catch", "expected", "seed"});
-  for (const SessionPlan& plan : plans) {
-    for (const Trial& trial : plan.trials) {
-      std::vector<std::string> items, flipped;
-      for (const AskedItem& item : trial.items) {
-        items.push_back(item.item);
-        if (item.flipped) flipped.push_back(item.item);
-      }
-      const std::string first = trial.stimuli.empty() ? "" : trial.stimuli[0];
-      const auto truth = [](bool value) { return std::string(value ? "1" : "0"); };
-      csv.row({plan.participant, std::to_string(trial.number), trial.block,
-               std::string(trial.kind_name()), first, trial.against(),
-               fmt::format("{}", fmt::join(items, ";")), fmt::format("{}", fmt::join(flipped, ";")),
-               truth(trial.practice), truth(trial.warm_up), truth(trial.is_catch), trial.expected,
-               std::to_string(plan.seed)});
-    }
-  }
-  return csv.text();
+  std::vector<PlannedTrial> rows;
+  for (const SessionPlan& plan : plans)
+    for (const Trial& trial : plan.trials) rows.push_back({plan, trial});
+  return plans_columns.of(rows).csv;
 }
 
 }  // namespace mien::pipeline

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 
 namespace mien::pipeline {
@@ -46,7 +47,11 @@ CountRange left_range(const Balance& balance);
 std::vector<std::string> balance_sentences(const Manifest& manifest, const Balance& balance,
                                            int participants);
 
-/// All counts: count,one,other,times.
+/// The columns of the two tables.
+extern const TableForm balance_form;
+extern const TableForm plans_form;
+
+/// All counts.
 std::string balance_csv(const Balance& balance);
 
 /// Every trial of every plan, one a row.

@@ -10,9 +10,9 @@
 
 #include "motion/text/file_contents.h"
 #include "motion/text/json_depth.h"
-#include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/sha256.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/questionnaire/balance.h"
@@ -73,13 +73,15 @@ std::string hashes_text(const ZipFiles& files) {
   return text;
 }
 
-std::string scales_csv(const Manifest& manifest) {
-  CsvWriter csv({"scale", "low", "high", "low_ja", "high_ja", "least", "most"});
-  for (const Scale& scale : asked_scales(manifest).scales)
-    csv.row({scale.id, scale.low, scale.high, scale.japanese_low, scale.japanese_high,
-             shortest(scale.least), shortest(scale.most)});
-  return csv.text();
-}
+constexpr auto scales_columns = table_of<Scale>(
+    "scales.csv", "a scale that is asked",
+    {{"scale", "", "id of the scale", [](auto& r) { return r.id; }},
+     {"low", "", "name of its low end", [](auto& r) { return r.low; }},
+     {"high", "", "name of its high end", [](auto& r) { return r.high; }},
+     {"low_ja", "", "Japanese name of its low end", [](auto& r) { return r.japanese_low; }},
+     {"high_ja", "", "Japanese name of its high end", [](auto& r) { return r.japanese_high; }},
+     {"least", "", "value at the low end", [](auto& r) { return r.least; }},
+     {"most", "", "value at the high end", [](auto& r) { return r.most; }}});
 
 std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   const Questionnaire& asked = questionnaire_of(manifest);
@@ -99,21 +101,43 @@ std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>
   return design.dump(2) + "\n";
 }
 
+struct FrozenInput {
+  std::string name;
+  std::string hash;
+};
+
+constexpr auto inputs_columns =
+    table_of<FrozenInput>("inputs.csv", "a file that the manifest names",
+                          {{"input", "", "path of the file", [](auto& r) { return r.name; }},
+                           {"xxh3", "", "XXH3-128 of it", [](auto& r) { return r.hash; }}});
+
 std::string inputs_csv(const Manifest& manifest) {
-  CsvWriter csv({"input", "xxh3"});
-  for (const auto& [name, hash] : hashes_of_inputs(manifest)) csv.row({name, hash});
-  return csv.text();
+  std::vector<FrozenInput> rows;
+  for (const auto& [name, hash] : hashes_of_inputs(manifest)) rows.push_back({name, hash});
+  return inputs_columns.of(rows).csv;
 }
 
+struct FrozenMedia {
+  ShownMedia media;
+  std::string sha256;
+};
+
+constexpr auto media_columns = table_of<FrozenMedia>(
+    "stimuli.csv", "a file that is shown",
+    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.media.stimulus; }},
+     {"media", "", "the file, from the study's folder", [](auto& r) { return r.media.path; }},
+     {"sha256", "", "SHA-256 of it", [](auto& r) { return r.sha256; }}});
+
 std::string stimuli_csv(const Manifest& manifest, const fs::path& made) {
-  CsvWriter csv({"stimulus", "media", "sha256"});
+  std::vector<FrozenMedia> rows;
   for (const ShownMedia& media : shown_media(manifest)) {
     const fs::path file = made / media.path;
-    if (const std::string problem = motion::read_error(file, motion::any_size); !problem.empty())
-      throw Error({file.string()}, problem, "make the study first: mien run");
-    csv.row({media.stimulus, media.path, sha256_of_file(file)});
+    if (const std::string hindrance = motion::hindrance_of(file, motion::any_size);
+        !hindrance.empty())
+      throw Error({file.string()}, hindrance, "make the study first: mien run");
+    rows.push_back({media, sha256_of_file(file)});
   }
-  return csv.text();
+  return media_columns.of(rows).csv;
 }
 
 /// All but the media, which may not be made.
@@ -123,7 +147,7 @@ ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& pla
   files["design.json"] = design_json(manifest, plans);
   files["plans.csv"] = plans_csv(plans);
   files["balance.csv"] = balance_csv(balance_of(manifest, plans));
-  files["scales.csv"] = scales_csv(manifest);
+  files["scales.csv"] = scales_columns.of(asked_scales(manifest).scales).csv;
   const std::string& analysis_plan = questionnaire_of(manifest).analysis.plan.text;
   files["analysis-plan.txt"] = analysis_plan.empty() ? no_analysis_plan : analysis_plan;
   files["inputs.csv"] = inputs_csv(manifest);

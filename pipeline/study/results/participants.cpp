@@ -1,13 +1,13 @@
 #include "pipeline/study/results/participants.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "motion/text/as_number.h"
 #include "pipeline/base/statistics/t_test.h"
+#include "pipeline/manifest/ratings/answers/participant_row.h"
 
 namespace mien::pipeline {
 
@@ -77,11 +77,10 @@ std::vector<ParticipantSummary> participant_summaries(const Gathered& gathered,
 }
 
 std::vector<std::string> ParticipantTable::questions() const {
-  constexpr std::array<std::string_view, 6> others = {"participant",  "session",  "design",
-                                                      "consented_at", "finished", "simulated"};
   std::vector<std::string> questions;
   for (const CsvField& field : table.header)
-    if (std::ranges::find(others, field.text) == others.end()) questions.push_back(field.text);
+    if (find_column(participant_form, field.text) == nullptr && field.text != "simulated")
+      questions.push_back(field.text);
   return questions;
 }
 

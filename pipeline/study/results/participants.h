@@ -35,7 +35,7 @@ struct ParticipantTable {
   CsvTable table;
 
   bool empty() const { return table.rows.empty(); }
-  /// The questions: all columns but participant, session, design, consented_at and finished.
+  /// The questions: all columns that participant_form does not name.
   std::vector<std::string> questions() const;
   /// Those whose column finished is 1, also as "participant/session" where there are sessions.
   std::set<std::string> finished() const;

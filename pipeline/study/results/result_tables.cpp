@@ -1,245 +1,203 @@
 #include "pipeline/study/results/result_tables.h"
 
 #include <cmath>
-#include <string_view>
 
-#include "pipeline/base/documents/p_value.h"
-#include "pipeline/study/results/table_columns.h"
+#include "pipeline/study/results/result_rows.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-/// Writes rows of a form, and in simulated studies one column more.
-class ResultWriter {
- public:
-  ResultWriter(const TableForm& form, bool simulated)
-      : form_(form), simulated_(simulated), writer_(header(form, simulated)) {}
+using MeanRow = ResultRow<RatingSummary>;
+using CorrelationRow = ResultRow<EndCorrelation>;
+using AgreementRow = ResultRow<Reliability>;
+using PreferenceRow = ResultRow<PreferenceCount>;
 
-  void row(std::vector<std::string> fields) {
-    if (simulated_) fields.emplace_back("1");
-    writer_.row(fields);
-    ++rows_;
-  }
+/// A place on a scale, and how many answers there are.
+struct HistogramBar {
+  MeanRow summary;
+  double value;
+  int count;
 
-  void finish(std::vector<ResultTable>& tables) const {
-    if (rows_ > 0) tables.push_back({&form_, writer_.text()});
-  }
-
- private:
-  static std::vector<std::string> header(const TableForm& form, bool simulated) {
-    std::vector<std::string> names = header_of(form);
-    if (simulated) names.emplace_back("simulated");
-    return names;
-  }
-
-  const TableForm& form_;
-  bool simulated_;
-  CsvWriter writer_;
-  int rows_ = 0;
+  const ReportedStimulus& stimulus() const { return summary.stimulus(); }
+  const Scale& scale() const { return summary.scale(); }
 };
 
-/// A p value, which is not rounded as other numbers are.
-struct PValue {
-  double p = 0.0;
+struct ConfusionCell {
+  const Confusion& all;
+  const ConfusionRow& of;
+  std::size_t column;
 };
 
-std::string text_of(const std::string& text) { return text; }
-std::string text_of(const char* text) { return text; }
-std::string text_of(std::string_view text) { return std::string(text); }
-std::string text_of(bool value) { return value ? "1" : "0"; }
-std::string text_of(int number) { return std::to_string(number); }
-std::string text_of(double number) { return field_of(number); }
-std::string text_of(PValue value) { return p_of_table(value.p); }
+struct RecallRow {
+  const Confusion& all;
+  const ConfusionRow& of;
+};
 
-std::vector<std::string> fields(const auto&... values) { return {text_of(values)...}; }
+constexpr auto means_columns = result_table<MeanRow>(
+    "results/means.csv", "a stimulus on a scale",
+    {stimulus_column,
+     made_column,
+     emotion_column,
+     setting_column,
+     scale_column,
+     {"answers", "", "number of answers", [](auto& r) { return r.of.answers; }},
+     {"mean", "scale points", "mean answer; the high pole of the scale is positive",
+      [](auto& r) { return r.of.mean; }},
+     {"sd", "scale points", "standard deviation, n - 1", [](auto& r) { return r.of.deviation; }},
+     {"low", "scale points", "lower end of the 95 % interval of the mean (Student)",
+      [](auto& r) { return r.of.low; }},
+     {"high", "scale points", "its upper end", [](auto& r) { return r.of.high; }},
+     {"median", "scale points", "median answer", [](auto& r) { return r.of.median; }}});
 
-/// The beginning of a row about a stimulus: id, made, emotion, setting.
-std::vector<std::string> about(const Gathered& gathered, std::size_t stimulus) {
-  const ReportedStimulus& one = gathered.stimuli[stimulus];
-  return {one.id, one.made, one.emotion, one.setting};
-}
+constexpr auto histogram_columns = result_table<HistogramBar>(
+    "results/histograms.csv", "a place on a scale of a stimulus",
+    {stimulus_column,
+     scale_column,
+     {"value", "scale points", "place on the scale", [](auto& r) { return r.value; }},
+     {"answers", "", "number of answers there", [](auto& r) { return r.count; }},
+     {"share", "0–1", "share of the answers about the stimulus on this scale",
+      [](auto& r) { return 1.0 * r.count / r.summary.of.answers; }}});
 
-void add(std::vector<std::string>& row, const std::vector<std::string>& more) {
-  row.insert(row.end(), more.begin(), more.end());
-}
+constexpr SharedColumn by_column = {"by", "", "ratings (points rule) or choices", [](auto& r) {
+                                      return r.all.by_points ? "ratings" : "choices";
+                                    }};
+constexpr SharedColumn of_column = {"of", "",
+                                    "level of the factor made that the rows are of, or all",
+                                    [](auto& r) { return r.all.of; }};
+constexpr SharedColumn shown_column = {"shown", "", "emotion that was shown",
+                                       [](auto& r) { return r.of.emotion; }};
 
-void add_means(const Results& results, std::vector<ResultTable>& tables) {
+constexpr auto confusion_columns = result_table<ConfusionCell>(
+    "results/confusion.csv", "a cell of a confusion matrix",
+    {by_column,
+     of_column,
+     shown_column,
+     {"seen", "", "emotion that was seen", [](auto& r) { return r.all.columns[r.column]; }},
+     {"points", "",
+      "points: 2 for an answer at the end of a scale, 1 half way, in proportion; of choices their "
+      "number",
+      [](auto& r) { return r.of.points[r.column]; }},
+     {"share", "0–1", "share of the row's points",
+      [](auto& r) { return r.of.points[r.column] / r.of.total; }}});
+
+constexpr auto recall_columns = result_table<RecallRow>(
+    "results/recall.csv", "an emotion that was shown",
+    {by_column,
+     of_column,
+     shown_column,
+     {"showings", "", "times that somebody judged such a stimulus",
+      [](auto& r) { return r.of.showings; }},
+     {"judged", "", "of these, those that got any points", [](auto& r) { return r.of.judged; }},
+     {"points", "", "all points of the row", [](auto& r) { return r.of.total; }},
+     {"recall", "0–1", "share of the points at the emotion itself",
+      [](auto& r) { return r.of.recall; }},
+     {"low", "0–1", "lower end of Wilson's 95 % interval, a judged showing being one trial",
+      [](auto& r) { return r.of.low; }},
+     {"high", "0–1", "upper end", [](auto& r) { return r.of.high; }},
+     {"chance", "0–1", "one of the emotions that can be seen",
+      [](auto& r) { return r.all.chance; }},
+     {"hits", "", "showings in which the emotion itself got the most points",
+      [](auto& r) { return r.of.hits; }},
+     {"p", "", "exact binomial test of the hits among the judged against chance, two-sided",
+      [](auto& r) { return p_of_table(r.of.p); }},
+     adjusted_column});
+
+constexpr auto correlation_columns = result_table<CorrelationRow>(
+    "results/correlations.csv", "a pair of ends of scales",
+    {{"one", "", "end of a scale", [](auto& r) { return ends_of(r.in.scales)[r.of.one]; }},
+     {"other", "", "end of a scale", [](auto& r) { return ends_of(r.in.scales)[r.of.other]; }},
+     {"same_scale", "", "1 for the two ends of one scale, negative by their making",
+      [](auto& r) { return r.of.same_scale; }},
+     {"showings", "", "judgements in which both scales were answered",
+      [](auto& r) { return r.of.correlation.pairs; }},
+     {"r", "-1–1", "Pearson's correlation of max(-a, 0) and max(a, 0)",
+      [](auto& r) { return r.of.correlation.r; }},
+     {"low", "-1–1", "lower end of its 95 % interval (Fisher's z)",
+      [](auto& r) { return r.of.correlation.low; }},
+     {"high", "-1–1", "upper end", [](auto& r) { return r.of.correlation.high; }},
+     {"p", "", "two-sided p, all judgements as if independent",
+      [](auto& r) { return p_of_table(r.of.correlation.p); }},
+     adjusted_column});
+
+constexpr auto agreement_columns = result_table<AgreementRow>(
+    "results/agreement.csv", "a scale",
+    {scale_column,
+     {"stimuli", "", "stimuli that were rated", [](auto& r) { return r.of.intraclass.stimuli; }},
+     {"people", "", "persons who rated", [](auto& r) { return r.of.intraclass.raters; }},
+     {"answers", "", "answers", [](auto& r) { return r.of.intraclass.answers; }},
+     {"answers_per_stimulus", "", "the k of the ICCs of means",
+      [](auto& r) { return r.of.intraclass.answers_per_stimulus; }},
+     {"icc_1", "", "ICC(1): reliability of one answer, one-way",
+      [](auto& r) { return r.of.intraclass.one; }},
+     {"icc_1_k", "", "ICC(1,k): of the mean of k answers",
+      [](auto& r) { return r.of.intraclass.one_k; }},
+     {"icc_2", "", "ICC(2,1): agreement, persons a random sample",
+      [](auto& r) { return r.of.intraclass.two; }},
+     {"icc_2_k", "", "ICC(2,k)", [](auto& r) { return r.of.intraclass.two_k; }},
+     {"icc_3", "", "ICC(3,1): consistency of these persons",
+      [](auto& r) { return r.of.intraclass.three; }},
+     {"icc_3_k", "", "ICC(3,k)", [](auto& r) { return r.of.intraclass.three_k; }},
+     {"complete_people", "", "persons who rated every stimulus",
+      [](auto& r) { return r.of.complete_people; }},
+     {"alpha", "", "Cronbach's alpha of these, persons as items",
+      [](auto& r) { return r.of.alpha; }}});
+
+constexpr auto preference_columns = result_table<PreferenceRow>(
+    "results/preferences.csv", "a pair of stimuli",
+    {{"item", "", "the scale or question", [](auto& r) { return r.of.item; }},
+     {"one", "", "a stimulus", [](auto& r) { return r.in.stimuli[r.of.one].id; }},
+     {"other", "", "the one it was shown with",
+      [](auto& r) { return r.in.stimuli[r.of.other].id; }},
+     {"trials", "", "times that they were shown together", [](auto& r) { return r.of.trials; }},
+     {"for_one", "", "times that the first was chosen", [](auto& r) { return r.of.for_one; }},
+     {"share", "0–1", "share of the first",
+      [](auto& r) { return 1.0 * r.of.for_one / r.of.trials; }},
+     {"low", "0–1", "lower end of Wilson's 95 % interval", [](auto& r) { return r.of.low; }},
+     {"high", "0–1", "upper end", [](auto& r) { return r.of.high; }},
+     {"p", "", "exact binomial test against one half, two-sided",
+      [](auto& r) { return p_of_table(r.of.p); }},
+     adjusted_column});
+
+void add_means(const Results& results, std::vector<WrittenTable>& tables) {
   const Gathered& gathered = results.gathered;
-  ResultWriter means(means_form, gathered.simulated);
-  ResultWriter histograms(histograms_form, gathered.simulated);
-  for (const RatingSummary& s : results.summaries) {
-    const Scale& scale = gathered.scales[s.scale];
-    std::vector<std::string> row = about(gathered, s.stimulus);
-    add(row, fields(scale.id, s.answers, s.mean, s.deviation, s.low, s.high, s.median));
-    means.row(row);
-    const std::vector<double> places = places_of(scale, gathered.points);
+  add_results(means_columns, results.summaries, gathered, tables);
+  std::vector<HistogramBar> bars;
+  for (const RatingSummary& summary : results.summaries) {
+    const std::vector<double> places = places_of(gathered.scales[summary.scale], gathered.points);
     for (std::size_t i = 0; i < places.size(); ++i)
-      histograms.row(fields(gathered.stimuli[s.stimulus].id, scale.id, places[i], s.counts[i],
-                            1.0 * s.counts[i] / s.answers));
+      bars.push_back({{gathered, summary}, places[i], summary.counts[i]});
   }
-  means.finish(tables);
-  histograms.finish(tables);
+  add_table(histogram_columns, bars, gathered.simulated, tables);
 }
 
-/// As overall_columns and comparison_columns end.
-std::vector<std::string> within_fields(const WithinPersons& w, double paired_adjusted,
-                                       double wilcoxon_adjusted) {
-  return fields(w.t.mean, w.t.low(0.95), w.t.high(0.95), w.t.t, w.t.degrees, PValue{w.t.p},
-                PValue{paired_adjusted}, w.dz, w.gz, w.wilcoxon.w_plus, w.wilcoxon.used,
-                w.wilcoxon.zeros, w.wilcoxon.tied, PValue{w.wilcoxon.p}, PValue{wilcoxon_adjusted},
-                PValue{w.wilcoxon_normal}, PValue{w.wilcoxon_normal_corrected}, w.pratt.w_plus,
-                PValue{w.pratt.p}, PValue{w.wilcoxon_zsplit}, w.location.estimate, w.location.low,
-                w.location.high, w.wilcoxon.rank_biserial, w.all_alike);
-}
-
-std::vector<std::string> comparison_row(const Gathered& gathered, const Comparison& c) {
-  std::vector<std::string> row = fields(word_of(family_words, c.family));
-  add(row, about(gathered, c.stimulus));
-  add(row, fields(c.against ? gathered.stimuli[*c.against].id : "", c.factor,
-                  gathered.scales[c.scale].id,
-                  c.own_end == 0  ? ""
-                  : c.own_end > 0 ? "high"
-                                  : "low"));
-  add(row, fields(c.answers, c.mean, c.answers_against, c.mean_against, c.welch.mean,
-                  c.welch.low(0.95), c.welch.high(0.95), c.welch.t, c.welch.degrees,
-                  PValue{c.welch.p}, PValue{c.welch_adjusted}, c.d, c.g, c.within.people));
-  add(row, within_fields(c.within, c.paired_adjusted, c.wilcoxon_adjusted));
-  return row;
-}
-
-void add_comparisons(const Results& results, std::vector<ResultTable>& tables) {
-  ResultWriter writer(comparisons_form, results.gathered.simulated);
-  for (const Comparison& c : results.comparisons) writer.row(comparison_row(results.gathered, c));
-  writer.finish(tables);
-  ResultWriter overall(overall_form, results.gathered.simulated);
-  for (const OverallComparison& c : results.overall) {
-    std::vector<std::string> row = fields(word_of(family_words, c.family), c.emotion, c.matched,
-                                          c.unmatched, c.mean, c.mean_against, c.within.people);
-    add(row, within_fields(c.within, c.paired_adjusted, c.wilcoxon_adjusted));
-    overall.row(row);
-  }
-  overall.finish(tables);
-}
-
-void add_groups(const Results& results, std::vector<ResultTable>& tables) {
-  ResultWriter writer(groups_form, results.gathered.simulated);
-  for (const GroupComparison& c : results.groups)
-    writer.row(fields(c.question, c.one, c.other, results.gathered.stimuli[c.stimulus].id,
-                      results.gathered.scales[c.scale].id, c.people_one, c.mean_one, c.people_other,
-                      c.mean_other, c.welch.mean, c.welch.low(0.95), c.welch.high(0.95), c.welch.t,
-                      c.welch.degrees, PValue{c.welch.p}, PValue{c.adjusted}, c.g));
-  writer.finish(tables);
-}
-
-void add_confusion_tables(const Results& results, std::vector<ResultTable>& tables) {
-  ResultWriter cells(confusion_form, results.gathered.simulated);
-  ResultWriter recalls(recall_form, results.gathered.simulated);
+void add_confusions(const Results& results, std::vector<WrittenTable>& tables) {
+  std::vector<ConfusionCell> cells;
+  std::vector<RecallRow> recalls;
   for (const Confusion& confusion : results.confusions) {
-    const std::string by = confusion.by_points ? "ratings" : "choices";
     for (const ConfusionRow& row : confusion.rows) {
       for (std::size_t i = 0; i < confusion.columns.size(); ++i)
-        cells.row(fields(by, confusion.of, row.emotion, confusion.columns[i], row.points[i],
-                         row.points[i] / row.total));
-      if (row.own < 0) continue;
-      recalls.row(fields(by, confusion.of, row.emotion, row.showings, row.judged, row.total,
-                         row.recall, row.low, row.high, confusion.chance, row.hits, PValue{row.p},
-                         PValue{row.adjusted}));
+        cells.push_back({confusion, row, i});
+      if (row.own >= 0) recalls.push_back({confusion, row});
     }
   }
-  cells.finish(tables);
-  recalls.finish(tables);
-}
-
-void add_correlations(const Results& results, std::vector<ResultTable>& tables) {
-  ResultWriter writer(correlations_form, results.gathered.simulated);
-  const std::vector<std::string> ends = ends_of(results.gathered.scales);
-  for (const EndCorrelation& pair : results.correlations) {
-    const Correlation& c = pair.correlation;
-    writer.row(fields(ends[pair.one], ends[pair.other], pair.same_scale, c.pairs, c.r, c.low,
-                      c.high, PValue{c.p}, PValue{pair.adjusted}));
-  }
-  writer.finish(tables);
-}
-
-void add_reliability(const Results& results, std::vector<ResultTable>& tables) {
-  ResultWriter writer(agreement_form, results.gathered.simulated);
-  for (const Reliability& r : results.reliability) {
-    const Intraclass& icc = r.intraclass;
-    writer.row(fields(results.gathered.scales[r.scale].id, icc.stimuli, icc.raters, icc.answers,
-                      icc.answers_per_stimulus, icc.one, icc.one_k, icc.two, icc.two_k, icc.three,
-                      icc.three_k, r.complete_people, r.alpha));
-  }
-  writer.finish(tables);
-}
-
-void add_preferences(const Results& results, std::vector<ResultTable>& tables) {
-  ResultWriter writer(preferences_form, results.gathered.simulated);
-  for (const PreferenceCount& c : results.preferences)
-    writer.row(fields(c.item, results.gathered.stimuli[c.one].id,
-                      results.gathered.stimuli[c.other].id, c.trials, c.for_one,
-                      1.0 * c.for_one / c.trials, c.low, c.high, PValue{c.p}, PValue{c.adjusted}));
-  writer.finish(tables);
-}
-
-void add_people(const Results& results, std::vector<ResultTable>& tables) {
-  ResultWriter people(people_form, results.gathered.simulated);
-  for (const ParticipantSummary& p : results.participants)
-    people.row(fields(p.participant, p.trials, p.answers, p.checks, p.passed, p.is_excluded,
-                      p.median_rt_ms, p.stalls, p.dropped_frames, p.blurs, p.is_constant,
-                      p.is_unfinished));
-  people.finish(tables);
-  ResultWriter demographics(demographics_form, results.gathered.simulated);
-  for (const DemographicSummary& d : demographics_of(results.demographics, results.gathered))
-    demographics.row(fields(d.question, d.answer, d.value, d.people));
-  demographics.finish(tables);
-}
-
-void add_catch_trials(const Results& results, std::vector<ResultTable>& tables) {
-  ResultWriter answers(catch_form, results.gathered.simulated);
-  for (const CatchAnswer& a : results.catch_answers)
-    answers.row(fields(a.participant, a.is_excluded, a.stimulus, a.against, a.item, a.first_trial,
-                       a.second_trial, a.first, a.second,
-                       a.difference ? field_of(*a.difference) : "", a.is_equal()));
-  answers.finish(tables);
-  ResultWriter summaries(catch_summary_form, results.gathered.simulated);
-  for (const CatchSummary& s : results.catch_summaries)
-    summaries.row(fields(s.participant, s.item, s.is_excluded, s.answers, s.equal,
-                         1.0 * s.equal / s.answers, s.mean_difference, s.retest.r, s.retest.low,
-                         s.retest.high));
-  summaries.finish(tables);
-}
-
-void add_remarks(const Results& results, std::vector<ResultTable>& tables) {
-  const auto write = [&](const TableForm& form, const std::vector<Remark>& remarks) {
-    ResultWriter writer(form, results.gathered.simulated);
-    for (const Remark& r : remarks) writer.row(fields(r.participant, r.stimulus, r.item, r.text));
-    writer.finish(tables);
-  };
-  write(comments_form, results.gathered.remarks);
-  write(words_form, results.gathered.words);
-  ResultWriter counts(word_counts_form, results.gathered.simulated);
-  for (const GivenWord& c : results.words)
-    counts.row(fields(c.stimulus, c.item, c.word, c.people, c.asked));
-  counts.finish(tables);
+  add_table(confusion_columns, cells, results.gathered.simulated, tables);
+  add_table(recall_columns, recalls, results.gathered.simulated, tables);
 }
 
 }  // namespace
 
 std::string field_of(double value) { return !std::isfinite(value) ? "" : shortest_measured(value); }
 
-std::vector<ResultTable> result_tables(const Results& results) {
-  std::vector<ResultTable> tables;
+std::vector<WrittenTable> result_tables(const Results& results) {
+  std::vector<WrittenTable> tables;
   add_means(results, tables);
   add_comparisons(results, tables);
-  add_groups(results, tables);
-  add_confusion_tables(results, tables);
-  add_correlations(results, tables);
-  add_reliability(results, tables);
-  add_preferences(results, tables);
-  add_people(results, tables);
-  add_catch_trials(results, tables);
-  add_remarks(results, tables);
+  add_confusions(results, tables);
+  add_results(correlation_columns, results.correlations, results.gathered, tables);
+  add_results(agreement_columns, results.reliability, results.gathered, tables);
+  add_results(preference_columns, results.preferences, results.gathered, tables);
+  add_participants(results, tables);
   return tables;
 }
 

@@ -82,16 +82,6 @@ constexpr auto answer_row_columns = [] {
   return columns;
 }();
 
-std::string field_text(const std::string& text) { return text; }
-std::string field_text(bool value) { return value ? "1" : "0"; }
-std::string field_text(int number) { return std::to_string(number); }
-std::string field_text(std::uint64_t number) { return std::to_string(number); }
-std::string field_text(std::optional<bool> value) { return value ? field_text(*value) : ""; }
-std::string field_text(std::optional<double> number) { return number ? shortest(*number) : ""; }
-std::string field_text(std::optional<int> number) {
-  return field_text(std::optional<double>(number));
-}
-
 /// Fills rows from fields and gathers what is wrong with them.
 class AnswerRowReader {
  public:
@@ -227,7 +217,7 @@ std::vector<std::string> fields_of_row(const AnswerRow& row) {
 }
 
 std::string to_csv(const std::vector<AnswerRow>& rows) {
-  CsvWriter writer = table_of(answer_form);
+  CsvWriter writer(header_of(answer_form));
   for (const AnswerRow& row : rows) writer.row(fields_of_row(row));
   return writer.text();
 }

@@ -1,6 +1,6 @@
 #include "pipeline/manifest/ratings/answers/answers.h"
 
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/manifest/ratings/answers/study_answers.h"
@@ -76,6 +76,15 @@ Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSu
   return answers;
 }
 
+constexpr auto plain_columns = table_of<GivenOrSimulated<Answer>>(
+    "answers.csv", "an answer on a scale",
+    {{"participant", "", "who answered", [](auto& r) { return r.of.participant; }},
+     {"stimulus", "", "what was rated", [](auto& r) { return r.of.stimulus; }},
+     {"scale", "", "id of the scale", [](auto& r) { return r.of.scale; }},
+     {"value", "scale", "the answer, in the scale's range", [](auto& r) { return r.of.value; }},
+     {"simulated*", "", "1; there where nobody answered",
+      [](auto& r) { return std::vector<std::string>(r.simulated ? 1 : 0, "1"); }}});
+
 }  // namespace
 
 Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales,
@@ -89,16 +98,8 @@ Answers parse_answers(std::string_view csv, const std::string& file, const Scale
 }
 
 std::string to_csv(const Answers& answers) {
-  std::vector<std::string> header = {"participant", "stimulus", "scale", "value"};
-  if (answers.simulated) header.emplace_back("simulated");
-  CsvWriter writer(header);
-  for (const Answer& answer : answers.answers) {
-    std::vector<std::string> row = {answer.participant, answer.stimulus, answer.scale,
-                                    shortest(answer.value)};
-    if (answers.simulated) row.emplace_back("1");
-    writer.row(row);
-  }
-  return writer.text();
+  const std::vector<std::string> if_simulated(answers.simulated ? 1 : 0);
+  return plain_columns.of_parts(answers.simulated, answers.answers, if_simulated).csv;
 }
 
 }  // namespace mien::pipeline

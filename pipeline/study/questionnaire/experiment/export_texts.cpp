@@ -10,6 +10,7 @@
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
+#include "pipeline/manifest/ratings/answers/participant_row.h"
 
 namespace mien::pipeline {
 
@@ -35,8 +36,8 @@ ordered_json dataset_description(const Manifest& manifest) {
   ordered_json variables = ordered_json::array();
   for (const Column& column : answer_form.columns)
     variables.push_back(variable(column.name, column.meaning, column.unit));
-  variables.push_back(variable("consented_at", "time of consent (ISO 8601, UTC)"));
-  variables.push_back(variable("finished", "1 if the participant finished"));
+  for (const char* name : {"consented_at", "finished"})
+    variables.push_back(variable(name, find_column(participant_form, name)->meaning));
   for (const Demographic& question : questionnaire_of(manifest).demographics)
     variables.push_back(variable(question.id, question.ask));
   return {{"@context", "https://schema.org/"},

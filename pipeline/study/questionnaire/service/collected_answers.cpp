@@ -5,7 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/table.h"
+#include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/study/questionnaire/service/matching_rows.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 
@@ -34,6 +35,18 @@ void for_each_trial(const StudySessions& sessions, const auto& take) {
       if (const Trial* trial = trial_of(plan, stored.name)) take(plan, *trial, parsed(stored));
   }
 }
+
+struct ParticipantLink {
+  const std::string& base;
+  const SessionState& of;
+};
+
+constexpr auto link_columns =
+    table_of<ParticipantLink>("links.csv", "a participant",
+                              {{"participant", "", "the place in the design",
+                                [](auto& r) { return r.of.session.participant; }},
+                               {"link", "", "the address that the participant opens",
+                                [](auto& r) { return r.base + "/s/" + r.of.session.link + "/"; }}});
 
 std::vector<MatchedTrial> matched_trials(const ServedStudy& study, const StudySessions& sessions) {
   std::vector<MatchedTrial> trials;
@@ -70,26 +83,25 @@ std::string answers_csv(const ServedStudy& study, const StudySessions& sessions)
 }
 
 std::string participants_csv(const ServedStudy& study, const StudySessions& sessions) {
-  std::vector<std::string> header = {"participant", "session", "design", "consented_at",
-                                     "finished"};
-  for (const AskedQuestion& question : study.facts.questions) header.push_back(question.id);
-  CsvWriter table(header);
+  std::vector<std::string> questions;
+  for (const AskedQuestion& question : study.facts.questions) questions.push_back(question.id);
+  std::vector<ParticipantRow> rows;
   std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
   for (const SessionState& state : sessions.states()) {
     const std::vector<StoredRecord>& own = records[state.session.index];
     if (own.empty() || state.has_refused) continue;
-    std::vector<std::string> row = {state.session.participant, parsed(own.front()).session,
-                                    study.facts.design, own.front().kept_at,
-                                    state.has_finished() ? "1" : "0"};
+    ParticipantRow row = {state.session.participant, parsed(own.front()).session,
+                          study.facts.design,        own.front().kept_at,
+                          state.has_finished(),      {}};
     const auto told = std::ranges::find(own, demographics_record, &StoredRecord::name);
     const PageRecord answers = told == own.end() ? PageRecord() : parsed(*told);
-    for (const AskedQuestion& question : study.facts.questions) {
-      const auto found = std::ranges::find(answers.responses, question.id, &GivenResponse::item);
-      row.push_back(found == answers.responses.end() ? "" : found->value_raw);
+    for (const std::string& question : questions) {
+      const auto found = std::ranges::find(answers.responses, question, &GivenResponse::item);
+      row.answers.push_back(found == answers.responses.end() ? "" : found->value_raw);
     }
-    table.row(row);
+    rows.push_back(std::move(row));
   }
-  return table.text();
+  return to_csv(rows, questions);
 }
 
 std::string answers_json(const ServedStudy& study, const StudySessions& sessions) {
@@ -121,10 +133,7 @@ std::string answers_json(const ServedStudy& study, const StudySessions& sessions
 }
 
 std::string links_csv(const StudySessions& sessions, const std::string& base) {
-  CsvWriter table({"participant", "link"});
-  for (const SessionState& state : sessions.states())
-    table.row({state.session.participant, base + "/s/" + state.session.link + "/"});
-  return table.text();
+  return link_columns.of_parts(base, sessions.states()).csv;
 }
 
 }  // namespace mien::pipeline

@@ -15,8 +15,7 @@ std::string answers_csv(const ServedStudy& study, const StudySessions& sessions)
 std::string trials_csv(const ServedStudy& study, const StudySessions& sessions);
 std::string changes_csv(const ServedStudy& study, const StudySessions& sessions);
 
-/// One row a participant who has agreed to take part: participant, session, design, consented_at,
-/// finished, and a column a question.
+/// One row a participant who has agreed to take part (participant_row.h).
 std::string participants_csv(const ServedStudy& study, const StudySessions& sessions);
 
 /// Everything, with the plans, the records as they were given and when each was kept.

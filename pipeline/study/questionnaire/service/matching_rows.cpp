@@ -1,47 +1,72 @@
 #include "pipeline/study/questionnaire/service/matching_rows.h"
 
-#include "pipeline/base/documents/csv.h"
+#include <ranges>
 
 namespace mien::pipeline {
 
 namespace {
 
-std::string number_or_nothing(const std::optional<double>& number) {
-  return number ? shortest(*number) : std::string();
-}
+struct MatchedChange {
+  const MatchedTrial& of;
+  const MatchingChange& change;
+};
 
-const char* flag(bool is_set) { return is_set ? "1" : "0"; }
+constexpr auto trials_columns = table_of<MatchedTrial>(
+    "trials.csv", "a trial without practice",
+    {{"participant", "", "the place in the design", [](auto& r) { return r.participant; }},
+     {"target", "", "id of the target", [](auto& r) { return r.trial.stimuli.front(); }},
+     {"interface", "", "adjectives, features, weights …",
+      [](auto& r) { return r.trial.items.front().item; }},
+     {"first_guess_d", "m", "D of the blind guess", [](auto& r) { return r.match.first_guess_d; }},
+     {"time_s", "s", "from the trial's beginning to the match, or to the limit",
+      [](auto& r) { return r.match.time_s; }},
+     {"success", "0/1", "1: matched within the limit", [](auto& r) { return r.match.success; }},
+     {"simulated", "0/1", "1: a trial that nobody did", [](auto& r) { return r.simulated; }},
+     {"trial", "", "number of the trial, from 1", [](auto& r) { return r.trial.number; }},
+     {"d", "m", "D of the last setting", [](auto& r) { return r.match.d; }},
+     {"guess_s", "s", "time of the blind guess", [](auto& r) { return r.match.guess_s; }},
+     {"attempt", "", "of the trial, from 1: more after a reload",
+      [](auto& r) { return r.match.attempt; }},
+     {"session", "", "random name of the browser session", [](auto& r) { return r.session; }},
+     {"design", "", "hash of the experiment", [](auto& r) { return r.design; }},
+     {"limit_s", "s", "time allowed", [](auto& r) { return r.limit_s; }},
+     {"threshold_m", "m", "D below which motions match", [](auto& r) { return r.threshold_m; }}});
+
+constexpr auto changes_columns = table_of<MatchedChange>(
+    "changes.csv", "a change of a setting, practice included",
+    {{"participant", "", "the place in the design", [](auto& r) { return r.of.participant; }},
+     {"trial", "", "number of the trial, from 1", [](auto& r) { return r.of.trial.number; }},
+     {"target", "", "id of the target", [](auto& r) { return r.of.trial.stimuli.front(); }},
+     {"interface", "", "adjectives, features, weights …",
+      [](auto& r) { return r.of.trial.items.front().item; }},
+     {"is_practice", "0/1", "1: of a practice trial", [](auto& r) { return r.of.trial.practice; }},
+     {"attempt", "", "of the trial, from 1", [](auto& r) { return r.of.match.attempt; }},
+     {"time_s", "s", "since the trial began", [](auto& r) { return r.change.seconds; }},
+     {"step", "", "guess or adjust", [](auto& r) { return r.change.step; }},
+     {"action", "", "move, add, remove, guess, match or limit",
+      [](auto& r) { return r.change.action; }},
+     {"slider", "", "of the first three: the slider", [](auto& r) { return r.change.slider; }},
+     {"value", "", "its new value", [](auto& r) { return r.change.value; }},
+     {"d", "m", "D of the motion made of it; empty where the next change came sooner",
+      [](auto& r) { return r.change.d; }},
+     {"simulated", "0/1", "1: of a trial that nobody did",
+      [](auto& r) { return r.of.simulated; }}});
 
 }  // namespace
 
+const TableForm matching_trials_form = trials_columns.form();
+const TableForm matching_changes_form = changes_columns.form();
+
 std::string matching_trials_csv(const std::vector<MatchedTrial>& trials) {
-  CsvWriter table({"participant", "target", "interface", "first_guess_d", "time_s", "success",
-                   "simulated", "trial", "d", "guess_s", "attempt", "session", "design", "limit_s",
-                   "threshold_m"});
-  for (const MatchedTrial& one : trials) {
-    if (one.trial.practice) continue;
-    table.row({one.participant, one.trial.stimuli.front(), one.trial.items.front().item,
-               shortest(one.match.first_guess_d), shortest(one.match.time_s),
-               flag(one.match.success), flag(one.simulated), std::to_string(one.trial.number),
-               shortest(one.match.d), shortest(one.match.guess_s),
-               std::to_string(one.match.attempt), one.session, one.design, shortest(one.limit_s),
-               shortest(one.threshold_m)});
-  }
-  return table.text();
+  const auto counts = [](const MatchedTrial& one) { return !one.trial.practice; };
+  return trials_columns.of(trials | std::views::filter(counts)).csv;
 }
 
 std::string matching_changes_csv(const std::vector<MatchedTrial>& trials) {
-  CsvWriter table({"participant", "trial", "target", "interface", "is_practice", "attempt",
-                   "time_s", "step", "action", "slider", "value", "d", "simulated"});
-  for (const MatchedTrial& one : trials) {
-    for (const MatchingChange& change : one.match.changes)
-      table.row({one.participant, std::to_string(one.trial.number), one.trial.stimuli.front(),
-                 one.trial.items.front().item, flag(one.trial.practice),
-                 std::to_string(one.match.attempt), shortest(change.seconds), change.step,
-                 change.action, change.slider, number_or_nothing(change.value),
-                 number_or_nothing(change.d), flag(one.simulated)});
-  }
-  return table.text();
+  std::vector<MatchedChange> rows;
+  for (const MatchedTrial& one : trials)
+    for (const MatchingChange& change : one.match.changes) rows.push_back({one, change});
+  return changes_columns.of(rows).csv;
 }
 
 }  // namespace mien::pipeline

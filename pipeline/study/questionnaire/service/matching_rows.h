@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/study/questionnaire/service/record.h"
 
 namespace mien::pipeline {
@@ -19,13 +20,14 @@ struct MatchedTrial {
   bool simulated = false;
 };
 
-/// A row a trial, as `mien study evaluate` reads it, without practice: participant, target,
-/// interface, first_guess_d (m), time_s, success, simulated; and trial, d (of the last setting, m),
-/// guess_s, attempt, session, design, limit_s and threshold_m (m) of the experiment.
+/// The columns of the two tables.
+extern const TableForm matching_trials_form;
+extern const TableForm matching_changes_form;
+
+/// A row a trial, as `mien study evaluate` reads it, without practice.
 std::string matching_trials_csv(const std::vector<MatchedTrial>& trials);
 
-/// A row a change, practice included: participant, trial, target, interface, is_practice, attempt,
-/// time_s (since the trial began), step, action, slider, value, d, simulated.
+/// A row a change, practice included.
 std::string matching_changes_csv(const std::vector<MatchedTrial>& trials);
 
 }  // namespace mien::pipeline

@@ -1,12 +1,14 @@
 #include "pipeline/study/results/report/dataset.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <iterator>
 #include <set>
-#include <span>
 
 #include <nlohmann/json.hpp>
+
+#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/manifest/ratings/answers/participant_row.h"
 
 namespace mien::pipeline {
 
@@ -17,18 +19,19 @@ using nlohmann::ordered_json;
 constexpr Column excluded_column = {"excluded", "",
                                     "1 for answers of participants excluded from the report"};
 
-constexpr std::array stimulus_columns = {Column{"stimulus", "", "stimulus id"},
-                                         Column{"made", "", "level of factor made"},
-                                         Column{"emotion", "", "level of the factor emotion"},
-                                         Column{"setting", "", "levels of the other factors"}};
+constexpr Column simulated_column = {"simulated", "", "1 for participants whom nobody was"};
 
-constexpr std::array participant_columns = {
-    Column{"participant", "", "participant id: position in the design, not a name"},
-    Column{"session", "", "random id of the browser session"},
-    Column{"design", "", "hash of the questionnaire design"},
-    Column{"consented_at", "", "time of consent"},
-    Column{"finished", "", "whether the participant finished"},
-    Column{"simulated", "", "1 for simulated participants"}};
+constexpr auto stimulus_columns = table_of<ReportedStimulus>(
+    "data/stimuli.csv", "a stimulus",
+    {{"stimulus", "", "the stimulus, as its study names it", [](auto& r) { return r.id; }},
+     {"made", "", "level of the factor made", [](auto& r) { return r.made; }},
+     {"emotion", "", "level of the factor emotion", [](auto& r) { return r.emotion; }},
+     {"setting", "", "levels of the other factors", [](auto& r) { return r.setting; }}});
+
+/// Of the table of participants; null of a question.
+const Column* participant_column(std::string_view name) {
+  return name == simulated_column.name ? &simulated_column : find_column(participant_form, name);
+}
 
 std::string letters_and_figures(const std::string& text) {
   std::string kept;
@@ -57,8 +60,7 @@ std::vector<std::string> further_factors(const Gathered& gathered) {
   std::vector<std::string> factors;
   for (const ReportedStimulus& stimulus : gathered.stimuli)
     for (const auto& [factor, level] : stimulus.factors) {
-      const bool is_known = factor == "made" || factor == "emotion" || factor == "stimulus" ||
-                            factor == "setting" ||
+      const bool is_known = find_column(stimulus_columns.form(), factor) != nullptr ||
                             std::ranges::find(factors, factor) != factors.end();
       if (!is_known) factors.push_back(factor);
     }
@@ -67,12 +69,11 @@ std::vector<std::string> further_factors(const Gathered& gathered) {
 
 std::string stimuli_csv(const Gathered& gathered) {
   const std::vector<std::string> further = further_factors(gathered);
-  std::vector<std::string> header;
-  for (const Column& column : stimulus_columns) header.emplace_back(column.name);
+  std::vector<std::string> header = header_of(stimulus_columns.form());
   header.insert(header.end(), further.begin(), further.end());
   CsvWriter writer(header);
   for (const ReportedStimulus& stimulus : gathered.stimuli) {
-    std::vector<std::string> row = {stimulus.id, stimulus.made, stimulus.emotion, stimulus.setting};
+    std::vector<std::string> row = stimulus_columns.fields_of(stimulus);
     for (const std::string& factor : further) {
       const auto found =
           std::ranges::find(stimulus.factors, factor, &std::pair<std::string, std::string>::first);
@@ -121,13 +122,12 @@ Variables variables_of(const Results& results) {
   Variables variables;
   for (const Column& column : answer_form.columns) variables.add(column);
   variables.add(excluded_column);
-  for (const Column& column : stimulus_columns) variables.add(column);
+  for (const Column& column : stimulus_columns.columns) variables.add(column);
   for (const std::string& factor : further_factors(results.gathered))
     variables.add(factor, "level of the factor " + factor + " of the stimulus");
   if (!results.demographics.empty()) {
     for (const CsvField& field : results.demographics.table.header) {
-      const auto known = std::ranges::find(participant_columns, field.text, &Column::name);
-      if (known != participant_columns.end()) variables.add(*known);
+      if (const Column* known = participant_column(field.text)) variables.add(*known);
     }
     for (const std::string& question : results.demographics.questions())
       variables.add(question, "participant's answer to the question " + question);
@@ -154,37 +154,32 @@ std::string description_of(const Results& results) {
   return description.dump(2, ' ', false, replace) + "\n";
 }
 
-void add_columns(CsvWriter& writer, const std::string& table, std::string_view rows,
-                 std::span<const Column> columns) {
-  for (const Column& column : columns)
-    writer.row({table, std::string(rows), std::string(column.name), std::string(column.unit),
-                std::string(column.meaning)});
-}
-
-std::string codebook_of(const Results& results, const std::vector<ResultTable>& tables) {
+std::string codebook_of(const Results& results, const std::vector<WrittenTable>& tables) {
   const DatasetPaths paths = dataset_paths(results.gathered.study);
-  CsvWriter writer({"table", "row_is", "column", "unit", "meaning"});
-  add_columns(writer, paths.answers, answer_form.rows, answer_form.columns);
-  add_columns(writer, paths.answers, answer_form.rows, std::array{excluded_column});
-  add_columns(writer, paths.stimuli, "a stimulus", stimulus_columns);
+  std::vector<DescribedColumn> book;
+  const auto add = [&](const TableForm& form, std::string_view path) {
+    std::ranges::move(described(form, path), std::back_inserter(book));
+  };
+  add(answer_form, paths.answers);
+  add({paths.answers, answer_form.rows, {&excluded_column, 1}}, paths.answers);
+  add(stimulus_columns.form(), paths.stimuli);
   for (const std::string& factor : further_factors(results.gathered))
-    writer.row({paths.stimuli, "a stimulus", factor, "", "level of the factor " + factor});
+    book.push_back({paths.stimuli, "a stimulus", factor, "", "level of the factor " + factor});
   if (!results.demographics.empty()) {
     for (const CsvField& field : results.demographics.table.header) {
-      const auto known = std::ranges::find(participant_columns, field.text, &Column::name);
-      writer.row({paths.participants, "a participant", field.text, "",
-                  known == participant_columns.end() ? "answer to the question " + field.text
-                                                     : std::string(known->meaning)});
+      const Column* known = participant_column(field.text);
+      book.push_back({paths.participants, "a participant", field.text, "",
+                      known == nullptr ? "answer to the question " + field.text
+                                       : std::string(known->meaning)});
     }
   }
-  for (const ResultTable& table : tables) {
-    const std::string path(table.form->path);
-    add_columns(writer, path, table.form->rows, table.form->columns);
+  for (const WrittenTable& table : tables) {
+    add(table.form, table.form.path);
     if (results.gathered.simulated)
-      writer.row({path, std::string(table.form->rows), "simulated", "",
-                  "1: computed from simulated answers"});
+      book.push_back({std::string(table.form.path), std::string(table.form.rows), "simulated", "",
+                      "1: reckoned from answers that nobody gave"});
   }
-  return writer.text();
+  return codebook_csv(book);
 }
 
 std::string readme_of(const Results& results) {
@@ -213,7 +208,7 @@ DatasetPaths dataset_paths(const std::string& study) {
 }
 
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
-                                       const std::vector<ResultTable>& tables) {
+                                       const std::vector<WrittenTable>& tables) {
   const DatasetPaths paths = dataset_paths(results.gathered.study);
   std::vector<DatasetFile> files = {{paths.answers, answers_csv(results, rows)},
                                     {paths.stimuli, stimuli_csv(results.gathered)},

@@ -30,6 +30,6 @@ DatasetPaths dataset_paths(const std::string& study);
 /// known; dataset_description.json (JSON-LD, schema.org) that tells every column of them, and
 /// codebook.csv that tells those of the tables of results too.
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
-                                       const std::vector<ResultTable>& tables);
+                                       const std::vector<WrittenTable>& tables);
 
 }  // namespace mien::pipeline

@@ -276,11 +276,11 @@ std::string words_html(const Results& results, const PageParts& parts) {
          "</details>\n";
 }
 
-std::string files_html(const std::vector<ResultTable>& tables, bool has_scripts) {
+std::string files_html(const std::vector<WrittenTable>& tables, bool has_scripts) {
   std::string html = "<ul>\n";
-  for (const ResultTable& table : tables)
-    html += fmt::format("<li><a href=\"{0}\">{0}</a>: one row per {1}</li>\n", table.form->path,
-                        html_escaped(table.form->rows));
+  for (const WrittenTable& table : tables)
+    html += fmt::format("<li><a href=\"{0}\">{0}</a>: {1} a row</li>\n", table.form.path,
+                        html_escaped(table.form.rows));
   html +=
       "<li><a href=\"codebook.csv\">codebook.csv</a>: what every column means; <a "
       "href=\"dataset_description.json\">dataset_description.json</a>: metadata of data/ in "
@@ -298,7 +298,7 @@ std::string files_html(const std::vector<ResultTable>& tables, bool has_scripts)
 }  // namespace
 
 std::string results_page(const Results& results, const std::vector<ResultFigure>& figures,
-                         const std::vector<ResultTable>& tables, const FrozenVerdict& frozen) {
+                         const std::vector<WrittenTable>& tables, const FrozenVerdict& frozen) {
   PageParts parts(results, figures);
   parts.section("people", "Participants", people_html(results));
   parts.section("means", "Means", parts.figures("means"));

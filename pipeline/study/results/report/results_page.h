@@ -18,6 +18,6 @@ struct FrozenVerdict {
 /// The page report.html: everything that was found, with links to tables and drawings beside it.
 /// Whatever participants wrote is escaped. Works from disk, without a network and without scripts.
 std::string results_page(const Results& results, const std::vector<ResultFigure>& figures,
-                         const std::vector<ResultTable>& tables, const FrozenVerdict& frozen);
+                         const std::vector<WrittenTable>& tables, const FrozenVerdict& frozen);
 
 }  // namespace mien::pipeline

@@ -23,15 +23,33 @@ void write_below(const fs::path& folder, const std::string& path, const std::str
   write_file(folder / path, bytes);
 }
 
+struct ListedFigure {
+  std::string file;
+  std::string title;
+  std::string thesis;
+  std::string was;
+  bool simulated;
+};
+
+constexpr auto figures_columns = table_of<ListedFigure>(
+    "figures.csv", "a figure, or a table that is like one",
+    {{"file", "", "the file; of figures without its ending", [](auto& r) { return r.file; }},
+     {"title", "", "title of the figure", [](auto& r) { return r.title; }},
+     {"thesis_figure", "", "number of the figure of the emotion thesis that it is like",
+      [](auto& r) { return r.thesis; }},
+     {"earlier_name", "", "what its file was called before", [](auto& r) { return r.was; }},
+     {"simulated", "0/1", "1: made of simulated answers", [](auto& r) { return r.simulated; }}});
+
 /// What shows what, and which figure of the thesis it is like.
 std::string figure_list(const std::vector<ResultFigure>& figures, const Results& results) {
-  CsvWriter writer({"file", "title", "thesis_figure", "earlier_name", "simulated"});
-  const std::string simulated = results.gathered.simulated ? "1" : "0";
+  const bool simulated = results.gathered.simulated;
+  std::vector<ListedFigure> rows;
   for (const ResultFigure& figure : figures)
-    writer.row({"figures/" + figure.name, figure.plot.title, figure.thesis, figure.was, simulated});
+    rows.push_back(
+        {"figures/" + figure.name, figure.plot.title, figure.thesis, figure.was, simulated});
   const auto table = [&](const std::string& file, const std::string& title,
                          const std::string& thesis) {
-    writer.row({"results/" + file, "Table: " + title, thesis, "", simulated});
+    rows.push_back({"results/" + file, "Table: " + title, thesis, "", simulated});
   };
   const auto has = [&](ComparisonFamily family) {
     return std::ranges::any_of(results.comparisons,
@@ -53,7 +71,7 @@ std::string figure_list(const std::vector<ResultFigure>& figures, const Results&
                               [](const GroupComparison& c) { return c.question == "gender"; })
               ? "41"
               : "");
-  return writer.text();
+  return figures_columns.of(rows).csv;
 }
 
 }  // namespace
@@ -73,10 +91,10 @@ void clear_results_folder(const fs::path& folder) {
 
 void write_results(const Results& results, const std::vector<AnswerRow>& rows,
                    const FrozenVerdict& frozen, const fs::path& folder) {
-  const std::vector<ResultTable> tables = result_tables(results);
+  const std::vector<WrittenTable> tables = result_tables(results);
   const std::vector<ResultFigure> figures = result_figures(results);
-  for (const ResultTable& table : tables)
-    write_below(folder, std::string(table.form->path), table.csv);
+  for (const WrittenTable& table : tables)
+    write_below(folder, std::string(table.form.path), table.csv);
   for (const DatasetFile& file : dataset_files(results, rows, tables))
     write_below(folder, file.path, file.bytes);
   make_folder(folder / "figures");

@@ -58,7 +58,7 @@ TEST(FeatureChanges, AreOfComparisonsWithAReferenceOnly) {
   Motions motions(study);
   EXPECT_TRUE(feature_changes(study.sheets[2], motions).empty());
   EXPECT_TRUE(feature_changes(study.sheets[3], motions).empty());
-  const CsvTable table = parse_csv(feature_changes_csv(study, motions), "t.csv");
+  const CsvTable table = parse_csv(feature_changes_table.csv(study, motions), "t.csv");
   EXPECT_EQ(table.rows.size(), feature_changes(study.sheets[0], motions).size() +
                                    feature_changes(study.sheets[1], motions).size());
 }
@@ -66,7 +66,7 @@ TEST(FeatureChanges, AreOfComparisonsWithAReferenceOnly) {
 TEST(Galleries, MeasureEveryMotionAgainstTheFirst) {
   const Manifest study = manifest();
   Motions motions(study);
-  const CsvTable table = parse_csv(distances_csv(study, motions), "t.csv");
+  const CsvTable table = parse_csv(distances_table.csv(study, motions), "t.csv");
   ASSERT_EQ(table.rows.size(), 6u);
   EXPECT_EQ(table.rows[3][0].text, "all");
   EXPECT_EQ(table.rows[3][1].text, "calm");

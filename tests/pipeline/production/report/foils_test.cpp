@@ -7,6 +7,7 @@
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/production/report/report_tables.h"
+#include "pipeline/production/report/tables.h"
 
 namespace mien::pipeline {
 namespace {
@@ -26,7 +27,7 @@ std::map<std::string, double> differences(const std::string& differ, std::string
   const Manifest manifest =
       parsed("  - {id: foil, foil: {of: low, differ: " + differ + "}}\n").manifest;
   Motions motions(manifest);
-  const CsvTable table = parse_csv(foils_csv(manifest, motions), "foils.csv");
+  const CsvTable table = parse_csv(foils_table.csv(manifest, motions), "foils.csv");
   std::map<std::string, double> by_aspect;
   for (const auto& row : table.rows) {
     const auto text = [&](const char* column) {

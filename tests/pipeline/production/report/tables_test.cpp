@@ -43,8 +43,8 @@ class Tables : public testing::Test {
   Manifest manifest = small_study();
   Motions motions{manifest};
 
-  CsvTable table(std::string (*make)(const Manifest&, Motions&)) {
-    return parse_csv(make(manifest, motions), "table.csv");
+  CsvTable table(const StudyTable& one) {
+    return parse_csv(one.csv(manifest, motions), "table.csv");
   }
 
   static std::string text(const CsvTable& table, std::size_t row, const char* column) {
@@ -58,7 +58,7 @@ class Tables : public testing::Test {
 };
 
 TEST_F(Tables, WeightsOfEveryStimulusCoverAllExamplesAndSumToOne) {
-  const CsvTable weights = table(weights_csv);
+  const CsvTable weights = table(weights_table);
   std::map<std::string, int> rows;
   std::map<std::string, double> sums;
   for (std::size_t r = 0; r < weights.rows.size(); ++r) {
@@ -71,7 +71,7 @@ TEST_F(Tables, WeightsOfEveryStimulusCoverAllExamplesAndSumToOne) {
 }
 
 TEST_F(Tables, WeightsThatWereGivenAreTold) {
-  const CsvTable weights = table(weights_csv);
+  const CsvTable weights = table(weights_table);
   for (std::size_t r = 0; r < weights.rows.size(); ++r) {
     if (text(weights, r, "stimulus") != "mix, quoted") continue;
     const std::string example = text(weights, r, "example");
@@ -81,8 +81,8 @@ TEST_F(Tables, WeightsThatWereGivenAreTold) {
 }
 
 TEST_F(Tables, MeanOfJointDistancesIsD) {
-  const CsvTable distances = table(distances_csv);
-  const CsvTable joints = table(joint_distances_csv);
+  const CsvTable distances = table(distances_table);
+  const CsvTable joints = table(joint_distances_table);
   ASSERT_EQ(distances.rows.size(), 1u);
   ASSERT_EQ(joints.rows.size(), 20u * 11u);
   double sum = 0.0;
@@ -93,22 +93,22 @@ TEST_F(Tables, MeanOfJointDistancesIsD) {
 }
 
 TEST_F(Tables, VerdictFollowsTheThreshold) {
-  const CsvTable distances = table(distances_csv);
+  const CsvTable distances = table(distances_table);
   const bool is_below = number(distances, 0, "d_m") < number(distances, 0, "threshold_m");
   EXPECT_EQ(text(distances, 0, "match"), is_below ? "1" : "0");
   EXPECT_EQ(number(distances, 0, "threshold_m"), 0.06);
 }
 
 TEST_F(Tables, SimulatedRatingsAreMarkedWhereTheyCount) {
-  const CsvTable clips = table(clips_csv);
+  const CsvTable clips = table(clips_table);
   ASSERT_EQ(clips.rows.size(), 2u);
   EXPECT_EQ(text(clips, 0, "ratings"), "simulated");
   EXPECT_EQ(text(clips, 1, "ratings"), "none");
-  EXPECT_EQ(text(table(distances_csv), 0, "ratings"), "simulated");
+  EXPECT_EQ(text(table(distances_table), 0, "ratings"), "simulated");
 }
 
 TEST_F(Tables, ClipsTellLengthAndSpeedThatBelongTogether) {
-  const CsvTable clips = table(clips_csv);
+  const CsvTable clips = table(clips_table);
   for (std::size_t r = 0; r < clips.rows.size(); ++r) {
     EXPECT_NEAR(number(clips, r, "duration_s"),
                 number(clips, r, "frames") / number(clips, r, "fps"), 1e-12);
@@ -119,21 +119,21 @@ TEST_F(Tables, ClipsTellLengthAndSpeedThatBelongTogether) {
 }
 
 TEST_F(Tables, ClipsTellHowTheirWeightsWereFound) {
-  const CsvTable clips = table(clips_csv);
+  const CsvTable clips = table(clips_table);
   EXPECT_EQ(text(clips, 0, "method"), "reach");
   EXPECT_EQ(text(clips, 0, "expected_error_m"), "");
   EXPECT_EQ(text(clips, 1, "method"), "direct");
   Manifest other = small_study();
   other.stimuli[0].interpolation.weights.method = motion::InterpolationMethod::kriging;
   Motions made(other);
-  const CsvTable kriged = parse_csv(clips_csv(other, made), "clips.csv");
+  const CsvTable kriged = parse_csv(clips_table.csv(other, made), "clips.csv");
   EXPECT_EQ(text(kriged, 0, "method"), "kriging");
   EXPECT_GT(number(kriged, 0, "expected_error_m"), 0.0);
   EXPECT_LT(number(kriged, 0, "expected_error_m"), 0.5);
 }
 
 TEST_F(Tables, ParametersAreThoseAskedForAndThenAllOthers) {
-  const CsvTable parameters = table(parameters_csv);
+  const CsvTable parameters = table(parameters_table);
   ASSERT_EQ(parameters.rows.size(), 2u * 45u);
   const ParameterTable& values = motions.repertoire().parameters;
   const Eigen::VectorXd& weights = motions.of("target").weights;
@@ -152,7 +152,7 @@ TEST_F(Tables, ParametersAreThoseAskedForAndThenAllOthers) {
 }
 
 TEST_F(Tables, ImpressionsAreThoseOfEveryExampleOnEveryScale) {
-  const CsvTable impressions = table(impressions_csv);
+  const CsvTable impressions = table(impressions_table);
   ASSERT_EQ(impressions.rows.size(), 41u * 10u);
   const Impressions& expected = *motions.repertoire().impressions;
   for (std::size_t r = 0; r < impressions.rows.size(); r += 37) {
@@ -165,7 +165,7 @@ TEST_F(Tables, ImpressionsAreThoseOfEveryExampleOnEveryScale) {
 }
 
 TEST_F(Tables, ImpressionsAreToldInTheUnitsOfTheScaleToo) {
-  const CsvTable impressions = table(impressions_csv);
+  const CsvTable impressions = table(impressions_table);
   for (std::size_t r = 0; r < impressions.rows.size(); ++r) {  // −2 … 2
     EXPECT_NEAR(number(impressions, r, "mean_answer"), 4.0 * number(impressions, r, "mean") - 2.0,
                 1e-9);
@@ -176,7 +176,7 @@ TEST_F(Tables, ImpressionsAreToldInTheUnitsOfTheScaleToo) {
 }
 
 TEST_F(Tables, BuiltinExamplesHaveKeytimesAndNoFile) {
-  const CsvTable examples = table(examples_csv);
+  const CsvTable examples = table(examples_table);
   ASSERT_EQ(examples.rows.size(), 10u);
   EXPECT_EQ(text(examples, 0, "example"), "normal");
   EXPECT_EQ(text(examples, 0, "file"), "");
@@ -203,7 +203,7 @@ TEST(ExamplesTable, TellsWhichFramesOfAFileEachExampleIs) {
   manifest.stimuli[0].weights = {{"normal", 1.0}};
   manifest.sheets.clear();
   Motions motions(manifest);
-  const CsvTable examples = parse_csv(examples_csv(manifest, motions), "examples.csv");
+  const CsvTable examples = parse_csv(examples_table.csv(manifest, motions), "examples.csv");
   ASSERT_EQ(examples.rows.size(), 2u);
   const auto value = [&](std::size_t row, const char* column) {
     return examples.rows[row][static_cast<std::size_t>(require_column(examples, column))].text;

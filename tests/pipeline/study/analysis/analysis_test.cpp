@@ -110,7 +110,7 @@ TEST(Analysis, GoesOnWithAllScalesWhenNoneIsKept) {
   ASSERT_EQ(a.warnings.size(), 1u);
   EXPECT_EQ(a.warnings[0].kind, "thresholds");
   EXPECT_NE(a.warnings[0].text.find("--max-mean 0.7"), std::string::npos) << a.warnings[0].text;
-  EXPECT_NE(clusters_csv(a).find(",all\n"), std::string::npos);
+  EXPECT_NE(clusters_table(a).csv.find(",all\n"), std::string::npos);
 }
 
 TEST(Analysis, MakesAsManyClustersAsThereAreScalesAtMost) {
@@ -122,7 +122,7 @@ TEST(Analysis, MakesAsManyClustersAsThereAreScalesAtMost) {
 
 TEST(Analysis, TheOrderOfTheExamplesAndAnswersChangesNothing) {
   const ScaleSet scales = seven_scales();
-  const std::string before = linkage_csv(analyse(seven_answers(), scales, four_examples, {}));
+  const std::string before = linkage_table(analyse(seven_answers(), scales, four_examples, {})).csv;
   std::vector<RatedExample> turned(four_examples.rbegin(), four_examples.rend());
   StudyAnswers shuffled = seven_answers();
   std::mt19937 random(1);
@@ -173,9 +173,10 @@ TEST(Analysis, TablesSayWhoseRatingsTheyRestOn) {
   for (const bool simulated : {false, true}) {
     study.simulated = simulated;
     const Analysis a = analyse(study, scales, four_examples, {});
-    for (const std::string& csv : {quantification_csv(a, scales), thresholds_csv(a, scales, {}),
-                                   impressions_csv(a.impressions, scales), linkage_csv(a),
-                                   clusters_csv(a), primary_csv(a), agreement_csv(a)}) {
+    for (const std::string& csv :
+         {quantification_table(a, scales).csv, thresholds_table(a, scales, {}).csv,
+          impressions_csv(a.impressions, scales), linkage_table(a).csv, clusters_table(a).csv,
+          primary_table(a).csv, agreement_table(a).csv}) {
       const CsvTable table = parse_csv(csv, "t.csv");
       const int column = require_column(table, "ratings");
       for (const auto& row : table.rows) {

@@ -33,7 +33,7 @@ TEST(FeatureClusters, FindGroupsThatAreThereAndNameThem) {
   EXPECT_EQ(clusters.features.size(), 51u);
   EXPECT_DOUBLE_EQ(clusters.rand, 1.0);
   EXPECT_DOUBLE_EQ(clusters.adjusted_rand, 1.0);
-  const CsvTable table = parse_csv(feature_clusters_csv(clusters), "c.csv");
+  const CsvTable table = parse_csv(feature_clusters_table(clusters).csv, "c.csv");
   ASSERT_EQ(table.rows.size(), 51u);
   for (const auto& row : table.rows) EXPECT_EQ(row[1].text, row[3].text) << row[2].text;
 }
@@ -63,7 +63,7 @@ TEST(FeatureClusters, CannotBeMoreThanFeatures) {
 
 TEST(FeatureClusters, TellEveryMerge) {
   const CsvTable table =
-      parse_csv(feature_linkage_csv(cluster_features(published_groups(), 4)), "l.csv");
+      parse_csv(feature_linkage_table(cluster_features(published_groups(), 4)).csv, "l.csv");
   ASSERT_EQ(table.rows.size(), 50u);
   EXPECT_EQ(table.rows.back()[3].text, "51");
 }

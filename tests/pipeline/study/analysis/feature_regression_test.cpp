@@ -70,9 +70,9 @@ TEST(FeatureRegression, TakesOfAStyleAreLeftOutTogetherToo) {
   const FeatureRegression regression = fit_feature_regression(repertoire);
   ASSERT_EQ(regression.parameters[0].checks.size(), 2u);
   EXPECT_EQ(regression.parameters[0].checks[1].left_out, "style");
-  const CsvTable checks = parse_csv(checks_csv(regression, repertoire.scales), "checks.csv");
+  const CsvTable checks = parse_csv(checks_table(regression, repertoire.scales).csv, "checks.csv");
   EXPECT_EQ(checks.rows.size(), 2u);
-  EXPECT_EQ(parse_csv(left_out_csv(regression), "left_out.csv").rows.size(), 54u);
+  EXPECT_EQ(parse_csv(left_out_table(regression).csv, "left_out.csv").rows.size(), 54u);
 }
 
 TEST(FeatureRegression, NeedsRatingsAndSeveralExamples) {

@@ -47,7 +47,7 @@ TEST(SimulatedEvaluation, FinerSlidersComeNearerAndTheTablesSaySimulated) {
     EXPECT_LT(summaries[i].mean_first, summaries[i + 1].mean_first) << name_of(summaries[i].kind);
     EXPECT_LT(summaries[i].mean_first, 0.02);
   }
-  const CsvTable table = parse_csv(results_csv(results), "t.csv");
+  const CsvTable table = parse_csv(results_table(results).csv, "t.csv");
   const int simulated = require_column(table, "simulated");
   for (const auto& r : table.rows) EXPECT_EQ(r[static_cast<std::size_t>(simulated)].text, "1");
 }

@@ -261,8 +261,8 @@ TEST(Comparisons, WriteSmallProbabilitiesAsTheyAre) {
   results.gathered = four_videos(values);
   results.comparisons = compare(results.gathered);
   double least = 1.0;
-  for (const ResultTable& table : result_tables(results)) {
-    const CsvTable csv = parse_csv(table.csv, std::string(table.form->path));
+  for (const WrittenTable& table : result_tables(results)) {
+    const CsvTable csv = parse_csv(table.csv, std::string(table.form.path));
     for (std::size_t column = 0; column < csv.header.size(); ++column) {
       const std::string& name = csv.header[column].text;
       if (name != "p" && !name.starts_with("p_") && name.find("_p") == std::string::npos) continue;

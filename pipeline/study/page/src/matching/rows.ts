@@ -1,15 +1,10 @@
+import { changeColumns, trialColumns } from "../questionnaire/columns";
 import { csv } from "../questionnaire/rows";
 import type { PageRecord } from "../questionnaire/experiment";
 import type { MatchingExperiment, MatchingSession, MatchingTrial } from "./experiment";
 import type { MatchingRecord } from "./record";
 
-// As pipeline/study/questionnaire/service/matching_rows.h has them.
-const trialColumns = ["participant", "target", "interface", "first_guess_d", "time_s", "success", "simulated",
-  "trial", "d", "guess_s", "attempt", "session", "design", "limit_s",
-  "threshold_m"];
-const changeColumns = ["participant", "trial", "target", "interface", "is_practice", "attempt", "time_s", "step",
-  "action", "slider", "value", "d", "simulated"];
-
+type Row<Columns extends readonly string[]> = Record<Columns[number], string>;
 type Records = Record<string, PageRecord>;
 const truth = (is: boolean): string => (is ? "1" : "0");
 
@@ -24,7 +19,7 @@ function matched(session: MatchingSession, records: Records): [MatchingTrial, Pa
 export function trialsCsv(experiment: MatchingExperiment, session: MatchingSession, records: Records): string {
   return csv(trialColumns, matched(session, records)
     .filter(([trial]) => !trial.practice)
-    .map(([trial, record, match]) => ({
+    .map(([trial, record, match]): Row<typeof trialColumns> => ({
       participant: session.participant, target: trial.target, interface: trial.interface,
       first_guess_d: String(match.first_guess_d), time_s: String(match.time_s), success: truth(match.success),
       simulated: truth(experiment.simulated), trial: String(trial.number), d: String(match.d),
@@ -37,7 +32,7 @@ export function trialsCsv(experiment: MatchingExperiment, session: MatchingSessi
 /** One row a change, practice included. */
 export function changesCsv(experiment: MatchingExperiment, session: MatchingSession, records: Records): string {
   return csv(changeColumns, matched(session, records).flatMap(([trial, , match]) =>
-    match.changes.map((change) => ({
+    match.changes.map((change): Row<typeof changeColumns> => ({
       participant: session.participant, trial: String(trial.number), target: trial.target,
       interface: trial.interface, is_practice: truth(trial.practice), attempt: String(match.attempt),
       time_s: String(change.s), step: change.step, action: change.action, slider: change.slider ?? "",

@@ -1,14 +1,5 @@
-import type { Experiment, PageRecord, Session, Trial } from "./experiment";
-import { kindOf } from "./trials/trial_kinds";
-
-/** As pipeline/manifest/ratings/answers/answer_row.h has them. */
-const answerColumns = [
-  "participant", "session", "trial", "block", "kind", "stimulus", "stimulus_sha256", "against",
-  "item", "value_raw", "value", "pole_left", "rt_ms", "is_practice", "is_warmup", "is_catch",
-  "expected", "passed", "replays", "trial_ms", "play_start_ms", "ended_ms", "stalls", "stall_ms",
-  "dropped_frames", "blurs", "viewport_width", "viewport_height", "refresh_hz", "comment", "seed",
-  "design", "simulated",
-] as const;
+import { answerColumns, participantColumns } from "./columns";
+import type { Experiment, Item, PageRecord, Session, Trial } from "./experiment";
 
 export type Row = Record<(typeof answerColumns)[number], string>;
 
@@ -104,7 +95,7 @@ export function participantsCsv(
   experiment: Pick<Experiment, "demographics" | "design">, session: { participant: string }, records: Record<string, PageRecord>,
 ): string {
   const questions = experiment.demographics.map(({ id }) => id);
-  const row: Record<string, string> = {
+  const row: Record<(typeof participantColumns)[number], string> & Record<string, string> = {
     participant: session.participant,
     session: records.consent?.session ?? "",
     design: experiment.design,
@@ -113,5 +104,5 @@ export function participantsCsv(
   };
   for (const { item, value_raw: valueRaw } of records.demographics?.responses ?? [])
     row[item] = String(valueRaw);
-  return csv(["participant", "session", "design", "consented_at", "finished", ...questions], [row]);
+  return csv([...participantColumns, ...questions], [row]);
 }

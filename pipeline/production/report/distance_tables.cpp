@@ -1,0 +1,152 @@
+#include <vector>
+
+#include "motion/measures/distance/distance.h"
+#include "pipeline/production/methods/study_facts.h"
+#include "pipeline/production/report/feature_changes.h"
+#include "pipeline/production/report/tables.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct ComparedPair {
+  const Sheet& sheet;
+  MotionPair pair;
+  std::string ratings;
+  motion::Distance d;
+};
+
+struct ComparedJoint {
+  const Sheet& sheet;
+  MotionPair pair;
+  std::string ratings;
+  motion::BodyJoint joint;
+  double time;  ///< share of the duration
+  double distance_m;
+};
+
+struct ComparedFeature {
+  const Sheet& sheet;
+  std::string ratings;
+  motion::FeatureChange change;
+
+  const motion::MotionFeature& feature() const {
+    return motion::motion_features()[static_cast<std::size_t>(change.feature)];
+  }
+};
+
+constexpr SharedColumn sheet_column = {"sheet", "", "the sheet that compares them",
+                                       [](auto& r) { return r.sheet.id; }};
+constexpr SharedColumn target_column = {"target", "",
+                                        "stimulus or example that is measured against",
+                                        [](auto& r) { return r.pair.target; }};
+constexpr SharedColumn created_column = {"created", "", "stimulus or example that is measured",
+                                         [](auto& r) { return r.pair.created; }};
+
+constexpr auto distances_columns = table_of<ComparedPair>(
+    "metrics/distances.csv", "a compared pair",
+    {sheet_column,
+     target_column,
+     created_column,
+     ratings_column,
+     {"alignment", "", "pelvis: place and heading of the body are taken out; world: they are not",
+      [](auto& r) { return r.d.alignment == motion::Alignment::pelvis ? "pelvis" : "world"; }},
+     {"d_m", "m",
+      "D: mean distance over 20 joints and 11 corresponding moments; feet of motion files are "
+      "settled first, as those of blends are",
+      [](auto& r) { return r.d.mean; }},
+     {"d_sum_m", "m", "the same distances summed, as the formula is printed",
+      [](auto& r) { return r.d.sum; }},
+     {"mpjpe_m", "m", "mean distance of the joints over all frames",
+      [](auto& r) { return r.d.mpjpe; }},
+     {"threshold_m", "m",
+      "a trial of the adjective paper's matching task ends when D is below this",
+      [](auto&) { return motion::distance_threshold_m; }},
+     {"match", "0/1",
+      "1: D is below the threshold of the adjective paper's matching task, which says nothing of "
+      "single joints, of durations and of whether people see a difference; empty for what a "
+      "gallery sets side by side",
+      [](auto& r) {
+        return r.sheet.gallery.empty() ? std::optional(r.d.matches()) : std::nullopt;
+      }}});
+
+constexpr auto joint_distances_columns = table_of<ComparedJoint>(
+    "metrics/joint_distances.csv", "a compared pair, joint and time",
+    {sheet_column,
+     target_column,
+     created_column,
+     ratings_column,
+     {"joint", "", "joint of the body", [](auto& r) { return motion::name_of(r.joint); }},
+     {"time", "0–1", "moment, as a share of the duration", [](auto& r) { return r.time; }},
+     {"distance_m", "m", "distance of the joint from where the target has it",
+      [](auto& r) { return r.distance_m; }}});
+
+constexpr auto feature_changes_columns = table_of<ComparedFeature>(
+    "metrics/feature_changes.csv", "a comparison with a reference and a feature",
+    {sheet_column,
+     {"reference", "", "stimulus or example that both are held against",
+      [](auto& r) { return r.sheet.reference; }},
+     {"target", "", "stimulus or example that shows the way",
+      [](auto& r) { return r.sheet.target; }},
+     {"created", "", "stimulus or example that should go the same way",
+      [](auto& r) { return r.sheet.created; }},
+     ratings_column,
+     {"feature", "", "id of the motion feature", [](auto& r) { return r.feature().id; }},
+     {"name", "", "English name", [](auto& r) { return r.feature().name; }},
+     {"name_ja", "", "Japanese name", [](auto& r) { return r.feature().japanese; }},
+     {"unit", "", "unit of the three numbers",
+      [](auto& r) { return motion::symbol_of(r.feature().unit); }},
+     {"reference_value", "see unit", "the feature of the reference",
+      [](auto& r) { return r.change.reference; }},
+     {"target_change", "see unit", "target minus reference: positive where the target has more",
+      [](auto& r) { return r.change.target_change(); }},
+     {"created_change", "see unit",
+      "created minus reference: positive where the created motion has more",
+      [](auto& r) { return r.change.created_change(); }},
+     {"moved", "0/1", "1: the target differs measurably from the reference",
+      [](auto& r) { return r.change.moved(); }},
+     {"agrees", "0/1",
+      "1: the created motion differs measurably the same way; empty where the target has not moved",
+      [](auto& r) { return r.change.moved() ? std::optional(r.change.agrees()) : std::nullopt; }}});
+
+/// Of a pair: simulated if either motion rests on simulated ratings.
+std::string ratings_of(const MotionPair& pair, Motions& motions) {
+  const std::string target = ratings_of(motions.stimulus(pair.target), motions);
+  const std::string created = ratings_of(motions.stimulus(pair.created), motions);
+  return target == "none" ? created : target;
+}
+
+std::vector<ComparedPair> compared_pairs(const Manifest& manifest, Motions& motions) {
+  std::vector<ComparedPair> rows;
+  for (const Sheet& sheet : manifest.sheets)
+    for (const MotionPair& pair : pairs_on(sheet))
+      rows.push_back(
+          {sheet, pair, ratings_of(pair, motions), motions.distance(pair.target, pair.created)});
+  return rows;
+}
+
+std::vector<ComparedJoint> compared_joints(const Manifest& manifest, Motions& motions) {
+  std::vector<ComparedJoint> rows;
+  for (const auto& [sheet, pair, ratings, d] : compared_pairs(manifest, motions))
+    for (int joint = 0; joint < motion::distance_joints; ++joint)
+      for (int time = 0; time < motion::distance_times; ++time)
+        rows.push_back({sheet, pair, ratings, motion::BodyJoint(joint + 1),
+                        time / (motion::distance_times - 1.0), d.by_joint_and_time(joint, time)});
+  return rows;
+}
+
+std::vector<ComparedFeature> compared_features(const Manifest& manifest, Motions& motions) {
+  std::vector<ComparedFeature> rows;
+  for (const Sheet& sheet : manifest.sheets)
+    for (const motion::FeatureChange& change : feature_changes(sheet, motions))
+      rows.push_back({sheet, ratings_of({sheet.target, sheet.created}, motions), change});
+  return rows;
+}
+
+}  // namespace
+
+const StudyTable distances_table = study_table<distances_columns, compared_pairs>;
+const StudyTable joint_distances_table = study_table<joint_distances_columns, compared_joints>;
+const StudyTable feature_changes_table = study_table<feature_changes_columns, compared_features>;
+
+}  // namespace mien::pipeline

@@ -1,0 +1,27 @@
+// The columns of the tables that pages write. Made from the tables that C++ declares: a test
+// (declared_tables_test.cpp) prints this file as it must be where it is not.
+
+export const answerColumns = [
+  "participant", "session", "trial", "block", "kind", "stimulus",
+  "stimulus_sha256", "against", "item", "value_raw", "value", "pole_left",
+  "rt_ms", "is_practice", "is_warmup", "is_catch", "expected", "passed",
+  "replays", "trial_ms", "play_start_ms", "ended_ms", "stalls", "stall_ms",
+  "dropped_frames", "blurs", "viewport_width", "viewport_height", "refresh_hz", "comment",
+  "seed", "design", "simulated",
+] as const;
+
+export const participantColumns = [
+  "participant", "session", "design", "consented_at", "finished",
+] as const;
+
+export const trialColumns = [
+  "participant", "target", "interface", "first_guess_d", "time_s", "success",
+  "simulated", "trial", "d", "guess_s", "attempt", "session",
+  "design", "limit_s", "threshold_m",
+] as const;
+
+export const changeColumns = [
+  "participant", "trial", "target", "interface", "is_practice", "attempt",
+  "time_s", "step", "action", "slider", "value", "d",
+  "simulated",
+] as const;

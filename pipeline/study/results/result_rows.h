@@ -1,0 +1,104 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/base/documents/p_value.h"
+#include "pipeline/study/results/result_tables.h"
+
+namespace mien::pipeline {
+
+/// A result with the study that it is of.
+template <class Result>
+struct ResultRow {
+  const Gathered& in;
+  const Result& of;
+
+  const ReportedStimulus& stimulus() const { return in.stimuli[of.stimulus]; }
+  const Scale& scale() const { return in.scales[of.scale]; }
+};
+
+/// As ColumnOf; numbers are rounded as measured ones are (field_of).
+template <class Row>
+struct ResultColumn : ColumnOf<Row> {
+  constexpr ResultColumn() = default;
+
+  template <class From>
+  constexpr ResultColumn(std::string_view column, std::string_view of_unit, std::string_view means,
+                         From)
+      : ColumnOf<Row>(column, of_unit, means, [](const Row& row) { return rounded(From{}(row)); }) {
+  }
+
+  template <class From>
+  constexpr ResultColumn(const SharedColumn<From>& shared)
+      : ResultColumn(shared.name, shared.unit, shared.meaning, shared.from) {}
+
+ private:
+  static std::string rounded(double number) { return field_of(number); }
+  static auto rounded(const auto& value) { return value; }
+};
+
+/// A table of results, its path relative to the folder of the report; `ending` are its last
+/// columns.
+template <class Row, std::size_t count, std::size_t more = 0>
+constexpr Table<Row, count + more> result_table(
+    std::string_view path, std::string_view rows, const ResultColumn<Row> (&columns)[count],
+    const std::array<ResultColumn<Row>, more>& ending = {}) {
+  std::array<ResultColumn<Row>, count + more> all;
+  std::ranges::copy(columns, all.begin());
+  std::ranges::copy(ending, all.begin() + count);
+  return {path, rows, all};
+}
+
+/// Adds the table, unless it has no rows.
+template <class Row, std::size_t count>
+void add_table(const Table<Row, count>& table, const std::vector<Row>& rows, bool simulated,
+               std::vector<WrittenTable>& tables) {
+  if (rows.empty()) return;
+  std::vector<std::string> header = header_of(table.form());
+  if (simulated) header.emplace_back("simulated");
+  CsvWriter writer(header);
+  for (const Row& row : rows) {
+    std::vector<std::string> fields = table.fields_of(row);
+    if (simulated) fields.emplace_back("1");
+    writer.row(fields);
+  }
+  tables.push_back({table.form(), writer.text()});
+}
+
+/// The same of ResultRow{gathered, result} for each of `results`.
+template <class Row, std::size_t count>
+void add_results(const Table<Row, count>& table, const auto& results, const Gathered& gathered,
+                 std::vector<WrittenTable>& tables) {
+  std::vector<Row> rows;
+  for (const auto& result : results) rows.push_back({gathered, result});
+  add_table(table, rows, gathered.simulated, tables);
+}
+
+// Columns that several tables have.
+
+inline constexpr SharedColumn stimulus_column = {"stimulus", "", "the stimulus",
+                                                 [](auto& r) { return r.stimulus().id; }};
+inline constexpr SharedColumn made_column = {"made", "",
+                                             "level of the factor made: acted, modified, as-is",
+                                             [](auto& r) { return r.stimulus().made; }};
+inline constexpr SharedColumn emotion_column = {"emotion", "", "level of the factor emotion",
+                                                [](auto& r) { return r.stimulus().emotion; }};
+inline constexpr SharedColumn setting_column = {
+    "setting", "", "levels of the other factors, within which is compared",
+    [](auto& r) { return r.stimulus().setting; }};
+inline constexpr SharedColumn scale_column = {"scale", "", "the scale",
+                                              [](auto& r) { return r.scale().id; }};
+inline constexpr SharedColumn adjusted_column = {"p_adjusted", "",
+                                                 "p corrected for the number of rows of its kind",
+                                                 [](auto& r) { return p_of_table(r.of.adjusted); }};
+
+/// Of comparisons.
+void add_comparisons(const Results& results, std::vector<WrittenTable>& tables);
+/// Of participants, what they wrote, and catch trials.
+void add_participants(const Results& results, std::vector<WrittenTable>& tables);
+
+}  // namespace mien::pipeline
