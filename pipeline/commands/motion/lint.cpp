@@ -137,17 +137,16 @@ struct FileFinding {
 constexpr auto findings_columns = table_of<FileFinding>(
     "findings.csv", "a finding",
     {{"motion", "", "name of the file", [](auto& r) { return r.motion; }},
-     {"check", "", "rule of the lint", [](auto& r) { return r.found.check; }},
-     {"joint", "", "joint of the body; empty where none is meant",
-      [](auto& r) { return r.found.joint; }},
+     {"check", "", "lint rule", [](auto& r) { return r.found.check; }},
+     {"joint", "", "joint; empty if none is concerned", [](auto& r) { return r.found.joint; }},
      {"first", "", "first frame", [](auto& r) { return r.found.first; }},
      {"last", "", "last frame", [](auto& r) { return r.found.last; }},
-     {"measured", "see unit", "what was measured", [](auto& r) { return r.found.measured; }},
-     {"threshold", "see unit", "what the rule allows", [](auto& r) { return r.found.threshold; }},
-     {"unit", "", "unit of the two", [](auto& r) { return r.found.unit; }},
+     {"measured", "see unit", "measured value", [](auto& r) { return r.found.measured; }},
+     {"threshold", "see unit", "limit of the rule", [](auto& r) { return r.found.threshold; }},
+     {"unit", "", "unit of value and limit", [](auto& r) { return r.found.unit; }},
      {"severity", "", "error or warning",
       [](auto& r) { return motion::name_of(r.found.severity); }},
-     {"sentence", "", "the finding in words", [](auto& r) { return r.found.sentence; }}});
+     {"sentence", "", "description of the finding", [](auto& r) { return r.found.sentence; }}});
 
 void show_csv(const std::vector<LintedFile>& all, const Console& console) {
   std::vector<FileFinding> rows;

@@ -128,7 +128,7 @@ void show_checks(const FeatureRegression& regression, const Console& console) {
   console.out << fmt::format("{} examples, {} features{}\n\n", regression.examples.size(),
                              regression.features.size(),
                              regression.simulated ? ", simulated ratings" : "");
-  console.out << fmt::format("{:22} {:>9} {:>8} {:>8} {:>8}\n", "parameter", "left out", "error",
+  console.out << fmt::format("{:22} {:>9} {:>8} {:>8} {:>8}\n", "parameter", "excluded", "error",
                              "of mean", "R²");
   for (const ParameterRegression& parameter : regression.parameters) {
     for (const PredictionCheck& check : parameter.checks) {

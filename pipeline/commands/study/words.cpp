@@ -52,7 +52,7 @@ constexpr auto not_understood_columns = words_table("not_understood.csv");
 constexpr auto respelled_columns = words_table("respelled.csv");
 
 constexpr auto stimulus_counts_columns = table_of<StimulusCount>(
-    "answers_a_stimulus.csv", "a stimulus",
+    "answers_a_stimulus.csv", "stimulus",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      {"answers", "", "answers in a language of the lexicon", [](auto& r) { return r.answers; }},
      {"understood", "", "of these, that place it on a scale",

@@ -210,7 +210,8 @@ class QuestionnaireCheck {
       const std::string& id = asked_.demographics[i].id;
       const std::string path = member_path(element_path(at("demographics"), i), "id");
       if (find_column(participant_form, id) != nullptr)
-        list_.add(path, "the table of participants has a column of that name", "name it otherwise");
+        list_.add(path, "the table of participants has a column with this name",
+                  "use another name");
       if (!id.empty() && !taken.insert(id).second)
         list_.add(path, motion::in_quotes(id) + " is already the id of another question",
                   "give each a different one");

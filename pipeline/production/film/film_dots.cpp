@@ -45,22 +45,21 @@ struct SeenDot {
 };
 
 constexpr auto dots_columns = table_of<SeenDot>(
-    "clips/<stimulus>.dots.csv", "a frame and dot of a point-light figure",
+    "clips/<stimulus>.dots.csv", "frame and dot of a point-light figure",
     {{"frame", "", "frame of the film, counted from 0", [](auto& r) { return r.frame; }},
      {"time_s", "s", "time of the frame", [](auto& r) { return r.time_s; }},
      {"dot", "", "number of the dot, counted from 0; the same in all frames",
       [](auto& r) { return r.number; }},
-     {"kind", "", "the joint's name, limb, noise or mask", [](auto& r) { return r.dot.kind; }},
+     {"kind", "", "joint name, limb, noise or mask", [](auto& r) { return r.dot.kind; }},
      {"x_px", "pixels", "centre of the dot from the left edge; empty behind the camera",
       [](auto& r) { return r.pixels(0); }},
      {"y_px", "pixels", "centre of the dot from the upper edge, downwards",
       [](auto& r) { return r.pixels(1); }},
-     {"x_m", "m", "place in the world: to the figure's left", [](auto& r) { return r.at.x(); }},
-     {"y_m", "m", "place in the world: up", [](auto& r) { return r.at.y(); }},
-     {"z_m", "m", "place in the world: the way that the figure walks",
-      [](auto& r) { return r.at.z(); }},
-     {"visible", "0/1", "1: within the eye's picture", [](auto& r) { return r.is_visible; }},
-     {"eye", "", "both; of a stereo pair left and right, a row each",
+     {"x_m", "m", "world position: to the figure's left", [](auto& r) { return r.at.x(); }},
+     {"y_m", "m", "world position: up", [](auto& r) { return r.at.y(); }},
+     {"z_m", "m", "world position: in the walking direction", [](auto& r) { return r.at.z(); }},
+     {"visible", "0/1", "1: inside the eye's image", [](auto& r) { return r.is_visible; }},
+     {"eye", "", "both; for a stereo pair left or right, one row each",
       [](auto& r) { return r.eye; }}});
 
 /// The rows of one frame of an actor's dots, counted from `first` on, as one eye sees them.

@@ -217,15 +217,15 @@ struct ExposedFilm {
 };
 
 constexpr auto exposure_columns = table_of<ExposedFilm>(
-    "metrics/exposure.csv", "a stimulus, where luminance is equalized",
+    "metrics/exposure.csv", "stimulus, if luminance is equalized",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
-     {"mean_luminance", "0–1", "relative luminance, linear, of a few frames as they would be",
+     {"mean_luminance", "0–1", "relative luminance (linear) of sampled frames before equalizing",
       [](auto& r) { return std::round(1e6 * r.found.mean) / 1e6; }},
      {"wanted_luminance", "0–1",
-      "that of all films: the geometric mean of these, in which point lights that share an "
-      "exposure count by their mean",
+      "luminance of all films: the geometric mean of these; point-light films that share an "
+      "exposure enter by their mean",
       [](auto& r) { return std::round(1e6 * r.found.wanted) / 1e6; }},
-     {"exposure_stops", "stops", "exposure that is added: 1 doubles the light, −1 halves it",
+     {"exposure_stops", "stops", "exposure compensation: 1 doubles the light, −1 halves it",
       [](auto& r) { return r.found.stops; }}});
 
 void refuse(std::vector<Fault> faults) {

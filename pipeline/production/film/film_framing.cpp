@@ -35,11 +35,11 @@ struct EqualizedSize {
 };
 
 constexpr auto sizes_columns = table_of<EqualizedSize>(
-    "metrics/sizes.csv", "a stimulus, where size is equalized",
+    "metrics/sizes.csv", "stimulus, if size is equalized",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
-     {"framed_px", "pixels", "height of the standing figure where its camera would show it",
+     {"framed_px", "pixels", "height of the standing figure before equalizing",
       [](auto& r) { return in_hundredths(r.framed_px); }},
-     {"figure_px", "pixels", "height that it has in all films: the least of these",
+     {"figure_px", "pixels", "height in all films: the smallest of these",
       [](auto& r) { return r.figure_px; }}});
 
 struct EqualizedPlace {
@@ -49,17 +49,17 @@ struct EqualizedPlace {
 };
 
 constexpr auto places_columns = table_of<EqualizedPlace>(
-    "metrics/places.csv", "a stimulus, where place is equalized",
+    "metrics/places.csv", "stimulus, if place is equalized",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      {"framed_x_px", "pixels",
-      "where its camera would show the middle of its way on the floor, or of a camera that goes "
-      "with it the figure's own place: right of the picture's middle",
+      "horizontal position before equalizing (midpoint of the path on the floor, or, for a camera "
+      "that follows the figure, its own position), to the right of the image centre",
       [](auto& r) { return in_hundredths(r.framed.x()); }},
-     {"framed_y_px", "pixels", "likewise, below the picture's middle",
+     {"framed_y_px", "pixels", "the same vertically, below the image centre",
       [](auto& r) { return in_hundredths(r.framed.y()); }},
-     {"x_px", "pixels", "where that place is in all films, right of the picture's middle",
+     {"x_px", "pixels", "horizontal position in all films, to the right of the image centre",
       [](auto& r) { return r.common[0]; }},
-     {"y_px", "pixels", "likewise, below the picture's middle",
+     {"y_px", "pixels", "the same vertically, below the image centre",
       [](auto& r) { return r.common[1]; }}});
 
 /// Called with the share of the stimuli that were looked at.

@@ -42,40 +42,41 @@ constexpr SharedColumn film_column = {"stimulus", "", "id of the stimulus or ove
                                       [](auto& r) { return r.stimulus; }};
 
 constexpr auto luminance_columns = table_of<MadeFilm>(
-    "metrics/luminance.csv", "a film",
+    "metrics/luminance.csv", "film",
     {film_column,
      {"frames", "",
-      "frames that were looked at: all, or those of the contact sheet where neither frames nor "
-      "videos are written",
+      "number of frames measured: all, or those of the contact sheet if neither frames nor videos "
+      "are written",
       [](auto& r) { return r.record.luminance.frames; }},
-     {"mean_luminance", "0–1", "relative luminance, linear: mean of all pixels and frames",
+     {"mean_luminance", "0–1", "mean relative luminance (linear) over all pixels and frames",
       [](auto& r) { return rounded(r.record.luminance.mean); }},
-     {"sd_luminance", "0–1", "standard deviation over the pixels, mean of the frames",
+     {"sd_luminance", "0–1", "standard deviation over pixels, averaged over frames",
       [](auto& r) { return rounded(r.record.luminance.deviation); }},
-     {"rms_contrast", "", "standard deviation by mean, mean of the frames",
+     {"rms_contrast", "", "RMS contrast: standard deviation divided by mean, averaged over frames",
       [](auto& r) { return rounded(r.record.luminance.rms_contrast); }},
      {"min_frame_luminance", "0–1", "mean luminance of the darkest frame",
       [](auto& r) { return rounded(r.record.luminance.darkest); }},
-     {"max_frame_luminance", "0–1", "mean luminance of the lightest frame",
+     {"max_frame_luminance", "0–1", "mean luminance of the brightest frame",
       [](auto& r) { return rounded(r.record.luminance.lightest); }},
-     {"exposure_stops", "stops", "exposure that was added: 1 doubles the light, −1 halves it",
+     {"exposure_stops", "stops", "exposure compensation: 1 doubles the light, −1 halves it",
       [](auto& r) { return r.record.exposure_stops; }}});
 
 constexpr auto videos_columns = table_of<MadeVideo>(
-    "metrics/videos.csv", "a video",
+    "metrics/videos.csv", "video",
     {{"stimulus", "", "id of the stimulus or overlay", [](auto& r) { return r.of.stimulus; }},
-     {"file", "", "the video, from the study's folder", [](auto& r) { return r.video.file; }},
-     {"format", "", "kind of video, as output.video names it",
-      [](auto& r) { return r.video.format; }},
-     {"frames", "", "frames of the whole video", [](auto& r) { return r.video.frames; }},
+     {"file", "", "path of the video, relative to the study folder",
+      [](auto& r) { return r.video.file; }},
+     {"format", "", "video format, as in output.video", [](auto& r) { return r.video.format; }},
+     {"frames", "", "number of frames of the whole video", [](auto& r) { return r.video.frames; }},
      {"first_film_frame", "",
-      "frame of the video at which the film begins, after card, cross and blank; counted from 0",
+      "first frame of the film within the video, after card, cross and blank; counted from 0",
       [](auto& r) { return r.of.record.first_film_frame; }},
-     {"film_frames", "", "frames of the film", [](auto& r) { return r.of.record.film_frames; }},
-     {"fps", "1/s", "frames a second", [](auto& r) { return r.video.fps; }},
+     {"film_frames", "", "number of frames of the film",
+      [](auto& r) { return r.of.record.film_frames; }},
+     {"fps", "1/s", "frames per second", [](auto& r) { return r.video.fps; }},
      {"duration_s", "s", "duration of the whole video",
       [](auto& r) { return rounded(r.video.duration_s); }},
-     {"identical", "0/1", "1: every decoded frame is the frame drawn",
+     {"identical", "0/1", "1: every decoded frame is identical to the rendered frame",
       [](auto& r) { return r.video.identical; }},
      {"worst_psnr_db", "dB", "lowest peak signal-to-noise ratio of a frame; empty where identical",
       [](auto& r) { return r.unless_identical(fmt::format("{:.2f}", r.video.worst_psnr_db)); }},
@@ -89,22 +90,21 @@ constexpr auto videos_columns = table_of<MadeVideo>(
      {"video_hash", "", "XXH3-128 of the file", [](auto& r) { return r.hash; }}});
 
 constexpr auto views_columns = table_of<MadeFilm>(
-    "metrics/views.csv", "a film",
+    "metrics/views.csv", "film",
     {film_column,
-     {"figure_px", "pixels", "height of the standing figure in the picture",
+     {"figure_px", "pixels", "height of the standing figure in the image",
       [](auto& r) { return fmt::format("{:.2f}", r.record.figure_px); }},
      {"visual_degrees", "°",
-      "visual angle of that height on the screen that the camera names; empty without one",
+      "visual angle of that height on the screen described by the camera; empty without one",
       [](auto& r) {
         return r.record.visual_degrees ? fmt::format("{:.3f}", *r.record.visual_degrees) : "";
       }},
      {"figure_x_px", "pixels",
-      "where the figure stands in the picture: the middle of its way on the floor, or of a camera "
-      "that goes with it the figure's own place, how far right of the picture's middle; empty "
-      "where "
-      "it is behind the camera",
+      "horizontal position of the figure, to the right of the image centre: the midpoint of its "
+      "path on the floor, or, for a camera that follows it, its own position; empty behind the "
+      "camera",
       [](auto& r) { return place_of_figure(r.record, 0); }},
-     {"figure_y_px", "pixels", "likewise, below the picture's middle",
+     {"figure_y_px", "pixels", "the same vertically, below the image centre",
       [](auto& r) { return place_of_figure(r.record, 1); }}});
 
 std::vector<MadeVideo> videos_of(const Films& films) {

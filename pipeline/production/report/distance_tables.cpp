@@ -35,78 +35,74 @@ struct ComparedFeature {
   }
 };
 
-constexpr SharedColumn sheet_column = {"sheet", "", "the sheet that compares them",
+constexpr SharedColumn sheet_column = {"sheet", "", "comparison sheet",
                                        [](auto& r) { return r.sheet.id; }};
-constexpr SharedColumn target_column = {"target", "",
-                                        "stimulus or example that is measured against",
+constexpr SharedColumn target_column = {"target", "", "reference stimulus or example",
                                         [](auto& r) { return r.pair.target; }};
-constexpr SharedColumn created_column = {"created", "", "stimulus or example that is measured",
+constexpr SharedColumn created_column = {"created", "", "stimulus or example compared with it",
                                          [](auto& r) { return r.pair.created; }};
 
 constexpr auto distances_columns = table_of<ComparedPair>(
-    "metrics/distances.csv", "a compared pair",
+    "metrics/distances.csv", "compared pair",
     {sheet_column,
      target_column,
      created_column,
      ratings_column,
-     {"alignment", "", "pelvis: place and heading of the body are taken out; world: they are not",
+     {"alignment", "", "pelvis: position and heading of the body removed; world: kept",
       [](auto& r) { return r.d.alignment == motion::Alignment::pelvis ? "pelvis" : "world"; }},
      {"d_m", "m",
-      "D: mean distance over 20 joints and 11 corresponding moments; feet of motion files are "
-      "settled first, as those of blends are",
+      "D: mean distance over 20 joints and 11 corresponding moments; planted feet of motion files "
+      "are locked to the floor first, as in blends",
       [](auto& r) { return r.d.mean; }},
-     {"d_sum_m", "m", "the same distances summed, as the formula is printed",
+     {"d_sum_m", "m", "sum of the same distances, as in the published formula",
       [](auto& r) { return r.d.sum; }},
-     {"mpjpe_m", "m", "mean distance of the joints over all frames",
+     {"mpjpe_m", "m", "mean joint distance over all frames (MPJPE)",
       [](auto& r) { return r.d.mpjpe; }},
      {"threshold_m", "m",
-      "a trial of the adjective paper's matching task ends when D is below this",
+      "threshold of D at which a trial of the adjective paper's matching task ends",
       [](auto&) { return motion::distance_threshold_m; }},
      {"match", "0/1",
-      "1: D is below the threshold of the adjective paper's matching task, which says nothing of "
-      "single joints, of durations and of whether people see a difference; empty for what a "
-      "gallery sets side by side",
+      "1: D is below the threshold of the adjective paper's matching task, which does not consider "
+      "single joints, durations or perceptibility; empty for gallery sheets",
       [](auto& r) {
         return r.sheet.gallery.empty() ? std::optional(r.d.matches()) : std::nullopt;
       }}});
 
 constexpr auto joint_distances_columns = table_of<ComparedJoint>(
-    "metrics/joint_distances.csv", "a compared pair, joint and time",
+    "metrics/joint_distances.csv", "compared pair, joint and time",
     {sheet_column,
      target_column,
      created_column,
      ratings_column,
-     {"joint", "", "joint of the body", [](auto& r) { return motion::name_of(r.joint); }},
-     {"time", "0–1", "moment, as a share of the duration", [](auto& r) { return r.time; }},
-     {"distance_m", "m", "distance of the joint from where the target has it",
+     {"joint", "", "joint", [](auto& r) { return motion::name_of(r.joint); }},
+     {"time", "0–1", "time, as a fraction of the duration", [](auto& r) { return r.time; }},
+     {"distance_m", "m", "distance of the joint from its position in the target",
       [](auto& r) { return r.distance_m; }}});
 
 constexpr auto feature_changes_columns = table_of<ComparedFeature>(
-    "metrics/feature_changes.csv", "a comparison with a reference and a feature",
+    "metrics/feature_changes.csv", "comparison with a reference, and feature",
     {sheet_column,
-     {"reference", "", "stimulus or example that both are held against",
-      [](auto& r) { return r.sheet.reference; }},
-     {"target", "", "stimulus or example that shows the way",
-      [](auto& r) { return r.sheet.target; }},
-     {"created", "", "stimulus or example that should go the same way",
+     {"reference", "", "reference stimulus or example", [](auto& r) { return r.sheet.reference; }},
+     {"target", "", "target stimulus or example", [](auto& r) { return r.sheet.target; }},
+     {"created", "", "stimulus or example that should change in the same direction",
       [](auto& r) { return r.sheet.created; }},
      ratings_column,
      {"feature", "", "id of the motion feature", [](auto& r) { return r.feature().id; }},
      {"name", "", "English name", [](auto& r) { return r.feature().name; }},
      {"name_ja", "", "Japanese name", [](auto& r) { return r.feature().japanese; }},
-     {"unit", "", "unit of the three numbers",
+     {"unit", "", "unit of the following three values",
       [](auto& r) { return motion::symbol_of(r.feature().unit); }},
-     {"reference_value", "see unit", "the feature of the reference",
+     {"reference_value", "see unit", "value of the reference",
       [](auto& r) { return r.change.reference; }},
-     {"target_change", "see unit", "target minus reference: positive where the target has more",
+     {"target_change", "see unit", "target minus reference",
       [](auto& r) { return r.change.target_change(); }},
-     {"created_change", "see unit",
-      "created minus reference: positive where the created motion has more",
+     {"created_change", "see unit", "created motion minus reference",
       [](auto& r) { return r.change.created_change(); }},
      {"moved", "0/1", "1: the target differs measurably from the reference",
       [](auto& r) { return r.change.moved(); }},
      {"agrees", "0/1",
-      "1: the created motion differs measurably the same way; empty where the target has not moved",
+      "1: the created motion differs measurably in the same direction; empty if the target does "
+      "not differ",
       [](auto& r) { return r.change.moved() ? std::optional(r.change.agrees()) : std::nullopt; }}});
 
 /// Of a pair: simulated if either motion rests on simulated ratings.

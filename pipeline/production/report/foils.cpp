@@ -82,24 +82,25 @@ struct FoilAspectRow {
 };
 
 constexpr auto foils_columns = table_of<FoilAspectRow>(
-    "metrics/foils.csv", "a foil and aspect",
+    "metrics/foils.csv", "foil and aspect",
     {{"foil", "", "id of the foil", [](auto& r) { return r.id; }},
-     {"of", "", "id of the stimulus that it is a foil of", [](auto& r) { return r.foil.of; }},
-     {"differ", "", "aspect in which the two are meant to differ",
+     {"of", "", "id of the stimulus of which it is a foil", [](auto& r) { return r.foil.of; }},
+     {"differ", "", "aspect in which the two are intended to differ",
       [](auto& r) { return name_of(r.foil.differ); }},
      {"aspect", "", "aspect of this row: posture, path-length, speed or acceleration",
       [](auto& r) { return name_of(r.certified.aspect); }},
-     {"measure", "", "what was measured of both finished motions, with its unit",
+     {"measure", "", "measure compared between the two finished motions, with its unit",
       [](auto& r) { return r.certified.measure; }},
-     {"of_value", "see measure", "of the stimulus; empty where only the difference is known",
+     {"of_value", "see measure", "value of the stimulus; empty if only the difference is known",
       [](auto& r) { return r.certified.of_value; }},
-     {"foil_value", "see measure", "of the foil", [](auto& r) { return r.certified.foil_value; }},
+     {"foil_value", "see measure", "value of the foil",
+      [](auto& r) { return r.certified.foil_value; }},
      {"difference", "° or share",
-      "of the posture the largest turn of a joint, degrees; otherwise the foil's value by the "
-      "other's, minus 1",
+      "for posture, the largest difference of a joint rotation in degrees; otherwise the ratio of "
+      "the foil's value to the stimulus's, minus 1",
       [](auto& r) { return r.certified.difference; }},
      {"is_held", "0/1",
-      "1: the difference is below 2°, or 0.05; empty for the aspect that is meant to differ",
+      "1: the difference is below 2°, or 0.05; empty for the aspect intended to differ",
       [](auto& r) {
         return r.certified.aspect == r.foil.differ ? std::nullopt
                                                    : std::optional(r.certified.is_held());

@@ -59,85 +59,87 @@ struct FoundFault {
 };
 
 constexpr auto weights_columns = table_of<BlendedExample>(
-    "metrics/weights.csv", "a stimulus and example",
+    "metrics/weights.csv", "stimulus and example",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      ratings_column,
-     {"example", "", "label of the example", [](auto& r) { return r.example; }},
+     {"example", "", "example label", [](auto& r) { return r.example; }},
      {"weight", "",
-      "its share of the blend; the shares of a stimulus sum to 1 (a statistical model's may be "
+      "blend weight; the weights of a stimulus sum to 1 (those of a statistical model may be "
       "negative)",
       [](auto& r) { return r.weight; }}});
 
 constexpr auto clips_columns = table_of<MadeClip>(
-    "metrics/clips.csv", "a stimulus",
+    "metrics/clips.csv", "stimulus",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus.id; }},
      {"role", "", "target, created or reference", [](auto& r) { return name_of(r.stimulus.role); }},
      ratings_column,
-     {"source", "", "what the motion is made from: adjectives, features, weights or clip",
+     {"source", "", "source of the motion: adjectives, features, weights or clip",
       [](auto& r) { return source_of(r.stimulus); }},
-     {"frames", "", "frames of what is shown, all cycles", [](auto& r) { return r.frames; }},
-     {"duration_s", "s", "duration of what is shown",
+     {"frames", "", "number of frames shown, over all cycles", [](auto& r) { return r.frames; }},
+     {"duration_s", "s", "duration shown, over all cycles",
       [](auto& r) { return r.frames / r.clip().frames_per_second; }},
-     {"fps", "1/s", "frames a second", [](auto& r) { return r.clip().frames_per_second; }},
-     {"cycle_s", "s", "duration of one cycle; empty where nothing loops",
+     {"fps", "1/s", "frames per second", [](auto& r) { return r.clip().frames_per_second; }},
+     {"cycle_s", "s", "duration of one cycle; empty for motions that do not loop",
       [](auto& r) { return r.of_cycle(r.duration()); }},
-     {"stride_m", "m", "way over the floor in one cycle; empty where nothing loops",
+     {"stride_m", "m",
+      "stride length: distance travelled in one cycle; empty for motions that do not loop",
       [](auto& r) { return r.of_cycle(r.way()); }},
-     {"speed_m_s", "m/s", "way over the floor by the time that it takes",
+     {"speed_m_s", "m/s", "mean speed over the floor",
       [](auto& r) { return r.way() / r.duration(); }},
-     {"planted_drift_m", "m", "farthest that a planted foot slides",
+     {"planted_drift_m", "m", "largest displacement of a planted foot",
       [](auto& r) { return shortest_measured(r.made.planted_drift_m); }},
      {"method", "",
-      "how the shares of the examples were found: a method of interpolation, or direct for given "
-      "weights; empty for a file",
+      "interpolation method by which blend weights were found, or direct for given weights; empty "
+      "for a file",
       [](auto& r) { return r.method; }},
-     {"expected_error_m", "m", "how far joints may be off, where the method tells (kriging)",
+     {"expected_error_m", "m",
+      "expected error of joint positions, where the method estimates it (kriging)",
       [](auto& r) { return r.made.expected_error_m; }},
-     {"modified", "", "what was done to the motion; empty for nothing",
+     {"modified", "", "modifications applied to the motion; empty for none",
       [](auto& r) { return r.made.modified; }},
      {"modified_share", "0–1",
-      "share of the strengths asked for that was kept: below 1 where on_fault reduced them",
+      "proportion of the requested modification strength that was applied; below 1 where on_fault "
+      "reduced it",
       [](auto& r) { return r.made.modified.empty() ? NAN : r.made.modified_share; }}});
 
 constexpr auto parameters_columns = table_of<ParameterRow>(
-    "metrics/parameters.csv", "a stimulus and parameter: first those asked for, then all others",
+    "metrics/parameters.csv", "stimulus and parameter: first the requested ones, then all others",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      ratings_column,
      {"parameter", "", "scale, group of scales or motion feature", [](auto& r) { return r.name; }},
-     {"asked", "0–1", "what the stimulus asks for; empty where it asks for nothing",
-      [](auto& r) { return r.asked; }},
-     {"held", "0–1", "where the stimulus holds it; empty where it does not",
+     {"asked", "0–1", "requested value; empty if none", [](auto& r) { return r.asked; }},
+     {"held", "0–1", "value at which the parameter is held; empty if it is not held",
       [](auto& r) { return r.held; }},
      {"reached", "0–1",
-      "what the motion has: 0 the low end of the scale, 1 the high end; of features 0 the smallest "
-      "of the examples, 1 the largest; of a modified motion as it was before",
+      "value reached: 0 low end of the scale, 1 high end; for features 0 smallest and 1 largest of "
+      "the examples; for a modified motion, before modification",
       [](auto& r) { return shortest_measured(r.reached); }},
      {"least", "0–1",
-      "least that blends of the examples can have of what is asked for, the other wishes met",
+      "lower end of the feasible range: the least that blends of the examples reach with the other "
+      "requested parameters met",
       [](auto& r) { return r.possible ? r.possible->least : NAN; }},
-     {"most", "0–1", "most that they can have of it",
+     {"most", "0–1", "upper end of the feasible range",
       [](auto& r) { return r.possible ? r.possible->most : NAN; }},
      {"name", "", "English name: \"sad – happy\", low end first",
       [](auto& r) { return english_text(r.label); }},
      {"name_ja", "", "Japanese name", [](auto& r) { return japanese_text(r.label); }}});
 
 constexpr auto findings_columns = table_of<FoundFault>(
-    "metrics/findings.csv", "a finding of the lint",
+    "metrics/findings.csv", "lint finding",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
-     {"check", "", "rule of the lint", [](auto& r) { return r.finding.check; }},
+     {"check", "", "lint rule", [](auto& r) { return r.finding.check; }},
      {"severity", "", "error or warning",
       [](auto& r) { return motion::name_of(r.finding.severity); }},
-     {"joint", "", "joint of the body; empty where none is meant",
-      [](auto& r) { return r.finding.joint; }},
-     {"first_frame", "", "first frame of the finding, in one cycle or the whole clip",
+     {"joint", "", "joint; empty if none is concerned", [](auto& r) { return r.finding.joint; }},
+     {"first_frame", "", "first frame of the finding, within one cycle or the whole clip",
       [](auto& r) { return r.finding.first; }},
      {"last_frame", "", "last frame of the finding", [](auto& r) { return r.finding.last; }},
      {"first_s", "s", "time of the first frame", [](auto& r) { return r.finding.first / r.fps; }},
      {"last_s", "s", "time of the last frame", [](auto& r) { return r.finding.last / r.fps; }},
-     {"measured", "see unit", "what was measured", [](auto& r) { return r.finding.measured; }},
-     {"threshold", "see unit", "what the rule allows", [](auto& r) { return r.finding.threshold; }},
-     {"unit", "", "unit of the two", [](auto& r) { return r.finding.unit; }},
-     {"sentence", "", "the finding in words", [](auto& r) { return r.finding.sentence; }}});
+     {"measured", "see unit", "measured value", [](auto& r) { return r.finding.measured; }},
+     {"threshold", "see unit", "limit of the rule", [](auto& r) { return r.finding.threshold; }},
+     {"unit", "", "unit of value and limit", [](auto& r) { return r.finding.unit; }},
+     {"sentence", "", "description of the finding", [](auto& r) { return r.finding.sentence; }}});
 
 std::vector<BlendedExample> blended_examples(const Manifest& manifest, Motions& motions) {
   std::vector<BlendedExample> rows;

@@ -42,8 +42,8 @@ extern const StudyTable expectations_table;
 /// "whose ratings the motion rests on", of an `r.ratings`.
 inline constexpr SharedColumn ratings_column = {
     "ratings", "",
-    "whose ratings the motion rests on: given (by people), simulated, or none (features, weights, "
-    "files)",
+    "ratings on which the motion is based: given (by people), simulated or none (features, "
+    "weights, files)",
     [](auto& r) { return r.ratings; }};
 
 }  // namespace mien::pipeline

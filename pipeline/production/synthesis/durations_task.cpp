@@ -21,10 +21,10 @@ struct FilmDuration {
 };
 
 constexpr auto durations_columns = table_of<FilmDuration>(
-    "metrics/durations.csv", "a stimulus, where duration is equalized",
+    "metrics/durations.csv", "stimulus, if duration is equalized",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
-     {"own_s", "s", "how long its film would be by itself", [](auto& r) { return r.own_s; }},
-     {"duration_s", "s", "how long all films are, to their nearest frame: the least of these",
+     {"own_s", "s", "duration of its film before equalizing", [](auto& r) { return r.own_s; }},
+     {"duration_s", "s", "duration of all films, to the nearest frame: the shortest of these",
       [](auto& r) { return r.common_s; }}});
 
 std::string durations_csv(const Manifest& manifest, Motions& motions) {

@@ -79,7 +79,7 @@ constexpr SharedColumn ratings_column = {
     [](auto& r) { return given_or_simulated(r.all.impressions.simulated); }};
 
 constexpr auto quantification_columns = table_of<ScaleQuantity>(
-    "quantification.csv", "a scale",
+    "quantification.csv", "scale",
     {{"scale", "", "id of the scale", [](auto& r) { return r.scale.id; }},
      {"low", "", "name of its low end", [](auto& r) { return r.scale.low; }},
      {"high", "", "name of its high end", [](auto& r) { return r.scale.high; }},
@@ -143,14 +143,14 @@ constexpr auto clusters_columns = table_of<ClusteredScale>(
 constexpr auto primary_columns = table_of<PrimaryImpression>(
     "primary.csv", "a cluster and example: the matrix A′",
     {{"primary", "", "name of the cluster", [](auto& r) { return r.of.name; }},
-     {"example", "", "label of the example",
+     {"example", "", "example label",
       [](auto& r) { return r.all.impressions.examples[static_cast<size_t>(r.example)]; }},
      ratings_column,
      {"impression", "0–1", "mean over the cluster's scales: 0 the low end, 1 the high end",
       [](auto& r) { return r.of.mean[r.example]; }}});
 
 constexpr auto agreement_columns = table_of<ScaleAgreement>(
-    "agreement.csv", "a scale",
+    "agreement.csv", "scale",
     {{"scale", "", "id of the scale", [](auto& r) { return r.all.impressions.scales[r.row]; }},
      ratings_column,
      {"raters", "", "people who rated any example", [](auto& r) { return r.of().all.raters; }},
@@ -167,7 +167,7 @@ constexpr auto agreement_columns = table_of<ScaleAgreement>(
 std::optional<int> counted(int n) { return n > 0 ? std::optional(n) : std::nullopt; }
 
 constexpr auto warnings_columns = table_of<StudyWarning>(
-    "warnings.csv", "a warning",
+    "warnings.csv", "warning",
     {{"kind", "", "kind of warning", [](auto& r) { return r.kind; }},
      {"file", "", "the file that it is about", [](auto& r) { return r.place.file; }},
      {"line", "", "its line, from 1; empty: the whole file",

@@ -111,7 +111,7 @@ constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
 std::vector<MadeParameter> read_made_parameters(const fs::path& study) {
   if (!fs::exists(study))
     throw Error("there is no study in " + study.string(),
-                "name the folder of a study that was run, as out/my-study");
+                "name the folder of a finished study, such as out/my-study");
   const CsvTable table = read_csv(parameters_file(study));
   const auto column = [&](const char* name) {
     return static_cast<std::size_t>(require_column(table, name));

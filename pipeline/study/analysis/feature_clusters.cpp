@@ -119,7 +119,7 @@ constexpr auto clusters_of_features = table_of<ClusteredFeature>(
 constexpr auto scaled_columns = table_of<ScaledFeature>(
     "features.csv", "a feature and example",
     {{"feature", "", "id of the motion feature", [](auto& r) { return r.feature; }},
-     {"example", "", "label of the example", [](auto& r) { return r.example; }},
+     {"example", "", "example label", [](auto& r) { return r.example; }},
      {"scaled", "", "0–1 over the examples, or z scores", [](auto& r) { return r.scaled; }}});
 
 /// Rows of min–max scaled values as z scores, which differ from them by origin and unit only.

@@ -126,7 +126,7 @@ constexpr auto left_out_columns = table_of<LeftOutExample>(
     {parameter_column,
      whose_ratings_column,
      left_out_column,
-     {"example", "", "label of the example", [](auto& r) { return r.all.examples[r.example]; }},
+     {"example", "", "example label", [](auto& r) { return r.all.examples[r.example]; }},
      {"observed", "0–1", "its rating", [](auto& r) { return r.at(r.parameter.observed); }},
      {"predicted", "0–1", "from the features, without it in the fit",
       [](auto& r) { return r.at(r.check.predictions.predicted); }},

@@ -40,7 +40,7 @@ constexpr auto means_columns = table_of<MeanRow>(
      target_column,
      sessions_column,
      {"n", "", "values", [](auto& r) { return r.of.n; }},
-     {"mean", "m or s", "their mean", [](auto& r) { return r.of.mean; }},
+     {"mean", "m or s", "mean of those answers", [](auto& r) { return r.of.mean; }},
      {"sd", "m or s", "their standard deviation, n − 1", [](auto& r) { return r.of.sd; }}});
 
 constexpr auto shares_columns = table_of<ShareRow>(
@@ -51,11 +51,11 @@ constexpr auto shares_columns = table_of<ShareRow>(
      {"guesses", "", "blind guesses", [](auto& r) { return r.of.guesses; }},
      {"near_guesses", "", "of these with D below the threshold",
       [](auto& r) { return r.of.near_guesses; }},
-     {"near_share", "0–1", "their share",
+     {"near_share", "0–1", "proportion of identical answers",
       [](auto& r) { return share(r.of.near_guesses, r.of.guesses); }},
      {"trials", "", "trials", [](auto& r) { return r.of.trials; }},
      {"failures", "", "of these without a match", [](auto& r) { return r.of.failures; }},
-     {"failure_share", "0–1", "their share",
+     {"failure_share", "0–1", "proportion of identical answers",
       [](auto& r) { return share(r.of.failures, r.of.trials); }}});
 
 constexpr auto time_saved_columns = table_of<ComparedRow>(
@@ -67,9 +67,10 @@ constexpr auto time_saved_columns = table_of<ComparedRow>(
      pairs_column,
      {"saved_s", "s", "what the second saves: mean of first less second",
       [](auto& r) { return r.of.difference.mean; }},
-     {"low_90", "s", "lower end of its 90 % interval; empty where all are the same",
+     {"low_90", "s", "lower end of its 90 % interval; empty where all are identical",
       [](auto& r) { return r.of.difference.low(0.9); }},
-     {"high_90", "s", "its upper end", [](auto& r) { return r.of.difference.high(0.9); }}});
+     {"high_90", "s", "upper end of that interval",
+      [](auto& r) { return r.of.difference.high(0.9); }}});
 
 constexpr auto compared_columns = table_of<ComparedRow>(
     "comparisons.csv", "a measure, pair of interfaces and target",

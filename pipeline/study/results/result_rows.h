@@ -80,21 +80,21 @@ void add_results(const Table<Row, count>& table, const auto& results, const Gath
 
 // Columns that several tables have.
 
-inline constexpr SharedColumn stimulus_column = {"stimulus", "", "the stimulus",
+inline constexpr SharedColumn stimulus_column = {"stimulus", "", "stimulus id",
                                                  [](auto& r) { return r.stimulus().id; }};
 inline constexpr SharedColumn made_column = {"made", "",
-                                             "level of the factor made: acted, modified, as-is",
+                                             "level of factor made: acted, modified or as-is",
                                              [](auto& r) { return r.stimulus().made; }};
-inline constexpr SharedColumn emotion_column = {"emotion", "", "level of the factor emotion",
+inline constexpr SharedColumn emotion_column = {"emotion", "", "level of factor emotion",
                                                 [](auto& r) { return r.stimulus().emotion; }};
 inline constexpr SharedColumn setting_column = {
-    "setting", "", "levels of the other factors, within which is compared",
+    "setting", "", "levels of the other factors; comparisons are made within a setting",
     [](auto& r) { return r.stimulus().setting; }};
-inline constexpr SharedColumn scale_column = {"scale", "", "the scale",
+inline constexpr SharedColumn scale_column = {"scale", "", "scale id",
                                               [](auto& r) { return r.scale().id; }};
-inline constexpr SharedColumn adjusted_column = {"p_adjusted", "",
-                                                 "p corrected for the number of rows of its kind",
-                                                 [](auto& r) { return p_of_table(r.of.adjusted); }};
+inline constexpr SharedColumn adjusted_column = {
+    "p_adjusted", "", "p corrected for multiple comparisons over the rows of the same kind",
+    [](auto& r) { return p_of_table(r.of.adjusted); }};
 
 /// Of comparisons.
 void add_comparisons(const Results& results, std::vector<WrittenTable>& tables);

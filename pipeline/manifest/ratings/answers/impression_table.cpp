@@ -23,26 +23,27 @@ struct Impression {
 double rounded(double value) { return std::round(1e9 * value) / 1e9; }
 
 constexpr auto impressions_columns = table_of<Impression>(
-    "metrics/impressions.csv", "a scale and example",
+    "metrics/impressions.csv", "scale and example",
     {{"scale", "", "id of the scale", [](auto& r) { return r.scale.id; }},
      {"low", "", "name of its low end", [](auto& r) { return r.scale.low; }},
      {"high", "", "name of its high end", [](auto& r) { return r.scale.high; }},
-     {"example", "", "label of the example",
+     {"example", "", "example label",
       [](auto& r) { return r.all.examples[static_cast<std::size_t>(r.example)]; }},
-     {"ratings", "", "whose ratings: given (by people) or simulated",
+     {"ratings", "", "source of the ratings: given (by people) or simulated",
       [](auto& r) { return given_or_simulated(r.all.simulated); }},
-     {"answers", "", "how many answers there are; 1 where only a mean was given",
+     {"answers", "", "number of answers; 1 if only a mean was given",
       [](auto& r) { return r.all.count(r.row, r.example); }},
-     {"mean", "0–1", "mean answer as a share of the scale: 0 the low end, 1 the high end",
+     {"mean", "0–1", "mean answer rescaled to 0 (low end) to 1 (high end)",
       [](auto& r) { return r.mean(); }},
      {"sd", "0–1",
-      "standard deviation of the answers (by n, unless study analyze was told otherwise), same "
-      "unit; empty for given means",
+      "standard deviation of the answers on the same scale (divisor n, unless mien study analyze "
+      "was called with another); empty for given means",
       [](auto& r) { return r.deviation(); }},
      {"mean_answer", "scale",
-      "mean answer as it was given: on a scale from −2 to 2 negative towards the low end",
+      "mean answer in the units of the scale; on a scale from −2 to 2, negative towards the low "
+      "end",
       [](auto& r) { return rounded(r.scale.least + r.range() * r.mean()); }},
-     {"sd_answer", "scale", "its standard deviation, same unit; empty for given means",
+     {"sd_answer", "scale", "its standard deviation in the same unit; empty for given means",
       [](auto& r) { return rounded(r.range() * r.deviation()); }}});
 
 }  // namespace

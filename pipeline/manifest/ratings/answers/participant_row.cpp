@@ -5,15 +5,14 @@ namespace mien::pipeline {
 namespace {
 
 constexpr auto participant_columns = table_of<ParticipantRow>(
-    "participants.csv", "a participant",
-    {{"participant", "", "who answered: the place in the design, no name",
+    "participants.csv", "participant",
+    {{"participant", "", "participant id: position in the design, not a name",
       [](auto& r) { return r.participant; }},
-     {"session", "", "random name of the browser session", [](auto& r) { return r.session; }},
-     {"design", "", "hash of the questionnaire that was run", [](auto& r) { return r.design; }},
-     {"consented_at", "", "when the participant agreed (ISO 8601, UTC)",
+     {"session", "", "random id of the browser session", [](auto& r) { return r.session; }},
+     {"design", "", "hash of the questionnaire design", [](auto& r) { return r.design; }},
+     {"consented_at", "", "time of consent (ISO 8601, UTC)",
       [](auto& r) { return r.consented_at; }},
-     {"finished", "", "1 when the participant came to the end",
-      [](auto& r) { return r.has_finished; }},
+     {"finished", "", "1 if the participant finished", [](auto& r) { return r.has_finished; }},
      {"*", "", "answer to the question", [](auto& r) { return r.answers; }}});
 
 }  // namespace

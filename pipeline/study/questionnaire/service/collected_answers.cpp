@@ -42,7 +42,7 @@ struct ParticipantLink {
 };
 
 constexpr auto link_columns =
-    table_of<ParticipantLink>("links.csv", "a participant",
+    table_of<ParticipantLink>("links.csv", "participant",
                               {{"participant", "", "the place in the design",
                                 [](auto& r) { return r.of.session.participant; }},
                                {"link", "", "the address that the participant opens",

@@ -27,7 +27,7 @@ constexpr auto trials_columns = table_of<MatchedTrial>(
      {"guess_s", "s", "time of the blind guess", [](auto& r) { return r.match.guess_s; }},
      {"attempt", "", "of the trial, from 1: more after a reload",
       [](auto& r) { return r.match.attempt; }},
-     {"session", "", "random name of the browser session", [](auto& r) { return r.session; }},
+     {"session", "", "random id of the browser session", [](auto& r) { return r.session; }},
      {"design", "", "hash of the experiment", [](auto& r) { return r.design; }},
      {"limit_s", "s", "time allowed", [](auto& r) { return r.limit_s; }},
      {"threshold_m", "m", "D below which motions match", [](auto& r) { return r.threshold_m; }}});

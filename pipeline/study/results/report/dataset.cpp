@@ -19,13 +19,13 @@ using nlohmann::ordered_json;
 constexpr Column excluded_column = {"excluded", "",
                                     "1 for answers of participants excluded from the report"};
 
-constexpr Column simulated_column = {"simulated", "", "1 for participants whom nobody was"};
+constexpr Column simulated_column = {"simulated", "", "1 for simulated participants"};
 
 constexpr auto stimulus_columns = table_of<ReportedStimulus>(
-    "data/stimuli.csv", "a stimulus",
-    {{"stimulus", "", "the stimulus, as its study names it", [](auto& r) { return r.id; }},
-     {"made", "", "level of the factor made", [](auto& r) { return r.made; }},
-     {"emotion", "", "level of the factor emotion", [](auto& r) { return r.emotion; }},
+    "data/stimuli.csv", "stimulus",
+    {{"stimulus", "", "stimulus id", [](auto& r) { return r.id; }},
+     {"made", "", "level of factor made", [](auto& r) { return r.made; }},
+     {"emotion", "", "level of factor emotion", [](auto& r) { return r.emotion; }},
      {"setting", "", "levels of the other factors", [](auto& r) { return r.setting; }}});
 
 /// Of the table of participants; null of a question.
@@ -164,11 +164,11 @@ std::string codebook_of(const Results& results, const std::vector<WrittenTable>&
   add({paths.answers, answer_form.rows, {&excluded_column, 1}}, paths.answers);
   add(stimulus_columns.form(), paths.stimuli);
   for (const std::string& factor : further_factors(results.gathered))
-    book.push_back({paths.stimuli, "a stimulus", factor, "", "level of the factor " + factor});
+    book.push_back({paths.stimuli, "stimulus", factor, "", "level of the factor " + factor});
   if (!results.demographics.empty()) {
     for (const CsvField& field : results.demographics.table.header) {
       const Column* known = participant_column(field.text);
-      book.push_back({paths.participants, "a participant", field.text, "",
+      book.push_back({paths.participants, "participant", field.text, "",
                       known == nullptr ? "answer to the question " + field.text
                                        : std::string(known->meaning)});
     }
@@ -177,7 +177,7 @@ std::string codebook_of(const Results& results, const std::vector<WrittenTable>&
     add(table.form, table.form.path);
     if (results.gathered.simulated)
       book.push_back({std::string(table.form.path), std::string(table.form.rows), "simulated", "",
-                      "1: reckoned from answers that nobody gave"});
+                      "1: computed from simulated answers"});
   }
   return codebook_csv(book);
 }

@@ -247,7 +247,7 @@ std::string agreement_part(const Results& results) {
              "imputed: ICC(1) comes from the one-way analysis of variance, ICC(2) and ICC(3) from "
              "variance components estimated by fitting constants (Henderson’s method 3), which for "
              "complete data equal the usual mean squares. Cronbach’s α is computed over the "
-             "participants who saw all videos.") +
+             "participants who complete raters videos.") +
          table;
 }
 
@@ -279,7 +279,7 @@ std::string words_html(const Results& results, const PageParts& parts) {
 std::string files_html(const std::vector<WrittenTable>& tables, bool has_scripts) {
   std::string html = "<ul>\n";
   for (const WrittenTable& table : tables)
-    html += fmt::format("<li><a href=\"{0}\">{0}</a>: {1} a row</li>\n", table.form.path,
+    html += fmt::format("<li><a href=\"{0}\">{0}</a>: one row per {1}</li>\n", table.form.path,
                         html_escaped(table.form.rows));
   html +=
       "<li><a href=\"codebook.csv\">codebook.csv</a>: what every column means; <a "
