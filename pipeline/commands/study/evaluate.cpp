@@ -115,16 +115,17 @@ fs::path evaluation_folder(const EvaluateOptions& options) {
   return "out" / fs::path(motion::safe_component(fs::path(file).stem().string(), {file}));
 }
 
-/// Where no first guess tells interfaces apart, because all of them matched.
-void note_easy_targets(const MatchingEvaluation& evaluation, const MatchingResults& results,
-                       const Console& console) {
+/// A ceiling effect: every first guess matched, with every interface.
+void note_ceiling(const MatchingEvaluation& evaluation, const MatchingResults& results,
+                  const Console& console) {
   const auto all_matched = [](const MatchingShare& share) {
     return share.guesses > 0 && share.near_guesses == share.guesses;
   };
   if (evaluation.shares.empty() || !std::ranges::all_of(evaluation.shares, all_matched)) return;
   console.err << fmt::format(
-      "note: every first guess matched, so their shares do not tell the interfaces apart; targets "
-      "farther apart, or a threshold below {:g} m, would\n",
+      "note: every first guess matched, so the shares of matches cannot distinguish the "
+      "interfaces; "
+      "use more distant targets or a threshold below {:g} m\n",
       results.threshold_m);
 }
 
@@ -134,7 +135,7 @@ int run_evaluation(const EvaluateOptions& options, const Console& console) {
   const MatchingEvaluation evaluation = evaluate(results);
   const fs::path folder = evaluation_folder(options);
   write_evaluation(evaluation, results, folder);
-  note_easy_targets(evaluation, results, console);
+  note_ceiling(evaluation, results, console);
   if (options.json) {
     console.out << as_json(evaluation, results.simulated, folder).dump(2) << '\n';
     return exit_done;

@@ -65,7 +65,7 @@ FilmSubject subject_named(const std::string& id, const Manifest& manifest, Motio
 class Rerendering {
  public:
   Rerendering(const FilmSubject& subject, const FramesToRerender& wanted, const Manifest& manifest,
-            const Equalized& alike, const StudyContents& contents, int threads)
+              const Equalized& alike, const StudyContents& contents, int threads)
       : wanted_(wanted),
         contents_(contents),
         output_(subject.film.output),
@@ -217,8 +217,8 @@ std::vector<RerenderedFrame> rerender(const Manifest& manifest, const StudyConte
         done((static_cast<double>(w) + share) / static_cast<double>(wanted.size()),
              wanted[w].film.id);
     };
-    const Rerendering rerendering(subject, wanted[w], manifest, alike.of(wanted[w].film.id), contents,
-                              threads);
+    const Rerendering rerendering(subject, wanted[w], manifest, alike.of(wanted[w].film.id),
+                                  contents, threads);
     for (RerenderedFrame& frame : rerendering.draw(stop, progress))
       result.push_back(std::move(frame));
   }
