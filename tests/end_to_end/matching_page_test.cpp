@@ -14,10 +14,10 @@ namespace mien::test {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 constexpr char no_core[] =
     "no motion core for browsers here: ./mien test makes it where em++ is installed";
-using nlohmann::json;
 
 constexpr char walks_text[] = R"(mien: 1
 study: alike

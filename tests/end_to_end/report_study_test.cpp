@@ -81,11 +81,14 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   const std::string made = (folder.path() / "made").string();
   const std::string bundle = (folder.path() / "frozen.zip").string();
   ASSERT_EQ(run_mien({"run", study, "--out", made}).code, 0);
+  const fs::path beside = bundle + ".part.d";  // a folder of the user's
+  fs::create_directory(beside);
   const Ended frozen = run_mien({"study", "design", study, "-o", (folder.path() / "p.csv").string(),
                                  "--freeze", bundle, "--out", made});
   ASSERT_EQ(frozen.code, 0) << frozen.errors;
   EXPECT_NE(frozen.errors.find("the manifest has no analysis plan"), std::string::npos)
       << frozen.errors;
+  EXPECT_TRUE(fs::is_directory(beside));
   const std::string names = text_of(bundle);  // those of a zip stand in it as they are
   EXPECT_NE(names.find("dummy-report/report.html"), std::string::npos);
   EXPECT_NE(names.find("dummy-report/results/means.csv"), std::string::npos);

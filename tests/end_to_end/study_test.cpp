@@ -139,6 +139,7 @@ TEST(StudyCommands, EvaluateComparesInterfaces) {
   EXPECT_EQ(ended.errors, "");
   const Ended easy =
       run_mien({"study", "evaluate", recorded, "--threshold", "0.2", "-o", out.string()});
+  EXPECT_EQ(easy.code, 0);
   EXPECT_NE(easy.errors.find("note: every first guess matched"), std::string::npos) << easy.errors;
 }
 

@@ -115,9 +115,9 @@ fs::path evaluation_folder(const EvaluateOptions& options) {
   return "out" / fs::path(motion::safe_component(fs::path(file).stem().string(), {file}));
 }
 
-/// Where no first guess tells interfaces apart, because all of them matched.
-void note_easy_targets(const MatchingEvaluation& evaluation, const MatchingResults& results,
-                       const Console& console) {
+/// A ceiling effect: every first guess matched, with every interface.
+void note_ceiling(const MatchingEvaluation& evaluation, const MatchingResults& results,
+                  const Console& console) {
   const auto all_matched = [](const MatchingShare& share) {
     return share.guesses > 0 && share.near_guesses == share.guesses;
   };
@@ -134,7 +134,7 @@ int run_evaluation(const EvaluateOptions& options, const Console& console) {
   const MatchingEvaluation evaluation = evaluate(results);
   const fs::path folder = evaluation_folder(options);
   write_evaluation(evaluation, results, folder);
-  note_easy_targets(evaluation, results, console);
+  note_ceiling(evaluation, results, console);
   if (options.json) {
     console.out << as_json(evaluation, results.simulated, folder).dump(2) << '\n';
     return exit_done;

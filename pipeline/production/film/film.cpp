@@ -189,7 +189,7 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
     return reusable_frame(store, frame, settings.output, shot.tone);
   };
   const bool all = FramesInFlight(drawer, writer, frames, settings, stop).run(stored, progress);
-  writer.finish();  // frames that were taken are kept, also of a film that is given up
+  writer.finish();  // frames handed over are kept, even if the film is abandoned
   if (stop.stop_requested() && !all) throw Interrupted{};
 }
 

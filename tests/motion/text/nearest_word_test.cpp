@@ -37,24 +37,25 @@ TEST(NearestWord, EditDistanceIsAMetric) {
   }
 }
 
-const std::vector<std::string> names = {"quickness", "clearness",    "activeness",  "largeness",
-                                        "sad-happy", "narrow-broad", "narrow-wide", "ugly-cute"};
+const std::vector<std::string> known_names = {"quickness",   "clearness", "activeness",
+                                              "largeness",   "sad-happy", "narrow-broad",
+                                              "narrow-wide", "ugly-cute"};
 
 TEST(NearestWord, FindsWhatWasMeantBehindATypingSlip) {
-  EXPECT_EQ(nearest_word("quicknes", names), "quickness");
-  EXPECT_EQ(nearest_word("Clearnes", names), "clearness");
-  EXPECT_EQ(nearest_word("sda-happy", names), "sad-happy");
-  EXPECT_EQ(nearest_word("narow_wide", names), "narrow-wide");
+  EXPECT_EQ(nearest_word("quicknes", known_names), "quickness");
+  EXPECT_EQ(nearest_word("Clearnes", known_names), "clearness");
+  EXPECT_EQ(nearest_word("sda-happy", known_names), "sad-happy");
+  EXPECT_EQ(nearest_word("narow_wide", known_names), "narrow-wide");
 }
 
 TEST(NearestWord, SeesHalvesThatWereExchanged) {
-  EXPECT_EQ(nearest_word("happy-sad", names), "sad-happy");
-  EXPECT_EQ(nearest_word("cute-ugli", names), "ugly-cute");
+  EXPECT_EQ(nearest_word("happy-sad", known_names), "sad-happy");
+  EXPECT_EQ(nearest_word("cute-ugli", known_names), "ugly-cute");
 }
 
 TEST(NearestWord, IsSilentWhenNothingIsNear) {
-  EXPECT_EQ(nearest_word("extraversion", names), std::nullopt);
-  EXPECT_EQ(nearest_word("x", names), std::nullopt);
+  EXPECT_EQ(nearest_word("extraversion", known_names), std::nullopt);
+  EXPECT_EQ(nearest_word("x", known_names), std::nullopt);
   EXPECT_EQ(nearest_word("quickness", {}), std::nullopt);
 }
 
@@ -74,7 +75,7 @@ TEST(NearestWord, IsTheOnlyOneThatTheWordBegins) {
 }
 
 TEST(NearestWord, RemedyAsksOrElseListsWhatThereIs) {
-  EXPECT_EQ(did_you_mean("quicknes", names), "did you mean \"quickness\"?");
+  EXPECT_EQ(did_you_mean("quicknes", known_names), "did you mean \"quickness\"?");
   const std::vector<std::string> few = {"front", "side"};
   EXPECT_EQ(did_you_mean("follow", few), "use one of \"front\", \"side\"");
   EXPECT_EQ(did_you_mean("follow", {}), "");
