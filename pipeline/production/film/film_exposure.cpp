@@ -236,7 +236,8 @@ void refuse(std::vector<Fault> faults) {
 
 const TableForm exposure_form = exposure_columns.form();
 
-float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted) {
+float stops_for(const std::vector<render::Framebuffer>& films, const render::Tone& tone,
+                double wanted) {
   return stops_where([&](float stops) { return mean_of(films, tone, stops); }, wanted);
 }
 

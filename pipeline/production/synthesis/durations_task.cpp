@@ -30,7 +30,7 @@ constexpr auto durations_columns = table_of<FilmDuration>(
 std::string durations_csv(const Manifest& manifest, Motions& motions) {
   std::vector<FilmDuration> rows;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const motion::Clip own = shown_clip(motions.clip(stimulus.id), stimulus.output);
+    const motion::Clip own = playback_clip(motions.clip(stimulus.id), stimulus.output);
     rows.push_back(
         {stimulus.id, own.frame_count() / own.frames_per_second, motions.shortest_seconds()});
   }

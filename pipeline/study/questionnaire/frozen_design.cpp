@@ -132,9 +132,8 @@ std::string stimuli_csv(const Manifest& manifest, const fs::path& made) {
   std::vector<FrozenMedia> rows;
   for (const ShownMedia& media : shown_media(manifest)) {
     const fs::path file = made / media.path;
-    if (const std::string hindrance = motion::hindrance_of(file, motion::any_size);
-        !hindrance.empty())
-      throw Error({file.string()}, hindrance, "make the study first: mien run");
+    if (const std::string error = motion::read_error(file, motion::any_size); !error.empty())
+      throw Error({file.string()}, error, "make the study first: mien run");
     rows.push_back({media, sha256_of_file(file)});
   }
   return media_columns.of(rows).csv;
