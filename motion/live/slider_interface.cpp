@@ -3,15 +3,8 @@
 namespace mien::motion {
 
 const char* name_of(InterfaceKind kind) {
-  switch (kind) {
-    case InterfaceKind::adjectives:
-      return "adjectives";
-    case InterfaceKind::features:
-      return "features";
-    case InterfaceKind::weights:
-      break;
-  }
-  return "weights";
+  constexpr const char* names[] = {"adjectives", "features", "weights"};
+  return names[static_cast<size_t>(kind)];
 }
 
 std::optional<InterfaceKind> interface_kind(std::string_view name) {
