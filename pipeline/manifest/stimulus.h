@@ -20,6 +20,7 @@
 #include "pipeline/manifest/output.h"
 #include "pipeline/manifest/regression_limits.h"
 #include "pipeline/manifest/walk_path.h"
+#include "scenes/figures/figure_colour.h"
 
 namespace mien::pipeline {
 
@@ -83,7 +84,7 @@ void fields_of(auto&& field, MaybeConst<ClipSource> auto& clip) {
   field("frames", clip.frames, concerns::motion);
 }
 
-enum class Role { target, created, reference };
+using scenes::Role;  ///< of a stimulus: never neutral
 
 inline constexpr Words<Role> role_words = {
     {"target", Role::target}, {"created", Role::created}, {"reference", Role::reference}};

@@ -29,24 +29,15 @@ MethodWords words_of(motion::InterpolationMethod method) {
 }
 
 std::string source_of(StyleMethod method) {
-  switch (method) {
-    case StyleMethod::amaya:
-      return "amaya1996";
-    case StyleMethod::unuma:
-      return "unuma1995";
-    case StyleMethod::hsu:
-      return "hsu2005";
-    case StyleMethod::witkin:
-      return "witkin1995";
-    case StyleMethod::shapiro:
-      return "shapiro2006";
-    case StyleMethod::neff:
-      return "neff2009";
-    case StyleMethod::waveshape:
-    case StyleMethod::displacement:
-      break;
-  }
-  return "bruderlin1995";
+  static constexpr Words<StyleMethod> sources = {{"amaya1996", StyleMethod::amaya},
+                                                 {"unuma1995", StyleMethod::unuma},
+                                                 {"hsu2005", StyleMethod::hsu},
+                                                 {"witkin1995", StyleMethod::witkin},
+                                                 {"bruderlin1995", StyleMethod::waveshape},
+                                                 {"bruderlin1995", StyleMethod::displacement},
+                                                 {"shapiro2006", StyleMethod::shapiro},
+                                                 {"neff2009", StyleMethod::neff}};
+  return std::string(word_of(sources, method));
 }
 
 }  // namespace mien::pipeline
