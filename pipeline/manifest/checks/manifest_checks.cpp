@@ -4,14 +4,8 @@
 
 #include "motion/skeleton/body.h"
 #include "pipeline/base/documents/fault_list.h"
-#include "pipeline/manifest/checks/examples_checks.h"
 #include "pipeline/manifest/checks/film_checks.h"
-#include "pipeline/manifest/checks/matching_checks.h"
-#include "pipeline/manifest/checks/modification_checks.h"
-#include "pipeline/manifest/checks/name_checks.h"
-#include "pipeline/manifest/checks/questionnaire_checks.h"
-#include "pipeline/manifest/checks/sheet_checks.h"
-#include "pipeline/manifest/checks/stimulus_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/look/look_checks.h"
 #include "scenes/point_light/dot_joints.h"
 

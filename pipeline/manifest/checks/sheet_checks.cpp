@@ -1,9 +1,8 @@
-#include "pipeline/manifest/checks/sheet_checks.h"
-
 #include <string>
 #include <variant>
 
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/part_checks.h"
 
 namespace mien::pipeline {
 

@@ -1,10 +1,9 @@
-#include "pipeline/manifest/checks/source_checks.h"
-
 #include <algorithm>
 #include <string>
 #include <system_error>
 
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/named_motions.h"
 #include "scenes/figures/figure.h"
 
