@@ -1,7 +1,6 @@
 #include "motion/formats/motion_file.h"
 
 #include <algorithm>
-#include <string>
 #include <system_error>
 
 #include "motion/error.h"

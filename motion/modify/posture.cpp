@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <vector>
 
 #include "motion/math/rotation.h"
 #include "motion/skeleton/sole.h"

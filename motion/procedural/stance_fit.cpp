@@ -1,7 +1,6 @@
 #include "motion/procedural/stance_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>

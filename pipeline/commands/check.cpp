@@ -15,7 +15,6 @@
 #include "pipeline/manifest/checks/take_checks.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/run/rehearsal.h"
-#include "pipeline/production/run/rehearsal_sample.h"
 #include "pipeline/production/synthesis/wish.h"
 
 namespace mien::pipeline {

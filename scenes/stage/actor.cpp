@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "motion/error.h"
 #include "motion/skeleton/body.h"
 #include "scenes/character/character.h"
-#include "scenes/figures/figure.h"
 #include "scenes/figures/stick_figure.h"
 #include "scenes/mannequin/mannequin.h"
 #include "scenes/point_light/dot_display.h"

@@ -1,7 +1,6 @@
 #include "pipeline/farm/jobs/ended_elements.h"
 
 #include <fstream>
-#include <string>
 
 #include "motion/text/as_number.h"
 #include "pipeline/base/documents/files.h"

@@ -11,7 +11,6 @@
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_tables.h"
-#include "pipeline/production/film/film_task.h"
 #include "pipeline/production/report/study_tasks.h"
 #include "pipeline/production/run/design_task.h"
 #include "pipeline/production/run/study_inputs.h"

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "motion/examples/example_set.h"
 #include "motion/examples/settled_feet.h"
 #include "motion/procedural/builtin_sets.h"
 #include "pipeline/manifest/example_files.h"

@@ -1,4 +1,4 @@
-#include "pipeline/production/run/told_warnings.h"
+#include "pipeline/production/run/run.h"
 
 #include <gtest/gtest.h>
 
