@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
@@ -25,5 +26,10 @@ struct CountedAnswers {
 /// AttentionRule. Throws Faults as answer_rows and where a value is not what its raw answer gives,
 /// and Error when nothing is left.
 CountedAnswers counted_answers(const CsvTable& answer_rows, const ScaleSet& scales);
+
+/// Answers on scales whose value is not what their raw answer gives, turned by the side of the
+/// poles. Whether people answered on a slider or on so many points is told by the rows themselves:
+/// it is what most of them agree with.
+std::vector<Fault> contradicted_values(const std::vector<AnswerRow>& rows, const ScaleSet& scales);
 
 }  // namespace mien::pipeline

@@ -4,7 +4,7 @@
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/ratings/answers/raw_form.h"
+#include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -1,4 +1,4 @@
-#include "pipeline/production/methods/methods_text.h"
+#include "pipeline/production/methods/methods_parts.h"
 
 namespace mien::pipeline {
 
