@@ -7,7 +7,7 @@
 #include "motion/gait/foot_path.h"
 #include "motion/gait/foot_placement.h"
 #include "motion/math/rotation.h"
-#include "motion/math/smooth_envelope.h"
+#include "motion/math/filter.h"
 
 namespace mien::motion {
 

@@ -6,7 +6,7 @@
 
 #include "motion/gait/foot_path.h"
 #include "motion/math/rotation.h"
-#include "motion/math/smooth_envelope.h"
+#include "motion/math/filter.h"
 #include "motion/skeleton/two_bone_ik.h"
 
 namespace mien::motion {

@@ -9,7 +9,6 @@
 #include "motion/error.h"
 #include "motion/math/rotation.h"
 #include "motion/procedural/leg_cycle.h"
-#include "motion/procedural/stance_fit.h"
 #include "motion/procedural/upper_body.h"
 #include "motion/procedural/walker_legs.h"
 

@@ -8,7 +8,7 @@
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
-#include "pipeline/tasks/key_builder.h"
+#include "pipeline/tasks/hash.h"
 #include "scenes/cameras/camera_settings.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"

@@ -7,11 +7,15 @@
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/vocabulary.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/reading/resolved_manifest.h"
 #include "pipeline/manifest/stimulus.h"
 
-// Checks of what the parts of a manifest mean; manifest_checks.h and checked_manifest.h call them.
-
 namespace mien::pipeline {
+
+/// What a schema cannot say: ids that occur twice, files that are missing, sizes that no encoder
+/// takes, values that need examples or ratings where there are none, sheets of one motion, looks
+/// and questionnaires that contradict themselves. No check needs that others went before.
+std::vector<Fault> check_meaning(const ResolvedManifest& resolved);
 
 /// Folders, ratings, scales and keytimes that are missing or do not go together.
 std::vector<Fault> check_examples(const Manifest& manifest);

@@ -15,7 +15,7 @@
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/frame_drawer.h"
 #include "pipeline/production/film/frame_writer.h"
-#include "pipeline/tasks/progress_bar.h"
+#include "pipeline/tasks/progress.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/error.h"
 #include "render/image/contact_sheet.h"

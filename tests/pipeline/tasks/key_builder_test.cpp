@@ -1,4 +1,4 @@
-#include "pipeline/tasks/key_builder.h"
+#include "pipeline/tasks/hash.h"
 
 #include <string>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "render/compare/changed_part.h"
+#include "render/compare/picture_difference.h"
 
 #include <cstdlib>
 #include <random>

@@ -1,4 +1,4 @@
-#include "motion/measures/differences/lint_difference.h"
+#include "motion/measures/differences/motion_difference.h"
 
 #include <gtest/gtest.h>
 

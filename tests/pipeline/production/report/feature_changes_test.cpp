@@ -1,4 +1,4 @@
-#include "pipeline/production/report/feature_changes.h"
+#include "pipeline/production/report/report_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pipeline/manifest/ratings/answers/answers_of_files.h"
+#include "pipeline/manifest/ratings/answers/answers.h"
 
 #include <gtest/gtest.h>
 

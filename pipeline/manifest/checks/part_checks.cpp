@@ -1,9 +1,8 @@
-#include "pipeline/manifest/checks/manifest_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 
 #include <string>
 
 #include "motion/skeleton/body.h"
-#include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/film_checks.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/look/look_checks.h"
