@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "motion/error.h"
-#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -109,14 +108,6 @@ std::string read_contents(const std::filesystem::path& path) {
                 "run: git lfs pull");
   if (reading.bytes) return *std::move(reading.bytes);
   throw Error({path.string()}, reading.error, "give the path of a motion file");
-}
-
-void write_contents(const std::filesystem::path& path, std::string_view bytes) {
-  try {
-    write_result(path, bytes);
-  } catch (const WriteFailure& failure) {
-    throw Error(failure.what(), "");
-  }
 }
 
 }  // namespace mien::motion
