@@ -182,8 +182,7 @@ std::vector<double> near_only(std::span<const double> durations, std::span<const
       if (loops) away = std::min(away, count - std::min(away, count));
       nearest = std::min(nearest, away / frames_per_second);
     }
-    const double x = std::clamp(nearest / 0.1 - 1.0, 0.0, 1.0);
-    const double share = 1.0 - x * x * (3.0 - 2.0 * x);
+    const double share = 1.0 - smooth_step(nearest / 0.1 - 1.0);
     result.push_back(1.0 + share * (durations[i] - 1.0));
   }
   return result;

@@ -84,8 +84,7 @@ constexpr std::array<FadingLimb, fading_limb_count> fading_limbs = {
      {{RightHip, RightKnee, RightAnkle, RightToe}, RightAnkle}}};
 
 double faded_in(double share) {
-  const double x = std::clamp((share - full_until) / (gone_from - full_until), 0.0, 1.0);
-  return 1.0 - x * x * (3.0 - 2.0 * x);
+  return 1.0 - smooth_step((share - full_until) / (gone_from - full_until));
 }
 
 /// From the joint that swings the limb to its end, metres.
