@@ -6,8 +6,8 @@
 
 #include "motion/error.h"
 #include "motion/math/rotation.h"
-#include "scenes/cameras/figure_place.h"
 #include "scenes/cameras/camera_path.h"
+#include "scenes/cameras/figure_place.h"
 #include "scenes/stage/trail_figure.h"
 
 namespace mien::scenes {

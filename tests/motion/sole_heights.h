@@ -15,8 +15,7 @@ inline std::vector<double> lowest_sole_heights(const Clip& clip) {
     heights.push_back(1e9);
     for (const bool left : {true, false}) {
       const SolePoints points = sole_points(clip.body, world, left);
-      heights.back() =
-          std::min({heights.back(), points.heel.y(), points.ball.y(), points.tip.y()});
+      heights.back() = std::min({heights.back(), points.heel.y(), points.ball.y(), points.tip.y()});
     }
   }
   return heights;

@@ -18,7 +18,7 @@ files='error.cpp
   measures/features/feature_scale.cpp measures/features/motion_feature_list.cpp measures/features/motion_features.cpp
   procedural/affective_walk.cpp procedural/builtin_styles.cpp
   procedural/expressive_walks.cpp procedural/foot_roll.cpp procedural/leg_cycle.cpp
-  procedural/upper_body.cpp procedural/walk_curves.cpp procedural/walk_style.cpp procedural/walker.cpp
+  procedural/walk_curves.cpp procedural/walk_style.cpp procedural/walker.cpp
   procedural/walker_legs.cpp
   steered_walk/root_motion.cpp steered_walk/live_walk.cpp steered_walk/steered_moment.cpp
   steered_walk/steered_pose.cpp steered_walk/steered_walk.cpp

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "motion/text/as_number.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/farm/jobs/task_list.h"
 #include "pipeline/farm/slurm/worker_codes.h"
 
 namespace mien::pipeline {
@@ -42,6 +44,16 @@ JobFate fate_of(const JournalJob& job, std::vector<QueueRow> rows, const fs::pat
     fate.kind = has_begun(job, folder) ? JobFate::Kind::ended : JobFate::Kind::lost;
   }
   return fate;
+}
+
+bool is_needed(const JobFate& fate, const std::set<std::string>& due, const fs::path& folder) {
+  if (fate.kind == JobFate::Kind::live) return true;
+  if (fate.journal.elements == 0) return false;
+  return std::ranges::any_of(lines_of_list(list_of(fate.journal, folder)), [&](const auto& line) {
+    return std::ranges::any_of(line, [&](const std::string& item) {
+      return due.contains(item.substr(0, item.find('[')));
+    });
+  });
 }
 
 }  // namespace
@@ -120,6 +132,33 @@ std::map<std::pair<std::string, int>, ElementEnd> ends_in(const std::filesystem:
     ends.emplace(std::pair(name.substr(0, dot), element), told);
   }
   return ends;
+}
+
+std::vector<std::string> spent_submissions(const std::vector<JobFate>& fates,
+                                           const std::set<std::string>& due,
+                                           const fs::path& folder) {
+  std::map<std::pair<std::size_t, std::string>, bool> needed;  // "9999" before "10000"
+  for (const JobFate& fate : fates) {
+    const std::string& number = fate.journal.submission;
+    if (!motion::as_number<unsigned>(number)) continue;  // else it is no submission's folder
+    bool& is = needed[{number.size(), number}];
+    is = is || is_needed(fate, due, folder);
+  }
+  std::vector<std::string> spent;
+  std::size_t newer = needed.size();
+  for (const auto& [number, is] : needed) {
+    if (--newer >= kept_submissions && !is) spent.push_back(number.second);
+  }
+  return spent;
+}
+
+int remove_submissions(const std::vector<std::string>& numbers, const fs::path& folder) {
+  int removed = 0;
+  for (const std::string& number : numbers) {
+    std::error_code ignored;  // what cannot be removed harms nobody
+    removed += fs::remove_all(folder / "farm" / number, ignored) > 0 && !ignored ? 1 : 0;
+  }
+  return removed;
 }
 
 }  // namespace mien::pipeline

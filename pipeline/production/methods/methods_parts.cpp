@@ -19,4 +19,42 @@ std::string MethodsText::cite(const Names& keys) {
   return " [" + text + "]";
 }
 
+MethodWords words_of(motion::InterpolationMethod method) {
+  using Method = motion::InterpolationMethod;
+  static const std::vector<MethodWords> all = {
+      {Method::reach,
+       "a quadratic program that reaches the requested values exactly or as closely as possible, "
+       "with weights as close as possible to those of a cardinal basis of linear and radial "
+       "functions",
+       {"rose1998", "sloan2001", "huang2010"}},
+      {Method::cardinal,
+       "a cardinal basis of linear and radial functions",
+       {"rose1998", "sloan2001", "adjectives"}},
+      {Method::nearest,
+       "nearest neighbours among the examples and random blends of them",
+       {"kovar2004"}},
+      {Method::inverse_distance, "inverse distance weighting", {"shepard1968"}},
+      {Method::grid, "multilinear interpolation on a regular grid", {"wiley1997"}},
+      {Method::kriging, "kriging", {"mukai2005"}},
+      {Method::pca, "a statistical model of the motions (principal components)", {"min2009"}},
+      {Method::incremental, "incremental steps along adjectives", {"forger2012", "adjectives"}},
+  };
+  for (const MethodWords& one : all) {
+    if (one.method == method) return one;
+  }
+  return {method, std::string(motion::name_of(method)) + " interpolation", {}};
+}
+
+std::string source_of(StyleMethod method) {
+  static constexpr Words<StyleMethod> sources = {{"amaya1996", StyleMethod::amaya},
+                                                 {"unuma1995", StyleMethod::unuma},
+                                                 {"hsu2005", StyleMethod::hsu},
+                                                 {"witkin1995", StyleMethod::witkin},
+                                                 {"bruderlin1995", StyleMethod::waveshape},
+                                                 {"bruderlin1995", StyleMethod::displacement},
+                                                 {"shapiro2006", StyleMethod::shapiro},
+                                                 {"neff2009", StyleMethod::neff}};
+  return std::string(word_of(sources, method));
+}
+
 }  // namespace mien::pipeline

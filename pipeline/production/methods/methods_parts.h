@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "motion/interpolation/interpolation_options.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/style_step.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/synthesis/motions.h"
 
@@ -54,5 +56,18 @@ void describe_example_settings(MethodsText& out);
 /// The order of guesses and matches of a matching experiment and the films beside them, where these
 /// differ from their defaults.
 void describe_matching_settings(MethodsText& out);
+
+/// A way of interpolation in words, and the keys of the references that it is from.
+struct MethodWords {
+  motion::InterpolationMethod method;
+  std::string words;
+  Names sources;
+};
+
+/// Of that method.
+MethodWords words_of(motion::InterpolationMethod method);
+
+/// The key of the reference that an older method is from.
+std::string source_of(StyleMethod method);
 
 }  // namespace mien::pipeline

@@ -1,6 +1,6 @@
-#include "pipeline/production/run/run.h"
-
 #include <gtest/gtest.h>
+
+#include "pipeline/production/run/run.h"
 
 namespace mien::pipeline {
 namespace {

@@ -1,9 +1,8 @@
-#include "pipeline/manifest/ratings/answers/answers.h"
-
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/temporary_folder.h"
 
