@@ -214,8 +214,9 @@ std::vector<CommandOption> look_options(LookOptions& look) {
                  "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
               .with_default(),
           option("--figure", &look.figure,
-                 "stick, mannequin, point-light or trail, options (\"point-light: {scrambled: "
-                 "true}\"), or a character's file (.glb, .gltf, .vrm)")
+                 motion::listed(scenes::figure_names<scenes::Figure>()) +
+                     ", options (\"point-light: {scrambled: true}\"), or a character's file (.glb, "
+                     ".gltf, .vrm)")
               .with_default(),
           option("--scene", &look.scene,
                  "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "

@@ -31,19 +31,13 @@ OrderedJson all_of(const Value& value) {
   return nested_map(entries);
 }
 
+/// A figure with all its options; a name without options, or a file, is all that there is.
 OrderedJson figure_of(const scenes::Figure& figure) {
-  const OrderedJson brief = FigureForm::write(figure, by_name);
-  if (brief.is_string()) return brief;
-  const auto options = [&](const auto& one) -> OrderedJson {
-    using Options = std::decay_t<decltype(one)>;
-    if constexpr (HasFields<const Options>) {
-      return all_of(one);
-    } else {
-      return brief.items().begin().value();  // a file's name
-    }
+  OrderedJson map = FigureForm<scenes::Figure>::write(figure, by_name);
+  const auto complete = [&]<class Options>(const Options& options) {
+    if constexpr (HasFields<const Options>) map.front() = all_of(options);
   };
-  OrderedJson map;
-  map[brief.items().begin().key()] = std::visit(options, figure);
+  if (map.is_object()) std::visit(complete, figure);
   return map;
 }
 
