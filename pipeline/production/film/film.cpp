@@ -10,14 +10,12 @@
 #include <malloc.h>
 #endif
 
-#include <string>
-
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/frame_drawer.h"
+#include "pipeline/production/film/frame_reuse.h"
 #include "pipeline/production/film/frame_writer.h"
 #include "pipeline/tasks/progress.h"
 #include "pipeline/tasks/task_graph.h"
-#include "render/error.h"
 #include "render/image/contact_sheet.h"
 #include "render/image/resize.h"
 #include "render/image/tone.h"
@@ -25,23 +23,6 @@
 namespace mien::pipeline {
 
 namespace {
-
-/// The frame as the store has it, decoded. Nothing where it has to be drawn again: the store has no
-/// frame of that name with the film's key, or what it has does not decode, and is thrown away.
-std::optional<render::Image8> reusable_frame(FrameStore* store, int frame, const Output& output,
-                                             const render::Tone& tone) {
-  if (store == nullptr) return std::nullopt;
-  const FrameFormat format = output.frames == FrameFormat::none ? FrameFormat::png : output.frames;
-  const std::string name = frame_name(format, frame);
-  const auto file = store->find(name);
-  if (!file) return std::nullopt;
-  try {
-    return read_frame(*file, format, output.shown_size(), tone);
-  } catch (const render::Error&) {
-    store->discard(name);
-    return std::nullopt;
-  }
-}
 
 constexpr int contact_frames = 12;
 constexpr int contact_width = 480;
