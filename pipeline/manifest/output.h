@@ -26,8 +26,7 @@ inline constexpr Words<FrameFormat> frame_format_words = {{"none", FrameFormat::
                                                           {"exr", FrameFormat::exr},
                                                           {"layers", FrameFormat::layers}};
 
-/// As manifests call it.
-std::string_view name_of(Quality quality);
+inline std::string_view name_of(Quality quality) { return word_of(quality_words, quality); }
 
 /// What a video shows before and after the film, in this order: card, fixation cross, blank, film,
 /// blank; each as many whole frames as come nearest to its seconds. Frame files are the film alone.
@@ -114,8 +113,8 @@ void fields_of(auto&& field, MaybeConst<Output> auto& output) {
   field("crop", output.crop, concerns::picture);
   field("fps", output.fps, concerns::motion | concerns::picture);
   field("in_place", output.in_place, concerns::motion | concerns::picture);
-  field("quality", output.quality, concerns::picture, quality_words);
-  field("shutter", output.shutter, concerns::picture);
+  field("quality", output.quality, concerns::picture | concerns::drawing, quality_words);
+  field("shutter", output.shutter, concerns::picture | concerns::drawing);
   field("cycles", output.cycles, concerns::motion);
   field("frames", output.frames, concerns::stored, frame_format_words);
   field.by("video", output.video, concerns::files, VideoKindsForm());
