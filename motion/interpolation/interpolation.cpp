@@ -209,30 +209,6 @@ std::string click_log(const ClickPath& path, const std::vector<std::string>& nam
 
 }  // namespace
 
-std::string_view name_of(InterpolationMethod method) {
-  switch (method) {
-    case InterpolationMethod::reach:
-      return "reach";
-    case InterpolationMethod::cardinal:
-      return "cardinal";
-    case InterpolationMethod::nearest:
-      return "knn";
-    case InterpolationMethod::inverse_distance:
-      return "inverse-distance";
-    case InterpolationMethod::grid:
-      return "grid";
-    case InterpolationMethod::kriging:
-      return "kriging";
-    case InterpolationMethod::pca:
-      return "pca";
-    case InterpolationMethod::incremental:
-      return "incremental";
-    case InterpolationMethod::direct:
-      break;
-  }
-  return "direct";
-}
-
 Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& parameters,
                               const InterpolationOptions& options,
                               const std::vector<std::string>& names, Eigen::Index held) {

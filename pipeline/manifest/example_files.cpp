@@ -4,29 +4,13 @@
 
 namespace mien::pipeline {
 
-namespace {
-
-motion::CycleChoice cycle_choice(Examples::Cycle cycle) {
-  switch (cycle) {
-    case Examples::Cycle::automatic:
-      return motion::CycleChoice::automatic;
-    case Examples::Cycle::whole:
-      return motion::CycleChoice::whole;
-    case Examples::Cycle::start_peak_end:
-      break;
-  }
-  return motion::CycleChoice::start_peak_end;
-}
-
-}  // namespace
-
 motion::ExampleFolder example_folder(const Examples& examples) {
   motion::ExampleFolder folder;
   folder.path = examples.folder;
   folder.include = examples.include;
   folder.exclude = examples.exclude;
   folder.take = examples.take;
-  folder.cycle = cycle_choice(examples.cycle);
+  folder.cycle = examples.cycle;
   folder.keytimes = examples.keytimes;
   folder.shorten_names = examples.labels == Examples::Labels::from_name;
   folder.names = examples.given_labels;

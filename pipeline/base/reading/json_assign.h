@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/base/documents/words.h"
+#include "motion/text/words.h"
 
 namespace mien::pipeline {
 

@@ -33,20 +33,8 @@ Output output_for(Output output, const scenes::SetPlan& set) {
 
 }  // namespace
 
-scenes::Role staged_role(Role role) {
-  switch (role) {
-    case Role::target:
-      return scenes::Role::target;
-    case Role::reference:
-      return scenes::Role::reference;
-    default:
-      return scenes::Role::created;
-  }
-}
-
-scenes::Role film_role(const Stimulus& stimulus) {
-  return stimulus.look.colours == Colours::role ? staged_role(stimulus.role)
-                                                : scenes::Role::neutral;
+Role film_role(const Stimulus& stimulus) {
+  return stimulus.look.colours == Colours::role ? stimulus.role : Role::neutral;
 }
 
 motion::Clip staged_clip(const Stimulus& stimulus, FinishedMotions& motions) {
@@ -77,7 +65,7 @@ scenes::Shot shot_of(const Overlay& overlay, FinishedMotions& motions, std::uint
   for (const auto& [role, name] : motions_on(overlay)) {
     performances.push_back({.name = name,
                             .clip = clip_at_rate(motions.clip(name), output),
-                            .role = staged_role(role),
+                            .role = role,
                             .opacity = is_clear ? 1.0f : static_cast<float>(overlay.opacity)});
   }
   return scenes::stage(performances, look);

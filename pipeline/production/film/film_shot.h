@@ -16,11 +16,8 @@ struct Framing {
   std::optional<std::array<double, 2>> figure_place;  ///< scenes/cameras/figure_place.h
 };
 
-/// What a figure of that role stands for on the stage of an overlay.
-scenes::Role staged_role(Role role);
-
 /// What a stimulus's figure stands for in its own film: nothing, unless its look asks for roles.
-scenes::Role film_role(const Stimulus& stimulus);
+Role film_role(const Stimulus& stimulus);
 
 /// The clip that a stimulus's film shows on its set. Throws Error.
 motion::Clip staged_clip(const Stimulus& stimulus, FinishedMotions& motions);

@@ -160,9 +160,8 @@ StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const st
   }
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
-  shown_.emplace_front(key, stimulus == nullptr
-                                ? Shown{manifest.look.figure}
-                                : Shown{stimulus->look.figure, staged_role(stimulus->role)});
+  shown_.emplace_front(key, stimulus == nullptr ? Shown{manifest.look.figure}
+                                                : Shown{stimulus->look.figure, stimulus->role});
   if (shown_.size() > most_motions) shown_.pop_back();
   return shown_.front().second;
 }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/base/documents/words.h"
+#include "motion/text/words.h"
 
 namespace mien::pipeline {
 

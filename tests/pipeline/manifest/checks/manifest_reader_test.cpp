@@ -76,7 +76,7 @@ sheets:
   EXPECT_EQ(manifest.examples.folder, folder.path() / "captures");
   EXPECT_EQ(manifest.examples.include, "*w*.bvh");
   EXPECT_EQ(manifest.examples.exclude, "x*");
-  EXPECT_EQ(manifest.examples.cycle, Examples::Cycle::whole);
+  EXPECT_EQ(manifest.examples.cycle, motion::CycleChoice::whole);
   const std::vector<std::pair<std::string, std::string>> labels = {{"b", "beta"}, {"a", "alpha"}};
   EXPECT_EQ(manifest.examples.given_labels, labels);
   EXPECT_EQ(manifest.ratings.source, Ratings::Source::file);

@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <utility>
 
-namespace mien::pipeline {
+namespace mien {
 
-/// Words of a document and what they mean.
+/// Words of a document or table, and what they mean.
 template <class Enum>
 using Words = std::initializer_list<std::pair<const char*, Enum>>;
 
@@ -21,4 +21,4 @@ std::string_view word_of(Words<Enum> words, std::type_identity_t<Enum> value) {
   return found->first;
 }
 
-}  // namespace mien::pipeline
+}  // namespace mien
