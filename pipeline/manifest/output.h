@@ -60,18 +60,11 @@ void fields_of(auto&& field, MaybeConst<Presentation> auto& shown) {
   field("background", shown.background, concerns::shown);
 }
 
-/// Which motion files are written.
-struct ClipFiles {
-  bool bvh = true;   ///< clips/<id>.bvh
-  bool glb = false;  ///< clips/<id>.glb
-
-  friend bool operator==(const ClipFiles&, const ClipFiles&) = default;
+/// `clips: [bvh, glb]`: in the order of motion::motion_formats().
+struct ClipsForm {
+  static void read(const Given& given, std::vector<std::string>& clips);
+  static nlohmann::ordered_json write(const std::vector<std::string>& clips, const Writing&);
 };
-
-void fields_of(auto&& field, MaybeConst<ClipFiles> auto& clips) {
-  field("bvh", clips.bvh, concerns::files);
-  field("glb", clips.glb, concerns::files);
-}
 
 /// `video: [mp4, gif]`: in the order of render::video_kinds().
 struct VideoKindsForm {
@@ -93,7 +86,7 @@ struct Output {
   FrameFormat frames = FrameFormat::png;
   std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< each once
   Presentation presentation;
-  ClipFiles clips;
+  std::vector<std::string> clips{"bvh"};  ///< endings of the motion files, clips/<id>.bvh
 
   /// Pixels of the picture that the camera frames, drawn to scale.
   std::array<int, 2> whole_size() const;
@@ -119,7 +112,7 @@ void fields_of(auto&& field, MaybeConst<Output> auto& output) {
   field("frames", output.frames, concerns::stored, frame_format_words);
   field.by("video", output.video, concerns::files, VideoKindsForm());
   field("presentation", output.presentation, concerns::shown);
-  field.by("clips", output.clips, concerns::files, WordSet<ClipFiles>());
+  field.by("clips", output.clips, concerns::files, ClipsForm());
 }
 
 }  // namespace mien::pipeline

@@ -54,8 +54,6 @@ enum : unsigned {
 // field_values.h, value_forms.h
 struct Given;
 struct Writing;
-template <class Flags>
-struct WordSet;
 
 /// Whether O is a struct, or it and const.
 template <class O, class Struct>
