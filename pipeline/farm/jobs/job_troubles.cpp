@@ -172,19 +172,10 @@ class TroubleFinder {
 };
 
 const char* title_of(JobTrouble::Kind kind) {
-  switch (kind) {
-    case JobTrouble::Kind::held:
-      return "held by Slurm";
-    case JobTrouble::Kind::outdated:
-      return "obsolete";
-    case JobTrouble::Kind::silent:
-      return "unresponsive, although running according to Slurm";
-    case JobTrouble::Kind::ended:
-      return "ended abnormally";
-    case JobTrouble::Kind::cancelled:
-      break;
-  }
-  return "cancelled";
+  constexpr const char* titles[] = {"held by Slurm", "obsolete",
+                                    "unresponsive, although running according to Slurm",
+                                    "ended abnormally", "cancelled"};
+  return titles[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace
