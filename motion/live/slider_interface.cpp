@@ -2,26 +2,6 @@
 
 namespace mien::motion {
 
-const char* name_of(InterfaceKind kind) {
-  switch (kind) {
-    case InterfaceKind::adjectives:
-      return "adjectives";
-    case InterfaceKind::features:
-      return "features";
-    case InterfaceKind::weights:
-      break;
-  }
-  return "weights";
-}
-
-std::optional<InterfaceKind> interface_kind(std::string_view name) {
-  for (const InterfaceKind kind :
-       {InterfaceKind::adjectives, InterfaceKind::features, InterfaceKind::weights}) {
-    if (name == name_of(kind)) return kind;
-  }
-  return std::nullopt;
-}
-
 FittedInterface fit_interface(const SliderInterface& interface, const SynthesisOptions& how,
                               const ExampleSet& examples, const ParameterTable& table,
                               Eigen::Index held) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <initializer_list>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -19,6 +20,14 @@ std::string_view word_of(Words<Enum> words, std::type_identity_t<Enum> value) {
   const auto found = std::ranges::find(words, value, [](const auto& word) { return word.second; });
   assert(found != words.end());
   return found->first;
+}
+
+/// What a word means; nothing where it is none of them.
+template <class Enum>
+std::optional<Enum> meaning_of(Words<Enum> words, std::string_view word) {
+  const auto found =
+      std::ranges::find_if(words, [&](const auto& known) { return known.first == word; });
+  return found == words.end() ? std::nullopt : std::optional(found->second);
 }
 
 }  // namespace mien
