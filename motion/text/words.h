@@ -17,7 +17,8 @@ using Words = std::initializer_list<std::pair<const char*, Enum>>;
 /// The first word that means `value`; there must be one.
 template <class Enum>
 std::string_view word_of(Words<Enum> words, std::type_identity_t<Enum> value) {
-  const auto found = std::ranges::find(words, value, [](const auto& word) { return word.second; });
+  const auto found = std::find_if(words.begin(), words.end(),
+                                  [&](const auto& known) { return known.second == value; });
   assert(found != words.end());
   return found->first;
 }
@@ -25,8 +26,8 @@ std::string_view word_of(Words<Enum> words, std::type_identity_t<Enum> value) {
 /// What a word means; nothing where it is none of them.
 template <class Enum>
 std::optional<Enum> meaning_of(Words<Enum> words, std::string_view word) {
-  const auto found =
-      std::ranges::find_if(words, [&](const auto& known) { return known.first == word; });
+  const auto found = std::find_if(words.begin(), words.end(),
+                                  [&](const auto& known) { return known.first == word; });
   return found == words.end() ? std::nullopt : std::optional(found->second);
 }
 
