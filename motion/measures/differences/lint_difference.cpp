@@ -19,8 +19,17 @@ bool are_one(const Finding& a, double rate_a, const Finding& b, double rate_b) {
 }  // namespace
 
 std::string_view name_of(LintChange::Kind kind) {
-  constexpr std::string_view names[] = {"gone", "new", "worse", "better"};
-  return names[static_cast<std::size_t>(kind)];
+  switch (kind) {
+    case LintChange::Kind::gone:
+      return "gone";
+    case LintChange::Kind::worse:
+      return "worse";
+    case LintChange::Kind::better:
+      return "better";
+    case LintChange::Kind::appeared:
+      break;
+  }
+  return "new";
 }
 
 std::vector<LintChange> lint_changes(const std::vector<Finding>& before, double rate_before,
