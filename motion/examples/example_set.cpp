@@ -163,7 +163,7 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
   if (files.empty()) {
     throw Error({folder.path.string(), 0, 0},
                 "holds no motion file that matches " + in_quotes(folder.include),
-                "BVH, AMC and glTF files are accepted; check upper and lower case");
+                "use " + formats_read() + "; check upper and lower case of the pattern");
   }
   return files;
 }

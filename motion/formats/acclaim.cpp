@@ -225,10 +225,10 @@ Recording parse_amc(const NamedText& amc, const NamedText& asf,
 
 Recording read_amc(const std::filesystem::path& path, const AcclaimOptions& options) {
   const std::string amc = read_contents(path);
-  require_kind(amc, path.string(), FileKind::acclaim);
+  require_kind(amc, path.string(), "amc");
   const std::filesystem::path skeleton = options.skeleton ? *options.skeleton : find_asf(path);
   const std::string asf = read_contents(skeleton);
-  require_kind(asf, skeleton.string(), FileKind::acclaim);
+  require_kind(asf, skeleton.string(), "amc");
   Recording recording =
       parse_amc({amc, path.string()}, {asf, skeleton.string()}, options.frames_per_second);
   if (!options.skeleton && !has_name_for(skeleton, path)) {

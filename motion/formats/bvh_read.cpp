@@ -59,7 +59,7 @@ Recording parse_bvh(std::string_view text, const std::string& file_name) {
 
 Recording read_bvh(const std::filesystem::path& path) {
   const std::string text = read_contents(path);
-  require_kind(text, path.string(), FileKind::bvh);
+  require_kind(text, path.string(), "bvh");
   return parse_bvh(text, path.string());
 }
 

@@ -209,7 +209,7 @@ Recording parse_gltf(std::string_view bytes, const std::string& file_name,
 Recording read_gltf(const std::filesystem::path& path, const std::optional<std::string>& take) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const std::string bytes = read_contents(path);
-  require_kind(bytes, path.string(), FileKind::gltf);
+  require_kind(bytes, path.string(), "gltf");
   return recording_of(parse_gltf_file(bytes, path.string(), folder), take);
 }
 

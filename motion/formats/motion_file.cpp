@@ -1,7 +1,10 @@
 #include "motion/formats/motion_file.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "motion/error.h"
 #include "motion/formats/acclaim.h"
@@ -12,40 +15,92 @@ namespace mien::motion {
 
 namespace {
 
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+using ChosenTake = std::optional<std::string>;
+
+constexpr MotionFormat formats[] = {
+    {.ending = ".bvh",
+     .name = "BVH",
+     .is_streamed = true,
+     .read = [](const std::filesystem::path& path, const ChosenTake&) { return read_bvh(path); },
+     .write = write_bvh},
+    {.ending = ".amc",
+     .name = "Acclaim",
+     .part_ending = ".asf",
+     .read = [](const std::filesystem::path& path, const ChosenTake&) { return read_amc(path); }},
+    {.ending = ".gltf",
+     .name = "glTF",
+     .part_ending = ".bin",
+     .has_takes = true,
+     .read = read_gltf},
+    {.ending = ".glb",
+     .name = "glTF",
+     .has_takes = true,
+     .is_metric = true,
+     .read = read_gltf,
+     .write = write_glb},
+};
+
+std::string in_words(bool (*is_meant)(const MotionFormat&)) {
+  std::vector<std::string> parts;  // "glTF (.gltf, .glb"
+  std::string_view name;
+  for (const MotionFormat& format : formats) {
+    if (!is_meant(format)) continue;
+    if (format.name != name) parts.push_back(std::string(format.name) + " (");
+    parts.back() += (format.name == name ? ", " : "") + std::string(format.ending);
+    name = format.name;
+  }
+  std::string words;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    words += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " or ") + parts[i] + ")";
+  return words;
 }
 
 }  // namespace
 
-bool is_motion_file(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  return extension == ".bvh" || extension == ".amc" || extension == ".gltf" || extension == ".glb";
+std::span<const MotionFormat> motion_formats() { return formats; }
+
+const MotionFormat* motion_format(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto* const found = std::ranges::find(formats, ending, &MotionFormat::ending);
+  return found == std::end(formats) ? nullptr : found;
 }
 
+std::string formats_read() {
+  return in_words([](const MotionFormat&) { return true; });
+}
+
+std::string formats_written() {
+  return in_words([](const MotionFormat& format) { return format.write != nullptr; });
+}
+
+std::string formats_with_takes() {
+  return in_words([](const MotionFormat& f) { return f.has_takes; });
+}
+
+bool is_motion_file(const std::filesystem::path& path) { return motion_format(path) != nullptr; }
+
 bool may_hold_takes(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  return extension == ".gltf" || extension == ".glb";
+  const MotionFormat* format = motion_format(path);
+  return format != nullptr && format->has_takes;
 }
 
 Recording read_motion(const std::filesystem::path& path, const std::optional<std::string>& take) {
-  const std::string extension = extension_of(path);
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown)) {
     throw Error({path.string(), 0, 0}, "is a folder", "name a motion file in it");
   }
-  if (take && is_motion_file(path) && !may_hold_takes(path)) {
-    throw Error({path.string(), 0, 0}, "holds one motion, so no take can be chosen",
-                "omit the take; glTF files (.gltf, .glb) can hold several");
+  const MotionFormat* format = motion_format(path);
+  if (format == nullptr) {
+    throw Error({path.string(), 0, 0}, "is not a motion file that can be read",
+                "use " + formats_read());
   }
-  if (extension == ".bvh") return read_bvh(path);
-  if (extension == ".amc") return read_amc(path);
-  if (extension == ".gltf" || extension == ".glb") return read_gltf(path, take);
-  throw Error({path.string(), 0, 0}, "is not a motion file that can be read",
-              "use BVH (.bvh), Acclaim (.amc) or glTF (.gltf, .glb)");
+  if (take && !format->has_takes) {
+    throw Error({path.string(), 0, 0}, "holds one motion, so no take can be chosen",
+                "omit the take; only " + formats_with_takes() + " can hold several");
+  }
+  return format->read(path, take);
 }
 
 Recording read_take(const std::filesystem::path& path, const std::string& take) {
@@ -53,11 +108,12 @@ Recording read_take(const std::filesystem::path& path, const std::string& take) 
 }
 
 void write_motion(const Recording& recording, const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".bvh") return write_bvh(recording, path);
-  if (extension == ".glb") return write_glb(recording, path);
-  throw Error({path.string(), 0, 0}, "is not a motion file that can be written",
-              "use BVH (.bvh) or binary glTF (.glb)");
+  const MotionFormat* format = motion_format(path);
+  if (format == nullptr || format->write == nullptr) {
+    throw Error({path.string(), 0, 0}, "is not a motion file that can be written",
+                "use " + formats_written());
+  }
+  format->write(recording, path);
 }
 
 }  // namespace mien::motion

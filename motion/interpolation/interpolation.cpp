@@ -209,13 +209,6 @@ std::string click_log(const ClickPath& path, const std::vector<std::string>& nam
 
 }  // namespace
 
-std::string_view name_of(InterpolationMethod method) {
-  constexpr std::string_view names[] = {"reach", "cardinal", "knn", "inverse-distance",
-                                        "grid",  "kriging",  "pca", "incremental",
-                                        "direct"};
-  return names[static_cast<size_t>(method)];
-}
-
 Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& parameters,
                               const InterpolationOptions& options,
                               const std::vector<std::string>& names, Eigen::Index held) {

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "motion/text/words.h"
+
 namespace mien::motion {
 
 /// How blend weights are computed from parameters.
@@ -18,8 +20,21 @@ enum class InterpolationMethod {
   direct,            ///< the parameters are the examples' shares
 };
 
-/// The name in manifests and tables: "cardinal", "knn", "inverse-distance", …
-std::string_view name_of(InterpolationMethod method);
+/// Their names in manifests and tables.
+inline constexpr mien::Words<InterpolationMethod> interpolation_methods = {
+    {"reach", InterpolationMethod::reach},
+    {"cardinal", InterpolationMethod::cardinal},
+    {"knn", InterpolationMethod::nearest},
+    {"inverse-distance", InterpolationMethod::inverse_distance},
+    {"grid", InterpolationMethod::grid},
+    {"kriging", InterpolationMethod::kriging},
+    {"pca", InterpolationMethod::pca},
+    {"incremental", InterpolationMethod::incremental},
+    {"direct", InterpolationMethod::direct}};
+
+inline std::string_view name_of(InterpolationMethod method) {
+  return word_of(interpolation_methods, method);
+}
 
 struct NearestNeighboursOptions {
   int neighbours = 0;  ///< number of neighbours, the farthest with weight 0; 0 means M + 2

@@ -2,19 +2,6 @@
 
 namespace mien::motion {
 
-const char* name_of(InterfaceKind kind) {
-  constexpr const char* names[] = {"adjectives", "features", "weights"};
-  return names[static_cast<size_t>(kind)];
-}
-
-std::optional<InterfaceKind> interface_kind(std::string_view name) {
-  for (const InterfaceKind kind :
-       {InterfaceKind::adjectives, InterfaceKind::features, InterfaceKind::weights}) {
-    if (name == name_of(kind)) return kind;
-  }
-  return std::nullopt;
-}
-
 FittedInterface fit_interface(const SliderInterface& interface, const SynthesisOptions& how,
                               const ExampleSet& examples, const ParameterTable& table,
                               Eigen::Index held) {

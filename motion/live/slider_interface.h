@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "motion/interpolation/parameter_table.h"
 #include "motion/interpolation/synthesis_options.h"
 #include "motion/skeleton/example.h"
+#include "motion/text/words.h"
 
 namespace mien::motion {
 
@@ -19,11 +19,12 @@ namespace mien::motion {
 
 enum class InterfaceKind { adjectives, features, weights };
 
-/// "adjectives", "features", "weights".
-const char* name_of(InterfaceKind kind);
+inline constexpr mien::Words<InterfaceKind> interface_kinds = {
+    {"adjectives", InterfaceKind::adjectives},
+    {"features", InterfaceKind::features},
+    {"weights", InterfaceKind::weights}};
 
-/// The kind of that name, if there is one.
-std::optional<InterfaceKind> interface_kind(std::string_view name);
+inline const char* name_of(InterfaceKind kind) { return word_of(interface_kinds, kind).data(); }
 
 /// The sliders of an interface, from 0 to 1.
 struct SliderInterface {

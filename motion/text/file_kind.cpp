@@ -1,7 +1,6 @@
 #include "motion/text/file_kind.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <string>
 
@@ -16,23 +15,30 @@ using std::string_view_literals::operator""sv;
 constexpr std::string_view export_again = "export the motion as BVH or glTF, and name that file";
 constexpr std::string_view download_again = "download the file itself, not a page about it";
 
-/// Magic bytes of a kind of file.
+/// How a kind of file begins, in lower case.
 struct Signature {
   std::string_view bytes;
   std::string_view is;
   std::string_view remedy;
+  std::string_view format = {};  ///< of motions: whose reader takes it
 };
 
-constexpr std::array signatures = {
-    Signature{"\x89PNG"sv, "is a picture (PNG)", "name the motion file"},
-    Signature{"\xff\xd8\xff"sv, "is a picture (JPEG)", "name the motion file"},
-    Signature{"GIF8"sv, "is a picture (GIF)", "name the motion file"},
-    Signature{"%PDF"sv, "is a document (PDF)", "name the motion file"},
-    Signature{"PK\x03\x04"sv, "is a ZIP archive", "unpack it first"},
-    Signature{"\x1f\x8b"sv, "is compressed (gzip)", "unpack it first"},
-    Signature{"7z\xbc\xaf"sv, "is a 7z archive", "unpack it first"},
-    Signature{"Kaydara FBX"sv, "is an FBX file, which is not read", export_again},
-    Signature{"; FBX"sv, "is an FBX file, which is not read", export_again},
+constexpr Signature signatures[] = {
+    {"\x89png"sv, "is a picture (PNG)", "name the motion file"},
+    {"\xff\xd8\xff"sv, "is a picture (JPEG)", "name the motion file"},
+    {"gif8"sv, "is a picture (GIF)", "name the motion file"},
+    {"%pdf"sv, "is a document (PDF)", "name the motion file"},
+    {"pk\x03\x04"sv, "is a ZIP archive", "unpack it first"},
+    {"\x1f\x8b"sv, "is compressed (gzip)", "unpack it first"},
+    {"7z\xbc\xaf"sv, "is a 7z archive", "unpack it first"},
+    {"kaydara fbx"sv, "is an FBX file, which is not read", export_again},
+    {"; fbx"sv, "is an FBX file, which is not read", export_again},
+    {"<!doctype html"sv, "is a web page (HTML)", download_again},
+    {"<html"sv, "is a web page (HTML)", download_again},
+    {"gltf"sv, "is a binary glTF file", "rename it to .glb", "gltf"},
+    {"{"sv, "is JSON text, not a motion of this format", "rename it to .gltf if it is a glTF file",
+     "gltf"},
+    {"hierarchy"sv, "is a BVH file", "rename it to .bvh", "bvh"},
 };
 
 bool begins_with(std::string_view text, std::string_view lower_case) {
@@ -65,35 +71,17 @@ std::string_view from_first_letter(std::string_view bytes) {
   throw Error({std::string(file)}, is, remedy);
 }
 
-void refuse_other_motion(std::string_view bytes, std::string_view file, FileKind kind) {
-  const std::string_view text = from_first_letter(bytes);
-  if (kind != FileKind::gltf && bytes.starts_with("glTF")) {
-    refuse(file, "is a binary glTF file", "rename it to .glb");
-  }
-  if (kind != FileKind::gltf && text.starts_with('{')) {
-    refuse(file, "is JSON text, not a motion of this format",
-           "rename it to .gltf if it is a glTF file");
-  }
-  if (kind != FileKind::bvh && begins_with(text, "hierarchy")) {
-    refuse(file, "is a BVH file", "rename it to .bvh");
-  }
-}
-
 }  // namespace
 
-void require_kind(std::string_view bytes, std::string_view file, FileKind kind) {
+void require_kind(std::string_view bytes, std::string_view file, std::string_view format) {
   if (bytes.empty()) refuse(file, "is empty", "obtain the file again");
-  if (from_first_letter(bytes).empty())
-    refuse(file, "contains only white space", "obtain it again");
-  for (const Signature& signature : signatures) {
-    if (bytes.starts_with(signature.bytes)) refuse(file, signature.is, signature.remedy);
-  }
-  if (is_utf16(bytes)) refuse(file, "is text in UTF-16", "save it as UTF-8");
   const std::string_view text = from_first_letter(bytes);
-  if (begins_with(text, "<!doctype html") || begins_with(text, "<html")) {
-    refuse(file, "is a web page (HTML)", download_again);
+  if (text.empty()) refuse(file, "contains only white space", "obtain it again");
+  if (is_utf16(bytes)) refuse(file, "is text in UTF-16", "save it as UTF-8");
+  for (const Signature& signature : signatures) {
+    if (signature.format == format) continue;
+    if (begins_with(text, signature.bytes)) refuse(file, signature.is, signature.remedy);
   }
-  refuse_other_motion(bytes, file, kind);
 }
 
 }  // namespace mien::motion

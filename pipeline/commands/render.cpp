@@ -193,8 +193,9 @@ int render_file(const RenderOptions& options, const Console& console) {
 std::vector<CommandOption> file_options(RenderOptions& options) {
   return {
       argument("files", &options.files,
-               "Motion file: BVH, AMC, glTF, GLB; or two or three in one scene: target (green), "
-               "created (blue), reference (red)")
+               "Motion file: " + motion::formats_read() +
+                   "; or two or three in one scene: target (green), created (blue), reference "
+                   "(red)")
           .values(1, 3),
       take_option(options.take),
       option("--layout", &options.layout, "Motions to use of several")
@@ -215,8 +216,8 @@ std::vector<CommandOption> look_options(LookOptions& look) {
               .with_default(),
           option("--figure", &look.figure,
                  motion::listed(scenes::figure_names<scenes::Figure>()) +
-                     ", options (\"point-light: {scrambled: true}\"), or a character's file (.glb, "
-                     ".gltf, .vrm)")
+                     ", options (\"point-light: {scrambled: true}\"), or the glTF file of a "
+                     "skinned character")
               .with_default(),
           option("--scene", &look.scene,
                  "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "

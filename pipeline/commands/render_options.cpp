@@ -11,6 +11,7 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/base/reading/option_document.h"
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/manifest/checks/film_checks.h"
@@ -21,35 +22,13 @@ namespace mien::pipeline {
 namespace {
 
 using nlohmann::json;
+namespace fs = std::filesystem;
 
 json output_schema() {
   const json& manifest = manifest_schema();
   json schema = manifest["definitions"]["output"];
   schema["definitions"] = manifest["definitions"];
   return schema;
-}
-
-/// Keys of the options that concern the picture, in the order of their list.
-class PictureKeys {
- public:
-  std::vector<std::string> take() { return std::move(keys_); }
-
-  template <class Value, class... Words>
-  void operator()(const char* key, const Value&, unsigned concerns, Words&&...) {
-    if ((concerns & concerns::picture) != 0) keys_.emplace_back(key);
-  }
-  template <class Value, class Form>
-  void by(const char*, const Value&, unsigned, Form) {}
-
- private:
-  std::vector<std::string> keys_;
-};
-
-std::vector<std::string> picture_keys() {
-  PictureKeys keys;
-  const Output output;
-  fields_of(keys, output);
-  return keys.take();
 }
 
 std::string flag_of(std::string key) {
@@ -154,7 +133,8 @@ CommandOption OutputFlags::option_of(const std::string& key) {
 
 std::vector<CommandOption> OutputFlags::options() {
   std::vector<CommandOption> options;
-  for (const std::string& key : picture_keys()) options.push_back(option_of(key));
+  for (const FieldEntry& entry : entries_of(Output(), {.concerned = concerns::picture}))
+    options.push_back(option_of(entry.path));
   return options;
 }
 
@@ -170,8 +150,6 @@ OutputReading OutputFlags::read() const {
   result.places = std::move(reading.places);
   return result;
 }
-
-namespace fs = std::filesystem;
 
 RenderPlan plan_of(const RenderOptions& options) {
   OutputReading reading = options.output.read();
@@ -201,16 +179,6 @@ std::string video_endings() {
     endings += (endings.empty() ? "" : ", ") + std::string(traits.ending);
   }
   return endings;
-}
-
-fs::path output_of(const RenderOptions& options) {
-  if (options.out.empty()) return fs::path(options.files.front()).stem().concat(".mp4");
-  if (fs::path(options.out).extension() == ".exr" && !options.still) {
-    throw Error("--output: only a still has layers", "add --still, or use the extension .png");
-  }
-  if (is_picture(options.out) || render::video_kind_of(options.out)) return options.out;
-  throw Error("--output: " + motion::in_quotes(options.out) + " is neither a video nor an image",
-              "use the extension " + video_endings() + " (video) or .png (contact sheet)");
 }
 
 scenes::Layout layout_of(const RenderOptions& options) {

@@ -1,24 +1,9 @@
 #include "pipeline/manifest/example_files.h"
 
+#include "motion/formats/motion_file.h"
 #include "motion/procedural/builtin_sets.h"
 
 namespace mien::pipeline {
-
-namespace {
-
-motion::CycleChoice cycle_choice(Examples::Cycle cycle) {
-  switch (cycle) {
-    case Examples::Cycle::automatic:
-      return motion::CycleChoice::automatic;
-    case Examples::Cycle::whole:
-      return motion::CycleChoice::whole;
-    case Examples::Cycle::start_peak_end:
-      break;
-  }
-  return motion::CycleChoice::start_peak_end;
-}
-
-}  // namespace
 
 motion::ExampleFolder example_folder(const Examples& examples) {
   motion::ExampleFolder folder;
@@ -26,7 +11,7 @@ motion::ExampleFolder example_folder(const Examples& examples) {
   folder.include = examples.include;
   folder.exclude = examples.exclude;
   folder.take = examples.take;
-  folder.cycle = cycle_choice(examples.cycle);
+  folder.cycle = examples.cycle;
   folder.keytimes = examples.keytimes;
   folder.shorten_names = examples.labels == Examples::Labels::from_name;
   folder.names = examples.given_labels;
@@ -69,12 +54,11 @@ std::vector<std::string> stems_in_folder(const Examples& examples) {
 }
 
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
-  const std::string wanted = ending == ".amc" ? ".asf" : ending == ".gltf" ? ".bin" : "";
+  const motion::MotionFormat* format = motion::motion_format(file);
   std::vector<std::filesystem::path> parts;
-  if (wanted.empty()) return parts;
+  if (format == nullptr || format->part_ending.empty()) return parts;
   for (const auto& entry : std::filesystem::directory_iterator(absolute(file).parent_path())) {
-    if (entry.path().extension() == wanted) parts.push_back(entry.path());
+    if (entry.path().extension() == format->part_ending) parts.push_back(entry.path());
   }
   std::sort(parts.begin(), parts.end());
   return parts;

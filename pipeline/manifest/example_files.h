@@ -25,7 +25,7 @@ std::vector<RatedExample> rated_examples(const Manifest& manifest);
 /// Stems of all motion files of the examples' folder, chosen or not. Throws Error.
 std::vector<std::string> stems_in_folder(const Examples& examples);
 
-/// Files that a motion file of its kind may refer to: skeletons beside AMC, buffers beside glTF.
+/// Files that a motion file of its format may refer to: all beside it with the ending of its parts.
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file);
 
 /// The answers of the file that the manifest's ratings name. Throws Error.

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "motion/examples/make_example.h"
 #include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/ratings/answers/expectation.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
@@ -23,8 +24,6 @@ struct LabelsForm {
 
 /// The motions that are blended: a built-in set or the files of a folder.
 struct Examples {
-  /// Cut one gait cycle, or take the whole motion, with keytimes at its pauses or at its peak.
-  enum class Cycle { automatic, whole, start_peak_end };
   enum class Labels { from_name, file_name };
 
   std::string builtin;           ///< "walks-10" of "builtin:walks-10"; empty for a folder
@@ -32,17 +31,17 @@ struct Examples {
   std::string include = "*";     ///< glob on file names
   std::string exclude;           ///< glob on file names; empty excludes nothing
   std::string take;              ///< of glTF files with several motions; empty: their first
-  Cycle cycle = Cycle::automatic;
+  motion::CycleChoice cycle = motion::CycleChoice::automatic;
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;  ///< by hand, by file stem
   bool blendable = true;  ///< on one body with corresponding moments; else each for itself
   Labels labels = Labels::from_name;  ///< the part of the name that differs, or all of it
   std::vector<std::pair<std::string, std::string>> given_labels;  ///< file stem → label
 };
 
-inline constexpr Words<Examples::Cycle> cycle_words = {
-    {"auto", Examples::Cycle::automatic},
-    {"whole", Examples::Cycle::whole},
-    {"start-peak-end", Examples::Cycle::start_peak_end}};
+inline constexpr Words<motion::CycleChoice> cycle_words = {
+    {"auto", motion::CycleChoice::automatic},
+    {"whole", motion::CycleChoice::whole},
+    {"start-peak-end", motion::CycleChoice::start_peak_end}};
 
 /// Of a folder.
 void fields_of(auto&& field, MaybeConst<Examples> auto& examples) {

@@ -108,8 +108,6 @@ const Stimulus* original_of(const Stimulus& foil, const Manifest& manifest, Faul
 
 }  // namespace
 
-std::string_view name_of(FoilAspect aspect) { return word_of(foil_aspect_words, aspect); }
-
 std::vector<Fault> resolve_foils(Manifest& manifest) {
   FaultList list(manifest.places);
   for (Stimulus& foil : manifest.stimuli) {

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/text/words.h"
 #include "pipeline/base/documents/concerns.h"
 #include "pipeline/base/documents/fault.h"
-#include "pipeline/base/documents/words.h"
 
 namespace mien::pipeline {
 
@@ -20,8 +20,7 @@ inline constexpr Words<FoilAspect> foil_aspect_words = {{"posture", FoilAspect::
                                                         {"speed", FoilAspect::speed},
                                                         {"acceleration", FoilAspect::acceleration}};
 
-/// "posture", "path-length", "speed", "acceleration".
-std::string_view name_of(FoilAspect aspect);
+inline std::string_view name_of(FoilAspect aspect) { return word_of(foil_aspect_words, aspect); }
 
 /// Another stimulus with all of its modifications but one aspect, so that the two differ in that
 /// alone.

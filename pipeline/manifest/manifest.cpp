@@ -17,7 +17,7 @@ Overlay plain_overlay(const Manifest& manifest) {
   Overlay overlay;
   overlay.film.look = manifest.look;
   overlay.film.output = manifest.output;
-  overlay.film.output.clips = {.bvh = false, .glb = false};
+  overlay.film.output.clips.clear();
   return overlay;
 }
 

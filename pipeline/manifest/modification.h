@@ -151,8 +151,7 @@ inline constexpr Words<OnFault> fault_words = {{"warn", OnFault::warn},
                                                {"revert", OnFault::revert},
                                                {"reduce", OnFault::reduce}};
 
-/// "warn", "fail", "revert", "reduce".
-std::string_view name_of(OnFault choice);
+inline std::string_view name_of(OnFault choice) { return word_of(fault_words, choice); }
 
 /// One change of a motion, in the order of the manifest.
 struct ModificationStep {

@@ -4,8 +4,6 @@
 
 namespace mien::pipeline {
 
-std::string_view name_of(Quality quality) { return word_of(quality_words, quality); }
-
 std::array<int, 2> Output::whole_size() const {
   return {static_cast<int>(std::lround(scale * size[0])),
           static_cast<int>(std::lround(scale * size[1]))};

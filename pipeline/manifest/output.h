@@ -26,8 +26,7 @@ inline constexpr Words<FrameFormat> frame_format_words = {{"none", FrameFormat::
                                                           {"exr", FrameFormat::exr},
                                                           {"layers", FrameFormat::layers}};
 
-/// As manifests call it.
-std::string_view name_of(Quality quality);
+inline std::string_view name_of(Quality quality) { return word_of(quality_words, quality); }
 
 /// What a video shows before and after the film, in this order: card, fixation cross, blank, film,
 /// blank; each as many whole frames as come nearest to its seconds. Frame files are the film alone.
@@ -61,18 +60,11 @@ void fields_of(auto&& field, MaybeConst<Presentation> auto& shown) {
   field("background", shown.background, concerns::shown);
 }
 
-/// Which motion files are written.
-struct ClipFiles {
-  bool bvh = true;   ///< clips/<id>.bvh
-  bool glb = false;  ///< clips/<id>.glb
-
-  friend bool operator==(const ClipFiles&, const ClipFiles&) = default;
+/// `clips: [bvh, glb]`: in the order of motion::motion_formats().
+struct ClipsForm {
+  static void read(const Given& given, std::vector<std::string>& clips);
+  static nlohmann::ordered_json write(const std::vector<std::string>& clips, const Writing&);
 };
-
-void fields_of(auto&& field, MaybeConst<ClipFiles> auto& clips) {
-  field("bvh", clips.bvh, concerns::files);
-  field("glb", clips.glb, concerns::files);
-}
 
 /// `video: [mp4, gif]`: in the order of render::video_kinds().
 struct VideoKindsForm {
@@ -94,7 +86,7 @@ struct Output {
   FrameFormat frames = FrameFormat::png;
   std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< each once
   Presentation presentation;
-  ClipFiles clips;
+  std::vector<std::string> clips{"bvh"};  ///< endings of the motion files, clips/<id>.bvh
 
   /// Pixels of the picture that the camera frames, drawn to scale.
   std::array<int, 2> whole_size() const;
@@ -114,13 +106,13 @@ void fields_of(auto&& field, MaybeConst<Output> auto& output) {
   field("crop", output.crop, concerns::picture);
   field("fps", output.fps, concerns::motion | concerns::picture);
   field("in_place", output.in_place, concerns::motion | concerns::picture);
-  field("quality", output.quality, concerns::picture, quality_words);
-  field("shutter", output.shutter, concerns::picture);
+  field("quality", output.quality, concerns::picture | concerns::drawing, quality_words);
+  field("shutter", output.shutter, concerns::picture | concerns::drawing);
   field("cycles", output.cycles, concerns::motion);
   field("frames", output.frames, concerns::stored, frame_format_words);
   field.by("video", output.video, concerns::files, VideoKindsForm());
   field("presentation", output.presentation, concerns::shown);
-  field.by("clips", output.clips, concerns::files, WordSet<ClipFiles>());
+  field.by("clips", output.clips, concerns::files, ClipsForm());
 }
 
 }  // namespace mien::pipeline

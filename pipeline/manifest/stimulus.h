@@ -27,16 +27,6 @@ namespace mien::pipeline {
 /// Numbers by name, in the order of the manifest.
 using NamedValues = std::vector<std::pair<std::string, double>>;
 
-inline constexpr Words<motion::InterpolationMethod> method_words = {
-    {"reach", motion::InterpolationMethod::reach},
-    {"cardinal", motion::InterpolationMethod::cardinal},
-    {"knn", motion::InterpolationMethod::nearest},
-    {"inverse-distance", motion::InterpolationMethod::inverse_distance},
-    {"grid", motion::InterpolationMethod::grid},
-    {"kriging", motion::InterpolationMethod::kriging},
-    {"pca", motion::InterpolationMethod::pca},
-    {"incremental", motion::InterpolationMethod::incremental},
-    {"direct", motion::InterpolationMethod::direct}};
 inline constexpr Words<motion::GridSource> grid_source_words = {
     {"cardinal", motion::GridSource::cardinal}, {"knn", motion::GridSource::nearest}};
 inline constexpr Words<bool> drift_words = {{"linear", true}, {"constant", false}};
@@ -54,7 +44,7 @@ inline constexpr Words<motion::WarpShape> time_warp_words = {
 using Interpolation = motion::SynthesisOptions;
 
 void fields_of(auto&& field, MaybeConst<Interpolation> auto& how) {
-  field("method", how.weights.method, concerns::motion, method_words);
+  field("method", how.weights.method, concerns::motion, motion::interpolation_methods);
   field("neighbours", how.weights.nearest.neighbours, concerns::motion);
   field("blends", how.weights.nearest.trials, concerns::motion);
   field("power", how.weights.power, concerns::motion);
@@ -84,10 +74,13 @@ void fields_of(auto&& field, MaybeConst<ClipSource> auto& clip) {
   field("frames", clip.frames, concerns::motion);
 }
 
-using scenes::Role;  ///< of a stimulus: never neutral
+/// Of a stimulus: target, created or reference.
+using Role = scenes::Role;
 
 inline constexpr Words<Role> role_words = {
     {"target", Role::target}, {"created", Role::created}, {"reference", Role::reference}};
+
+inline std::string_view name_of(Role role) { return word_of(role_words, role); }
 
 /// `modify:`: one step, or several.
 struct StepsForm {

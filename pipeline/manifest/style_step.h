@@ -32,10 +32,7 @@ inline constexpr Words<StyleMethod> style_methods = {{"amaya", StyleMethod::amay
                                                      {"shapiro", StyleMethod::shapiro},
                                                      {"neff", StyleMethod::neff}};
 
-/// As manifests call it.
-inline std::string_view name_of(StyleMethod method) {
-  return style_methods.begin()[static_cast<std::size_t>(method)].first;
-}
+inline std::string_view name_of(StyleMethod method) { return word_of(style_methods, method); }
 
 /// A modification by an older method: `{method: unuma, neutral: normal, styled: sad}`.
 struct StyleStep {

@@ -4,20 +4,6 @@
 
 namespace mien::pipeline {
 
-std::string_view name_of(Cause cause) {
-  for (const auto& [word, meaning] : cause_words) {
-    if (meaning == cause) return word;
-  }
-  return "";
-}
-
-std::string_view name_of(Verdict verdict) {
-  for (const auto& [word, meaning] : verdict_words) {
-    if (meaning == verdict) return word;
-  }
-  return "";
-}
-
 std::vector<ValueChange> value_changes(const NamedValues& before, const NamedValues& now) {
   const auto value_in = [](const NamedValues& values, const std::string& name) {
     const auto found = std::ranges::find(values, name, &NamedValues::value_type::first);

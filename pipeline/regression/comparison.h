@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/measures/differences/motion_difference.h"
-#include "pipeline/base/documents/words.h"
+#include "motion/text/words.h"
 #include "pipeline/regression/comparison/frame_comparison.h"
 #include "pipeline/regression/settings.h"
 
@@ -29,7 +29,7 @@ inline constexpr Words<Cause> cause_words = {
     {"synthesis", Cause::synthesis},     {"encoder", Cause::encoder},
     {"environment", Cause::environment}, {"unknown", Cause::unknown}};
 
-std::string_view name_of(Cause cause);
+inline std::string_view name_of(Cause cause) { return word_of(cause_words, cause); }
 
 /// One cause of a difference.
 struct Attribution {
@@ -57,7 +57,7 @@ inline constexpr Words<Verdict> verdict_words = {{"same", Verdict::same},
                                                  {"appeared", Verdict::appeared},
                                                  {"gone", Verdict::gone}};
 
-std::string_view name_of(Verdict verdict);
+inline std::string_view name_of(Verdict verdict) { return word_of(verdict_words, verdict); }
 
 /// A number that has changed.
 struct ValueChange {

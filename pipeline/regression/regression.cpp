@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "motion/text/shell_word.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/own_seed.h"
 #include "pipeline/manifest/regression_limits.h"
 #include "pipeline/production/synthesis/motion_record.h"
@@ -99,17 +100,13 @@ double limit_of(const std::string& part, const RegressionLimits& limits) {
 std::vector<std::string> wider_limits(const RegressionLimits& approved,
                                       const RegressionLimits& now) {
   std::vector<std::string> wider;
-  const auto compare = [&](const char* name, double RegressionLimits::*limit) {
-    if (now.*limit > approved.*limit)
-      wider.push_back(fmt::format("{} {:g} → {:g}", name, approved.*limit, now.*limit));
-  };
-  compare("position_mm", &RegressionLimits::position_mm);
-  compare("turn_degrees", &RegressionLimits::turn_degrees);
-  compare("speed_m_s", &RegressionLimits::speed_m_s);
-  compare("contact_seconds", &RegressionLimits::contact_seconds);
-  compare("slide_mm", &RegressionLimits::slide_mm);
-  compare("perceptual", &RegressionLimits::perceptual);
-  compare("psnr_db", &RegressionLimits::psnr_db);
+  const std::vector<FieldEntry> earlier = entries_of(approved, {}), current = entries_of(now, {});
+  for (std::size_t i = 0; i < current.size(); ++i) {
+    const OrderedJson &before = earlier[i].value, &limit = current[i].value;
+    if (limit.is_number() && limit > before)
+      wider.push_back(fmt::format("{} {:g} → {:g}", current[i].path, before.get<double>(),
+                                  limit.get<double>()));
+  }
   if (now.findings && !approved.findings) wider.emplace_back("findings false → true");
   for (const auto& [part, limit] : now.parts_mm) {
     if (const double before = limit_of(part, approved); limit > before)

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/own_seed.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_shot.h"
@@ -40,13 +42,18 @@ const Stimulus& stimulus_of(const Rendition& rendition, const std::string& id) {
   return *find_stimulus(rendition.manifest(), id);
 }
 
+/// Gives `output` the options of another that concern any of these.
+void take_options(Output& output, const Output& other, unsigned concerned) {
+  const nlohmann::json options = nested_map(entries_of(other, {.concerned = concerned}));
+  const Places nowhere{};
+  read({options, "", {nowhere, {}}}, output);
+}
+
 /// The output that a frame is drawn with: the scene's, with how it moves and how it is drawn from
 /// others.
 Output output_of(const FrameSources& sources, const std::string& id) {
   Output output = stimulus_of(*sources.scene, id).output;
-  const Output& drawing = stimulus_of(*sources.drawing, id).output;
-  output.quality = drawing.quality;
-  output.shutter = drawing.shutter;
+  take_options(output, stimulus_of(*sources.drawing, id).output, concerns::drawing);
   output.fps = sources.clip != nullptr ? sources.clip->frames_per_second
                                        : stimulus_of(*sources.motion, id).output.fps;
   output.frames = FrameFormat::none;
@@ -84,10 +91,7 @@ const motion::Clip& Rendition::clip_of(const std::string& id) {
 
 Hash Rendition::scene_key(const std::string& id) {
   Stimulus scene = stimulus_of(*this, id);
-  scene.output.quality = Quality::standard;
-  scene.output.shutter = 0.0;
-  scene.output.fps = Output{}.fps;  // and walking on the spot: the clip's affair
-  scene.output.in_place = false;
+  take_options(scene.output, {}, concerns::motion | concerns::drawing);
   KeyBuilder key;
   add_film(key, scene, files_);
   const Equalized equal = equalized_.of(id);
@@ -105,7 +109,12 @@ Hash Rendition::scene_key(const std::string& id) {
 Hash Rendition::drawing_key(const std::string& id) const {
   const Output& output = stimulus_of(*this, id).output;
   KeyBuilder key;
-  key.add("quality", name_of(output.quality)).add("shutter", output.shutter);
+  for (const FieldEntry& option : entries_of(output, {.concerned = concerns::drawing})) {
+    if (option.value.is_string())
+      key.add(option.path, option.value.get<std::string>());
+    else
+      key.add(option.path, option.value.get<double>());
+  }
   key.add("seed", static_cast<std::int64_t>(manifest_.seed));
   return key.key();
 }

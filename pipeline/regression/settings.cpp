@@ -17,12 +17,9 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr std::string_view drawing_options[] = {"output.quality", "output.shutter"};
-
 /// fps and in_place count as what they change first.
 Aspect aspect_of(const FieldEntry& entry) {
-  if (std::ranges::find(drawing_options, entry.path) != std::end(drawing_options))
-    return Aspect::drawing;
+  if ((entry.concerns & concerns::drawing) != 0) return Aspect::drawing;
   if ((entry.concerns & (concerns::motion | concerns::repertoire)) != 0) return Aspect::motion;
   if ((entry.concerns & concerns::picture) != 0) return Aspect::scene;
   return Aspect::video;
@@ -178,13 +175,6 @@ std::string usual_value(const std::string& path, const std::vector<Setting>& set
 }
 
 }  // namespace
-
-std::string_view name_of(Aspect aspect) {
-  for (const auto& [word, meaning] : aspect_words) {
-    if (meaning == aspect) return word;
-  }
-  return "";
-}
 
 std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manifest,
                                  FileKeys& files) {

@@ -22,8 +22,7 @@ inline constexpr Words<Aspect> aspect_words = {{"motion", Aspect::motion},
                                                {"drawing", Aspect::drawing},
                                                {"video", Aspect::video}};
 
-/// "motion"
-std::string_view name_of(Aspect aspect);
+inline std::string_view name_of(Aspect aspect) { return word_of(aspect_words, aspect); }
 
 /// One option as it was used, whether the manifest names it or not.
 struct Setting {

@@ -187,11 +187,16 @@ Character character_of(const CharacterFile& file) {
 CharacterFile read_file(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const std::string bytes = motion::read_contents(path);
-  motion::require_kind(bytes, path.string(), motion::FileKind::gltf);
+  motion::require_kind(bytes, path.string(), "gltf");
   return parse_character_file(bytes, path.string(), folder);
 }
 
 }  // namespace
+
+bool is_character_file(const std::filesystem::path& path) {
+  return std::ranges::find(character_endings, path.extension().string()) !=
+         std::end(character_endings);
+}
 
 Character parse_character(std::string_view bytes, const std::string& file_name) {
   return character_of(parse_character_file(bytes, file_name, std::nullopt));

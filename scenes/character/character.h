@@ -35,7 +35,13 @@ struct Character {
   std::vector<std::string> warnings;  ///< parts of the file that are not rendered, as sentences
 };
 
-/// Reads a text or binary glTF 2.0 file (.gltf, .glb, .vrm) with its buffers and pictures.
+/// Endings of files that `read_character` reads.
+inline constexpr std::string_view character_endings[] = {".gltf", ".glb", ".vrm"};
+
+/// Whether a file has one of them.
+bool is_character_file(const std::filesystem::path& path);
+
+/// Reads a text or binary glTF 2.0 file with its buffers and pictures.
 ///
 /// - All primitives of triangles of skinned meshes, and meshes that hang on a joint without a skin.
 ///   Base colour factors and textures, and normal maps (PNG, JPEG, WebP). Vertex colours, morph

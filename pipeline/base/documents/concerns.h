@@ -3,7 +3,7 @@
 #include <concepts>
 #include <type_traits>
 
-#include "pipeline/base/documents/words.h"
+#include "motion/text/words.h"
 
 namespace mien::pipeline {
 
@@ -19,9 +19,9 @@ namespace mien::pipeline {
 ///     }
 ///
 /// Whatever is done with options walks that list: reading it (field_reader.h), writing it
-/// (field_writer.h), keys of artifacts (artifact_keys.h), options of the command line
-/// (render_options.h), and the test that holds the list against the schema (field_names.h). Beside
-/// plain values a `field` takes
+/// (field_writer.h), keys of artifacts (determinants.h), options of the command line
+/// (render_options.h), what a regression says of it (settings.h), and the test that holds the list
+/// against the schema (field_names.h). Beside plain values a `field` takes
 ///
 /// - `group(key, [&](auto& inner) { … })`: a map within the map, of members of the same struct;
 /// - `whole(key, value, concerns)`: a map that replaces the value, instead of being laid over it;
@@ -41,6 +41,7 @@ enum : unsigned {
   shown = 1U << 4,       ///< what a video shows beside the film
   files = 1U << 5,       ///< which files are written, and nothing in them
   page = 1U << 6,        ///< sheets, tables and the report
+  drawing = 1U << 7,     ///< how a scene is drawn: of what concerns the picture
 
   // No artifacts, but how it is written:
   required = 1U << 16,  ///< the schema asks for it, so it is written always
@@ -53,8 +54,6 @@ enum : unsigned {
 // field_values.h, value_forms.h
 struct Given;
 struct Writing;
-template <class Flags>
-struct WordSet;
 
 /// Whether O is a struct, or it and const.
 template <class O, class Struct>

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/base/documents/words.h"
+#include "motion/text/words.h"
 
 namespace mien::pipeline {
 
@@ -68,9 +68,7 @@ void assign(const nlohmann::json* value, std::optional<Value>& target) {
 template <class Enum>
 inline void assign(const nlohmann::json* value, Enum& target, Words<Enum> words) {
   if (value == nullptr || !value->is_string()) return;
-  for (const auto& [word, meaning] : words) {
-    if (*value == word) target = meaning;
-  }
+  target = meaning_of(words, value->get_ref<const std::string&>()).value_or(target);
 }
 
 }  // namespace mien::pipeline

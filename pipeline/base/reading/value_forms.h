@@ -93,28 +93,6 @@ struct ValueForm<std::vector<Value>> {
   }
 };
 
-/// A struct of truth values as an array of the names of those that are true.
-template <class Flags>
-struct WordSet {
-  static void read(const Given& given, Flags& flags) {
-    if (!given.value.is_array()) return;
-    fields_of(
-        [&](const char* word, bool& flag, unsigned) {
-          flag = std::find(given.value.begin(), given.value.end(), word) != given.value.end();
-        },
-        flags);
-  }
-  static OrderedJson write(const Flags& flags, const Writing&) {
-    OrderedJson words = OrderedJson::array();
-    fields_of(
-        [&](const char* word, bool flag, unsigned) {
-          if (flag) words.push_back(word);
-        },
-        flags);
-    return words;
-  }
-};
-
 template <class Value>
 concept HasForm = requires(const Given& given, Value& value) {
   ValueForm<Value>::read(given, value);

@@ -38,9 +38,7 @@ int jobs_of(const ProductionArguments& arguments) {
 
 ProductionOptions options_of(const ProductionArguments& arguments) {
   ProductionOptions options;
-  if (arguments.quality == "draft") options.quality = Quality::draft;
-  if (arguments.quality == "standard") options.quality = Quality::standard;
-  if (arguments.quality == "final") options.quality = Quality::final;
+  options.quality = meaning_of(quality_words, arguments.quality);
   options.only = arguments.only;
   options.jobs = jobs_of(arguments);
   return options;

@@ -16,7 +16,7 @@ namespace mien::pipeline {
 /// `--take`: which motion of a file that holds several.
 inline CommandOption take_option(std::string& take) {
   return option("--take", &take,
-                "Motion to use from a glTF file with several (listed by mien motion info)");
+                "Motion to use from a file with several (listed by mien motion info)");
 }
 
 using motion::read_take;
@@ -38,7 +38,7 @@ inline std::string chosen_take(const motion::Recording& recording) {
 /// `--take` of a command that compares two files: of both, or of each by its own.
 inline CommandOption takes_option(std::vector<std::string>& takes) {
   return option("--take", &takes,
-                "Motion to use from glTF files with several (listed by mien motion info); give "
+                "Motion to use from files with several (listed by mien motion info); give "
                 "twice for the first and the second file")
       .values(1, 1);
 }

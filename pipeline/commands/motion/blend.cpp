@@ -69,7 +69,8 @@ Command motion_blend_command() {
           {option("--examples", &options->examples, examples_help).required(),
            option("--weights", &options->weights, "Weights by name: normal=0.6,proud=0.4")
                .required(),
-           option("-o,--output", &options->out, "File to write: .bvh or .glb").required(),
+           option("-o,--output", &options->out, "File to write: " + motion::formats_written())
+               .required(),
            option("--fps", &options->fps, "Frames per second").between(1.0, 240.0).with_default(),
            option("--cycles", &options->cycles, "Repetitions of a loop")
                .between(1, 1000)

@@ -27,10 +27,10 @@ int convert(const ConvertOptions& options, const Console& console) {
     throw Error(Place{options.out}, "is the input file", "name another file to write");
   }
   motion::Recording recording = read_told(options.in, options.take, console);
-  const bool is_glb = std::filesystem::path(options.out).extension() == ".glb";
+  const motion::MotionFormat* format = motion::motion_format(options.out);
   if (options.body) {
     recording = motion::to_recording(motion::to_body(recording));
-  } else if (is_glb) {
+  } else if (format != nullptr && format->is_metric) {
     const motion::RigAnalysis rig = motion::analyse_rig(recording);
     if (!rig.human) {
       for (std::size_t i = recording.notes.size(); i < rig.warnings.size(); ++i)
@@ -48,20 +48,20 @@ int convert(const ConvertOptions& options, const Console& console) {
 
 Command motion_convert_command() {
   const auto options = std::make_shared<ConvertOptions>();
-  return {
-      .name = "convert",
-      .summary = "Convert a motion to another format",
-      .options = all_of(
-          argument("in", &options->in, "Motion file"),
-          argument("out", &options->out,
-                   "File to write: .bvh, in the unit of the input, or .glb, in metres with +Y up"),
-          take_option(options->take),
-          flag("--body", &options->body,
-               "Map it onto the canonical body: 21 joints, metres, +Y up")),
-      .notes =
-          "Examples:\n  mien motion convert walk.bvh walk.glb\n"
-          "  mien motion convert 02_01.amc walk.bvh --body",
-      .run = [options](const Console& console) { return convert(*options, console); }};
+  return {.name = "convert",
+          .summary = "Convert a motion to another format",
+          .options = all_of(
+              argument("in", &options->in, "Motion file"),
+              argument("out", &options->out,
+                       "File to write: " + motion::formats_written() +
+                           "; glTF in metres with +Y up, others in the unit and axes of the input"),
+              take_option(options->take),
+              flag("--body", &options->body,
+                   "Map it onto the canonical body: 21 joints, metres, +Y up")),
+          .notes =
+              "Examples:\n  mien motion convert walk.bvh walk.glb\n"
+              "  mien motion convert 02_01.amc walk.bvh --body",
+          .run = [options](const Console& console) { return convert(*options, console); }};
 }
 
 }  // namespace mien::pipeline

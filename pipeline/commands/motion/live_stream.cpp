@@ -22,11 +22,6 @@ namespace mien::pipeline {
 
 namespace {
 
-bool is_bvh(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
-  return extension == ".bvh" || extension == ".BVH";
-}
-
 constexpr int look_up_milliseconds = 100;  // for a wish to stop
 
 /// Room for any number of frames that is known at the end.
@@ -54,7 +49,8 @@ MotionSource::MotionSource(const std::string& file) : name_(file) {
   if (std::filesystem::is_directory(file)) {
     throw Error(Place{file}, "is a folder", "name a BVH file, or - for standard input");
   }
-  if (motion::is_motion_file(file) && !is_bvh(file)) {
+  const motion::MotionFormat* format = motion::motion_format(file);
+  if (format != nullptr && !format->is_streamed) {
     throw Error(Place{file}, "cannot be streamed, because this format must be read as a whole",
                 "write it as BVH, with mien motion convert, or use mien motion modify");
   }

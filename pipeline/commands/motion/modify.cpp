@@ -86,7 +86,8 @@ Command motion_modify_command() {
           argument("in", &options->in, "Motion file"),
           argument("change", &options->change,
                    "An emotion, or the value of `modify:` in a manifest"),
-          argument("out", &options->out, "File to write: .bvh or .glb"), take_option(options->take),
+          argument("out", &options->out, "File to write: " + motion::formats_written()),
+          take_option(options->take),
           option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
               .with_default(),
           option("--on-fault", &options->on_fault,

@@ -116,12 +116,6 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
   return verdict;
 }
 
-std::optional<TestCorrection> correction_named(const std::string& name) {
-  for (const auto& [word, correction] : correction_words)
-    if (name == word) return correction;
-  return std::nullopt;
-}
-
 void tell_results(const Results& results, const FrozenVerdict& frozen, const fs::path& folder,
                   const Console& console) {
   const Gathered& gathered = results.gathered;
@@ -185,7 +179,7 @@ std::map<std::uint64_t, int> planned_trials(const Manifest& manifest) {
 ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
                          const ParticipantTable& people) {
   ReportChoices choices;
-  choices.correction = correction_named(options.correction);
+  choices.correction = meaning_of(correction_words, options.correction);
   if (options.most_failed >= 0) choices.most_failed = options.most_failed;
   choices.planned = planned_trials(manifest);
   choices.finished = people.finished();

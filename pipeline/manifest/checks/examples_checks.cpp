@@ -27,7 +27,7 @@ void check_takes(const Examples& examples, FaultList& list) {
   if (std::ranges::any_of(motion::example_files(example_folder(examples)), motion::may_hold_takes))
     return;
   list.add("examples.set.take", "none of the files can hold several motions",
-           "omit take; glTF files (.gltf, .glb) can hold several");
+           "omit take; only " + motion::formats_with_takes() + " can hold several");
 }
 
 void check_keytimes(const Examples& examples, FaultList& list) {

@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "motion/formats/motion_file.h"
-#include "motion/text/excerpt.h"
-#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
@@ -147,16 +144,8 @@ void check_points(const std::string& path, const WalkPath& walk, FaultList& list
 void check_graph(const std::string& path, const WalkPath& walk, FaultList& list) {
   const std::string graph = member_path(path, "graph");
   for (std::size_t i = 0; i < walk.graph.size(); ++i) {
-    const std::string element = element_path(graph, i);
-    const std::string own = member_path(element, "file");
-    const std::string at = list.was_given(own) ? own : element;
     const auto& [file, take] = walk.graph[i];
-    list.check_file(at, file, "a motion file (.bvh, .amc, .gltf, .glb)",
-                    motion::max_recording_bytes);
-    check_take(member_path(element, "take"), file, take, list);
-    if (motion::is_motion_file(file)) continue;
-    list.add(at, motion::in_quotes(file.extension().string()) + " is not a motion file format",
-             "use .bvh, .amc, .gltf or .glb");
+    check_motion_file(element_path(graph, i), file, take, list);
   }
   const auto refuse = [&](const std::string& at) {
     if (!list.was_given(at)) return;

@@ -220,7 +220,8 @@ class QuestionnaireCheck {
     if (asked_.view != ShownAs::turn) return;
     for (const std::string& id : asked_stimuli(manifest_)) {
       const auto found = std::ranges::find(manifest_.stimuli, id, &Stimulus::id);
-      if (found == manifest_.stimuli.end() || found->output.clips.glb) continue;
+      if (found == manifest_.stimuli.end() || std::ranges::count(found->output.clips, "glb") > 0)
+        continue;
       return list_.add(at("view"),
                        "the motion of " + motion::in_quotes(id) + " is not written in 3-D",
                        "add output: {clips: [bvh, glb]}");

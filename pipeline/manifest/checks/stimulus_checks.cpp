@@ -2,11 +2,9 @@
 #include <cctype>
 #include <string>
 
-#include "motion/formats/motion_file.h"
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/measures/distance/body_part.h"
 #include "motion/text/excerpt.h"
-#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
@@ -148,19 +146,8 @@ void check_adjectives(const Stimulus& stimulus, const Manifest& manifest, bool h
 void check_clip(const Stimulus& stimulus, FaultList& list) {
   if (!stimulus.clip) return;
   const std::string path = member_path(stimulus.path, "clip");
-  const std::string own = member_path(path, "file");
-  const std::string file = list.was_given(own) ? own : path;
   const ClipSource& clip = *stimulus.clip;
-  if (!clip.file.empty()) {
-    list.check_file(file, clip.file, "a motion file (.bvh, .amc, .gltf, .glb)",
-                    motion::max_recording_bytes);
-    if (!motion::is_motion_file(clip.file)) {
-      list.add(file,
-               motion::in_quotes(clip.file.extension().string()) + " is not a motion file format",
-               "use .bvh, .amc, .gltf or .glb");
-    }
-  }
-  check_take(member_path(path, "take"), clip.file, clip.take, list);
+  check_motion_file(path, clip.file, clip.take, list);
   if (clip.frames && (*clip.frames)[0] > (*clip.frames)[1]) {
     list.add(member_path(path, "frames"), "the first frame comes after the last",
              "exchange the two");

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/named_motions.h"
@@ -69,11 +70,24 @@ void add_silent_take(const NamedMotion& motion, FaultList& list) {
 
 }  // namespace
 
+void check_motion_file(const std::string& path, const std::filesystem::path& file,
+                       const std::string& take, FaultList& list) {
+  if (file.empty()) return;
+  const std::string own = member_path(path, "file");
+  const std::string at = list.was_given(own) ? own : path;
+  list.check_file(at, file, "a motion file: " + motion::formats_read(),
+                  motion::max_recording_bytes);
+  check_take(member_path(path, "take"), file, take, list);
+  if (motion::is_motion_file(file)) return;
+  list.add(at, motion::in_quotes(file.extension().string()) + " is not a motion file format",
+           "use " + motion::formats_read());
+}
+
 void check_take(const std::string& path, const std::filesystem::path& file, const std::string& take,
                 FaultList& list) {
   if (take.empty() || !motion::is_motion_file(file) || motion::may_hold_takes(file)) return;
   list.add(path, "a file of " + file.extension().string() + " holds one motion",
-           "omit take; glTF files (.gltf, .glb) can hold several");
+           "omit take; only " + motion::formats_with_takes() + " can hold several");
 }
 
 std::vector<Fault> check_recordings(const Manifest& manifest) {

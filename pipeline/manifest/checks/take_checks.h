@@ -9,6 +9,11 @@
 
 namespace mien::pipeline {
 
+/// Adds the faults of a motion file that stands at `path`, by itself or as `file:` of a map there,
+/// and of its take (none: empty).
+void check_motion_file(const std::string& path, const std::filesystem::path& file,
+                       const std::string& take, FaultList& list);
+
 /// Adds the fault of a take (none: empty) that is wanted of a motion file which can hold one motion
 /// only; `path` is where the take stands in the manifest.
 void check_take(const std::string& path, const std::filesystem::path& file, const std::string& take,
@@ -19,8 +24,8 @@ void check_take(const std::string& path, const std::filesystem::path& file, cons
 /// manifest does not matter.
 std::vector<Fault> check_recordings(const Manifest& manifest);
 
-/// Motion files with several takes of which none is chosen, and which is taken. Reads glTF files;
-/// those that cannot be read are passed over.
+/// Motion files with several takes of which none is chosen, and which is taken. Reads files
+/// that may hold several; those that cannot be read are passed over.
 std::vector<Fault> silent_takes(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -3,6 +3,8 @@
 #include <system_error>
 #include <variant>
 
+#include <fmt/ranges.h>
+
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
@@ -43,8 +45,10 @@ void check_trail(const scenes::TrailOptions& trail, const std::string& path,
 void check_character(const scenes::CharacterOptions& character, const std::string& path,
                      FaultList& list, SeenFiles& characters) {
   if (characters.contains(character.file)) return;
-  list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)",
-                  motion::max_recording_bytes);
+  list.check_file(
+      path, character.file,
+      fmt::format("a skinned character ({})", fmt::join(scenes::character_endings, ", ")),
+      motion::max_recording_bytes);
   if (!motion::read_error(character.file, motion::max_recording_bytes).empty()) return;
   try {
     scenes::read_character(character.file);

@@ -12,18 +12,17 @@
 #include "pipeline/manifest/look/look_checks.h"
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
+#include "scenes/character/character.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 using nlohmann::json;
-namespace fs = std::filesystem;
 
 bool is_character(const std::string& figure) {
-  if (figure.starts_with('{') || figure.starts_with("character:")) return false;
-  const std::string ending = fs::path(figure).extension().string();
-  return ending == ".glb" || ending == ".gltf" || ending == ".vrm";
+  return !figure.starts_with('{') && !figure.starts_with("character:") &&
+         scenes::is_character_file(figure);
 }
 
 bool is_map(const std::string& text) {

@@ -8,7 +8,7 @@ namespace mien::pipeline {
 
 /// A look as the options of a command say it: each a name, or options in the words of a manifest,
 /// with or without braces ("mannequin: {build: 0.3}"). A scene may be a file, and so may a figure
-/// (.glb, .gltf, .vrm: a character); paths are taken from the working folder.
+/// (of a character); paths are taken from the working folder.
 struct LookOptions {
   std::string scene;  ///< empty: that of the figure's kind
   std::string figure = "stick";

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "motion/formats/motion_file.h"
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/manifest.h"
@@ -18,6 +19,10 @@ constexpr std::string_view builtin_prefix = "builtin:";
 constexpr Words<Examples::Labels> label_words = {{"from-name", Examples::Labels::from_name},
                                                  {"file-name", Examples::Labels::file_name}};
 
+bool holds(const json& array, std::string_view word) {
+  return std::find(array.begin(), array.end(), word) != array.end();
+}
+
 }  // namespace
 
 ScalesSource scales_in(const std::filesystem::path& file) { return {file, read_scales(file)}; }
@@ -30,9 +35,7 @@ void VideoKindsForm::read(const Given& given, std::vector<render::VideoKind>& vi
   if (!given.value.is_array()) return;
   video.clear();
   for (const render::VideoTraits& traits : render::video_kinds()) {
-    const bool is_in =
-        std::find(given.value.begin(), given.value.end(), traits.name) != given.value.end();
-    if (is_in) video.push_back(traits.kind);
+    if (holds(given.value, traits.name)) video.push_back(traits.kind);
   }
 }
 
@@ -40,6 +43,19 @@ OrderedJson VideoKindsForm::write(const std::vector<render::VideoKind>& video, c
   OrderedJson names = OrderedJson::array();
   for (const render::VideoKind kind : video) names.push_back(render::traits_of(kind).name);
   return names;
+}
+
+void ClipsForm::read(const Given& given, std::vector<std::string>& clips) {
+  if (!given.value.is_array()) return;
+  clips.clear();
+  for (const motion::MotionFormat& format : motion::motion_formats()) {
+    const std::string name(format.ending.substr(1));
+    if (format.write != nullptr && holds(given.value, name)) clips.push_back(name);
+  }
+}
+
+OrderedJson ClipsForm::write(const std::vector<std::string>& clips, const Writing&) {
+  return clips;
 }
 
 void AlikeForm::read(const Given& given, std::optional<Among>& among) {
@@ -57,16 +73,13 @@ OrderedJson AlikeForm::write(const std::optional<Among>& among, const Writing&) 
 void EqualizeForm::read(const Given& given, Equalize& equalize) {
   if (given.value.is_object()) return pipeline::read(given, equalize);
   if (!given.value.is_array()) return;
-  const auto named = [&](const char* word) {
-    return std::find(given.value.begin(), given.value.end(), word) != given.value.end();
-  };
   const auto among = [&](const char* word) {
-    return named(word) ? std::optional(Among::study) : std::nullopt;
+    return holds(given.value, word) ? std::optional(Among::study) : std::nullopt;
   };
   equalize = {.luminance = among("luminance"),
               .size = among("size"),
               .place = among("place"),
-              .duration = named("duration")};
+              .duration = holds(given.value, "duration")};
 }
 
 OrderedJson EqualizeForm::write(const Equalize& equalize, const Writing& how) {

@@ -49,8 +49,6 @@ void decode_by_ending(const fs::path& file) {
       {".exr", [](const fs::path& one) { render::check_image(one); }},
       {".csv", [](const fs::path& one) { read_csv(one); }},
       {".json", read_as_json},
-      {".bvh", [](const fs::path& one) { motion::read_motion(one); }},
-      {".glb", [](const fs::path& one) { motion::read_motion(one); }},
       {".pdf", [](const fs::path& one) { read_from_to(one, "%PDF-", "%%EOF"); }},
       {".html", [](const fs::path& one) { read_from_to(one, "<!", "</html>"); }},
       {".md", read_as_text},
@@ -60,6 +58,8 @@ void decode_by_ending(const fs::path& file) {
   const auto reader = readers.find(file.extension().string());
   if (render::video_kind_of(file)) {
     render::probe(file);
+  } else if (motion::is_motion_file(file)) {
+    motion::read_motion(file);
   } else if (reader != readers.end()) {
     reader->second(file);
   }

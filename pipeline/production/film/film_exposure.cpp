@@ -94,7 +94,7 @@ using AdjustmentsById = std::map<std::string, Adjustment>;
 /// What the luminance of dots hangs on.
 struct DotsLook {
   std::string scene, background;
-  std::optional<Role> role;  ///< where colours go by it
+  Role role;
   scenes::PointLightOptions dots;
 
   friend bool operator==(const DotsLook&, const DotsLook&) = default;
@@ -105,8 +105,7 @@ std::optional<DotsLook> dots_look(const Stimulus& stimulus) {
   const auto* given = std::get_if<scenes::PointLightOptions>(&stimulus.look.figure);
   if (!given) return std::nullopt;
   const scenes::PointLightOptions usual;
-  DotsLook look = {stimulus.look.scene, stimulus.look.background, std::nullopt, *given};
-  if (stimulus.look.colours == Colours::role) look.role = stimulus.role;
+  DotsLook look = {stimulus.look.scene, stimulus.look.background, film_role(stimulus), *given};
   look.dots.lifetime = usual.lifetime;
   look.dots.inverted = usual.inverted;
   look.dots.mirrored = usual.mirrored;

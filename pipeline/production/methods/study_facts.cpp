@@ -6,8 +6,6 @@
 
 namespace mien::pipeline {
 
-std::string_view name_of(Role role) { return word_of(role_words, role); }
-
 std::string ratings_of(const Stimulus* stimulus, Motions& motions) {
   if (stimulus == nullptr || stimulus->adjectives.empty()) return "none";
   return motions.repertoire().simulated_ratings ? "simulated" : "given";

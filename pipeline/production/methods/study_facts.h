@@ -12,9 +12,6 @@ namespace mien::pipeline {
 
 // What tables and report say about stimuli in a word.
 
-/// "target", "created" or "reference".
-std::string_view name_of(Role role);
-
 /// Whose ratings a motion rests on: "given", "simulated", or "none" for features, weights, files
 /// and examples (nullptr).
 std::string ratings_of(const Stimulus* stimulus, Motions& motions);

@@ -130,9 +130,8 @@ void Production::add_stimuli(const SharedDeterminants& shared) {
   const Equalize& equalize = manifest_.equalize;
   for (const Stimulus& stimulus : manifest_.stimuli) {
     if (!is_wanted(stimulus.id)) continue;
-    if (stimulus.output.clips.bvh || stimulus.output.clips.glb) {
+    if (!stimulus.output.clips.empty())
       add(clip_task(stimulus, equalize, shared, motions_), equalize);
-    }
     if (has_dots(stimulus)) {
       add(dots_task(stimulus, manifest_.seed, equalize, shared, motions_), equalize);
     }

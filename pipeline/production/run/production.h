@@ -26,7 +26,7 @@ struct ProductionOptions {
 /// The manifest as the tasks of a run:
 ///
 ///   motion  examples, weights → motion      (its digest)
-///   clip    motion → file                   clips/<id>.bvh, .glb
+///   clip    motion → file                   clips/<id>.bvh, …
 ///   film    motions → shot → frames, video   frames/<id>/, videos/<id>.mp4,
 ///                                           sheets/contact/<id>.png
 ///                                           metrics/films/<id>.json

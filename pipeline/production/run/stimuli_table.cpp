@@ -86,9 +86,8 @@ struct MadeStimulus {
   }
   /// From the study's folder; empty where it was not made.
   std::string clip() const {
-    const ClipFiles& clips = film.output.clips;
-    if (!clips.bvh && !clips.glb) return "";
-    return "clips/" + film.id + (clips.bvh ? ".bvh" : ".glb");
+    const std::vector<std::string>& clips = film.output.clips;
+    return clips.empty() ? "" : "clips/" + film.id + "." + clips.front();
   }
   std::string frames() const {
     return film.output.frames == FrameFormat::none ? "" : "frames/" + film.id;

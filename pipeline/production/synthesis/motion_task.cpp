@@ -67,9 +67,8 @@ Task clip_task(const Stimulus& stimulus, const Equalize& equalize, const SharedD
   task.inputs = {"motion:" + stimulus.id};
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", motion_code());
-  const std::string path = "clips/" + stimulus.id;
-  if (stimulus.output.clips.bvh) task.products.push_back({path + ".bvh", {}});
-  if (stimulus.output.clips.glb) task.products.push_back({path + ".glb", {}});
+  for (const std::string& ending : stimulus.output.clips)
+    task.products.push_back({"clips/" + stimulus.id + "." + ending, {}});
   task.cost_seconds = clip_cost_seconds;
   const bool is_cut = equalize.duration;
   if (is_cut) task.inputs.emplace_back(durations_task_id);

@@ -26,17 +26,9 @@ double distance_when(Mirroring mirroring, const std::vector<Thumbnail>& before,
 }  // namespace
 
 std::string_view name_of(Mirroring mirroring) {
-  switch (mirroring) {
-    case Mirroring::left_right:
-      return "mirrored: left and right are exchanged";
-    case Mirroring::upside_down:
-      return "mirrored: top and bottom are exchanged";
-    case Mirroring::half_turn:
-      return "turned by 180°";
-    case Mirroring::none:
-      break;
-  }
-  return "";
+  constexpr std::string_view names[] = {"", "mirrored: left and right are exchanged",
+                                        "mirrored: top and bottom are exchanged", "turned by 180°"};
+  return names[static_cast<std::size_t>(mirroring)];
 }
 
 render::Image8 mirrored(const render::Image8& picture, Mirroring mirroring) {

@@ -79,15 +79,8 @@ ordered_json as_json(const JointDifference& joint) {
 }
 
 const char* name_of_kind(motion::ContactChange::Kind kind) {
-  switch (kind) {
-    case motion::ContactChange::Kind::gone:
-      return "gone";
-    case motion::ContactChange::Kind::appeared:
-      return "new";
-    case motion::ContactChange::Kind::shifted:
-      break;
-  }
-  return "shifted";
+  constexpr const char* names[] = {"shifted", "gone", "new"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 ordered_json as_json(const motion::FootDifference& foot) {

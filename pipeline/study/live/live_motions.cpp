@@ -58,7 +58,7 @@ const json& list_part(const json& body, const char* name) {
 
 motion::LiveSetting setting_in(const json& body) {
   motion::LiveSetting setting;
-  const auto kind = motion::interface_kind(name_in(part(body, "kind"), "\"kind\""));
+  const auto kind = meaning_of(motion::interface_kinds, name_in(part(body, "kind"), "\"kind\""));
   if (!kind) throw BadRequest{"\"kind\" is none of adjectives, features, weights"};
   setting.kind = *kind;
   for (const json& slider : list_part(body, "sliders")) {

@@ -115,7 +115,7 @@ constexpr auto plans_columns = table_of<PlannedTrial>(
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.trial.number; }},
      {"block", "", "practice, main, or a level of the blocking factor",
       [](auto& r) { return r.trial.block; }},
-     {"kind", "", "kind of trial", [](auto& r) { return word_of(trial_kind_words, r.trial.kind); }},
+     {"kind", "", "kind of trial", [](auto& r) { return r.trial.kind_name(); }},
      {"stimulus", "", "what is shown; of a pair at the left",
       [](auto& r) { return r.trial.stimuli.empty() ? "" : r.trial.stimuli[0]; }},
      {"against", "", "the other one of a pair, or the reference",

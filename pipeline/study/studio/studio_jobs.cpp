@@ -27,7 +27,7 @@ Manifest to_be_shown(Manifest manifest, const std::string& id,
     if (stimulus.id != id) continue;
     output.video = {render::VideoKind::mp4};
     output.frames = FrameFormat::none;
-    output.clips = {.bvh = false, .glb = false};
+    output.clips.clear();
     if (quality) output.quality = *quality;
   }
   return manifest;

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "motion/formats/motion_file.h"
+#include "scenes/character/character.h"
 
 namespace mien::pipeline {
 
@@ -25,11 +26,6 @@ fs::path without_links(const fs::path& path) {
 
 bool lies_in(const fs::path& path, const fs::path& folder) {
   return std::ranges::mismatch(folder, path).in1 == folder.end();
-}
-
-bool names_character(const fs::path& path) {
-  const std::string ending = path.extension().string();
-  return ending == ".glb" || ending == ".gltf" || ending == ".vrm";
 }
 
 /// The folder of examples that a document names; empty without one.
@@ -70,7 +66,8 @@ void look_into(const fs::path& folder, const std::string& name, int depth, Found
     if (!entry->is_regular_file(unknown)) continue;
     if (motion::is_motion_file(path))
       found.motions[name.empty() ? "." : name].push_back(path.filename().string());
-    if (names_character(path)) found.characters.push_back(joined(name, path.filename().string()));
+    if (scenes::is_character_file(path))
+      found.characters.push_back(joined(name, path.filename().string()));
   }
   std::sort(below.begin(), below.end());
   for (const fs::path& one : below) {
@@ -120,7 +117,7 @@ bool StudioPlaces::hold(const std::string& name) const {
   std::error_code unknown;
   if (fs::is_directory(path, unknown)) return true;
   return fs::is_regular_file(path, unknown) &&
-         (motion::is_motion_file(path) || names_character(path));
+         (motion::is_motion_file(path) || scenes::is_character_file(path));
 }
 
 }  // namespace mien::pipeline

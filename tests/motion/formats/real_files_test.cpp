@@ -10,21 +10,12 @@
 // Every motion file of the real data loads.
 
 namespace mien::test {
-namespace {
-
-bool is_motion_file(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  return extension == ".bvh" || extension == ".amc" || extension == ".gltf" || extension == ".glb";
-}
-
-}  // namespace
-
 TEST(RealFiles, LoadWithFiniteValues) {
   const auto data = real_data();
   if (!data) GTEST_SKIP() << "no real motion here: set MIEN_DATA to the folder that has it";
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(*data)) {
-    if (!is_motion_file(entry.path())) continue;
+    if (!motion::is_motion_file(entry.path())) continue;
     ++files;
     const motion::Recording recording = motion::read_motion(entry.path());
     EXPECT_TRUE(is_sound(recording)) << entry.path();

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/motion_file.h"
 #include "pipeline/base/reading/field_names.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/base/reading/schema.h"
@@ -46,6 +47,15 @@ TEST(Fields, OfASetAreThoseOfItsSchema) {
 
 TEST(Fields, OfRecipesAreThoseOfTheirSchema) {
   EXPECT_EQ(listed<RecipeBook>(), in_schema(recipes_schema()));
+}
+
+TEST(Fields, ForMotionFilesAllowTheFormatsThatAreWritten) {
+  std::vector<std::string> written;
+  for (const motion::MotionFormat& format : motion::motion_formats())
+    if (format.write != nullptr) written.emplace_back(format.ending.substr(1));
+  const json& clips = manifest_schema()["definitions"]["output"]["properties"]["clips"];
+  EXPECT_EQ(clips["items"]["enum"], json(written));
+  EXPECT_EQ(clips["maxItems"], written.size());
 }
 
 /// Each default that the schema states under `path` beside what a struct has unless told.

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/base/documents/words.h"
+#include "motion/text/words.h"
 
 namespace mien::pipeline {
 
@@ -39,9 +39,7 @@ inline constexpr char attention_kind[] = "attention";
 
 /// The form of that name; nullptr for none, and so for an attention check.
 inline const TrialForm* find_trial_form(std::string_view name) {
-  const auto found =
-      std::ranges::find_if(trial_form_words, [&](const auto& word) { return word.first == name; });
-  return found == trial_form_words.end() ? nullptr : found->second;
+  return meaning_of(trial_form_words, name).value_or(nullptr);
 }
 
 /// What the kind of an answer may be, in tables.

@@ -22,7 +22,7 @@ class SimulatedMatch {
                  motion::LiveCore& core, const Trial& trial)
       : manifest_(manifest), motions_(motions), core_(core), target_(trial.stimuli.front()) {
     const std::string& interface = trial.items.front().item;
-    interface_.kind = motion::interface_kind(interface).value();
+    interface_.kind = meaning_of(motion::interface_kinds, interface).value();
     interface_.sliders = study.experiment.at("matching").at("sliders").at(interface).at("shown");
   }
 

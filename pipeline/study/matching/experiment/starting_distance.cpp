@@ -28,7 +28,7 @@ motion::LiveSetting starting_setting(const MatchingStudy& study, const std::stri
   const ordered_json info = ordered_json::parse(study.bundle.info).at("sliders");
   const ordered_json& shown =
       study.experiment.at("matching").at("sliders").at(interface).at("shown");
-  motion::LiveSetting setting{.kind = motion::interface_kind(interface).value(),
+  motion::LiveSetting setting{.kind = meaning_of(motion::interface_kinds, interface).value(),
                               .sliders = shown.get<std::vector<std::string>>()};
   const bool has_means = info.contains(interface);
   for (const std::string& slider : setting.sliders)

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/base/documents/words.h"
+#include "motion/text/words.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 

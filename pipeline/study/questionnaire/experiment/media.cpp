@@ -95,7 +95,9 @@ Manifest with_media(Manifest manifest) {
   const std::set<std::string> shown(ids.begin(), ids.end());
   for (Stimulus& stimulus : manifest.stimuli) {
     if (!shown.contains(stimulus.id)) continue;
-    if (asked.view == ShownAs::turn) stimulus.output.clips.glb = true;
+    std::vector<std::string>& clips = stimulus.output.clips;
+    if (asked.view == ShownAs::turn && std::ranges::count(clips, "glb") == 0)
+      clips.emplace_back("glb");
     if (asked.view == ShownAs::video && !web_video_of(stimulus.output))
       throw Error(place_of(manifest.places, stimulus.path),
                   fmt::format("{} has no video format that browsers play", stimulus.id),

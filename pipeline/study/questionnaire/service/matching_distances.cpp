@@ -12,7 +12,7 @@ constexpr double distance_slack_m = 1e-9;
 void check_distance(LiveMotions& live, const Trial& trial, const SliderSetting& setting,
                     double told) {
   motion::LiveSetting sliders;
-  sliders.kind = motion::interface_kind(trial.items.front().item).value();
+  sliders.kind = meaning_of(motion::interface_kinds, trial.items.front().item).value();
   sliders.sliders = setting.sliders;
   sliders.values = setting.values;
   double found = 0.0;

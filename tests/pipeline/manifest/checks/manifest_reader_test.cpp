@@ -76,7 +76,7 @@ sheets:
   EXPECT_EQ(manifest.examples.folder, folder.path() / "captures");
   EXPECT_EQ(manifest.examples.include, "*w*.bvh");
   EXPECT_EQ(manifest.examples.exclude, "x*");
-  EXPECT_EQ(manifest.examples.cycle, Examples::Cycle::whole);
+  EXPECT_EQ(manifest.examples.cycle, motion::CycleChoice::whole);
   const std::vector<std::pair<std::string, std::string>> labels = {{"b", "beta"}, {"a", "alpha"}};
   EXPECT_EQ(manifest.examples.given_labels, labels);
   EXPECT_EQ(manifest.ratings.source, Ratings::Source::file);
@@ -86,8 +86,7 @@ sheets:
   EXPECT_TRUE(manifest.output.in_place);
   EXPECT_TRUE(manifest.output.video.empty());
   EXPECT_EQ(manifest.output.frames, FrameFormat::exr);
-  EXPECT_TRUE(manifest.output.clips.glb);
-  EXPECT_FALSE(manifest.output.clips.bvh);
+  EXPECT_EQ(manifest.output.clips, std::vector<std::string>{"glb"});
   EXPECT_EQ(manifest.interpolation.rotations, motion::RotationBlend::direction_vectors);
   ASSERT_EQ(manifest.stimuli.size(), 4u);
   EXPECT_EQ(manifest.stimuli[0].role, Role::target);
@@ -360,12 +359,12 @@ INSTANTIATE_TEST_SUITE_P(
              "m.yaml:5:22: stimuli[0].weights: all weights are 0; give at least one example a "
              "weight\n"},
         Case{"stimuli:\n  - {id: a, clip: run.bvh}\n",
-             "m.yaml:5:19: stimuli[0].clip: there is no file run.bvh; give a motion file (.bvh, "
-             ".amc, "
-             ".gltf, .glb); paths are taken from the manifest's folder\n"},
+             "m.yaml:5:19: stimuli[0].clip: there is no file run.bvh; give a motion file: "
+             "BVH (.bvh), Acclaim (.amc) or glTF (.gltf, .glb); paths are taken from the "
+             "manifest's folder\n"},
         Case{"stimuli:\n  - {id: a, clip: notes.txt}\n",
-             "m.yaml:5:19: stimuli[0].clip: \".txt\" is not a motion file format; use .bvh, .amc, "
-             ".gltf or .glb\n"},
+             "m.yaml:5:19: stimuli[0].clip: \".txt\" is not a motion file format; use BVH (.bvh), "
+             "Acclaim (.amc) or glTF (.gltf, .glb)\n"},
         Case{"stimuli:\n  - {id: a, clip: {file: walk.bvh, frames: [9, 3]}}\n",
              "m.yaml:5:44: stimuli[0].clip.frames: the first frame comes after the last; exchange "
              "the "

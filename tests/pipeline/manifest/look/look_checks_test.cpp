@@ -3,10 +3,14 @@
 #include <ostream>
 #include <string>
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/reading/schema.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
+#include "scenes/character/character.h"
 
 namespace mien::pipeline {
 namespace {
@@ -83,6 +87,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"figure: {point-light: {joints: [head]}}",
              "m.yaml:4:40: look.figure.point-light.joints[0]: unknown joint \"head\"; did you mean "
              "\"Head\"?"}));
+
+TEST(LookChecks, NameTheEndingsOfCharactersAsSchemaAndPageDo) {
+  const std::string endings = fmt::format("({})", fmt::join(scenes::character_endings, ", "));
+  EXPECT_NE(manifest_schema_text().find(endings), std::string::npos) << endings;
+  EXPECT_NE(read_file(MIEN_SOURCE_DIR "/scenes/README.md").find(endings), std::string::npos);
+}
 
 TEST(LookChecks, LeaveContrastToDotsBeforeNothing) {
   EXPECT_EQ(faults_of_look("scene: void, figure: {point-light: {contrast: 0.5}}"), "");

@@ -303,7 +303,7 @@ TEST(Equalize, MakesNoClipWhereNoExposureReachesTheOthersLuminance) {
   // However bright they are, a few dots on black are dark.
   manifest.stimuli[1].look.figure = scenes::PointLightOptions{.size_px = 1.0};
   manifest.stimuli[1].look.set = read_set("void", {});
-  for (Stimulus& each : manifest.stimuli) each.output.clips.bvh = true;
+  for (Stimulus& each : manifest.stimuli) each.output.clips = {"bvh"};
   manifest.places.values["equalize"] = {"m.yaml", 5, 11};
   Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
   const RunResult result = run(production, folder.path() / "out", 1, {}, {});

@@ -101,7 +101,7 @@ TEST(Methods, CiteNothingThatIsNotInTheReferencesAndTheOtherWayRound) {
 }
 
 TEST(Methods, HaveSourcesThatAreKnown) {
-  for (const auto& [word, method] : method_words) {
+  for (const auto& [word, method] : motion::interpolation_methods) {
     for (const std::string& key : words_of(method).sources)
       EXPECT_NE(find_reference(key), nullptr) << key;
   }

@@ -120,6 +120,9 @@ TEST_F(Options, AreInTheKeysOfWhatTheyConcernAndOfNothingElse) {
         (concerned & (concerns::picture | concerns::stored | concerns::shown)) != 0 ||
         (moves && is_overlay);
     EXPECT_EQ(kinds.contains("motion"), is_motion) << path;
+    if ((concerned & concerns::drawing) != 0) {
+      EXPECT_NE(concerned & concerns::picture, 0u) << path;
+    }
     const bool is_page =
         (concerned & ~(concerns::page | concerns::required | concerns::alone)) == 0;
     // Films are made alike by a table, which is among their inputs.

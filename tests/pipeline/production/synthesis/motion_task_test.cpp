@@ -19,7 +19,7 @@ TEST(ClipTask, WritesGltfOfAnyRate) {
     stimulus.id = "a";
     stimulus.weights = {{"normal", 1.0}};
     stimulus.output.fps = rate;
-    stimulus.output.clips = {.bvh = true, .glb = true};
+    stimulus.output.clips = {"bvh", "glb"};
     FileKeys files;
     const SharedDeterminants shared = shared_determinants(manifest, files);
     Motions motions(manifest);

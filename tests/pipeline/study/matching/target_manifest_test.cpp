@@ -70,7 +70,7 @@ TEST(TargetManifest, FindsItsFilesFromWhereverItLies) {
   source.examples.folder = captures;
   source.examples.include = "*walk*.bvh";
   source.examples.exclude = "*run*";
-  source.examples.cycle = Examples::Cycle::start_peak_end;
+  source.examples.cycle = motion::CycleChoice::start_peak_end;
   source.examples.keytimes = {{"a walk", {0.1, 0.75}}};
   source.examples.given_labels = {{"a walk", "calm"}};
   source.ratings.source = Ratings::Source::file;
@@ -86,7 +86,7 @@ TEST(TargetManifest, FindsItsFilesFromWhereverItLies) {
   EXPECT_TRUE(fs::equivalent(reading.manifest.ratings.file, source.ratings.file));
   EXPECT_EQ(examples.include, "*walk*.bvh");
   EXPECT_EQ(examples.exclude, "*run*");
-  EXPECT_EQ(examples.cycle, Examples::Cycle::start_peak_end);
+  EXPECT_EQ(examples.cycle, motion::CycleChoice::start_peak_end);
   EXPECT_EQ(examples.keytimes, source.examples.keytimes);
   EXPECT_EQ(examples.given_labels, source.examples.given_labels);
   EXPECT_EQ(reading.manifest.stimuli[1].features,

@@ -1,5 +1,7 @@
 #include "pipeline/study/questionnaire/experiment/export.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -232,7 +234,7 @@ TEST(Media, OfATurnedViewIsTheMotion) {
   Manifest manifest = study_of(study_text);
   manifest.questionnaire->view = ShownAs::turn;
   for (const Stimulus& stimulus : with_media(manifest).stimuli)
-    EXPECT_TRUE(stimulus.output.clips.glb) << stimulus.id;
+    EXPECT_EQ(std::ranges::count(stimulus.output.clips, "glb"), 1) << stimulus.id;
 }
 
 TEST(JatosArchive, HasNamesThatStayTheSame) {

@@ -1,0 +1,85 @@
+#include "motion/formats/motion_file.h"
+
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "motion/random_recording.h"
+#include "motion/refusal.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::motion {
+namespace {
+
+bool holds(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(MotionFormats, AreFoundByTheirEndingsInAnyCase) {
+  std::set<std::string_view> endings;
+  for (const MotionFormat& format : motion_formats()) {
+    EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
+    std::string name = "walk" + std::string(format.ending);
+    EXPECT_EQ(motion_format(name), &format) << name;
+    for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    EXPECT_EQ(motion_format(name), &format) << name;
+    EXPECT_EQ(motion_format(name.substr(0, 4)), nullptr);
+  }
+}
+
+TEST(MotionFormats, ThatAreWrittenAreReadAgain) {
+  const test::TemporaryFolder folder;
+  std::mt19937_64 random(5);
+  const Recording recording = test::random_recording(random);
+  for (const MotionFormat& format : motion_formats()) {
+    if (format.write == nullptr) continue;
+    const auto file = folder.path() / ("walk" + std::string(format.ending));
+    write_motion(recording, file);
+    const Recording read = read_motion(file);
+    EXPECT_EQ(read.frame_count(), recording.frame_count()) << file;
+    EXPECT_EQ(read.skeleton.size(), recording.skeleton.size()) << file;
+    EXPECT_LT(test::largest_joint_distance(read, recording), 1e-3) << file;
+  }
+}
+
+TEST(MotionFormats, AreNamedWhereAnotherIsRefused) {
+  const std::string read = test::refusal_of([] { read_motion("walk.txt"); });
+  const std::string written = test::refusal_of([] { write_motion({}, "walk.txt"); });
+  for (const MotionFormat& format : motion_formats()) {
+    EXPECT_TRUE(holds(read, format.name) && holds(read, format.ending)) << read;
+    EXPECT_EQ(holds(written, format.ending), format.write != nullptr) << written;
+    if (format.has_takes) continue;
+    const std::string single =
+        test::refusal_of([&] { read_take("walk" + std::string(format.ending), "second"); });
+    EXPECT_TRUE(holds(single, "holds one motion")) << single;
+    EXPECT_TRUE(holds(single, formats_with_takes())) << single;
+  }
+  EXPECT_EQ(formats_read(), "BVH (.bvh), Acclaim (.amc) or glTF (.gltf, .glb)");
+}
+
+/// "… are read; … are written": what the page says of both.
+TEST(MotionFormats, AreThoseOfTheirPage) {
+  std::ifstream file(MIEN_SOURCE_DIR "/motion/README.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t first = page.find("## Formats");
+  const std::size_t read_end = page.find(" are read;", first);
+  const std::size_t written_end = page.find(" are written", read_end);
+  ASSERT_NE(written_end, std::string::npos);
+  const std::string read = page.substr(first, read_end - first);
+  const std::string written = page.substr(read_end, written_end - read_end);
+  for (const MotionFormat& format : motion_formats()) {
+    const std::string ending = "`" + std::string(format.ending) + "`";
+    EXPECT_TRUE(holds(read, ending) && holds(read, format.name)) << ending;
+    EXPECT_EQ(holds(written, ending), format.write != nullptr) << ending;
+    if (format.part_ending == ".asf") {
+      EXPECT_TRUE(holds(read, format.part_ending));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mien::motion
