@@ -45,9 +45,8 @@ std::string joined_words(const std::vector<std::string>& words, const std::strin
 /// Every path to a command, which is how the script knows where it is.
 std::string bash_commands(const Command& program) {
   std::vector<std::string> names;
-  for (const CommandPage& page : every_page(program)) {
+  for (const CommandPage& page : every_page(program))
     if (&page.command != &program) names.push_back("'" + page.name + "'");
-  }
   return "      " + joined_words(names, " | \\\n        ") +
          ")\n        command+=\" ${COMP_WORDS[i]}\" ;;\n    esac\n  done\n";
 }
@@ -65,9 +64,8 @@ std::string bash_values(const Command& program) {
     for (const CommandOption& option : page.command.named_options()) {
       if (option.value.empty()) continue;
       std::vector<std::string> patterns;
-      for (const std::string& name : option.names) {
+      for (const std::string& name : option.names)
         patterns.push_back("'" + page.name + " " + name + "'");
-      }
       cases += fmt::format("    {}) {} ;;\n", joined_words(patterns, " | "), bash_value(option));
     }
   }
@@ -76,9 +74,8 @@ std::string bash_values(const Command& program) {
 
 std::string bash_options(const CommandPage& page) {
   std::string names = "-h --help";
-  for (const CommandOption& option : page.command.named_options()) {
+  for (const CommandOption& option : page.command.named_options())
     names += " " + joined_words(option.names, " ");
-  }
   return names;
 }
 
@@ -170,9 +167,8 @@ std::string zsh_option(const CommandPage& page, const CommandOption& option) {
 
 std::string zsh_options(const CommandPage& page) {
   std::string lines = " \\\n    '(- *)'{-h,--help}'[Show help]'";
-  for (const CommandOption& option : page.command.named_options()) {
+  for (const CommandOption& option : page.command.named_options())
     lines += " \\\n    " + zsh_option(page, option);
-  }
   return lines;
 }
 
@@ -234,13 +230,11 @@ std::string bash_completion(const Command& program) {
   std::string script = bash_head + bash_commands(program);
   script += "  case \"$command $before\" in\n" + bash_values(program);
   script += "    *)\n      if [[ $word == -* ]]; then\n        case $command in\n";
-  for (const CommandPage& page : every_page(program)) {
+  for (const CommandPage& page : every_page(program))
     script += fmt::format("          '{}') words='{}' ;;\n", page.name, bash_options(page));
-  }
   script += "        esac\n      else\n        case $command in\n";
-  for (const CommandPage& page : every_page(program)) {
+  for (const CommandPage& page : every_page(program))
     script += fmt::format("          '{}') {} ;;\n", page.name, bash_arguments(program, page));
-  }
   return script + "        esac\n      fi ;;\n  esac" + bash_tail;
 }
 

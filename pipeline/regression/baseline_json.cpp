@@ -39,9 +39,8 @@ Json json_of(const std::vector<Setting>& settings) {
   Json json = Json::object();
   for (const auto& [word, aspect] : aspect_words) {
     Json some = Json::object();
-    for (const Setting& setting : settings) {
+    for (const Setting& setting : settings)
       if (setting.aspect == aspect) some[setting.path] = Json::parse(setting.value);
-    }
     json[word] = std::move(some);
   }
   return json;
@@ -49,10 +48,9 @@ Json json_of(const std::vector<Setting>& settings) {
 
 std::vector<Setting> settings_of(const Json& json) {
   std::vector<Setting> settings;
-  for (const auto& [word, aspect] : aspect_words) {
+  for (const auto& [word, aspect] : aspect_words)
     for (const auto& [path, value] : json.at(word).items())
       settings.push_back({path, aspect, value.dump()});
-  }
   return settings;
 }
 

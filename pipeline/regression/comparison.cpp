@@ -5,16 +5,14 @@
 namespace mien::pipeline {
 
 std::string_view name_of(Cause cause) {
-  for (const auto& [word, meaning] : cause_words) {
+  for (const auto& [word, meaning] : cause_words)
     if (meaning == cause) return word;
-  }
   return "";
 }
 
 std::string_view name_of(Verdict verdict) {
-  for (const auto& [word, meaning] : verdict_words) {
+  for (const auto& [word, meaning] : verdict_words)
     if (meaning == verdict) return word;
-  }
   return "";
 }
 
@@ -24,10 +22,9 @@ std::vector<ValueChange> value_changes(const NamedValues& before, const NamedVal
     return found == values.end() ? 0.0 : found->second;
   };
   std::vector<ValueChange> changes;
-  for (const auto& [name, value] : before) {
+  for (const auto& [name, value] : before)
     if (const double today = value_in(now, name); today != value)
       changes.push_back({name, value, today});
-  }
   for (const auto& [name, value] : now) {
     const bool is_new =
         std::ranges::find(before, name, &NamedValues::value_type::first) == before.end();

@@ -56,9 +56,8 @@ void plant_in_picture(const ComparedStudy& study, int frame, Gate& gate) {
 Gate plant_defects(const ComparedStudy& study) {
   Gate gate;
   std::vector<const StimulusFacts*> shared;
-  for (const StimulusFacts& facts : study.baseline.stimuli) {
+  for (const StimulusFacts& facts : study.baseline.stimuli)
     if (find_stimulus(study.now.manifest(), facts.id) != nullptr) shared.push_back(&facts);
-  }
   if (shared.empty()) return gate;
   const StimulusFacts& facts = *shared[chosen(study.baseline, "stimulus", shared.size())];
   gate.id = facts.id;

@@ -111,10 +111,9 @@ std::vector<std::string> wider_limits(const RegressionLimits& approved,
   compare("perceptual", &RegressionLimits::perceptual);
   compare("psnr_db", &RegressionLimits::psnr_db);
   if (now.findings && !approved.findings) wider.emplace_back("findings false → true");
-  for (const auto& [part, limit] : now.parts_mm) {
+  for (const auto& [part, limit] : now.parts_mm)
     if (const double before = limit_of(part, approved); limit > before)
       wider.push_back(fmt::format("{} {:g} → {:g} mm", part, before, limit));
-  }
   return wider;
 }
 

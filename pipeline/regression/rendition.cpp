@@ -59,11 +59,9 @@ render::Framebuffer as_light(const render::Image8& picture) {
   for (std::size_t level = 0; level < light.size(); ++level)
     light[level] = static_cast<float>(render::linear_from_srgb(static_cast<double>(level) / 255.0));
   render::Framebuffer film(picture.width, picture.height);
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
       for (std::size_t c = 0; c < 3; ++c) film.at(x, y)[c] = light[picture.at(x, y)[c]];
-    }
-  }
   return film;
 }
 

@@ -21,9 +21,8 @@ MadeOnce made_of(const StimulusFacts& approved, Rendition& rendition, int thread
                  const std::stop_token& stop) {
   const StagedFilm film = staged(approved.id, {&rendition, &rendition, &rendition}, threads);
   std::vector<int> frames;
-  for (const KeyFrame& key : approved.key_frames) {
+  for (const KeyFrame& key : approved.key_frames)
     if (key.frame < film.shot.frame_count()) frames.push_back(key.frame);
-  }
   return {facts_of(approved.id, rendition).motion, drawn(film, frames, stop)};
 }
 

@@ -182,9 +182,8 @@ void judge_videos(StimulusComparison& comparison, const RegressionLimits& limits
   const bool differ = std::ranges::any_of(comparison.videos, [&](const VideoChange& video) {
     return !video.same_frames || (loses && video.psnr_lost_db > limits.psnr_db);
   });
-  for (const VideoChange& video : comparison.videos) {
+  for (const VideoChange& video : comparison.videos)
     if (differ) comparison.reasons.push_back(video.format + ": " + video.what.front());
-  }
 }
 
 }  // namespace

@@ -68,9 +68,8 @@ void assign(const nlohmann::json* value, std::optional<Value>& target) {
 template <class Enum>
 inline void assign(const nlohmann::json* value, Enum& target, Words<Enum> words) {
   if (value == nullptr || !value->is_string()) return;
-  for (const auto& [word, meaning] : words) {
+  for (const auto& [word, meaning] : words)
     if (*value == word) target = meaning;
-  }
 }
 
 }  // namespace mien::pipeline

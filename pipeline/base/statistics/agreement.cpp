@@ -16,9 +16,8 @@ double ratio(double above, double below) { return below == 0.0 ? unknown : above
 
 Eigen::MatrixXd complete_columns(const Eigen::MatrixXd& answers) {
   std::vector<Eigen::Index> complete;
-  for (Eigen::Index r = 0; r < answers.cols(); ++r) {
+  for (Eigen::Index r = 0; r < answers.cols(); ++r)
     if (answers.col(r).allFinite()) complete.push_back(r);
-  }
   return answers(Eigen::all, complete);
 }
 

@@ -8,9 +8,8 @@ namespace mien::pipeline {
 
 std::vector<double> holm(const std::vector<double>& p_values) {
   std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < p_values.size(); ++i) {
+  for (std::size_t i = 0; i < p_values.size(); ++i)
     if (!std::isnan(p_values[i])) order.push_back(i);
-  }
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return p_values[i]; });
   std::vector<double> corrected = p_values;
   double largest = 0.0;

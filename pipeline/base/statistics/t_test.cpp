@@ -49,9 +49,8 @@ bool all_alike(const std::vector<double>& values) {
 }
 
 TTest paired_t_test(const std::vector<double>& differences) {
-  if (differences.size() < 2) {
+  if (differences.size() < 2)
     return {differences.empty() ? not_known : differences[0], not_known, 0.0, not_known, not_known};
-  }
   const auto n = static_cast<double>(differences.size());
   return finished({exact_mean(differences), std::sqrt(variance_of(differences) / n), n - 1.0});
 }

@@ -21,13 +21,11 @@ std::vector<Ranked> ranked(std::vector<double> differences) {
   std::vector<Ranked> result;
   for (std::size_t first = 0; first < differences.size();) {
     std::size_t end = first;
-    while (end < differences.size() && std::abs(differences[end]) == std::abs(differences[first])) {
+    while (end < differences.size() && std::abs(differences[end]) == std::abs(differences[first]))
       ++end;
-    }
     // Ranks first + 1 … end have the mean (first + 1 + end)/2.
-    for (std::size_t i = first; i < end; ++i) {
+    for (std::size_t i = first; i < end; ++i)
       result.push_back({differences[i], static_cast<int>(first + 1 + end)});
-    }
     first = end;
   }
   return result;

@@ -120,10 +120,9 @@ const Command& typed_command(const CLI::App& app, const Command& command) {
     const CLI::App& below = *app.get_subcommands().front();
     return typed_command(below, *command_below(command, below.get_name()));
   }
-  for (const CommandOption& option : command.options) {
+  for (const CommandOption& option : command.options)
     if (option.given != nullptr && app.get_option(option.names.back())->count() > 0)
       option.given->push_back(option.names.back());
-  }
   return command;
 }
 

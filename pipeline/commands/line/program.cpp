@@ -129,9 +129,8 @@ constexpr char examples[] = R"(Examples:
 /// "Exit codes: 0 done, …"
 std::string told_exit_codes() {
   std::string text;
-  for (const ExitCode& exit : exit_codes) {
+  for (const ExitCode& exit : exit_codes)
     text += (text.empty() ? "Exit codes: " : ", ") + std::to_string(exit.code) + " " + exit.meaning;
-  }
   return text + ".\n";
 }
 

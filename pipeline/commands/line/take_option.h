@@ -47,10 +47,9 @@ inline CommandOption takes_option(std::vector<std::string>& takes) {
 /// several. Throws mien::Error for more names than files, and for a name that no file can have.
 inline std::array<std::string, 2> takes_of(const std::vector<std::string>& takes,
                                            const std::array<std::string, 2>& files) {
-  if (takes.size() > 2) {
+  if (takes.size() > 2)
     throw Error(fmt::format("--take was given {} times for two files", takes.size()),
                 "give it once for both, or once for each in their order");
-  }
   if (takes.size() == 2) return {takes[0], takes[1]};
   if (takes.empty()) return {};
   std::array<std::string, 2> result;

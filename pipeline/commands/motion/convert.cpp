@@ -23,19 +23,17 @@ struct ConvertOptions {
 
 int convert(const ConvertOptions& options, const Console& console) {
   std::error_code unknown;
-  if (std::filesystem::equivalent(options.in, options.out, unknown)) {
+  if (std::filesystem::equivalent(options.in, options.out, unknown))
     throw Error(Place{options.out}, "is the input file", "name another file to write");
-  }
   motion::Recording recording = read_told(options.in, options.take, console);
   const bool is_glb = std::filesystem::path(options.out).extension() == ".glb";
   if (options.body) {
     recording = motion::to_recording(motion::to_body(recording));
   } else if (is_glb) {
     const motion::RigAnalysis rig = motion::analyse_rig(recording);
-    if (!rig.human) {
+    if (!rig.human)
       for (std::size_t i = recording.notes.size(); i < rig.warnings.size(); ++i)
         console.err << "warning: " << options.in << ": " << rig.warnings[i] << '\n';
-    }
     recording = motion::in_metres(std::move(recording));
   }
   motion::write_motion(recording, options.out);

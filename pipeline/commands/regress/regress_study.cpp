@@ -62,10 +62,9 @@ void make(MadeStudy& study, const StudyArguments& arguments, const Console& cons
       throw Error({outcome.error}, "the study cannot be made", "see mien run for all faults");
     throw std::runtime_error(outcome.error);
   }
-  for (const Stimulus& stimulus : production.manifest().stimuli) {
+  for (const Stimulus& stimulus : production.manifest().stimuli)
     if (is_asked(arguments.production.only, stimulus.id))
       study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
-  }
 }
 
 /// Read and planned; nothing is made yet. What the manifest has no more cannot be made.
@@ -194,14 +193,12 @@ void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifes
                     const Baseline& baseline) {
   std::vector<std::string> known;
   for (const Stimulus& stimulus : manifest.stimuli) known.push_back(stimulus.id);
-  for (const StimulusFacts& facts : baseline.stimuli) {
+  for (const StimulusFacts& facts : baseline.stimuli)
     if (find_stimulus(manifest, facts.id) == nullptr) known.push_back(facts.id);
-  }
-  for (const std::string& id : ids) {
+  for (const std::string& id : ids)
     if (std::ranges::find(known, id) == known.end())
       throw Error({"--only"}, "the study has no stimulus " + motion::in_quotes(id),
                   motion::did_you_mean(id, known));
-  }
 }
 
 }  // namespace
@@ -289,10 +286,9 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
                                                                  : arguments.production.only.size();
   console.out << fmt::format("{}: {} {} approved by {}\n", folder.string(), approved,
                              approved == 1 ? "stimulus" : "stimuli", baseline.approvals.back().who);
-  for (const StimulusFacts& facts : before.stimuli) {
+  for (const StimulusFacts& facts : before.stimuli)
     if (baseline.find(facts.id) == nullptr)
       console.out << facts.id << " was removed from the baseline\n";
-  }
   return exit_done;
 }
 

@@ -70,25 +70,23 @@ ordered_json p_json(double p) {
 
 ordered_json as_json(const MatchingEvaluation& evaluation, bool simulated, const fs::path& folder) {
   ordered_json means = ordered_json::array();
-  for (const MatchingMean& m : evaluation.means) {
+  for (const MatchingMean& m : evaluation.means)
     means.push_back({{"measure", name_of(m.measure)},
                      {"interface", m.interface},
                      {"target", target_text(m.target)},
                      {"n", m.n},
                      {"mean", m.mean},
                      {"sd", number_json(m.sd)}});
-  }
   ordered_json shares = ordered_json::array();
-  for (const MatchingShare& s : evaluation.shares) {
+  for (const MatchingShare& s : evaluation.shares)
     shares.push_back({{"interface", s.interface},
                       {"target", target_text(s.target)},
                       {"guesses", s.guesses},
                       {"near_guesses", s.near_guesses},
                       {"trials", s.trials},
                       {"failures", s.failures}});
-  }
   ordered_json comparisons = ordered_json::array();
-  for (const MatchingComparison& c : evaluation.comparisons) {
+  for (const MatchingComparison& c : evaluation.comparisons)
     comparisons.push_back({{"measure", name_of(c.measure)},
                            {"first", c.first},
                            {"second", c.second},
@@ -101,7 +99,6 @@ ordered_json as_json(const MatchingEvaluation& evaluation, bool simulated, const
                            {"p_paper_holm", p_json(c.paper_holm)},
                            {"p_exact", p_json(c.exact.p)},
                            {"p_exact_holm", p_json(c.exact_holm)}});
-  }
   return {{"folder", folder.string()},
           {"sessions", simulated ? "simulated" : "given"},
           {"means", means},

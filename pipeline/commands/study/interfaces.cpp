@@ -46,11 +46,9 @@ void write_all(const fs::path& folder, const std::vector<InterfaceResult>& resul
                const Console& console) {
   write_tables(folder, {results_table(results), summary_table(summaries)});
   std::vector<motion::InterpolationMethod> methods;
-  for (const InterfaceSummary& s : summaries) {
-    if (std::find(methods.begin(), methods.end(), s.method) == methods.end()) {
+  for (const InterfaceSummary& s : summaries)
+    if (std::find(methods.begin(), methods.end(), s.method) == methods.end())
       methods.push_back(s.method);
-    }
-  }
   for (const motion::InterpolationMethod method : methods) {
     std::vector<InterfaceSummary> own;
     std::copy_if(summaries.begin(), summaries.end(), std::back_inserter(own),
@@ -75,9 +73,8 @@ int evaluate(InterfacesCommand command, const Console& console) {
       evaluate_interfaces(repertoire, targets, manifest.interpolation, command.evaluation);
   const auto summaries = summarise(results);
   show(summaries, console);
-  if (!command.out.empty()) {
+  if (!command.out.empty())
     write_all(command.out, results, summaries, command.evaluation.threshold, console);
-  }
   return exit_done;
 }
 

@@ -32,13 +32,11 @@ struct TargetsCommand {
 TargetSet sampled(const TargetsCommand& command, const Repertoire& repertoire) {
   TargetSet set;
   set.are_features = command.kind == "features";
-  if (!set.are_features && repertoire.parameters.names.empty()) {
+  if (!set.are_features && repertoire.parameters.names.empty())
     throw Error("the examples have no ratings", "give --ratings, or sample --from features");
-  }
   set.parameters = command.parameters;
-  if (set.parameters.empty()) {
+  if (set.parameters.empty())
     set.parameters = set.are_features ? primary_features() : primary_adjectives(repertoire);
-  }
   const ParameterTable& table =
       set.are_features ? repertoire.features.table : repertoire.parameters;
   set.seed = command.sampling.seed;

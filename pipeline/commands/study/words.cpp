@@ -72,10 +72,9 @@ void tell_coverage(const WordAnswers& words, std::ostream& out) {
                percent(language.understood, language.answers), language.modifiers_understood,
                language.modifiers, percent(language.modifiers_understood, language.modifiers));
   }
-  for (const WordCount& language : words.left_out) {
+  for (const WordCount& language : words.left_out)
     fmt::print(out, "excluded: {} answers in \"{}\", a language not in the lexicon\n",
                language.count, language.text);
-  }
 }
 
 void tell_stimuli(const WordAnswers& words, std::ostream& out) {

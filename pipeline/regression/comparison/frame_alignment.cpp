@@ -126,14 +126,12 @@ bool are_of_the_film(Stretch missing, Stretch added, const std::vector<Thumbnail
                      const std::vector<Thumbnail>& now, double step) {
   for (int frame = added.begin; frame < added.end; ++frame) {
     const Thumbnail& picture = now[static_cast<std::size_t>(frame)];
-    for (const int beside : {frame - 1, frame + 1}) {
+    for (const int beside : {frame - 1, frame + 1})
       if (beside >= 0 && beside < static_cast<int>(now.size()) &&
           distance(now[static_cast<std::size_t>(beside)], picture) < 0.25 * step)
         return true;
-    }
-    for (int other = missing.begin; other < missing.end; ++other) {
+    for (int other = missing.begin; other < missing.end; ++other)
       if (distance(before[static_cast<std::size_t>(other)], picture) < 0.5 * step) return true;
-    }
   }
   return false;
 }

@@ -24,10 +24,9 @@ ReportJson shares_json(const std::vector<BodyShare>& shares) {
 
 double farthest_m(const JointPaths& paths) {
   double farthest = 0.0;
-  for (const std::vector<motion::Vec3>& joints : paths) {
+  for (const std::vector<motion::Vec3>& joints : paths)
     for (const motion::Vec3& joint : joints)
       farthest = std::max(farthest, joint.cwiseAbs().maxCoeff());
-  }
   return farthest;
 }
 
@@ -56,9 +55,8 @@ ReportJson curve_json(const std::vector<double>& metres) {
 
 ReportJson bones_json(const motion::Skeleton& skeleton) {
   ReportJson bones = ReportJson::array();
-  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
     if (skeleton.joints[j].parent >= 0) bones.push_back({skeleton.joints[j].parent, j});
-  }
   return bones;
 }
 

@@ -47,9 +47,8 @@ Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales) {
     const std::string& id = analysis.impressions.scales[static_cast<size_t>(row)];
     d.leaves.push_back(name_of(*find_scale(scales, id)));
   }
-  for (const ScaleCluster& cluster : analysis.clusters) {
+  for (const ScaleCluster& cluster : analysis.clusters)
     d.clusters.push_back({cluster.name, cluster.japanese});
-  }
   d.simulated = analysis.impressions.simulated;
   return d;
 }

@@ -15,26 +15,22 @@ namespace {
 constexpr const char* how_to_name = "give one name for each cluster, for example --names pace,size";
 
 void take_given(Analysis& analysis, const ScaleSet& scales, const std::vector<std::string>& given) {
-  if (given.size() != analysis.clusters.size()) {
+  if (given.size() != analysis.clusters.size())
     throw Error(
         fmt::format("--names: {} names for {} clusters", given.size(), analysis.clusters.size()),
         how_to_name);
-  }
   std::set<std::string> taken;
   for (size_t c = 0; c < given.size(); ++c) {
     const std::string& name = given[c];
     if (name.empty()) throw Error("--names: an empty name", how_to_name);
-    if (!taken.insert(name).second) {
+    if (!taken.insert(name).second)
       throw Error(fmt::format("--names: \"{}\" appears twice", name), how_to_name);
-    }
-    if (find_scale(scales, name) != nullptr) {
+    if (find_scale(scales, name) != nullptr)
       throw Error(fmt::format("--names: \"{}\" is a scale", name),
                   "use another name for the cluster");
-    }
     analysis.clusters[c].name = name;
-    for (const ScaleGroup& group : scales.groups) {
+    for (const ScaleGroup& group : scales.groups)
       if (group.id == name) analysis.clusters[c].japanese = group.japanese;
-    }
   }
 }
 
@@ -79,11 +75,9 @@ void name_clusters(Analysis& analysis, const ScaleSet& scales,
     cluster.name = scales.groups[like.group].id;
     cluster.japanese = scales.groups[like.group].japanese;
   }
-  for (size_t c = 0; c < analysis.clusters.size(); ++c) {
-    if (analysis.clusters[c].name.empty()) {
+  for (size_t c = 0; c < analysis.clusters.size(); ++c)
+    if (analysis.clusters[c].name.empty())
       analysis.clusters[c].name = fmt::format("cluster-{}", c + 1);
-    }
-  }
 }
 
 std::string central_words(const Analysis& analysis, const ScaleCluster& cluster,

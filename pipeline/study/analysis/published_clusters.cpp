@@ -55,9 +55,8 @@ constexpr auto published_columns = table_of<GivenOrSimulated<PublishedComparison
 }  // namespace
 
 std::vector<PublishedComparison> compare_with_published(const Analysis& analysis) {
-  for (const Quantity& q : analysis.quantities) {
+  for (const Quantity& q : analysis.quantities)
     if (find_adjective_pair(q.scale) == nullptr) return {};
-  }
   return {compare(analysis, &AdjectivePair::table_2, "Table 2"),
           compare(analysis, &AdjectivePair::table_3, "Table 3")};
 }

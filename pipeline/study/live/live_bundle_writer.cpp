@@ -12,10 +12,9 @@ namespace {
 
 motion::LiveTarget live_target(const std::string& id, Motions& motions) {
   const Stimulus* stimulus = motions.stimulus(id);
-  if (stimulus == nullptr) {
+  if (stimulus == nullptr)
     throw Error(fmt::format("there is no stimulus \"{}\" for a target", id),
                 "name stimuli of the manifest");
-  }
   const Synthesis& made = motions.of(id);
   motion::LiveTarget target;
   target.name = id;
@@ -36,10 +35,9 @@ motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,
                                const LiveChoice& choice) {
   const Repertoire& repertoire = motions.repertoire();
   const motion::ExampleSet& examples = examples_for(choice.interpolation, repertoire);
-  if (examples.examples.empty() || !examples.blendable) {
+  if (examples.examples.empty() || !examples.blendable)
     throw Error(Place{manifest.file.string()}, "its examples cannot be blended live",
                 "use examples that can be blended, without blendable: false");
-  }
   motion::LiveBundle bundle;
   bundle.examples = examples;
   bundle.adjectives = repertoire.parameters;

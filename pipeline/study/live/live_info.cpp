@@ -15,9 +15,8 @@ using nlohmann::ordered_json;
 ordered_json metres(const motion::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 const ScaleGroup* find_group(const std::string& id, const ScaleSet& scales) {
-  for (const ScaleGroup& group : scales.groups) {
+  for (const ScaleGroup& group : scales.groups)
     if (group.id == id) return &group;
-  }
   return nullptr;
 }
 
@@ -32,9 +31,8 @@ void add_texts(ordered_json& slider, const std::string& name, const ScaleSet& sc
   slider["low"] = scale->low;
   slider["high"] = scale->high;
   slider["texts"]["en"] = {scale->low, scale->high};
-  if (!scale->japanese_low.empty() && !scale->japanese_high.empty()) {
+  if (!scale->japanese_low.empty() && !scale->japanese_high.empty())
     slider["texts"]["ja"] = {scale->japanese_low, scale->japanese_high};
-  }
 }
 
 /// Whether a slider is shown at once.
@@ -69,9 +67,8 @@ ordered_json labels_of(std::string_view english, std::string_view japanese) {
 ordered_json feature_labels(const std::string& id) {
   for (int g = 0; g < motion::feature_group_count; ++g) {
     const auto group = static_cast<motion::FeatureGroup>(g);
-    if (motion::id_of(group) == id) {
+    if (motion::id_of(group) == id)
       return labels_of(motion::name_of(group), motion::japanese_name_of(group));
-    }
   }
   const auto& features = motion::motion_features();
   const auto index = static_cast<std::size_t>(motion::find_motion_feature(id));

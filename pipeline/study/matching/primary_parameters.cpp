@@ -4,9 +4,8 @@ namespace mien::pipeline {
 
 std::vector<std::string> primary_adjectives(const Repertoire& repertoire) {
   std::vector<std::string> groups;
-  for (const ScaleGroup& group : repertoire.scales.groups) {
+  for (const ScaleGroup& group : repertoire.scales.groups)
     if (repertoire.parameters.find(group.id) >= 0) groups.push_back(group.id);
-  }
   return groups.empty() ? repertoire.parameters.names : groups;
 }
 

@@ -67,9 +67,8 @@ std::string sha256_of_file(const fs::path& file) {
 
 std::string hashes_text(const ZipFiles& files) {
   std::string text;
-  for (const auto& [path, bytes] : files) {
+  for (const auto& [path, bytes] : files)
     if (path != hashes_path) text += sha256_of(bytes) + "  " + path + "\n";
-  }
   return text;
 }
 
@@ -171,9 +170,8 @@ ZipFiles read_frozen(const fs::path& bundle) {
 std::map<std::string, std::string> rows_of_table(const std::string& csv) {
   std::map<std::string, std::string> rows;
   const CsvTable table = parse_csv(csv, "frozen");
-  for (const auto& row : table.rows) {
+  for (const auto& row : table.rows)
     for (const CsvField& field : row) rows[row.front().text] += field.text + "\n";
-  }
   return rows;
 }
 
@@ -188,9 +186,8 @@ void compare_tables(const std::string& what, const std::string& then, const std:
     if (found == before.end()) added.push_back(name);
     if (found != before.end() && found->second != row) changed.push_back(name);
   }
-  for (const auto& [name, row] : before) {
+  for (const auto& [name, row] : before)
     if (!after.contains(name)) removed.push_back(name);
-  }
   const auto tell = [&](const char* happened, const std::vector<std::string>& names) {
     if (!names.empty())
       differences.push_back(fmt::format("{}: {} {}", what, fmt::join(names, ", "), happened));

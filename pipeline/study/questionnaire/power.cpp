@@ -138,9 +138,8 @@ class PowerSimulation {
 
 /// The least number of participants with which `is_enough`; 0 for none.
 int least_number(const std::vector<int>& found, int studies, auto&& is_enough) {
-  for (std::size_t n = 2; n < found.size(); ++n) {
+  for (std::size_t n = 2; n < found.size(); ++n)
     if (is_enough(simulated_share(found[n], studies))) return static_cast<int>(n);
-  }
   return 0;
 }
 

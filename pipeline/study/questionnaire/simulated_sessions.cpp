@@ -24,9 +24,8 @@ class SimulatedSession {
       : manifest_(manifest), plan_(plan), truth_(truth), people_(people), scales_(scales) {}
 
   void add_rows(std::vector<AnswerRow>& rows) const {
-    for (const Trial& trial : plan_.trials) {
+    for (const Trial& trial : plan_.trials)
       for (const AskedItem& item : trial.items) rows.push_back(row_of(trial, item));
-    }
   }
 
  private:
@@ -130,11 +129,10 @@ std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>
   for (TextSource* text : {&asked.consent, &asked.instructions, &asked.ending}) text->file.clear();
   asked.scales.file.clear();
   std::string all = title_of(manifest) + "\n" + written(asked, Writing{}).dump() + "\n";
-  for (const Scale& scale : asked_scales(manifest).scales) {
+  for (const Scale& scale : asked_scales(manifest).scales)
     all +=
         fmt::format("{}|{}|{}|{}|{}|{}|{}\n", scale.id, scale.low, scale.high, scale.japanese_low,
                     scale.japanese_high, shortest(scale.least), shortest(scale.most));
-  }
   for (const SessionPlan& plan : plans) all += fmt::format("{}\n", fmt::join(plan.choices, "|"));
   return hash_of(all + plans_csv(plans));
 }

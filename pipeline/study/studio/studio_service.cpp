@@ -50,9 +50,8 @@ Value member_or(const ordered_json& body, const char* name, Value usual) {
 std::optional<Quality> quality_in(const ordered_json& body) {
   const std::string name = member_or<std::string>(body, "quality", "");
   if (name.empty()) return std::nullopt;
-  for (const auto& [word, quality] : quality_words) {
+  for (const auto& [word, quality] : quality_words)
     if (word == name) return quality;
-  }
   throw MalformedBody{};
 }
 

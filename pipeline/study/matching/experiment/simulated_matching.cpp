@@ -72,7 +72,7 @@ class SimulatedMatch {
     if (looks_++ == 0) {
       record_.changes.push_back({.seconds = seconds, .step = "guess", .action = "guess", .d = d});
     } else {
-      for (std::size_t i = 0; i < now.values.size(); ++i) {
+      for (std::size_t i = 0; i < now.values.size(); ++i)
         if (now.values[i] != record_.last.values[i])
           record_.changes.push_back({.seconds = seconds,
                                      .step = "adjust",
@@ -80,7 +80,6 @@ class SimulatedMatch {
                                      .slider = now.sliders[i],
                                      .value = now.values[i],
                                      .d = d});
-      }
     }
     record_.last = now;
     return d;

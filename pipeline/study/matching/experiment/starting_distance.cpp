@@ -17,10 +17,9 @@ using nlohmann::ordered_json;
 
 /// As the page rounds it (page/src/matching/slider_panel.ts).
 double starting_value(const ordered_json& sliders, const std::string& name) {
-  for (const ordered_json& slider : sliders) {
+  for (const ordered_json& slider : sliders)
     if (slider.at("name") == name)
       return std::round(100.0 * std::clamp(slider.at("mean").get<double>(), 0.0, 1.0)) / 100.0;
-  }
   return 0.0;
 }
 

@@ -111,9 +111,8 @@ void write_export(const ZipFiles& files, const fs::path& folder) {
   // Should this be interrupted, the next export knows the files of both.
   for (const auto& [path, bytes] : files) ours.insert(path);
   put_mark();
-  for (const std::string& path : ours) {
+  for (const std::string& path : ours)
     if (!files.contains(path) && motion::is_inside(folder, path)) fs::remove(folder / path);
-  }
   for (const auto& [path, bytes] : files) {
     make_folder((folder / path).parent_path());
     write_file(folder / path, bytes);

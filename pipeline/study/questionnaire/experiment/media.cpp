@@ -38,9 +38,8 @@ constexpr std::array web_videos = {WebVideo{VideoKind::mp4, "video/mp4"},
 constexpr char motion_type[] = "model/gltf-binary";
 
 std::optional<WebVideo> web_video_of(const Output& output) {
-  for (const WebVideo& video : web_videos) {
+  for (const WebVideo& video : web_videos)
     if (std::ranges::find(output.video, video.kind) != output.video.end()) return video;
-  }
   return std::nullopt;
 }
 

@@ -105,7 +105,7 @@ AskedFacts asked_facts(const nlohmann::ordered_json& experiment) {
   AskedFacts facts;
   facts.design = experiment.at("design");
   facts.simulated = experiment.value("simulated", false);
-  for (const auto& [id, item] : experiment.at("items").items()) {
+  for (const auto& [id, item] : experiment.at("items").items())
     facts.scales[id] = {.points = item.at("points"),
                         .slider = item.value("slider", false),
                         .words = item.value("words", false),
@@ -113,10 +113,8 @@ AskedFacts asked_facts(const nlohmann::ordered_json& experiment) {
                         .most = item.at("most"),
                         .low = item.value("low", ""),
                         .high = item.value("high", "")};
-  }
-  if (const auto choices = experiment.find("choices"); choices != experiment.end()) {
+  if (const auto choices = experiment.find("choices"); choices != experiment.end())
     for (const auto& [id, shown] : choices->items()) facts.choices.push_back(id);
-  }
   if (const auto matching = experiment.find("matching"); matching != experiment.end())
     facts.matching = matching_facts(*matching);
   for (const auto& question : experiment.at("demographics")) {

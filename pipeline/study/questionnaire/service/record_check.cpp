@@ -19,10 +19,9 @@ void refuse(const std::string& fault) {
 /// The one response that there may be to each of these items, in any order.
 void check_items(const PageRecord& record, const std::vector<std::string>& items) {
   std::set<std::string> left(items.begin(), items.end());
-  for (const GivenResponse& response : record.responses) {
+  for (const GivenResponse& response : record.responses)
     if (left.erase(response.item) == 0)
       throw RecordFault("an answer does not belong to this page, or appears twice");
-  }
   if (!left.empty()) throw RecordFault(fmt::format("\"{}\" is not answered", *left.begin()));
 }
 
@@ -75,10 +74,9 @@ void check_demographics(const AskedFacts& facts, const PageRecord& record) {
       throw RecordFault(fmt::format("\"{}\" is {}", question->id,
                                     question->is_number ? "not a number" : "a number"));
   }
-  for (const AskedQuestion& question : facts.questions) {
+  for (const AskedQuestion& question : facts.questions)
     if (question.required && !answered.contains(question.id))
       throw RecordFault(fmt::format("\"{}\" is not answered", question.id));
-  }
 }
 
 void check_consent(const PageRecord& record) {
