@@ -1,8 +1,6 @@
 #include "pipeline/regression/regression.h"
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,7 +9,6 @@
 #include "pipeline/manifest/regression_limits.h"
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/regression/approved_frames.h"
-#include "pipeline/regression/comparer.h"
 #include "pipeline/regression/stimulus_facts.h"
 #include "pipeline/regression/verdict.h"
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "pipeline/manifest/own_seed.h"
-#include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/production/synthesis/motion_task.h"

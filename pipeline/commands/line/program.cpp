@@ -14,8 +14,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "pipeline/commands/line/console.h"
-
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/other_programs.h"
 #include "pipeline/commands/line/versions.h"
 #include "pipeline/manifest/reading/example_source.h"

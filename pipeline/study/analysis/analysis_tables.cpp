@@ -4,8 +4,6 @@
 #include <optional>
 #include <ranges>
 
-#include "pipeline/base/documents/table.h"
-
 namespace mien::pipeline {
 
 namespace {

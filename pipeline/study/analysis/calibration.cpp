@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/personal_values.h"
 
 namespace mien::pipeline {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "pipeline/base/documents/table.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,6 @@
 
 #include "motion/error.h"
 #include "motion/math/percentile.h"
-#include "pipeline/base/documents/table.h"
 #include "pipeline/production/synthesis/parameter_label.h"
 
 namespace mien::pipeline {

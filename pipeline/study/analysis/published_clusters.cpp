@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/words/adjective_pairs.h"
 
 namespace mien::pipeline {

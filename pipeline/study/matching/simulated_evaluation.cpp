@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/table.h"
 #include "pipeline/study/matching/primary_parameters.h"
 
 namespace mien::pipeline {

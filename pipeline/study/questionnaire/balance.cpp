@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/study/questionnaire/latin_square.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"

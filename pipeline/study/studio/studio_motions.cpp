@@ -10,7 +10,6 @@
 #include "motion/live/live_message.h"
 #include "motion/measures/distance/distance.h"
 #include "pipeline/production/film/film_shot.h"
-#include "pipeline/production/synthesis/motions.h"
 #include "pipeline/production/synthesis/synthesis.h"
 #include "pipeline/study/live/live_bundle_writer.h"
 #include "pipeline/study/live/live_info.h"
