@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/drawing/axis.h"
+#include "pipeline/base/drawing/plot.h"
 
 namespace mien::pipeline {
 

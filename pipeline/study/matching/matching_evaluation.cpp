@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "pipeline/base/statistics/exact_number.h"
-#include "pipeline/base/statistics/holm.h"
+#include "pipeline/base/statistics/p_correction.h"
 
 namespace mien::pipeline {
 

@@ -7,10 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "pipeline/base/statistics/benjamini_hochberg.h"
-#include "pipeline/base/statistics/effect_size.h"
 #include "pipeline/base/statistics/exact_number.h"
-#include "pipeline/base/statistics/holm.h"
+#include "pipeline/base/statistics/p_correction.h"
+#include "pipeline/base/statistics/t_test.h"
 #include "pipeline/study/results/summaries.h"
 
 namespace mien::pipeline {

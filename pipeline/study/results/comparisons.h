@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/base/statistics/hodges_lehmann.h"
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/base/statistics/wilcoxon.h"
 #include "pipeline/study/results/gathered_answers.h"

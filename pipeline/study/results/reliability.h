@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "pipeline/base/statistics/intraclass.h"
+#include "pipeline/base/statistics/agreement.h"
 #include "pipeline/study/results/gathered_answers.h"
 
 namespace mien::pipeline {
@@ -11,7 +11,7 @@ namespace mien::pipeline {
 /// How well people agree about the stimuli on one scale.
 struct Reliability {
   std::size_t scale = 0;
-  Intraclass intraclass;    ///< of all answers (intraclass.h has the rule for missing cells)
+  Intraclass intraclass;    ///< of all answers (agreement.h has the rule for missing cells)
   int complete_people = 0;  ///< who answered about every stimulus that anybody answered about
   double alpha = 0.0;       ///< Cronbach's, of these alone; NaN below two
 };
