@@ -19,10 +19,9 @@
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/synthesis/repertoire.h"
+#include "pipeline/study/analysis/analysis.h"
 #include "pipeline/study/analysis/analysis_report.h"
-#include "pipeline/study/analysis/analysis_tables.h"
-#include "pipeline/study/analysis/calibration_chart.h"
-#include "pipeline/study/analysis/cluster_names.h"
+#include "pipeline/study/analysis/calibration.h"
 #include "pipeline/study/analysis/published_clusters.h"
 
 namespace mien::pipeline {

@@ -12,7 +12,7 @@
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/live/live_script.h"
-#include "pipeline/study/matching/experiment/matching_export.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {

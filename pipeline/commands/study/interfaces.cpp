@@ -10,7 +10,6 @@
 #include "pipeline/base/documents/written_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
-#include "pipeline/study/matching/simulated_chart.h"
 #include "pipeline/study/matching/simulated_evaluation.h"
 
 namespace mien::pipeline {

@@ -10,7 +10,7 @@
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/matching/method_comparison.h"
-#include "pipeline/study/matching/primary_parameters.h"
+#include "pipeline/study/matching/target_sampling.h"
 
 namespace mien::pipeline {
 

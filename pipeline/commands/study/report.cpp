@@ -22,7 +22,7 @@
 #include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 #include "pipeline/study/results/answer_files.h"
-#include "pipeline/study/results/people_counted.h"
+#include "pipeline/study/results/gathered_answers.h"
 #include "pipeline/study/results/report/results_report.h"
 
 namespace mien::pipeline {

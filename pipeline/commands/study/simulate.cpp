@@ -14,7 +14,7 @@
 #include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/synthesis/repertoire.h"
-#include "pipeline/study/matching/experiment/simulated_matching.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {

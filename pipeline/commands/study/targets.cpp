@@ -10,9 +10,9 @@
 #include "pipeline/base/documents/written_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
-#include "pipeline/study/matching/experiment/starting_distance.h"
-#include "pipeline/study/matching/primary_parameters.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/matching/target_manifest.h"
+#include "pipeline/study/matching/target_sampling.h"
 
 namespace mien::pipeline {
 

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/study/analysis/cluster_names.h"
-
 namespace mien::pipeline {
 
 namespace {

@@ -1,8 +1,8 @@
-#include "pipeline/study/analysis/analysis_tables.h"
-
 #include <cstddef>
 #include <optional>
 #include <ranges>
+
+#include "pipeline/study/analysis/analysis_report.h"
 
 namespace mien::pipeline {
 

@@ -1,9 +1,9 @@
-#include "pipeline/study/analysis/calibration_chart.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "pipeline/study/analysis/calibration.h"
 
 namespace mien::pipeline {
 

@@ -1,5 +1,3 @@
-#include "pipeline/study/analysis/cluster_names.h"
-
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -7,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
+#include "pipeline/study/analysis/analysis.h"
 
 namespace mien::pipeline {
 

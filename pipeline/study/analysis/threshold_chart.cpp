@@ -1,10 +1,8 @@
-#include "pipeline/study/analysis/threshold_chart.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "pipeline/base/drawing/plot.h"
+#include "pipeline/study/analysis/quantification.h"
 
 namespace mien::pipeline {
 

@@ -4,7 +4,6 @@
 
 #include "motion/error.h"
 #include "pipeline/production/synthesis/slider_interface.h"
-#include "pipeline/study/live/live_info.h"
 
 namespace mien::pipeline {
 

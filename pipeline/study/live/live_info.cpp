@@ -1,10 +1,9 @@
-#include "pipeline/study/live/live_info.h"
-
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
 
 #include "motion/measures/features/motion_features.h"
+#include "pipeline/study/live/live_bundle_writer.h"
 
 namespace mien::pipeline {
 

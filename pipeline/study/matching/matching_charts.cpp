@@ -1,10 +1,10 @@
-#include "pipeline/study/matching/matching_charts.h"
-
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "pipeline/study/matching/matching_tables.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,6 @@
 
 #include "pipeline/base/documents/p_value.h"
 #include "pipeline/base/documents/written_tables.h"
-#include "pipeline/study/matching/matching_charts.h"
 
 namespace mien::pipeline {
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "pipeline/base/documents/table.h"
+#include "pipeline/base/drawing/bar_chart.h"
 #include "pipeline/study/matching/matching_evaluation.h"
 
 namespace mien::pipeline {
@@ -21,5 +22,20 @@ WrittenTable comparisons_table(const MatchingEvaluation& evaluation, bool simula
 /// to 11 of the adjective paper.
 void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResults& results,
                       const std::filesystem::path& folder);
+
+// Figures 7 to 11 of the adjective paper: bars of the interfaces, target by target, then over all.
+// Of more than twelve targets over all alone.
+
+/// D of the first guess, mean over participants ± 1 SD, with the threshold.
+BarChart first_guess_chart(const MatchingEvaluation& evaluation, bool simulated);
+/// Share of first guesses below the threshold.
+BarChart first_guess_success_chart(const MatchingEvaluation& evaluation, bool simulated);
+/// Seconds until the match, mean over participants ± 1 SD.
+BarChart time_chart(const MatchingEvaluation& evaluation, bool simulated);
+/// Seconds that the second interface of each pair saves (first less second), with 90 % intervals:
+/// above 0 where the second is faster.
+BarChart time_saved_chart(const MatchingEvaluation& evaluation, bool simulated);
+/// Share of trials without a match.
+BarChart failures_chart(const MatchingEvaluation& evaluation, bool simulated);
 
 }  // namespace mien::pipeline

@@ -1,11 +1,9 @@
-#include "pipeline/study/matching/simulated_chart.h"
-
 #include <limits>
-#include <string>
 
 #include <fmt/format.h>
 
 #include "pipeline/base/drawing/bar_chart.h"
+#include "pipeline/study/matching/simulated_evaluation.h"
 
 namespace mien::pipeline {
 

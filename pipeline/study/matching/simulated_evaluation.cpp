@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/study/matching/primary_parameters.h"
+#include "pipeline/study/matching/target_sampling.h"
 
 namespace mien::pipeline {
 

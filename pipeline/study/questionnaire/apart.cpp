@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/questionnaire/latin_square.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
 #include "pipeline/study/trials/trial_kind.h"
 

@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/questionnaire/latin_square.h"
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 
 namespace mien::pipeline {

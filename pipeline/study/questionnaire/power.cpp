@@ -11,7 +11,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
 
 namespace mien::pipeline {

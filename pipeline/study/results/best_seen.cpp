@@ -1,6 +1,6 @@
-#include "pipeline/study/results/best_seen.h"
-
 #include <algorithm>
+
+#include "pipeline/study/results/comparisons.h"
 
 namespace mien::pipeline {
 

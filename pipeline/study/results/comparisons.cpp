@@ -9,7 +9,6 @@
 
 #include "pipeline/base/statistics/exact_number.h"
 #include "pipeline/base/statistics/p_correction.h"
-#include "pipeline/base/statistics/t_test.h"
 #include "pipeline/study/results/summaries.h"
 
 namespace mien::pipeline {

@@ -1,8 +1,7 @@
-#include "pipeline/study/results/people_counted.h"
-
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
+#include "pipeline/study/results/gathered_answers.h"
 
 namespace mien::pipeline {
 

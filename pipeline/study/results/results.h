@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/study/results/axis_correlations.h"
 #include "pipeline/study/results/catch_trials.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/confusion.h"

@@ -12,7 +12,6 @@
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/synthesis.h"
 #include "pipeline/study/live/live_bundle_writer.h"
-#include "pipeline/study/live/live_info.h"
 
 namespace mien::pipeline {
 

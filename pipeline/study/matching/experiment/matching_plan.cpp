@@ -1,10 +1,8 @@
-#include "pipeline/study/matching/experiment/matching_plan.h"
-
 #include <algorithm>
 
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/questionnaire/latin_square.h"
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_duration.h"
 #include "pipeline/study/trials/trial_kind.h"
 

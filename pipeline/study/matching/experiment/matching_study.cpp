@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/matching/experiment/matching_plan.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 #include "pipeline/tasks/hash.h"
 

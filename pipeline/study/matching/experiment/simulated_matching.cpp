@@ -1,11 +1,10 @@
-#include "pipeline/study/matching/experiment/simulated_matching.h"
-
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "motion/live/live_core.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/matching/simulated_trial.h"
 
 namespace mien::pipeline {

@@ -1,5 +1,3 @@
-#include "pipeline/study/matching/experiment/starting_distance.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "motion/live/live_core.h"
 #include "motion/measures/distance/distance.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 
 namespace mien::pipeline {
 

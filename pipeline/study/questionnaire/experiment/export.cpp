@@ -14,7 +14,6 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
-#include "pipeline/study/questionnaire/experiment/export_texts.h"
 #include "pipeline/study/questionnaire/experiment/jatos_archive.h"
 
 namespace mien::pipeline {

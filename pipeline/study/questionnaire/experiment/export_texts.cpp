@@ -1,5 +1,3 @@
-#include "pipeline/study/questionnaire/experiment/export_texts.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +9,7 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
+#include "pipeline/study/questionnaire/experiment/export.h"
 
 namespace mien::pipeline {
 

@@ -1,6 +1,7 @@
 #include "pipeline/study/questionnaire/service/record_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -84,6 +85,25 @@ void check_consent(const PageRecord& record) {
   check_word(record.responses.front(), {"agreed", consent_refused});
 }
 
+/// Of what is the same number, found in a browser or here; metres.
+constexpr double distance_slack_m = 1e-9;
+
+void check_distance(LiveMotions& live, const Trial& trial, const SliderSetting& setting,
+                    double told) {
+  motion::LiveSetting sliders;
+  sliders.kind = motion::interface_kind(trial.items.front().item).value();
+  sliders.sliders = setting.sliders;
+  sliders.values = setting.values;
+  double found = 0.0;
+  try {
+    found = live.distance(trial.stimuli.front(), sliders).mean;
+  } catch (const Error& error) {
+    throw RecordFault(error.what());
+  }
+  if (std::abs(found - told) > distance_slack_m)
+    throw RecordFault("a distance does not match its slider settings");
+}
+
 }  // namespace
 
 const Trial* trial_of(const SessionPlan& plan, const std::string& record_name) {
@@ -112,6 +132,11 @@ void check_record(const AskedFacts& facts, const SessionPlan& plan, const PageRe
   } else {
     throw RecordFault("there is no such page");
   }
+}
+
+void check_distances(LiveMotions& live, const Trial& trial, const MatchingRecord& record) {
+  check_distance(live, trial, record.first, record.first_guess_d);
+  check_distance(live, trial, record.last, record.d);
 }
 
 }  // namespace mien::pipeline

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/study/results/best_seen.h"
+#include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/report/html_row.h"
 #include "pipeline/study/results/report/page_tables.h"
 

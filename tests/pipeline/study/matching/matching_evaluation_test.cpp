@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/fault.h"
-#include "pipeline/study/matching/matching_charts.h"
 #include "pipeline/study/matching/matching_tables.h"
 #include "pipeline/temporary_folder.h"
 

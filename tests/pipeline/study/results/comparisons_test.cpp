@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/study/results/axis_correlations.h"
-#include "pipeline/study/results/best_seen.h"
 #include "pipeline/study/results/confusion.h"
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
