@@ -1,7 +1,6 @@
-#include "pipeline/commands/completion.h"
-
 #include <algorithm>
 #include <memory>
+#include <string>
 
 #include <fmt/ranges.h>
 
@@ -138,6 +137,13 @@ std::string zsh_words(const std::vector<std::string>& words) {
   return text;
 }
 
+/// The command whose first column lists what an argument may be: "mien sets" for the name of a set.
+/// Empty when there is none.
+std::string command_that_lists(const CommandPage& page, const CommandOption& argument) {
+  if (argument.argument == "manifest") return "mien manifests";
+  return argument.argument == "name" ? page.name : "";
+}
+
 /// ":what:action", the part of a specification that says what a value may be.
 std::string zsh_value(const CommandPage& page, const CommandOption& option) {
   const std::string what = option.argument.empty() ? option.value : option.argument;
@@ -203,29 +209,8 @@ std::string zsh_group(const Command& program, const CommandPage& page) {
       names, zsh_options(page), calls);
 }
 
-}  // namespace
-
-std::string command_that_lists(const CommandPage& page, const CommandOption& argument) {
-  if (argument.argument == "manifest") return "mien manifests";
-  return argument.argument == "name" ? page.name : "";
-}
-
-Command completion_command() {
-  const auto shell = std::make_shared<std::string>();
-  return {.name = "completion",
-          .summary = "Print the shell completion script",
-          .options = {argument("shell", shell.get(), "Shell").one_of({"bash", "zsh"})},
-          .notes =
-              "The Debian package installs both. Without the package, add:\n"
-              "  source <(mien completion bash)     in ~/.bashrc\n"
-              "  source <(mien completion zsh)      in ~/.zshrc, after compinit",
-          .run = [shell](const Console& console) {
-            console.out << (*shell == "bash" ? bash_completion
-                                             : zsh_completion)(with_other_programs(mien_program()));
-            return exit_done;
-          }};
-}
-
+/// Scripts that let a shell complete commands, options, values of options with fixed choices,
+/// names of manifests and sets, and files.
 std::string bash_completion(const Command& program) {
   std::string script = bash_head + bash_commands(program);
   script += "  case \"$command $before\" in\n" + bash_values(program);
@@ -248,6 +233,24 @@ std::string zsh_completion(const Command& program) {
     script += "}\n";
   }
   return script + zsh_tail;
+}
+
+}  // namespace
+
+Command completion_command() {
+  const auto shell = std::make_shared<std::string>();
+  return {.name = "completion",
+          .summary = "Print the shell completion script",
+          .options = {argument("shell", shell.get(), "Shell").one_of({"bash", "zsh"})},
+          .notes =
+              "The Debian package installs both. Without the package, add:\n"
+              "  source <(mien completion bash)     in ~/.bashrc\n"
+              "  source <(mien completion zsh)      in ~/.zshrc, after compinit",
+          .run = [shell](const Console& console) {
+            console.out << (*shell == "bash" ? bash_completion
+                                             : zsh_completion)(with_other_programs(mien_program()));
+            return exit_done;
+          }};
 }
 
 }  // namespace mien::pipeline

@@ -1,7 +1,6 @@
-#include "pipeline/commands/man.h"
-
 #include <algorithm>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -175,8 +174,8 @@ Relative to the program: the manifests installed with it, which
 lists, and the JSON Schemas for editors.
 )";
 
-}  // namespace
-
+/// The manual page mien(1) in the macros of man(7), plain ASCII: what every `--help` says, exit
+/// codes and files. `version` is "0.2.0", `date` the day of its release, "2026-11-22".
 std::string manual_page(const Command& program, const std::string& version,
                         const std::string& date) {
   const std::vector<CommandPage> pages = every_page(program);
@@ -190,6 +189,8 @@ std::string manual_page(const Command& program, const std::string& version,
   for (std::size_t i = 1; i < pages.size(); ++i) page += command_in_roff(pages[i]);
   return page + exit_codes_in_roff() + files_in_roff + examples_in_roff(program.notes);
 }
+
+}  // namespace
 
 Command man_command() {
   return {.name = "man",

@@ -7,7 +7,6 @@
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/regression/attribution.h"
 #include "pipeline/regression/stimulus_facts.h"
-#include "pipeline/regression/video_changes.h"
 #include "pipeline/tasks/parallel.h"
 
 namespace mien::pipeline {

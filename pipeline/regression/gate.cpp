@@ -1,11 +1,10 @@
-#include "pipeline/regression/gate.h"
-
 #include <fmt/format.h>
 
 #include "motion/measures/differences/motion_tolerance.h"
 #include "motion/measures/distance/body_part.h"
 #include "pipeline/manifest/own_seed.h"
 #include "pipeline/regression/approved_frames.h"
+#include "pipeline/regression/regression.h"
 
 namespace mien::pipeline {
 

@@ -9,8 +9,8 @@
 #include "pipeline/manifest/regression_limits.h"
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/regression/approved_frames.h"
+#include "pipeline/regression/comparison.h"
 #include "pipeline/regression/stimulus_facts.h"
-#include "pipeline/regression/verdict.h"
 
 namespace mien::pipeline {
 

@@ -1,11 +1,9 @@
-#include "pipeline/regression/repetition.h"
-
 #include <algorithm>
-#include <map>
 #include <thread>
 
 #include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/regression/approved_frames.h"
+#include "pipeline/regression/regression.h"
 #include "pipeline/regression/stimulus_facts.h"
 
 namespace mien::pipeline {

@@ -1,14 +1,11 @@
-#include "pipeline/regression/verdict.h"
-
 #include <algorithm>
 #include <functional>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "motion/measures/differences/motion_tolerance.h"
+#include "pipeline/regression/comparison.h"
 #include "pipeline/regression/comparison/told_apart.h"
 
 namespace mien::pipeline {

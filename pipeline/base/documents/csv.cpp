@@ -15,7 +15,6 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/documents/formula_mark.h"
 #include "pipeline/base/documents/utf8.h"
 
 namespace mien::pipeline {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "motion/text/shell_word.h"
-#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/installed_manifests.h"

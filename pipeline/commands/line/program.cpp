@@ -18,9 +18,8 @@
 #include <malloc.h>
 #endif
 
-#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/printable_stream.h"
-#include "pipeline/commands/line/command_line.h"
 #include "pipeline/commands/line/other_programs.h"
 #include "pipeline/tasks/interruption.h"
 

@@ -21,7 +21,6 @@
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approval.h"
 #include "pipeline/regression/regression.h"
-#include "pipeline/regression/repetition.h"
 #include "pipeline/regression/report/regression_report.h"
 #include "pipeline/regression/report/regression_texts.h"
 #include "pipeline/tasks/command_run.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "pipeline/commands/line/other_programs.h"
-#include "pipeline/commands/line/versions.h"
+#include "pipeline/commands/line/program.h"
 #include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/archive/tar_archive.h"
 #include "pipeline/study/analysis/scales_yaml.h"

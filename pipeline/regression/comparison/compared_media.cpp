@@ -13,13 +13,10 @@
 
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
-#include "pipeline/regression/comparison/compared_containers.h"
 #include "pipeline/regression/comparison/frame_alignment.h"
-#include "pipeline/regression/comparison/mirroring.h"
 #include "pipeline/tasks/bounded_queue.h"
 #include "render/image/channels.h"
 #include "render/image/tone.h"
-#include "render/video/video.h"
 
 namespace mien::pipeline {
 

@@ -10,7 +10,6 @@
 #include "pipeline/base/documents/html.h"
 #include "pipeline/regression/report/regression_texts.h"
 #include "pipeline/regression/report/report_pictures.h"
-#include "pipeline/regression/report/report_stimulus.h"
 
 #include "embedded/regression_css.h"
 

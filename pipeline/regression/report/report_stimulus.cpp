@@ -1,10 +1,9 @@
-#include "pipeline/regression/report/report_stimulus.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "pipeline/base/documents/html.h"
 #include "pipeline/regression/approved_frames.h"
+#include "pipeline/regression/report/report_pictures.h"
 
 namespace mien::pipeline {
 

@@ -11,7 +11,6 @@
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
 #include "pipeline/study/results/participants.h"
-#include "pipeline/study/results/reliability.h"
 #include "pipeline/study/results/summaries.h"
 
 namespace mien::pipeline {

@@ -96,6 +96,18 @@ ordered_json modification() {
       .at("properties");
 }
 
+/// What a page offers beside examples and sliders: "sets" of examples, "recipes" (of the manifest,
+/// and what they do), "posture" (units and what they turn), "scenes", "cameras", "figures".
+ordered_json studio_words(const ManifestFile& file) {
+  return {{"sets", example_sets()},
+          {"recipes", recipes_of(file)},
+          {"posture", posture()},
+          {"modification", modification()},
+          {"scenes", set_names()},
+          {"cameras", {"three-quarter", "front", "side", "follow", "orbit"}},
+          {"figures", {"stick", "mannequin", "point-light", "trail"}}};
+}
+
 }  // namespace
 
 StudioService::StudioService(ManifestFile& file, std::map<std::string, ServedFile> page,
@@ -254,16 +266,6 @@ HttpResponse StudioService::job(const HttpRequest& request) {
   const auto made = is_result ? jobs_.result(*number) : std::nullopt;
   if (!made) return unknown(request);
   return http_file(request, *made, made->extension() == ".png" ? "image/png" : "video/mp4");
-}
-
-ordered_json studio_words(const ManifestFile& file) {
-  return {{"sets", example_sets()},
-          {"recipes", recipes_of(file)},
-          {"posture", posture()},
-          {"modification", modification()},
-          {"scenes", set_names()},
-          {"cameras", {"three-quarter", "front", "side", "follow", "orbit"}},
-          {"figures", {"stick", "mannequin", "point-light", "trail"}}};
 }
 
 }  // namespace mien::pipeline

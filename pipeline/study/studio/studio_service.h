@@ -79,8 +79,4 @@ class StudioService {
   RateLimit wrong_rate_{{.burst = 60, .per_second = 0.5}};
 };
 
-/// What a page offers beside examples and sliders: "sets" of examples, "recipes" (of the manifest,
-/// and what they do), "posture" (units and what they turn), "scenes", "cameras", "figures".
-nlohmann::ordered_json studio_words(const ManifestFile& file);
-
 }  // namespace mien::pipeline
