@@ -15,13 +15,23 @@ namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
+/// Σ(x − x̄)², and the mean.
+struct Deviation {
+  double mean = 0.0;
+  double squares = 0.0;
+};
+
+Deviation deviation_of(const std::vector<double>& values) {
+  Deviation result;
+  result.mean = exact_mean(values);
+  for (const double value : values) result.squares += (value - result.mean) * (value - result.mean);
+  return result;
+}
+
 /// Exactly 0 where nothing but roundings differ.
 double variance_of(const std::vector<double>& values) {
   if (all_alike(values)) return 0.0;
-  const double mean = exact_mean(values);
-  double sum = 0.0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return sum / static_cast<double>(values.size() - 1);
+  return deviation_of(values).squares / static_cast<double>(values.size() - 1);
 }
 
 TTest finished(TTest test) {
@@ -38,19 +48,13 @@ double margin(const TTest& test, double confidence) {
          test.standard_error;
 }
 
-constexpr double no_effect_size = std::numeric_limits<double>::quiet_NaN();
-
-/// Σ(x − x̄)², and the mean.
-struct Deviation {
-  double mean = 0.0;
-  double squares = 0.0;
-};
-
-Deviation deviation_of(const std::vector<double>& values) {
-  Deviation result;
-  result.mean = exact_mean(values);
-  for (const double value : values) result.squares += (value - result.mean) * (value - result.mean);
-  return result;
+/// What d times it is without bias: Γ(ν/2)/(√(ν/2)·Γ((ν − 1)/2)) (Hedges 1981) with ν degrees of
+/// freedom: n + m − 2 of two samples, n − 1 of differences. NaN below two.
+double hedges_correction(double degrees) {
+  if (degrees < 2.0) return not_known;
+  // Γ((ν − 1)/2)/Γ(ν/2)
+  const double ratio = boost::math::tgamma_delta_ratio(0.5 * degrees - 0.5, 0.5);
+  return 1.0 / (ratio * std::sqrt(0.5 * degrees));
 }
 
 }  // namespace
@@ -89,28 +93,21 @@ double cohens_dz(const std::vector<double>& differences) {
 }
 
 double cohens_d(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() < 2 || b.size() < 2) return no_effect_size;
+  if (a.size() < 2 || b.size() < 2) return not_known;
   const Deviation of_a = deviation_of(a);
   const Deviation of_b = deviation_of(b);
   const double pooled =
       std::sqrt((of_a.squares + of_b.squares) / static_cast<double>(a.size() + b.size() - 2));
-  return pooled > 0.0 ? (of_a.mean - of_b.mean) / pooled : no_effect_size;
-}
-
-double hedges_correction(double degrees) {
-  if (degrees < 2.0) return no_effect_size;
-  // Γ((ν − 1)/2)/Γ(ν/2)
-  const double ratio = boost::math::tgamma_delta_ratio(0.5 * degrees - 0.5, 0.5);
-  return 1.0 / (ratio * std::sqrt(0.5 * degrees));
+  return pooled > 0.0 ? (of_a.mean - of_b.mean) / pooled : not_known;
 }
 
 double hedges_g(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() < 2 || b.size() < 2) return no_effect_size;
+  if (a.size() < 2 || b.size() < 2) return not_known;
   return cohens_d(a, b) * hedges_correction(static_cast<double>(a.size() + b.size() - 2));
 }
 
 double hedges_gz(const std::vector<double>& differences) {
-  if (differences.size() < 3) return no_effect_size;
+  if (differences.size() < 3) return not_known;
   return cohens_dz(differences) * hedges_correction(static_cast<double>(differences.size() - 1));
 }
 

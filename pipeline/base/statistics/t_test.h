@@ -34,10 +34,6 @@ double cohens_dz(const std::vector<double>& differences);
 /// d_s of Cohen 1988. NaN with fewer than two values in either, or where nothing varies.
 double cohens_d(const std::vector<double>& a, const std::vector<double>& b);
 
-/// What d times it is without bias: Γ(ν/2)/(√(ν/2)·Γ((ν − 1)/2)) (Hedges 1981) with ν degrees of
-/// freedom: n + m − 2 of two samples, n − 1 of differences. NaN below two.
-double hedges_correction(double degrees);
-
 /// g of two independent samples.
 double hedges_g(const std::vector<double>& a, const std::vector<double>& b);
 

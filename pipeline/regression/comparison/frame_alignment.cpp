@@ -167,6 +167,11 @@ std::string name_told(int frame, const std::vector<std::string>& names) {
   return i < names.size() ? " (" + names[i] + ")" : "";
 }
 
+/// "frame 36 (f37.png)"; without names "frame 36".
+std::string frame_told(int frame, const std::vector<std::string>& names) {
+  return fmt::format("frame {}{}", frame, name_told(frame, names));
+}
+
 /// "frame 37 is missing", "frames 3 to 32 are missing": a line for frames in a row.
 void tell_rows(std::vector<std::string>& told, const std::vector<int>& frames, const char* what,
                const std::vector<std::string>& names) {
@@ -224,10 +229,6 @@ Thumbnail thumbnail_of(const render::Image8& picture) {
   return render::resized(picture, std::min(thumbnail_width, picture.width),
                          std::min(thumbnail_height, picture.height))
       .channels;
-}
-
-std::string frame_told(int frame, const std::vector<std::string>& names) {
-  return fmt::format("frame {}{}", frame, name_told(frame, names));
 }
 
 FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,

@@ -36,9 +36,6 @@ struct FrameNames {
   std::vector<std::string> now;
 };
 
-/// "frame 36 (f37.png)"; without names "frame 36".
-std::string frame_told(int frame, const std::vector<std::string>& names);
-
 /// The cheapest way from one to the other by leaving frames out and putting frames in. Both
 /// together cost nine tenths of the usual difference of two frames beside each other, and four
 /// times that of frames which show the same (encoded otherwise, for instance). Frames are not

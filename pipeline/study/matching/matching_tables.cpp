@@ -99,38 +99,25 @@ constexpr auto compared_columns = table_of<ComparedRow>(
 
 }  // namespace
 
-WrittenTable means_table(const MatchingEvaluation& evaluation, bool simulated) {
-  return means_columns.of_parts(simulated, evaluation.means);
-}
-
-WrittenTable shares_table(const MatchingEvaluation& evaluation, bool simulated) {
-  return shares_columns.of_parts(simulated, evaluation.shares);
-}
-
-WrittenTable time_saved_table(const MatchingEvaluation& evaluation, bool simulated) {
-  const auto is_time = [](const MatchingComparison& c) {
-    return c.measure == MatchingMeasure::time_s;
-  };
-  return time_saved_columns.of_parts(simulated,
-                                     evaluation.comparisons | std::views::filter(is_time));
-}
-
-WrittenTable comparisons_table(const MatchingEvaluation& evaluation, bool simulated) {
-  return compared_columns.of_parts(simulated, evaluation.comparisons);
-}
-
 void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResults& results,
                       const std::filesystem::path& folder) {
   const bool simulated = results.simulated;
-  write_tables(folder,
-               {means_table(evaluation, simulated), shares_table(evaluation, simulated),
-                time_saved_table(evaluation, simulated), comparisons_table(evaluation, simulated)});
-  write_plot(bar_chart_plot(first_guess_chart(evaluation, simulated)), folder, "first_guess_d");
-  write_plot(bar_chart_plot(first_guess_success_chart(evaluation, simulated)), folder,
-             "first_guess_success");
-  write_plot(bar_chart_plot(time_chart(evaluation, simulated)), folder, "time");
-  write_plot(bar_chart_plot(time_saved_chart(evaluation, simulated)), folder, "time_saved");
-  write_plot(bar_chart_plot(failures_chart(evaluation, simulated)), folder, "failures");
+  const auto is_time = [](const MatchingComparison& c) {
+    return c.measure == MatchingMeasure::time_s;
+  };
+  const auto times = evaluation.comparisons | std::views::filter(is_time);
+  write_tables(folder, {means_columns.of_parts(simulated, evaluation.means),
+                        shares_columns.of_parts(simulated, evaluation.shares),
+                        time_saved_columns.of_parts(simulated, times),
+                        compared_columns.of_parts(simulated, evaluation.comparisons)});
+  const auto draw = [&](const char* name, const BarChart& chart) {
+    write_plot(bar_chart_plot(chart), folder, name);
+  };
+  draw("first_guess_d", first_guess_chart(evaluation, simulated));
+  draw("first_guess_success", first_guess_success_chart(evaluation, simulated));
+  draw("time", time_chart(evaluation, simulated));
+  draw("time_saved", time_saved_chart(evaluation, simulated));
+  draw("failures", failures_chart(evaluation, simulated));
 }
 
 }  // namespace mien::pipeline

@@ -1,25 +1,15 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
-#include "pipeline/base/documents/table.h"
 #include "pipeline/base/drawing/bar_chart.h"
 #include "pipeline/study/matching/matching_evaluation.h"
 
 namespace mien::pipeline {
 
-// An evaluation as tidy CSV. Targets are "all" over the means of participants.
-
-WrittenTable means_table(const MatchingEvaluation& evaluation, bool simulated);
-WrittenTable shares_table(const MatchingEvaluation& evaluation, bool simulated);
-/// Of pairs of interfaces, as comparisons_csv: there of both measures.
-WrittenTable time_saved_table(const MatchingEvaluation& evaluation, bool simulated);
-WrittenTable comparisons_table(const MatchingEvaluation& evaluation, bool simulated);
-
 /// Writes means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures first_guess_d,
 /// first_guess_success, time, time_saved and failures as .pdf, .svg and .png, which are figures 7
-/// to 11 of the adjective paper.
+/// to 11 of the adjective paper. Targets are "all" over the means of participants.
 void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResults& results,
                       const std::filesystem::path& folder);
 

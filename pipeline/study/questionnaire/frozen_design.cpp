@@ -47,12 +47,6 @@ constexpr char readme[] =
 constexpr char no_analysis_plan[] =
     "No analysis plan: the manifest has no questionnaire.analysis.plan.\n";
 
-std::string sha256_of(const std::string& bytes) {
-  Sha256 sha;
-  sha.add(bytes);
-  return sha.finish();
-}
-
 std::string sha256_of_file(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   Sha256 sha;

@@ -37,6 +37,18 @@ ReportedStimulus reported(const Stimulus& stimulus) {
   return result;
 }
 
+/// The stimuli that a questionnaire asks about, practice and warm-up among them.
+std::vector<ReportedStimulus> reported_stimuli(const Manifest& manifest) {
+  const std::vector<std::string> asked = asked_stimuli(manifest);
+  const Questionnaire& questionnaire = questionnaire_of(manifest);
+  std::set<std::string> shown(asked.begin(), asked.end());
+  shown.insert(questionnaire.practice.begin(), questionnaire.practice.end());
+  std::vector<ReportedStimulus> stimuli;
+  for (const Stimulus& stimulus : manifest.stimuli)
+    if (shown.contains(stimulus.id)) stimuli.push_back(reported(stimulus));
+  return stimuli;
+}
+
 /// Sorts rows and keeps what is wrong with them.
 class AnswerSorter {
  public:
@@ -228,17 +240,6 @@ std::vector<std::string> people_who_count(const Gathered& gathered) {
 bool ReportedStimulus::is_neutral() const {
   return emotion == "neutral" || emotion == "normal" ||
          (emotion.empty() && (made == "as-is" || made == "neutral"));
-}
-
-std::vector<ReportedStimulus> reported_stimuli(const Manifest& manifest) {
-  const std::vector<std::string> asked = asked_stimuli(manifest);
-  const Questionnaire& questionnaire = questionnaire_of(manifest);
-  std::set<std::string> shown(asked.begin(), asked.end());
-  shown.insert(questionnaire.practice.begin(), questionnaire.practice.end());
-  std::vector<ReportedStimulus> stimuli;
-  for (const Stimulus& stimulus : manifest.stimuli)
-    if (shown.contains(stimulus.id)) stimuli.push_back(reported(stimulus));
-  return stimuli;
 }
 
 Gathered gather(const Manifest& manifest, std::vector<AnswerRow> rows,

@@ -12,12 +12,6 @@ namespace mien::pipeline {
 
 namespace {
 
-double median_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 std::size_t place_on(const Scale& scale, int points, double value) {
   const double place = (points - 1) * (value - scale.least) / (scale.most - scale.least);
   return static_cast<std::size_t>(std::clamp(std::lround(place), 0L, points - 1L));
@@ -65,6 +59,13 @@ Eigen::MatrixXd table_on(const Gathered& gathered, std::size_t scale) {
 }
 
 }  // namespace
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
 
 std::vector<double> places_of(const Scale& scale, int points) {
   std::vector<double> places;

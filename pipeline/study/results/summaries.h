@@ -24,6 +24,9 @@ struct RatingSummary {
 /// Of all stimuli that were rated, by stimulus, then by scale.
 std::vector<RatingSummary> summaries_of(const Gathered& gathered);
 
+/// NaN of none.
+double median_of(std::vector<double> values);
+
 /// The places on a scale, from least to most, as many as `points`.
 std::vector<double> places_of(const Scale& scale, int points);
 

@@ -10,15 +10,12 @@
 
 namespace mien::pipeline {
 
-AskedScale asked_scale(const Scale& scale, const AnswerSettings& answer) {
-  return {answer.points, answer.slider, answer.words, scale.least,
-          scale.most,    scale.low,     scale.high};
-}
-
 AskedScales asked_scales_by_item(const Manifest& manifest) {
+  const AnswerSettings& answer = questionnaire_of(manifest).answer;
   AskedScales scales;
   for (const Scale& scale : asked_scales(manifest).scales)
-    scales.emplace(scale.id, asked_scale(scale, questionnaire_of(manifest).answer));
+    scales[scale.id] = {answer.points, answer.slider, answer.words, scale.least,
+                        scale.most,    scale.low,     scale.high};
   return scales;
 }
 

@@ -19,8 +19,6 @@ struct AskedScale {
   std::string low, high;  ///< words for the ends
 };
 
-AskedScale asked_scale(const Scale& scale, const AnswerSettings& answer);
-
 /// By item.
 using AskedScales = std::map<std::string, AskedScale>;
 

@@ -65,6 +65,17 @@ void add_target_blocks(SessionPlan& plan, const Matching& matching, const String
   for (std::size_t i = 0; i < ordered.size(); ++i) add_block(ordered[i], ordered[i], i);
 }
 
+/// What a session is reckoned to take: its texts read, for each trial a guess (30 s), half of the
+/// limit to match, and a pause (15 s).
+double matching_seconds(const Manifest& manifest, const SessionPlan& plan) {
+  const Matching& matching = matching_of(manifest);
+  double seconds = question_seconds * static_cast<double>(matching.demographics.size());
+  for (const TextSource* text : {&matching.consent, &matching.instructions, &matching.ending})
+    seconds += words_in(text->text) / words_per_second;
+  const double trial = guess_seconds + share_of_limit * matching.limit_s + pause_seconds;
+  return seconds + trial * static_cast<double>(plan.trials.size());
+}
+
 SessionPlan plan_of(const Manifest& manifest, int index) {
   const Matching& matching = *manifest.matching;
   const Strings targets = matching_targets(manifest);
@@ -87,15 +98,6 @@ std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count) {
   std::vector<SessionPlan> plans;
   for (int index = 0; index < participants; ++index) plans.push_back(plan_of(manifest, index));
   return plans;
-}
-
-double matching_seconds(const Manifest& manifest, const SessionPlan& plan) {
-  const Matching& matching = matching_of(manifest);
-  double seconds = question_seconds * static_cast<double>(matching.demographics.size());
-  for (const TextSource* text : {&matching.consent, &matching.instructions, &matching.ending})
-    seconds += words_in(text->text) / words_per_second;
-  const double trial = guess_seconds + share_of_limit * matching.limit_s + pause_seconds;
-  return seconds + trial * static_cast<double>(plan.trials.size());
 }
 
 }  // namespace mien::pipeline

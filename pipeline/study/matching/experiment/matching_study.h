@@ -43,10 +43,6 @@ ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pa
 /// every interface. Every plan is a pure function of (manifest, its index).
 std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count = 0);
 
-/// What a session is reckoned to take: its texts read, for each trial a guess (30 s), half of the
-/// limit to match, and a pause (15 s).
-double matching_seconds(const Manifest& manifest, const SessionPlan& plan);
-
 /// A matching experiment that runs by itself, the motion core inside the browser: files by their
 /// paths, for write_export (questionnaire/experiment/export.h).
 ///

@@ -54,12 +54,6 @@ std::set<std::string> stimuli_in(const std::vector<SessionPlan>& plans) {
   return stimuli;
 }
 
-std::string media_sha256(const fs::path& file) {
-  Sha256 sha;
-  sha.add(read_file(file));
-  return sha.finish();
-}
-
 MediaFile motion_of(const Stimulus& stimulus, const fs::path& folder) {
   const std::size_t frames = static_cast<std::size_t>(
       parse_film_record(read_file(folder / film_record_path(stimulus.id))).film_frames);
@@ -114,7 +108,7 @@ MediaFiles media_of(const Manifest& manifest, const std::vector<SessionPlan>& pl
     if (!fs::is_regular_file(file.file, unknown))
       throw Error({file.file.string()}, "is not there", "make the study again with mien run");
     file.token = media_token(manifest, id);
-    file.sha256 = media_sha256(file.file);
+    file.sha256 = sha256_of(read_file(file.file));
     media.emplace(id, std::move(file));
   }
   return media;
