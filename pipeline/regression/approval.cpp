@@ -12,7 +12,7 @@
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approved_frames.h"
-#include "pipeline/regression/stimulus_facts.h"
+#include "pipeline/regression/rendition.h"
 #include "pipeline/tasks/store.h"
 #include "render/image/image_io.h"
 

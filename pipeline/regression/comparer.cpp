@@ -6,7 +6,7 @@
 #include "motion/error.h"
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/regression/attribution.h"
-#include "pipeline/regression/stimulus_facts.h"
+#include "pipeline/regression/rendition.h"
 #include "pipeline/tasks/parallel.h"
 
 namespace mien::pipeline {

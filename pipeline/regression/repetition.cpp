@@ -4,7 +4,7 @@
 #include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/regression/regression.h"
-#include "pipeline/regression/stimulus_facts.h"
+#include "pipeline/regression/rendition.h"
 
 namespace mien::pipeline {
 

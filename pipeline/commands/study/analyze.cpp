@@ -11,9 +11,8 @@
 
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/environment.h"
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/manifest/checks/study_record.h"
 #include "pipeline/manifest/example_files.h"

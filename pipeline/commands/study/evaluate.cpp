@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/safe_name.h"
-#include "pipeline/base/documents/p_value.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/study/matching/matching_tables.h"
+#include "pipeline/study/matching/matching_report.h"
 
 namespace mien::pipeline {
 

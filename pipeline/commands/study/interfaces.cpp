@@ -7,9 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/matching/simulated_evaluation.h"
 
 namespace mien::pipeline {

@@ -15,7 +15,6 @@
 
 #include "motion/text/excerpt.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/ratings/answers/answers_of_files.h"
 #include "pipeline/production/archive/zip_archive.h"

@@ -7,9 +7,8 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/matching/target_manifest.h"
 #include "pipeline/study/matching/target_sampling.h"

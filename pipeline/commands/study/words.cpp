@@ -7,7 +7,7 @@
 #include <fmt/ostream.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/ratings/answers/word_answers.h"

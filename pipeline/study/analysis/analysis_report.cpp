@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/impression_table.h"
 #include "pipeline/study/analysis/published_clusters.h"
 #include "pipeline/study/analysis/quantification.h"

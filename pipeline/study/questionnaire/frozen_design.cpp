@@ -17,8 +17,8 @@
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/session_duration.h"
-#include "pipeline/study/questionnaire/shown_media.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
+#include "render/video/video_kind.h"
 
 namespace mien::pipeline {
 
@@ -206,6 +206,21 @@ void compare_designs(const std::string& then, const std::string& now,
 }
 
 }  // namespace
+
+std::vector<ShownMedia> shown_media(const Manifest& manifest) {
+  std::vector<ShownMedia> media;
+  const std::vector<std::string> shown = shown_stimuli(manifest);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (std::ranges::find(shown, stimulus.id) == shown.end()) continue;
+    for (const render::VideoKind kind : stimulus.output.video) {
+      const std::string name = render::with_ending(stimulus.id, kind).string();
+      media.push_back({stimulus.id, "videos/" + name});
+    }
+    if (questionnaire_of(manifest).view == ShownAs::turn)
+      media.push_back({stimulus.id, "clips/" + stimulus.id + ".glb"});
+  }
+  return media;
+}
 
 ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                        const fs::path& made) {

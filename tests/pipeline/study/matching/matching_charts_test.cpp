@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/plot_texts.h"
-#include "pipeline/study/matching/matching_tables.h"
+#include "pipeline/study/matching/matching_report.h"
 
 namespace mien::pipeline {
 namespace {
