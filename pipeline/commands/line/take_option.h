@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,6 +35,13 @@ inline motion::Recording read_told(const std::string& file, const std::string& t
 /// The take that the recording is, where its file holds several; else empty.
 inline std::string chosen_take(const motion::Recording& recording) {
   return recording.takes.size() > 1 ? recording.take : "";
+}
+
+/// Throws Error where a file that is to be written is the one that is read.
+inline void refuse_own_input(const std::string& input, const std::string& written) {
+  std::error_code unknown;
+  if (std::filesystem::equivalent(input, written, unknown))
+    throw Error(Place{written}, "is the input file", "name another file to write");
 }
 
 /// `--take` of a command that compares two files: of both, or of each by its own.

@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
@@ -22,9 +21,7 @@ struct ConvertOptions {
 };
 
 int convert(const ConvertOptions& options, const Console& console) {
-  std::error_code unknown;
-  if (std::filesystem::equivalent(options.in, options.out, unknown))
-    throw Error(Place{options.out}, "is the input file", "name another file to write");
+  refuse_own_input(options.in, options.out);
   motion::Recording recording = read_told(options.in, options.take, console);
   const bool is_glb = std::filesystem::path(options.out).extension() == ".glb";
   if (options.body) {

@@ -68,10 +68,9 @@ std::vector<std::string> warnings_of(const MeasuredFile& measured) {
 
 ordered_json as_json(const MeasuredFile& measured) {
   ordered_json values = ordered_json::object();
-  for (std::size_t i = 0; i < measured.values.size(); ++i) {
-    ordered_json& value = values[std::string(motion::motion_features()[i].id)];
-    if (std::isfinite(measured.values[i])) value = measured.values[i];
-  }
+  // What is not known is written as null.
+  for (std::size_t i = 0; i < measured.values.size(); ++i)
+    values[std::string(motion::motion_features()[i].id)] = measured.values[i];
   ordered_json cycle = nullptr;
   if (const auto& found = measured.prepared.cycle)
     cycle = {{"start_frame", found->start_frame}, {"end_frame", found->end_frame}};

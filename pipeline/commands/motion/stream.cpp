@@ -182,16 +182,9 @@ bool pass_on(MotionSource& source, LiveStream& live, bool paced, const std::stop
   return is_read;
 }
 
-void refuse_own_input(const StreamOptions& options) {
-  std::error_code unknown;
-  for (const std::string& written : {options.out, options.json}) {
-    if (written.empty() || !std::filesystem::equivalent(options.in, written, unknown)) continue;
-    throw Error(Place{written}, "is the input file", "name another file to write");
-  }
-}
-
 int stream_motion(const StreamOptions& options, const Console& console) {
-  refuse_own_input(options);
+  refuse_own_input(options.in, options.out);
+  refuse_own_input(options.in, options.json);
   MotionSource source(options.in);
   MotionSink sink(console.out, options.out,
                   options.lines ? MotionSink::Form::lines : MotionSink::Form::bvh);

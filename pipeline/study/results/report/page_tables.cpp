@@ -12,6 +12,15 @@ namespace mien::pipeline {
 
 namespace {
 
+/// With those of within_cells behind them.
+std::vector<std::string_view> with_within_heads(std::vector<std::string_view> heads) {
+  heads.insert(heads.end(),
+               {"n", "within-participant difference", "95 % interval", "t", "p", "p, corrected",
+                "g<sub>z</sub>", "V", "nonzero, zero, tied", "p, Wilcoxon", "p, corrected",
+                "Hodges–Lehmann", "95 % interval", "rank-biserial"});
+  return heads;
+}
+
 /// What was found within persons.
 HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjusted,
                       double wilcoxon_adjusted) {
@@ -84,27 +93,8 @@ std::string comparisons_html(const Results& results, ComparisonFamily family,
     const bool is_shown = !has_own || c.own_end != 0;
     if (c.family == family && is_asked && is_shown) rows += comparison_html(gathered, c);
   }
-  return wide_table({"<video",
-                     "<compared with",
-                     "<scale",
-                     "mean",
-                     "comparison mean",
-                     "Welch t (df)",
-                     "p",
-                     "n",
-                     "within-participant difference",
-                     "95 % interval",
-                     "t",
-                     "p",
-                     "p, corrected",
-                     "g<sub>z</sub>",
-                     "V",
-                     "nonzero, zero, tied",
-                     "p, Wilcoxon",
-                     "p, corrected",
-                     "Hodges–Lehmann",
-                     "95 % interval",
-                     "rank-biserial"},
+  return wide_table(with_within_heads({"<video", "<compared with", "<scale", "mean",
+                                       "comparison mean", "Welch t (df)", "p"}),
                     rows);
 }
 
@@ -117,11 +107,7 @@ std::string overall_html(const Results& results, ComparisonFamily family) {
     rows += within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
                 .html(c.paired_adjusted < results.gathered.alpha);
   }
-  return wide_table(
-      {"<emotion", "matched", "mean", "comparison mean", "n", "within-participant difference",
-       "95 % interval", "t", "p", "p, corrected", "g<sub>z</sub>", "V", "nonzero, zero, tied",
-       "p, Wilcoxon", "p, corrected", "Hodges–Lehmann", "95 % interval", "rank-biserial"},
-      rows);
+  return wide_table(with_within_heads({"<emotion", "matched", "mean", "comparison mean"}), rows);
 }
 
 std::string sessions_html(const Results& results) {
