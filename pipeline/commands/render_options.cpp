@@ -196,15 +196,6 @@ std::string video_endings() {
   return endings;
 }
 
-fs::path output_of(const RenderOptions& options) {
-  if (options.out.empty()) return fs::path(options.files.front()).stem().concat(".mp4");
-  if (fs::path(options.out).extension() == ".exr" && !options.still)
-    throw Error("--output: only a still has layers", "add --still, or use the extension .png");
-  if (is_picture(options.out) || render::video_kind_of(options.out)) return options.out;
-  throw Error("--output: " + motion::in_quotes(options.out) + " is neither a video nor an image",
-              "use the extension " + video_endings() + " (video) or .png (contact sheet)");
-}
-
 scenes::Layout layout_of(const RenderOptions& options) {
   return options.layout == "side-by-side" ? scenes::Layout::side_by_side
                                           : scenes::Layout::superimposed;

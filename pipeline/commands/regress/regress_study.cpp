@@ -17,14 +17,12 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/regress/study_baseline.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
-#include "pipeline/production/run/run.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approval.h"
 #include "pipeline/regression/regression.h"
 #include "pipeline/regression/report/regression_report.h"
 #include "pipeline/regression/report/regression_texts.h"
 #include "pipeline/tasks/command_run.h"
-#include "pipeline/tasks/progress.h"
 #include "pipeline/tasks/progress_bar.h"
 
 namespace mien::pipeline {
@@ -47,20 +45,7 @@ struct MadeStudy {
 
 void make(MadeStudy& study, const StudyArguments& arguments, const Console& console) {
   Production& production = *study.production;
-  RunResult result;
-  {
-    Progress progress(console.err, console.err_is_terminal, production.graph(),
-                      glance(production.graph(), study.folder), steady_seconds);
-    result = run(production, study.folder, jobs_of(arguments.production), console.stop,
-                 progress.observer());
-  }
-  if (result.was_interrupted) throw Interrupted{};
-  for (const TaskOutcome& outcome : result.outcomes) {
-    if (outcome.state != TaskState::failed) continue;
-    if (outcome.is_bad_input)
-      throw Error({outcome.error}, "the study cannot be made", "see mien run for all faults");
-    throw std::runtime_error(outcome.error);
-  }
+  make_study(production, study.folder, arguments.production, console);
   for (const Stimulus& stimulus : production.manifest().stimuli)
     if (is_asked(arguments.production.only, stimulus.id))
       study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
