@@ -33,16 +33,8 @@ class SimulatedSession {
     AnswerRow row;
     row.participant = plan_.participant;
     row.session = "simulated";
-    row.trial = trial.number;
-    row.block = trial.block;
-    row.kind = trial.kind_name();
-    if (!trial.stimuli.empty()) row.stimulus = trial.stimuli[0];
-    row.against = trial.against();
+    put_trial(trial, row);
     row.item = item.item;
-    row.is_practice = trial.practice;
-    row.is_warmup = trial.warm_up;
-    row.is_catch = trial.is_catch;
-    row.expected = trial.expected;
     row.rt_ms = std::round(1000.0 * people_.answer_seconds *
                            std::exp(0.4 * normal(plan_.seed, name("time", trial, item))));
     row.seed = plan_.seed;

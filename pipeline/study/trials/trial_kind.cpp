@@ -24,6 +24,18 @@ const TrialKind& trial_kind_of(const TrialForm& form) {
   return **found;
 }
 
+void put_trial(const Trial& trial, AnswerRow& row) {
+  row.trial = trial.number;
+  row.block = trial.block;
+  row.kind = trial.kind_name();
+  if (!trial.stimuli.empty()) row.stimulus = trial.stimuli[0];
+  row.against = trial.against();
+  row.is_practice = trial.practice;
+  row.is_warmup = trial.warm_up;
+  row.is_catch = trial.is_catch || trial.is_attention_check();
+  row.expected = trial.expected;
+}
+
 std::string choice_fault(const GivenResponse& response, const std::vector<std::string>& choices) {
   const bool is_chosen =
       !response.is_number && std::ranges::find(choices, response.value_raw) != choices.end();

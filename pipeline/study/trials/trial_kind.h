@@ -141,6 +141,9 @@ inline constexpr std::array trial_kinds = {&rating_trials, &emotion_trials, &pai
 /// The kind of this form.
 const TrialKind& trial_kind_of(const TrialForm& form);
 
+/// What a row of answers has of its trial.
+void put_trial(const Trial& trial, AnswerRow& row);
+
 /// "an answer is none of those that may be chosen", where it is none of these; else empty.
 std::string choice_fault(const GivenResponse& response, const std::vector<std::string>& choices);
 

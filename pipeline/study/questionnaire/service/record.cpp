@@ -63,16 +63,8 @@ AnswerRow row_of_trial(const AskedFacts& facts, const SessionPlan& plan, const T
   AnswerRow row = record.measured;
   row.participant = plan.participant;
   row.session = record.session;
-  row.trial = trial.number;
-  row.block = trial.block;
-  row.kind = trial.kind_name();
-  if (!trial.stimuli.empty()) row.stimulus = trial.stimuli.front();
+  put_trial(trial, row);
   row.stimulus_sha256 = hash_at(facts.sha256, row.stimulus);
-  row.against = trial.against();
-  row.is_practice = trial.practice;
-  row.is_warmup = trial.warm_up;
-  row.is_catch = trial.is_catch || trial.is_attention_check();
-  row.expected = trial.expected;
   row.seed = plan.seed;
   row.design = facts.design;
   row.simulated = facts.simulated;
