@@ -10,18 +10,18 @@ using Json = nlohmann::ordered_json;
 
 // What has no list of members stands in files in a way of its own.
 
-Json written(const NamedValues& values) {
+Json as_kept(const NamedValues& values) {
   Json json = Json::object();
   for (const auto& [name, value] : values) json[name] = value;
   return json;
 }
 
-void take(const Json& json, NamedValues& values) {
+void take_kept(const Json& json, NamedValues& values) {
   for (const auto& [name, value] : json.items()) values.emplace_back(name, value.get<double>());
 }
 
 /// Options by what they change: those of one aspect stand together.
-Json written(const std::vector<Setting>& settings) {
+Json as_kept(const std::vector<Setting>& settings) {
   Json json = Json::object();
   for (const auto& [word, aspect] : aspect_words) {
     Json some = Json::object();
@@ -32,23 +32,23 @@ Json written(const std::vector<Setting>& settings) {
   return json;
 }
 
-void take(const Json& json, std::vector<Setting>& settings) {
+void take_kept(const Json& json, std::vector<Setting>& settings) {
   for (const auto& [word, aspect] : aspect_words)
     for (const auto& [path, value] : json.at(word).items())
       settings.push_back({path, aspect, value.dump()});
 }
 
-Json written(const std::vector<KeyFrame>& key_frames) {
+Json as_kept(const std::vector<KeyFrame>& key_frames) {
   Json frames = Json::object();
   for (const KeyFrame& frame : key_frames) frames[std::to_string(frame.frame)] = frame.pixels;
   return frames;
 }
 
-void take(const Json& json, std::vector<KeyFrame>& key_frames) {
+void take_kept(const Json& json, std::vector<KeyFrame>& key_frames) {
   for (const auto& [frame, pixels] : json.items()) key_frames.push_back({std::stoi(frame), pixels});
 }
 
-Json written(const std::vector<VideoFacts>& facts) {
+Json as_kept(const std::vector<VideoFacts>& facts) {
   Json videos = Json::array();
   for (const VideoFacts& video : facts) {
     videos.push_back(video_json(video.record));
@@ -58,7 +58,7 @@ Json written(const std::vector<VideoFacts>& facts) {
   return videos;
 }
 
-void take(const Json& json, std::vector<VideoFacts>& videos) {
+void take_kept(const Json& json, std::vector<VideoFacts>& videos) {
   for (const Json& video : json)
     videos.push_back(
         {video_record_of(video), video.at("hash"), video.value("first_film_frame", 0)});
@@ -95,15 +95,15 @@ void fields_of(auto&& field, MaybeConst<StimulusFacts> auto& facts) {
 }
 
 template <class Value>
-concept HasFields = requires(Value& value) {
+concept HasMembers = requires(Value& value) {
   fields_of([](auto&&...) {}, value);
 };
 
 template <class Value>
-Json written(const Value& value) {
-  if constexpr (HasFields<const Value>) {
+Json as_kept(const Value& value) {
+  if constexpr (HasMembers<const Value>) {
     Json json;
-    fields_of([&](const char* key, auto& member, auto...) { json[key] = written(member); }, value);
+    fields_of([&](const char* key, auto& member, auto...) { json[key] = as_kept(member); }, value);
     return json;
   } else {
     return value;
@@ -111,20 +111,21 @@ Json written(const Value& value) {
 }
 
 template <class Value>
-void take(const Json& json, Value& value) {
-  if constexpr (HasFields<Value>)
-    fields_of([&](const char* key, auto& member, auto...) { take(json.at(key), member); }, value);
+void take_kept(const Json& json, Value& value) {
+  if constexpr (HasMembers<Value>)
+    fields_of([&](const char* key, auto& member, auto...) { take_kept(json.at(key), member); },
+              value);
   else
     json.get_to(value);
 }
 
 }  // namespace
 
-Json json_of(const StimulusFacts& facts) { return written(facts); }
+Json json_of(const StimulusFacts& facts) { return as_kept(facts); }
 
 StimulusFacts stimulus_facts_of(const Json& json) {
   StimulusFacts facts;
-  take(json, facts);
+  take_kept(json, facts);
   return facts;
 }
 
