@@ -113,11 +113,10 @@ ordered_json as_json(const Cleaning& cleaning, const fs::path& folder,
 }
 
 int clean(const CleanOptions& options, const Console& console) {
-  if (!options.stale && options.keep.empty()) {
+  if (!options.stale && options.keep.empty())
     throw Error("nothing to remove was specified",
                 "use --stale to remove what the manifest no longer makes, or --keep videos,sheets "
                 "to remove all other kinds");
-  }
   const fs::path folder = study_folder(options, console);
   const Cleaning cleaning = cleaned(options, folder, console);
   if (options.json) {

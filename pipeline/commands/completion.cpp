@@ -1,7 +1,6 @@
-#include "pipeline/commands/completion.h"
-
 #include <algorithm>
 #include <memory>
+#include <string>
 
 #include <fmt/ranges.h>
 
@@ -45,9 +44,8 @@ std::string joined_words(const std::vector<std::string>& words, const std::strin
 /// Every path to a command, which is how the script knows where it is.
 std::string bash_commands(const Command& program) {
   std::vector<std::string> names;
-  for (const CommandPage& page : every_page(program)) {
+  for (const CommandPage& page : every_page(program))
     if (&page.command != &program) names.push_back("'" + page.name + "'");
-  }
   return "      " + joined_words(names, " | \\\n        ") +
          ")\n        command+=\" ${COMP_WORDS[i]}\" ;;\n    esac\n  done\n";
 }
@@ -65,9 +63,8 @@ std::string bash_values(const Command& program) {
     for (const CommandOption& option : page.command.named_options()) {
       if (option.value.empty()) continue;
       std::vector<std::string> patterns;
-      for (const std::string& name : option.names) {
+      for (const std::string& name : option.names)
         patterns.push_back("'" + page.name + " " + name + "'");
-      }
       cases += fmt::format("    {}) {} ;;\n", joined_words(patterns, " | "), bash_value(option));
     }
   }
@@ -76,9 +73,8 @@ std::string bash_values(const Command& program) {
 
 std::string bash_options(const CommandPage& page) {
   std::string names = "-h --help";
-  for (const CommandOption& option : page.command.named_options()) {
+  for (const CommandOption& option : page.command.named_options())
     names += " " + joined_words(option.names, " ");
-  }
   return names;
 }
 
@@ -141,6 +137,13 @@ std::string zsh_words(const std::vector<std::string>& words) {
   return text;
 }
 
+/// The command whose first column lists what an argument may be: "mien sets" for the name of a set.
+/// Empty when there is none.
+std::string command_that_lists(const CommandPage& page, const CommandOption& argument) {
+  if (argument.argument == "manifest") return "mien manifests";
+  return argument.argument == "name" ? page.name : "";
+}
+
 /// ":what:action", the part of a specification that says what a value may be.
 std::string zsh_value(const CommandPage& page, const CommandOption& option) {
   const std::string what = option.argument.empty() ? option.value : option.argument;
@@ -170,9 +173,8 @@ std::string zsh_option(const CommandPage& page, const CommandOption& option) {
 
 std::string zsh_options(const CommandPage& page) {
   std::string lines = " \\\n    '(- *)'{-h,--help}'[Show help]'";
-  for (const CommandOption& option : page.command.named_options()) {
+  for (const CommandOption& option : page.command.named_options())
     lines += " \\\n    " + zsh_option(page, option);
-  }
   return lines;
 }
 
@@ -207,12 +209,33 @@ std::string zsh_group(const Command& program, const CommandPage& page) {
       names, zsh_options(page), calls);
 }
 
-}  // namespace
-
-std::string command_that_lists(const CommandPage& page, const CommandOption& argument) {
-  if (argument.argument == "manifest") return "mien manifests";
-  return argument.argument == "name" ? page.name : "";
+/// Scripts that let a shell complete commands, options, values of options with fixed choices,
+/// names of manifests and sets, and files.
+std::string bash_completion(const Command& program) {
+  std::string script = bash_head + bash_commands(program);
+  script += "  case \"$command $before\" in\n" + bash_values(program);
+  script += "    *)\n      if [[ $word == -* ]]; then\n        case $command in\n";
+  for (const CommandPage& page : every_page(program))
+    script += fmt::format("          '{}') words='{}' ;;\n", page.name, bash_options(page));
+  script += "        esac\n      else\n        case $command in\n";
+  for (const CommandPage& page : every_page(program))
+    script += fmt::format("          '{}') {} ;;\n", page.name, bash_arguments(program, page));
+  return script + "        esac\n      fi ;;\n  esac" + bash_tail;
 }
+
+std::string zsh_completion(const Command& program) {
+  std::string script = zsh_head;
+  for (const CommandPage& page : every_page(program)) {
+    script += "\n" + zsh_function(page.name) + "() {\n";
+    script += page.command.commands.empty()
+                  ? "  _arguments -s" + zsh_options(page) + zsh_arguments(page) + "\n"
+                  : zsh_group(program, page);
+    script += "}\n";
+  }
+  return script + zsh_tail;
+}
+
+}  // namespace
 
 Command completion_command() {
   const auto shell = std::make_shared<std::string>();
@@ -228,32 +251,6 @@ Command completion_command() {
                                              : zsh_completion)(with_other_programs(mien_program()));
             return exit_done;
           }};
-}
-
-std::string bash_completion(const Command& program) {
-  std::string script = bash_head + bash_commands(program);
-  script += "  case \"$command $before\" in\n" + bash_values(program);
-  script += "    *)\n      if [[ $word == -* ]]; then\n        case $command in\n";
-  for (const CommandPage& page : every_page(program)) {
-    script += fmt::format("          '{}') words='{}' ;;\n", page.name, bash_options(page));
-  }
-  script += "        esac\n      else\n        case $command in\n";
-  for (const CommandPage& page : every_page(program)) {
-    script += fmt::format("          '{}') {} ;;\n", page.name, bash_arguments(program, page));
-  }
-  return script + "        esac\n      fi ;;\n  esac" + bash_tail;
-}
-
-std::string zsh_completion(const Command& program) {
-  std::string script = zsh_head;
-  for (const CommandPage& page : every_page(program)) {
-    script += "\n" + zsh_function(page.name) + "() {\n";
-    script += page.command.commands.empty()
-                  ? "  _arguments -s" + zsh_options(page) + zsh_arguments(page) + "\n"
-                  : zsh_group(program, page);
-    script += "}\n";
-  }
-  return script + zsh_tail;
 }
 
 }  // namespace mien::pipeline

@@ -1,7 +1,6 @@
-#include "pipeline/commands/man.h"
-
 #include <algorithm>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -21,9 +20,8 @@ unsigned take_character(std::string_view& text) {
   const auto first = static_cast<unsigned char>(text.front());
   const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
   unsigned code = length == 1 ? first : first & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length && i < text.size(); ++i) {
+  for (std::size_t i = 1; i < length && i < text.size(); ++i)
     code = code << 6U | (static_cast<unsigned char>(text[i]) & 0x3FU);
-  }
   text.remove_prefix(std::min(length, text.size()));
   return code;
 }
@@ -105,17 +103,15 @@ std::string notes_in_roff(const std::string& notes) {
 std::string value_in_roff(const CommandOption& option) {
   if (option.choices.empty()) return italic(option.value);
   std::string choices;
-  for (const std::string& choice : option.choices) {
+  for (const std::string& choice : option.choices)
     choices += (choices.empty() ? "" : "|") + bold(choice);
-  }
   return choices;
 }
 
 std::string option_in_roff(const CommandOption& option) {
   std::string page = ".TP\n";
-  for (const std::string& name : option.names) {
+  for (const std::string& name : option.names)
     page += (&name == &option.names.front() ? "" : ", ") + bold(name);
-  }
   if (option.names.empty()) {
     page += italic(option.argument);
   } else if (!option.value.empty()) {
@@ -124,9 +120,8 @@ std::string option_in_roff(const CommandOption& option) {
   if (option.repeats) page += " .\\|.\\|.";
   std::string told = option.help;
   if (!option.limits.empty()) told += " (" + option.limits + ")";
-  if (!option.usual.empty() && told.find("[" + option.usual + "]") == std::string::npos) {
+  if (!option.usual.empty() && told.find("[" + option.usual + "]") == std::string::npos)
     told += " [" + option.usual + "]";
-  }
   if (option.is_required && !option.names.empty()) told += " (required)";
   return page + "\n" + running_text(told);
 }
@@ -155,17 +150,15 @@ std::string command_in_roff(const CommandPage& page) {
 std::string examples_in_roff(const std::string& notes) {
   std::istringstream lines(notes);
   std::string page = ".SH EXAMPLES\n.EX\n";
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string line; std::getline(lines, line);)
     if (line.starts_with("  ")) page += whole_line(line);
-  }
   return page + ".EE\n";
 }
 
 std::string exit_codes_in_roff() {
   std::string page = ".SH EXIT STATUS\n";
-  for (const ExitCode& exit : exit_codes) {
+  for (const ExitCode& exit : exit_codes)
     page += ".TP\n" + bold(std::to_string(exit.code)) + "\n" + running_text(exit.meaning);
-  }
   return page;
 }
 
@@ -181,8 +174,8 @@ Relative to the program: the manifests installed with it, which
 lists, and the JSON Schemas for editors.
 )";
 
-}  // namespace
-
+/// The manual page mien(1) in the macros of man(7), plain ASCII: what every `--help` says, exit
+/// codes and files. `version` is "0.2.0", `date` the day of its release, "2026-11-22".
 std::string manual_page(const Command& program, const std::string& version,
                         const std::string& date) {
   const std::vector<CommandPage> pages = every_page(program);
@@ -196,6 +189,8 @@ std::string manual_page(const Command& program, const std::string& version,
   for (std::size_t i = 1; i < pages.size(); ++i) page += command_in_roff(pages[i]);
   return page + exit_codes_in_roff() + files_in_roff + examples_in_roff(program.notes);
 }
+
+}  // namespace
 
 Command man_command() {
   return {.name = "man",

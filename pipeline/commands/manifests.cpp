@@ -28,9 +28,8 @@ constexpr std::string_view schema_line = "# yaml-language-server: $schema=";
 std::string first_sentence(const std::string& text) {
   std::istringstream lines(text);
   std::string comment;
-  for (std::string line; std::getline(lines, line) && line.starts_with("# ");) {
+  for (std::string line; std::getline(lines, line) && line.starts_with("# ");)
     if (!line.starts_with(schema_line)) comment += line.substr(2) + " ";
-  }
   return comment.substr(0, std::min(comment.find(". "), comment.find(": ")));
 }
 
@@ -65,25 +64,22 @@ std::vector<std::string> files_named_in(const std::string& text, const fs::path&
 
 int show_manifest(const std::string& name, const Console& console) {
   const fs::path folder = installed_manifests();
-  if (folder.empty()) {
+  if (folder.empty())
     throw Error("no manifests are installed with this program",
                 "install it with its manifests (share/mien/manifests beside bin)");
-  }
   if (name.empty()) {
     list_manifests(folder, console);
     return exit_done;
   }
   const auto file = file_among(folder, name);
-  if (!file) {
+  if (!file)
     throw Error("there is no manifest " + motion::in_quotes(name),
                 motion::did_you_mean(name, manifest_names(folder)));
-  }
   const std::string text = read_file(*file);
   console.out << with_schema_of(folder, text);
-  for (const std::string& other : files_named_in(text, *file)) {
+  for (const std::string& other : files_named_in(text, *file))
     console.err << "it names a file that must be beside it: mien manifests "
                 << motion::shell_path(other) << " > " << motion::shell_path(other) << '\n';
-  }
   return exit_done;
 }
 

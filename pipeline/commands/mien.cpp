@@ -1,6 +1,5 @@
 #include "pipeline/commands/line/other_programs.h"
 #include "pipeline/commands/line/program.h"
-#include "pipeline/commands/line/versions.h"
 #include "pipeline/commands/programs.h"
 #include "pipeline/production/archive/tar_archive.h"
 

@@ -44,10 +44,9 @@ int run_pack(const PackOptions& options, const Console& console) {
   const StudyContents contents = contents_of(options.study);
   const fs::path archive = options.output.empty() ? contents.study + ".tar.zst" : options.output;
   refuse_archive(contents, archive);
-  if (!options.force && fs::exists(fs::symlink_status(archive))) {
+  if (!options.force && fs::exists(fs::symlink_status(archive)))
     throw Error({archive.string()}, "exists already; nothing was packed",
                 "--force replaces it, -o names another file");
-  }
   const Verification verification = sound(contents, console);
   const std::vector<PayloadFile> payload = payload_of(contents);
   {
@@ -58,9 +57,8 @@ int run_pack(const PackOptions& options, const Console& console) {
   std::uint64_t bytes = 0;
   for (const PayloadFile& file : payload) bytes += file.size;
   nlohmann::ordered_json extra = nlohmann::ordered_json::array();
-  for (const Finding& finding : verification.findings) {
+  for (const Finding& finding : verification.findings)
     if (finding.kind == Finding::Kind::extra) extra.push_back(finding.path);
-  }
   if (options.json) {
     const nlohmann::ordered_json result = {{"archive", archive.string()},
                                            {"size", fs::file_size(archive)},

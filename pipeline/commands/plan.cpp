@@ -25,9 +25,8 @@ std::string_view word_for(TaskState state) {
 
 double cost_of(const TaskGraph& graph, const std::vector<TaskOutcome>& planned) {
   double cost = 0.0;
-  for (std::size_t i = 0; i < planned.size(); ++i) {
+  for (std::size_t i = 0; i < planned.size(); ++i)
     if (planned[i].state != TaskState::cached) cost += graph.tasks[i].cost_seconds;
-  }
   return cost;
 }
 
@@ -48,9 +47,8 @@ void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                const Manifest& manifest, const std::string& folder,
                const std::vector<std::string>& stale, const Console& console) {
   ordered_json tasks = ordered_json::array();
-  for (std::size_t i = 0; i < planned.size(); ++i) {
+  for (std::size_t i = 0; i < planned.size(); ++i)
     tasks.push_back(as_json(graph.tasks[i], planned[i]));
-  }
   const ordered_json result = {{"study", manifest.study},
                                {"folder", folder},
                                {"cost_s", cost_of(graph, planned)},

@@ -53,9 +53,8 @@ TaskGraph one_task(const std::string& name) {
 /// The name, or one made of it that is not taken yet; it is from now on.
 std::string name_among(std::set<std::string>& names, const std::string& wanted) {
   std::string name = wanted;
-  for (int number = 2; !names.insert(name).second; ++number) {
+  for (int number = 2; !names.insert(name).second; ++number)
     name = fmt::format("{}-{}", wanted, number);
-  }
   return name;
 }
 
@@ -104,10 +103,9 @@ int still_frame(const scenes::Shot& shot, const RenderOptions& options, double f
   const std::string moment = options.still.value_or("middle");
   if (moment == "middle") return shot.actors.front().trail ? last : last / 2;
   const double seconds = motion::as_number<double>(moment).value_or(-1.0);
-  if (!(seconds >= 0.0 && seconds * fps < last + 1.0)) {
+  if (!(seconds >= 0.0 && seconds * fps < last + 1.0))
     throw Error(fmt::format("--still: {} is outside the motion", motion::in_quotes(moment)),
                 fmt::format("write seconds from 0 to {:.2f}, or omit the number", last / fps));
-  }
   return std::min(static_cast<int>(std::lround(seconds * fps)), last);
 }
 
@@ -175,12 +173,10 @@ std::string make_file(const RenderOptions& options, const RenderPlan& plan,
 int render_file(const RenderOptions& options, const Console& console) {
   const RenderPlan plan = plan_of(options);
   const scenes::Shot shot = shot_of(options, plan, console);
-  if (!options.dots.empty() && shot.actors.front().dots.empty()) {
+  if (!options.dots.empty() && shot.actors.front().dots.empty())
     throw Error("--dots: only a point-light figure has dots", "add --figure point-light");
-  }
-  for (const scenes::Actor& actor : shot.actors) {
+  for (const scenes::Actor& actor : shot.actors)
     for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
-  }
   const std::string found = make_file(options, plan, shot, console);
   if (!options.dots.empty()) write_dots(shot, options.dots);
   console.out << fmt::format("{}: {} frames, {:.2f} s, {}\n", plan.out.string(), shot.frame_count(),

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -66,9 +65,8 @@ std::string default_of(const json& schema) {
 
 fs::path file_of(const RenderOptions& options) {
   if (options.out.empty()) return fs::path(options.files.front()).stem().concat(".mp4");
-  if (fs::path(options.out).extension() == ".exr" && !options.still) {
+  if (fs::path(options.out).extension() == ".exr" && !options.still)
     throw Error("--output: only a still has layers", "add --still, or use the extension .png");
-  }
   if (is_picture(options.out) || render::video_kind_of(options.out)) return options.out;
   throw Error("--output: " + motion::in_quotes(options.out) + " is neither a video nor an image",
               "use the extension " + video_endings() + " (video) or .png (contact sheet)");
@@ -95,23 +93,19 @@ void check_as_manifest(const RenderPlan& plan, const Places& places) {
 
 /// Stills and cut-outs, which no manifest has.
 void check_kind(const RenderOptions& options, const RenderPlan& plan) {
-  if (options.still && !is_picture(plan.out)) {
+  if (options.still && !is_picture(plan.out))
     throw Error("--still: a still is an image",
                 "use an --output file ending in .png, or in .exr for layers");
-  }
   if (!is_cut_out(options)) return;
   const Output& output = plan.settings.output;
-  if (!is_still(options, plan) || output.frames == FrameFormat::layers) {
+  if (!is_still(options, plan) || output.frames == FrameFormat::layers)
     throw Error("--background: only stills can have a transparent background",
                 "add --still, and --output in .png");
-  }
-  if (output.shutter > 0.0) {
+  if (output.shutter > 0.0)
     throw Error("--shutter: stills with a transparent background have no motion blur", "omit it");
-  }
-  if (plan.look.camera.stereo_separation_m) {
+  if (plan.look.camera.stereo_separation_m)
     throw Error("--camera: stills with a transparent background cannot be stereo pairs",
                 "omit stereo");
-  }
 }
 
 int threads_of(const RenderOptions& options) {
@@ -175,9 +169,8 @@ bool is_picture(const fs::path& out) {
 
 std::string video_endings() {
   std::string endings;
-  for (const render::VideoTraits& traits : render::video_kinds()) {
+  for (const render::VideoTraits& traits : render::video_kinds())
     endings += (endings.empty() ? "" : ", ") + std::string(traits.ending);
-  }
   return endings;
 }
 

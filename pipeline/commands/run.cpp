@@ -30,9 +30,8 @@ void tell_faults(const TaskGraph& graph, const RunResult& result, const Console&
     std::string& tasks = tasks_by_error[result.outcomes[i].error];
     tasks += (tasks.empty() ? "" : ", ") + graph.tasks[i].id;
   }
-  for (const auto& [error, tasks] : tasks_by_error) {
+  for (const auto& [error, tasks] : tasks_by_error)
     console.err << error << "\n  (" << tasks << ")\n";
-  }
   for (const std::string& warning : result.warnings) console.err << "warning: " << warning << '\n';
   for (const std::string& repair : result.repairs) console.err << "note: " << repair << '\n';
   for (const Nondeterminism& met : result.nondeterminism) console.err << to_string(met) << '\n';
@@ -44,9 +43,8 @@ void tell_summary(const RunResult& result, const fs::path& folder, const Console
 
 ordered_json tasks_in(const TaskGraph& graph, const RunResult& result, TaskState state) {
   ordered_json ids = ordered_json::array();
-  for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
+  for (std::size_t i = 0; i < result.outcomes.size(); ++i)
     if (result.outcomes[i].state == state) ids.push_back(graph.tasks[i].id);
-  }
   return ids;
 }
 
@@ -56,9 +54,8 @@ void tell_json(const Production& production, const RunResult& result, const fs::
   ordered_json artifacts = ordered_json::array();
   for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
     const TaskOutcome& outcome = result.outcomes[i];
-    if (outcome.state == TaskState::failed) {
+    if (outcome.state == TaskState::failed)
       failed.push_back({{"task", production.graph().tasks[i].id}, {"error", outcome.error}});
-    }
     for (const Receipt& product : outcome.products) {
       if (product.path.starts_with(".mien/")) continue;
       artifacts.push_back({{"path", product.path}, {"hash", product.hash}, {"size", product.size}});

@@ -17,10 +17,9 @@ int show_set(const std::string& name, const Console& console) {
     return exit_done;
   }
   const std::string_view text = builtin_set_text(name);
-  if (text.empty()) {
+  if (text.empty())
     throw Error("there is no set " + motion::in_quotes(name),
                 motion::did_you_mean(name, set_names()));
-  }
   console.out << text;
   return exit_done;
 }

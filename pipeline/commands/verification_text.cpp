@@ -41,10 +41,9 @@ std::string elsewhere_text(const StudyContents& contents) {
 /// What was removed on purpose is told by its folder: "not kept  metrics: 23 files".
 void tell_not_kept(const Verification& verification, const Console& console) {
   std::map<std::string, int> by_folder;
-  for (const Finding& finding : verification.findings) {
+  for (const Finding& finding : verification.findings)
     if (finding.kind == Finding::Kind::not_kept)
       ++by_folder[finding.path.substr(0, finding.path.find('/'))];
-  }
   for (const auto& [folder, count] : by_folder)
     console.out << fmt::format("not kept  {}: {}\n", folder, counted(count, "artifact"));
 }
@@ -82,10 +81,9 @@ ordered_json as_json(const Verification& verification, const StudyContents& cont
     const std::string key =
         kind == Finding::Kind::not_kept ? "not_kept" : std::string(name_of(kind));
     result[key] = ordered_json::array();
-    for (const Finding& finding : verification.findings) {
+    for (const Finding& finding : verification.findings)
       if (finding.kind == kind)
         result[key].push_back({{"path", finding.path}, {"what", finding.what}});
-    }
   }
   return result;
 }

@@ -52,10 +52,9 @@ Rerendered rerender(const StudyContents& contents, const VerifyOptions& options,
   Rerendered result{options.seed.value_or(contents.seed), {}, {}};
   result.changes = changes_since(contents.provenance(), manifest);
   const std::vector<KeptFilm> films = kept_films(manifest, contents);
-  if (films.empty()) {
+  if (films.empty())
     throw Error({contents.folder.string()}, "has neither frames nor videos with records",
                 "omit --rerender; mien clean --keep videos,metrics keeps what it needs");
-  }
   ProgressBar bar(console.err, console.err_is_terminal);
   result.frames = rerender(manifest, contents, drawn_by_lot(films, options.rerender, result.seed),
                            options.threads(), console.stop,
@@ -65,11 +64,10 @@ Rerendered rerender(const StudyContents& contents, const VerifyOptions& options,
 
 void tell(const Rerendered& drawn, const Console& console) {
   for (const std::string& change : drawn.changes) console.err << "warning: " << change << '\n';
-  for (const RerenderedFrame& frame : drawn.frames) {
+  for (const RerenderedFrame& frame : drawn.frames)
     console.out << fmt::format("{:<9} frame {} of {}, against {}: {}\n",
                                frame.agrees ? "agrees" : "differs", frame.frame, frame.film,
                                frame.against, frame.how);
-  }
   const auto agree = std::ranges::count(drawn.frames, true, &RerenderedFrame::agrees);
   console.out << fmt::format("{} of {} rerendered frames agree (seed {})\n", agree,
                              drawn.frames.size(), drawn.seed);
@@ -77,13 +75,12 @@ void tell(const Rerendered& drawn, const Console& console) {
 
 ordered_json as_json(const Rerendered& drawn) {
   ordered_json frames = ordered_json::array();
-  for (const RerenderedFrame& frame : drawn.frames) {
+  for (const RerenderedFrame& frame : drawn.frames)
     frames.push_back({{"film", frame.film},
                       {"frame", frame.frame},
                       {"against", frame.against},
                       {"agrees", frame.agrees},
                       {"how", frame.how}});
-  }
   return {{"seed", drawn.seed}, {"changed_since", drawn.changes}, {"frames", frames}};
 }
 

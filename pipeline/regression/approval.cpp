@@ -12,7 +12,7 @@
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approved_frames.h"
-#include "pipeline/regression/stimulus_facts.h"
+#include "pipeline/regression/rendition.h"
 #include "pipeline/tasks/store.h"
 #include "render/image/image_io.h"
 
@@ -24,10 +24,9 @@ namespace fs = std::filesystem;
 
 std::map<std::string, Hash> hashes_of_files(const fs::path& folder) {
   std::map<std::string, Hash> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file())
       files[fs::relative(entry.path(), folder).generic_string()] = hash_of_file(entry.path());
-  }
   return files;
 }
 
@@ -89,9 +88,8 @@ void remove_unused(const Baseline& baseline) {
   std::set<std::string> used;
   for (const StimulusFacts& facts : baseline.stimuli) used.insert(facts.edition);
   std::vector<fs::path> unused;
-  for (const fs::directory_entry& entry : fs::directory_iterator(baseline.folder / "editions")) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(baseline.folder / "editions"))
     if (!used.contains(entry.path().filename().string())) unused.push_back(entry.path());
-  }
   for (const fs::path& folder : unused) fs::remove_all(folder);
 }
 
@@ -164,18 +162,16 @@ void put_sums(Baseline& baseline, const std::vector<StimulusFacts>& approved,
         is_new || old == known.end() ? hash_of_file(baseline.folder / path) : old->second;
     const bool is_known = facts.edition != edition && !known.empty();
     for (const auto& [file, hash] :
-         is_known ? known : sums_of_edition(baseline.folder, facts.edition)) {
+         is_known ? known : sums_of_edition(baseline.folder, facts.edition))
       if (file.starts_with("editions/" + facts.edition + "/")) baseline.sums[file] = hash;
-    }
   }
 }
 
 /// Stimuli in the manifest's order; what it has no more goes when that is approved.
 void put_in_order(Baseline& baseline, const Manifest& manifest, const Approval& approval) {
   std::vector<StimulusFacts> ordered;
-  for (const Stimulus& stimulus : manifest.stimuli) {
+  for (const Stimulus& stimulus : manifest.stimuli)
     if (const StimulusFacts* facts = baseline.find(stimulus.id)) ordered.push_back(*facts);
-  }
   for (StimulusFacts& facts : baseline.stimuli) {
     if (find_stimulus(manifest, facts.id) != nullptr) continue;
     if (is_wanted(facts.id, approval))
@@ -240,10 +236,9 @@ std::vector<VideoFacts> videos_of(const std::string& id, const fs::path& folder)
   std::error_code unknown;
   if (!fs::is_regular_file(record, unknown)) return videos;
   const FilmRecord film = parse_film_record(read_file(record));
-  for (const VideoRecord& video : film.videos) {
+  for (const VideoRecord& video : film.videos)
     if (fs::is_regular_file(folder / video.file, unknown))
       videos.push_back({video, hash_of_file(folder / video.file), film.first_film_frame});
-  }
   return videos;
 }
 

@@ -16,9 +16,8 @@ std::string joined(const std::vector<std::string>& parts) {
 std::vector<std::string> changes_of(Aspect aspect, const std::vector<Setting>& before,
                                     const std::vector<Setting>& now) {
   std::vector<std::string> texts;
-  for (const SettingChange& change : changes_between(before, now)) {
+  for (const SettingChange& change : changes_between(before, now))
     if (change.aspect == aspect) texts.push_back(change_text(change));
-  }
   return texts;
 }
 
@@ -35,9 +34,8 @@ std::vector<std::string> library_changes(const Origin& before, const Origin& now
       texts.push_back(name + " " + old->second + " → " + version);
     }
   }
-  for (const auto& [name, version] : before.libraries) {
+  for (const auto& [name, version] : before.libraries)
     if (!now.libraries.contains(name)) texts.push_back(name + " " + version + " was removed");
-  }
   if (before.processor != now.processor)
     texts.push_back("processor " + before.processor + " → " + now.processor);
   return texts;
@@ -48,23 +46,21 @@ std::vector<Attribution> origin_causes(const StimulusStates& states, Cause code,
                                        const std::string& code_before, const std::string& code_now,
                                        const std::string& evidence) {
   std::vector<Attribution> causes;
-  if (code_before != code_now) {
+  if (code_before != code_now)
     causes.push_back(
         {code,
          fmt::format("mien {} ({}) → {} ({})", states.approved.origin.program,
                      short_hash(code_before), states.now.origin.program, short_hash(code_now)),
          evidence,
          {}});
-  }
   const auto changed = library_changes(states.approved.origin, states.now.origin);
   if (!changed.empty()) causes.push_back({Cause::environment, joined(changed), evidence, {}});
-  if (causes.empty()) {
+  if (causes.empty())
     causes.push_back(
         {Cause::unknown,
          "the same program, libraries and files",
          evidence + "; no known change: nondeterminism in the program, or a damaged baseline",
          {}});
-  }
   return causes;
 }
 
@@ -138,24 +134,22 @@ std::vector<Attribution> motion_causes(const StimulusStates& states) {
                              "made again from the approved inputs, the motion differs");
     }
   }
-  if (states.motion_asked()) {
+  if (states.motion_asked())
     causes.push_back(
         {Cause::motion,
          asked_text(states, Aspect::motion),
          "with this program, the approved and the current specification give different motions",
          {}});
-  }
   return causes;
 }
 
 std::vector<Attribution> program_causes(const StimulusStates& states) {
   const auto files = lost(states, Aspect::scene);
-  if (states.scene_remade() && !files.empty()) {
+  if (states.scene_remade() && !files.empty())
     return {{Cause::scene,
              joined(files),
              "a file from which the approved scene was made has changed",
              {}}};
-  }
   return origin_causes(states, Cause::renderer, states.approved.origin.film_code,
                        states.now.origin.film_code,
                        "rendered again from the approved motion and scene, the image differs");

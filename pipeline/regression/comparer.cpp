@@ -6,8 +6,7 @@
 #include "motion/error.h"
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/regression/attribution.h"
-#include "pipeline/regression/stimulus_facts.h"
-#include "pipeline/regression/video_changes.h"
+#include "pipeline/regression/rendition.h"
 #include "pipeline/tasks/parallel.h"
 
 namespace mien::pipeline {
@@ -118,9 +117,8 @@ class StimulusComparer {
   void compare_frames() {
     const StagedFilm film = staged_now();
     std::vector<int> frames;
-    for (const KeyFrame& key : before_.key_frames) {
+    for (const KeyFrame& key : before_.key_frames)
       if (key.frame < film.shot.frame_count()) frames.push_back(key.frame);
-    }
     const std::vector<render::Image8> pictures = drawn(film, frames, study_.stop);
     result_.frames.resize(frames.size());
     for_each_of(frames.size(), study_.threads, study_.stop, [&](std::size_t i) {
@@ -147,15 +145,13 @@ class StimulusComparer {
 
   void test_for_noise(const StagedFilm& film) {
     std::vector<int> changed;
-    for (const FrameComparison& frame : result_.frames) {
+    for (const FrameComparison& frame : result_.frames)
       if (!frame.same && frame.same_size) changed.push_back(frame.frame);
-    }
     const std::vector<BlockStatistics> now = measured_blocks(film, changed, study_.stop);
     auto blocks = now.begin();
-    for (FrameComparison& frame : result_.frames) {
+    for (FrameComparison& frame : result_.frames)
       if (!frame.same && frame.same_size)
         frame.noise = noise_test(approved_blocks(frame.frame), *blocks++, suite_pictures());
-    }
   }
 
   render::Image8 approved_picture(int frame) const {

@@ -32,4 +32,8 @@ struct ComparedStudy {
 /// although nothing that they depend on has changed. Throws Error and Interrupted.
 StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool draw_anyway);
 
+/// Videos that are not as they were, by their kind. None where none were made now.
+std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,
+                                       const std::vector<VideoFacts>& now);
+
 }  // namespace mien::pipeline

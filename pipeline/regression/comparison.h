@@ -6,6 +6,7 @@
 
 #include "motion/measures/differences/motion_difference.h"
 #include "motion/text/words.h"
+#include "pipeline/manifest/regression_limits.h"
 #include "pipeline/regression/comparison/frame_comparison.h"
 #include "pipeline/regression/settings.h"
 
@@ -93,5 +94,10 @@ struct StimulusComparison {
   std::vector<std::string> reasons;  ///< for `differs`: limits that are passed
   std::string former_id;             ///< of one that appeared: it was approved under another name
 };
+
+/// Says whether a stimulus counts as another, and for each limit that is passed a sentence. What a
+/// picture changes by because of a motion that is within its limits is no reason; nor is noise,
+/// unless the scene was asked for otherwise: its pictures have the noise of the old one.
+void judge(StimulusComparison& comparison, const RegressionLimits& limits);
 
 }  // namespace mien::pipeline

@@ -136,10 +136,9 @@ std::string facts_path(const std::string& id) { return "stimuli/" + id + "/stimu
 std::map<std::string, Hash> sums_of_edition(const fs::path& folder, const std::string& edition) {
   std::map<std::string, Hash> sums;
   for (const fs::directory_entry& entry :
-       fs::recursive_directory_iterator(folder / "editions" / edition)) {
+       fs::recursive_directory_iterator(folder / "editions" / edition))
     if (entry.is_regular_file())
       sums[entry.path().lexically_relative(folder).generic_string()] = hash_of_file(entry.path());
-  }
   return sums;
 }
 
@@ -152,11 +151,10 @@ Baseline read_baseline(const fs::path& folder) {
                   "update mien to the version with which the study was approved");
     refuse_damage(folder / "baseline.json", text, json);
     baseline.sums = json.value("sums", std::map<std::string, Hash>{});
-    for (const auto& [path, hash] : baseline.sums) {
+    for (const auto& [path, hash] : baseline.sums)
       if (const std::string fault = motion::fault_of_relative(path); !fault.empty())
         throw Error({(folder / "baseline.json").string()},
                     "the path " + motion::in_quotes(path) + " " + fault, keep_remedy);
-    }
     baseline.study = json.at("study");
     ids = json.at("stimuli");
     for (const Json& approval : json.at("approvals"))

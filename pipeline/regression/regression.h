@@ -6,10 +6,37 @@
 #include <vector>
 
 #include "pipeline/regression/comparer.h"
-#include "pipeline/regression/gate.h"
-#include "pipeline/regression/repetition.h"
 
 namespace mien::pipeline {
+
+/// Whether the comparison would have seen a small defect: one is planted in copies in each run.
+struct Gate {
+  std::string id;             ///< of the stimulus that was copied; empty: there was none to copy
+  std::string motion_defect;  ///< "left forearm turned by 1°"
+  bool motion_caught = true;
+  std::string picture_defect;  ///< "a block of 8 x 8 pixels lighter by half"
+  bool picture_caught = true;
+
+  /// Both were seen.
+  bool holds() const { return motion_caught && picture_caught; }
+};
+
+/// Turns a joint of an approved motion by 1° on its parent, and lightens a block of an approved
+/// picture by half; which ones, the baseline's approvals decide. Throws Error when the baseline is
+/// damaged.
+Gate plant_defects(const ComparedStudy& study);
+
+/// What came of making everything several times: must be nothing.
+struct Repetitions {
+  int times = 1;         ///< that everything was made
+  int differing = 0;     ///< motions and key frames that came out otherwise
+  double largest = 0.0;  ///< difference of their channels, as share of full scale
+};
+
+/// Makes all motions and key frames of the baseline's stimuli anew, each time with one thread more
+/// (as many as there are processors, then one again), and compares them bit by bit. Once: does
+/// nothing. Throws Error and Interrupted.
+Repetitions repeated(const ComparedStudy& study, int times);
 
 /// Stimuli that differ for one reason, and can be decided on together.
 struct CauseGroup {

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/own_seed.h"
-#include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/durations_task.h"
+#include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/production/synthesis/motion_task.h"
+#include "pipeline/regression/settings.h"
 #include "pipeline/tasks/parallel.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/image/tone.h"
@@ -66,12 +66,23 @@ render::Framebuffer as_light(const render::Image8& picture) {
   for (std::size_t level = 0; level < light.size(); ++level)
     light[level] = static_cast<float>(render::linear_from_srgb(static_cast<double>(level) / 255.0));
   render::Framebuffer film(picture.width, picture.height);
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
       for (std::size_t c = 0; c < 3; ++c) film.at(x, y)[c] = light[picture.at(x, y)[c]];
-    }
-  }
   return film;
+}
+
+/// Shares that round to nothing are none.
+constexpr double least_weight = 1e-9;
+
+NamedValues weights_of(const Synthesis& made, const Repertoire& repertoire) {
+  NamedValues weights;
+  for (Eigen::Index e = 0; e < made.weights.size(); ++e) {
+    const double weight = made.weights[e];
+    if (std::abs(weight) > least_weight)
+      weights.emplace_back(repertoire.names[static_cast<std::size_t>(e)].name, weight);
+  }
+  return weights;
 }
 
 }  // namespace
@@ -158,6 +169,31 @@ std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::
   for (const std::vector<render::Framebuffer>& of_frame : patterns)
     blocks.push_back(block_statistics(of_frame));
   return blocks;
+}
+
+StimulusFacts facts_of(const std::string& id, Rendition& rendition) {
+  const Stimulus& stimulus = *find_stimulus(rendition.manifest(), id);
+  const motion::Clip& clip = rendition.clip_of(id);
+  const Synthesis& made = rendition.motions().of(id);
+  StimulusFacts facts{.id = id,
+                      .edition = {},
+                      .origin = this_origin(),
+                      .settings = settings_of(stimulus, rendition.manifest(), rendition.files()),
+                      .weights = {},
+                      .asked = made.asked,
+                      .reached = made.reached,
+                      .findings = {},
+                      .motion = digest_of(clip),
+                      .scene = rendition.scene_key(id),
+                      .drawing = rendition.drawing_key(id),
+                      .frames = clip.frame_count(),
+                      .fps = clip.frames_per_second,
+                      .limits = stimulus.regression,
+                      .key_frames = {},
+                      .videos = {}};
+  if (made.weights.size() > 0) facts.weights = weights_of(made, rendition.motions().repertoire());
+  for (const motion::Finding& finding : made.findings) facts.findings.push_back(finding.sentence);
+  return facts;
 }
 
 }  // namespace mien::pipeline

@@ -12,6 +12,7 @@
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/synthesis/motions.h"
+#include "pipeline/regression/baseline.h"
 #include "pipeline/regression/comparison/noise_test.h"
 #include "pipeline/tasks/hash.h"
 #include "render/image/image.h"
@@ -78,5 +79,9 @@ std::vector<render::Image8> drawn(const StagedFilm& film, const std::vector<int>
 /// patterns of it. Throws Interrupted.
 std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::vector<int>& frames,
                                              const std::stop_token& stop);
+
+/// What is known of a stimulus once its motion is made: all but edition, key frames and videos.
+/// Throws Error when the motion cannot be made.
+StimulusFacts facts_of(const std::string& id, Rendition& rendition);
 
 }  // namespace mien::pipeline

@@ -1,12 +1,10 @@
-#include "pipeline/regression/repetition.h"
-
 #include <algorithm>
-#include <map>
 #include <thread>
 
 #include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/regression/approved_frames.h"
-#include "pipeline/regression/stimulus_facts.h"
+#include "pipeline/regression/regression.h"
+#include "pipeline/regression/rendition.h"
 
 namespace mien::pipeline {
 
@@ -21,9 +19,8 @@ MadeOnce made_of(const StimulusFacts& approved, Rendition& rendition, int thread
                  const std::stop_token& stop) {
   const StagedFilm film = staged(approved.id, {&rendition, &rendition, &rendition}, threads);
   std::vector<int> frames;
-  for (const KeyFrame& key : approved.key_frames) {
+  for (const KeyFrame& key : approved.key_frames)
     if (key.frame < film.shot.frame_count()) frames.push_back(key.frame);
-  }
   return {facts_of(approved.id, rendition).motion, drawn(film, frames, stop)};
 }
 

@@ -32,9 +32,8 @@ std::string content_text(const SettingChange& change) {
       texts.push_back(name + " has changed (" + content.get<std::string>() + " → " +
                       now.at(name).get<std::string>() + ")");
   }
-  for (const auto& [name, content] : now.items()) {
+  for (const auto& [name, content] : now.items())
     if (!before.contains(name)) texts.push_back(name + " is new");
-  }
   const auto told = std::span(texts).first(std::min(texts.size(), most_told));
   std::string text = fmt::to_string(fmt::join(told, ", "));
   if (texts.size() > most_told)

@@ -80,10 +80,9 @@ void add_look(std::vector<Setting>& settings, const scenes::CameraSettings& came
 
 /// A set counts by what it holds, whatever its file is called.
 void add_set(std::vector<Setting>& settings, const scenes::SetPlan& set) {
-  for (const FieldEntry& entry : entries_of(set, {.for_key = true})) {
+  for (const FieldEntry& entry : entries_of(set, {.for_key = true}))
     if (entry.concerns != concerns::nothing)
       add_value(settings, "set." + entry.path, Aspect::scene, entry.value);
-  }
 }
 
 /// A character counts with the pictures and buffers that it refers to.
@@ -144,9 +143,8 @@ std::map<std::string, std::string> usual_values() {
 /// "set.lights[" … "].", "set.belt." or "modify.": where what an option belongs to stands. Its
 /// length; 0 for other options.
 std::size_t owner_length(const std::string& path) {
-  for (const std::string_view owner : {"set.belt.", "modify."}) {
+  for (const std::string_view owner : {"set.belt.", "modify."})
     if (path.starts_with(owner)) return owner.size();
-  }
   const std::size_t end = path.find("].");
   const bool is_listed = path.starts_with("set.") || path.starts_with("modify[");
   return is_listed && end != std::string::npos ? end + 2 : 0;

@@ -1,9 +1,8 @@
-#include "pipeline/regression/video_changes.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "pipeline/regression/comparer.h"
 #include "pipeline/regression/comparison/told_apart.h"
 
 namespace mien::pipeline {

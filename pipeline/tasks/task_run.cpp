@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "motion/error.h"
-#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/disk_fault.h"
 #include "pipeline/tasks/task_graph.h"

@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "pipeline/study/analysis/analysis.h"
-#include "pipeline/study/analysis/analysis_tables.h"
+#include "pipeline/study/analysis/analysis_report.h"
 
 namespace {
 

@@ -15,7 +15,6 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/documents/formula_mark.h"
 #include "pipeline/base/documents/utf8.h"
 
 namespace mien::pipeline {
@@ -89,10 +88,9 @@ class CsvScanner {
   void quoted(CsvField& field) {
     take();
     while (true) {
-      if (at_end()) {
+      if (at_end())
         throw Error({file_, field.line, field.column}, "a quote that is not closed",
                     "add the closing \"");
-      }
       const char c = take();
       if (c != '"') {
         field.text += c;
@@ -173,9 +171,8 @@ CsvTable read_csv(const std::filesystem::path& file) {
 }
 
 CsvTable parse_csv(std::string_view text, const std::string& file) {
-  if (const auto position = first_invalid_utf8(text)) {
+  if (const auto position = first_invalid_utf8(text))
     throw Error({file, position->line, position->column}, "not UTF-8 text", "save it as UTF-8");
-  }
   CsvTable table;
   table.file = file;
   CsvScanner scanner(text, table.file);
@@ -195,16 +192,14 @@ CsvTable parse_csv(std::string_view text, const std::string& file) {
                   "give every row as many fields as the header");
     }
   }
-  if (table.header.empty()) {
+  if (table.header.empty())
     throw Error({file, 1, 1}, "the table is empty", "begin with a line of column names");
-  }
   return table;
 }
 
 int find_column(const CsvTable& table, std::string_view name) {
-  for (std::size_t i = 0; i < table.header.size(); ++i) {
+  for (std::size_t i = 0; i < table.header.size(); ++i)
     if (table.header[i].text == name) return static_cast<int>(i);
-  }
   return -1;
 }
 

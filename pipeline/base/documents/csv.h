@@ -19,7 +19,7 @@ struct CsvField {
 
 /// A table with a header, RFC 4180: comma separated, quotes doubled, CRLF or LF, UTF-8 with or
 /// without byte order mark. Every row has as many fields as the header. Empty lines are skipped.
-/// Fields are without the mark of formula_mark.h.
+/// Fields are without the mark of with_formula_mark.
 struct CsvTable {
   std::string file;
   std::vector<CsvField> header;
@@ -57,7 +57,7 @@ std::string shortest(double value);
 std::string shortest_measured(double value);
 
 /// Collects rows and writes them with LF line ends, quoting where necessary and marking texts that
-/// a spreadsheet would run (formula_mark.h).
+/// a spreadsheet would run (with_formula_mark).
 class CsvWriter {
  public:
   explicit CsvWriter(std::vector<std::string> header);
@@ -71,5 +71,19 @@ class CsvWriter {
   std::size_t width_;
   std::string text_;
 };
+
+// Spreadsheets take a field of a table that begins with = + - @ (wide ones, a tab and a line end
+// too) for a formula, and run it when the table is opened (OWASP, CSV injection). Texts of
+// participants may be anything: such a field is written with an apostrophe before it, which
+// spreadsheets take for "this is text". Reading takes it off again, so that any text comes back as
+// it was, one with apostrophes of its own too. Numbers, and two with "–" between them, are no
+// formulas and stay as they are.
+// pipeline/study/page/src/questionnaire/rows.ts does the same.
+
+/// Whether it has to be marked: whatever apostrophes and blanks it begins with are passed over.
+bool is_like_formula(std::string_view field);
+
+std::string with_formula_mark(std::string field);
+std::string without_formula_mark(std::string field);
 
 }  // namespace mien::pipeline

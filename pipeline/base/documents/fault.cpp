@@ -1,6 +1,8 @@
 #include "pipeline/base/documents/fault.h"
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -62,5 +64,12 @@ Faults::Faults(std::vector<Fault> faults)
     : Error(faults.front().place, wrong_with_path(faults.front()), faults.front().remedy),
       faults_(in_reading_order(std::move(faults))),
       text_(fault_lines(faults_)) {}
+
+std::string failure_text(const std::exception& failure) {
+  const bool is_memory = dynamic_cast<const std::bad_alloc*>(&failure) != nullptr ||
+                         dynamic_cast<const std::length_error*>(&failure) != nullptr;
+  if (!is_memory) return failure.what();
+  return "not enough memory; provide more, or use smaller images, shorter motions or fewer --jobs";
+}
 
 }  // namespace mien::pipeline

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,5 +46,9 @@ class Faults : public Error {
   std::vector<Fault> faults_;
   std::string text_;
 };
+
+/// What a failure says to people: its own words, or that the memory does not suffice and what
+/// helps.
+std::string failure_text(const std::exception& failure);
 
 }  // namespace mien::pipeline

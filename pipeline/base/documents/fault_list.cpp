@@ -22,9 +22,8 @@ std::vector<Fault> merged_faults(std::vector<std::vector<Fault>> lists) {
   std::set<std::string> told;
   for (std::vector<Fault>& list : lists) {
     std::erase_if(list, [&](const Fault& fault) { return told.contains(fault.path); });
-    for (const Fault& fault : list) {
+    for (const Fault& fault : list)
       if (!fault.path.empty()) told.insert(fault.path);
-    }
     append(faults, std::move(list));
   }
   return in_reading_order(std::move(faults));

@@ -1,7 +1,7 @@
-#include "pipeline/base/documents/formula_mark.h"
-
 #include <algorithm>
 #include <array>
+
+#include "pipeline/base/documents/csv.h"
 
 namespace mien::pipeline {
 

@@ -66,10 +66,9 @@ std::string html_list(std::string_view css_class, const std::vector<std::string>
 
 std::string html_table(std::initializer_list<std::string_view> heads, const std::string& rows) {
   std::string table = "<table><thead><tr>";
-  for (const std::string_view head : heads) {
+  for (const std::string_view head : heads)
     table += is_head_of_numbers(head) ? fmt::format("<th class=\"number\">{}</th>", head.substr(1))
                                       : fmt::format("<th>{}</th>", head);
-  }
   return table + "</tr></thead>\n<tbody>" + with_numbers_marked(rows, heads) + "</tbody></table>\n";
 }
 

@@ -11,9 +11,8 @@ namespace fs = std::filesystem;
 fs::path page_beside(const fs::path& program, const std::string& name) {
   const fs::path folder = program.parent_path();
   std::error_code unknown;
-  for (const fs::path& pages : {folder.parent_path() / "share/mien/pages", folder / "pages"}) {
+  for (const fs::path& pages : {folder.parent_path() / "share/mien/pages", folder / "pages"})
     if (fs::is_regular_file(pages / name / (name + ".js"), unknown)) return pages / name;
-  }
   return {};
 }
 

@@ -22,9 +22,8 @@ std::string element_path(const std::string& path, std::size_t index) {
 
 Place place_of(const Places& places, std::string path) {
   while (true) {
-    if (const auto found = places.values.find(path); found != places.values.end()) {
+    if (const auto found = places.values.find(path); found != places.values.end())
       return found->second;
-    }
     if (path.empty()) return {};
     path = enclosing(path);
   }

@@ -13,4 +13,10 @@ void Sha256::add(std::string_view bytes) {
 
 std::string Sha256::finish() { return g_checksum_get_string(sum_.get()); }
 
+std::string sha256_of(std::string_view bytes) {
+  Sha256 sha;
+  sha.add(bytes);
+  return sha.finish();
+}
+
 }  // namespace mien::pipeline

@@ -22,4 +22,7 @@ class Sha256 {
   std::unique_ptr<_GChecksum, void (*)(_GChecksum*)> sum_;
 };
 
+/// Of these bytes alone.
+std::string sha256_of(std::string_view bytes);
+
 }  // namespace mien::pipeline

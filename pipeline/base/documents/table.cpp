@@ -2,10 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "pipeline/base/documents/files.h"
+
 namespace mien::pipeline {
+
+namespace {
+
+constexpr double least_p = 1e-300;
+constexpr char below_least[] = "< 1e-300";
+
+constexpr auto codebook_columns = table_of<DescribedColumn>(
+    "codebook.csv", "a column of a table",
+    {{"table", "", "path of the table", [](auto& r) { return r.table; }},
+     {"row_is", "", "what a row of the table is", [](auto& r) { return r.rows; }},
+     {"column", "", "name of the column", [](auto& r) { return r.column; }},
+     {"unit", "", "unit of its numbers", [](auto& r) { return r.unit; }},
+     {"meaning", "", "what it holds", [](auto& r) { return r.meaning; }}});
+
+}  // namespace
 
 std::vector<std::string> header_of(const TableForm& form, const std::vector<std::string>& names) {
   std::vector<std::string> header;
@@ -36,5 +54,39 @@ std::string markdown_of(const TableForm& form) {
 std::string given_or_simulated(bool is_simulated) { return is_simulated ? "simulated" : "given"; }
 
 std::string field_text(double number) { return std::isfinite(number) ? shortest(number) : ""; }
+
+std::string p_of_table(double p) {
+  if (std::isnan(p)) return "";
+  return p < least_p ? below_least : shortest(p);
+}
+
+std::string p_for_people(double p) {
+  if (std::isnan(p)) return "–";
+  if (p < least_p) return below_least;
+  return p < 0.001 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
+}
+
+std::vector<DescribedColumn> described(const TableForm& form, std::string_view path) {
+  std::vector<DescribedColumn> columns;
+  for (const auto& [name, unit, meaning] : form.columns)
+    columns.push_back({std::string(path), std::string(form.rows), std::string(name),
+                       std::string(unit), std::string(meaning)});
+  return columns;
+}
+
+std::string codebook_csv(const std::vector<DescribedColumn>& columns) {
+  return codebook_columns.of(columns).csv;
+}
+
+void write_tables(const std::filesystem::path& folder, const std::vector<WrittenTable>& tables) {
+  make_folder(folder);
+  std::vector<DescribedColumn> book;
+  for (const WrittenTable& table : tables) {
+    const std::string file = std::filesystem::path(table.form.path).filename().string();
+    write_file(folder / file, table.csv);
+    std::ranges::move(described(table.form, file), std::back_inserter(book));
+  }
+  write_file(folder / "codebook.csv", codebook_csv(book));
+}
 
 }  // namespace mien::pipeline

@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -165,5 +166,31 @@ constexpr Table<Row, count> table_of(std::string_view path, std::string_view row
                                      const ColumnOf<Row> (&columns)[count]) {
   return {path, rows, columns};
 }
+
+/// A p value for tables: the shortest decimal that reads back as the same ("0.034", "3.2e-15"),
+/// "< 1e-300" where it is smaller than that or too small for a double, and "" where it is not known
+/// (NaN). Never "0": nothing that was tested has that probability.
+std::string p_of_table(double p);
+
+/// The same with the three places that people read: "0.034", "3.2e-15", "< 1e-300", "–".
+std::string p_for_people(double p);
+
+/// A column of a table, as codebook.csv has it.
+struct DescribedColumn {
+  std::string table;  ///< path of the table
+  std::string rows;   ///< what a row of it is
+  std::string column;
+  std::string unit;
+  std::string meaning;
+};
+
+/// The columns of a form, of a table at `path`.
+std::vector<DescribedColumn> described(const TableForm& form, std::string_view path);
+
+std::string codebook_csv(const std::vector<DescribedColumn>& columns);
+
+/// Writes each into the folder, which need not be there yet, under the name of its file, and
+/// codebook.csv: what their columns are.
+void write_tables(const std::filesystem::path& folder, const std::vector<WrittenTable>& tables);
 
 }  // namespace mien::pipeline

@@ -16,9 +16,8 @@ std::size_t character_length(std::string_view text) {
   if (first < 0x80) return 1;
   const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
   if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
+  for (std::size_t i = 1; i < length; ++i)
     if (!is_continuation(byte(i))) return 0;
-  }
   // Table 3-7 of the Unicode standard: what the second byte may not be.
   const unsigned char second = byte(1);
   const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);

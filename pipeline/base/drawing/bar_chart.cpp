@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/drawing/axis.h"
+#include "pipeline/base/drawing/plot.h"
 
 namespace mien::pipeline {
 
@@ -149,9 +149,8 @@ void draw_whisker(Canvas& canvas, const Bar& bar, const Scale& scale, double x) 
   if (!std::isfinite(bar.low) || !std::isfinite(bar.high)) return;
   const LineStyle style = {.width = 1.0, .colour = ink};
   canvas.line({x, scale.y(bar.low)}, {x, scale.y(bar.high)}, style);
-  for (const double end : {bar.low, bar.high}) {
+  for (const double end : {bar.low, bar.high})
     canvas.line({x - 5.0, scale.y(end)}, {x + 5.0, scale.y(end)}, style);
-  }
 }
 
 double slot_of(const BarChart& chart, const Scale& scale) {
@@ -192,9 +191,8 @@ void draw_bar(Canvas& canvas, const BarChart& chart, size_t number, const Scale&
   // Beyond bar and whisker, away from 0.
   const bool upwards = bar.value >= 0.0;
   double end = bar.value;
-  if (std::isfinite(bar.low) && std::isfinite(bar.high)) {
+  if (std::isfinite(bar.low) && std::isfinite(bar.high))
     end = upwards ? std::max(end, bar.high) : std::min(end, bar.low);
-  }
   canvas.text({x, upwards ? scale.y(end) - 5.0 : scale.y(end) + 12.0}, printed(chart, bar.value),
               {.size = 8.5, .bold = true, .align = Align::centre});
   const double below = scale.plot.bottom() + 14.0;

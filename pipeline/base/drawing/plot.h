@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pipeline/base/drawing/canvas.h"
 
@@ -32,5 +33,9 @@ inline constexpr std::string_view simulated_ratings_mark = "Simulated ratings  æ
 /// `corner`, text of `size` points. Returns its box.
 Box draw_simulated_mark(Canvas& canvas, Point corner,
                         std::string_view words = simulated_ratings_mark, double size = 8.5);
+
+/// Round numbers from 0 up to `most`, a step of 1, 2 or 5 times a power of ten, at most `count`
+/// steps. Just 0 when `most` is not above 0.
+std::vector<double> axis_ticks(double most, int count);
 
 }  // namespace mien::pipeline

@@ -36,9 +36,8 @@ namespace {
 nlohmann::json with_definitions_of_manifest() {
   const std::string elsewhere = "mien.schema.json#";
   std::string text(recipes_schema_text());
-  for (std::size_t at = text.find(elsewhere); at != std::string::npos; at = text.find(elsewhere)) {
+  for (std::size_t at = text.find(elsewhere); at != std::string::npos; at = text.find(elsewhere))
     text.replace(at, elsewhere.size(), "#");
-  }
   nlohmann::json schema = nlohmann::json::parse(text);
   schema["definitions"] = manifest_schema()["definitions"];
   return schema;

@@ -37,9 +37,8 @@ class FieldWriter {
 
   template <class Enum>
   void operator()(const char* key, const Enum& value, unsigned concerns, Words<Enum> words) {
-    for (const auto& [word, meaning] : words) {
+    for (const auto& [word, meaning] : words)
       if (meaning == value) add(key, concerns, [&](const Writing&) { return OrderedJson(word); });
-    }
   }
 
   void group(const char* key, auto&& walk) { nested(key, walk); }
@@ -118,10 +117,9 @@ OrderedJson nested_map(const std::vector<FieldEntry>& entries);
 OrderedJson written_over(const auto& value, const std::vector<FieldEntry>& base,
                          const Writing& how) {
   const std::vector<FieldEntry> entries = differences(entries_of(value, how), base);
-  if (how.files != nullptr) {
+  if (how.files != nullptr)
     for (const FieldEntry& entry : entries)
       how.files->insert(how.files->end(), entry.files.begin(), entry.files.end());
-  }
   return nested_map(entries);
 }
 

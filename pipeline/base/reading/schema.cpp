@@ -50,9 +50,8 @@ SchemaNode narrowed(SchemaNode node, const json& value) {
 
 SchemaNode member_schema(SchemaNode node, const std::string& key) {
   if (!node) return node;
-  if (const json* properties = find(*node.node, "properties")) {
+  if (const json* properties = find(*node.node, "properties"))
     if (const json* member = find(*properties, key)) return with(node, member);
-  }
   const json* others = find(*node.node, "additionalProperties");
   return with(node, others != nullptr && others->is_object() ? others : nullptr);
 }

@@ -78,9 +78,8 @@ class CompiledSchemas {
   /// Null when there are enough others.
   const CompiledSchema* kept(const json& schema) {
     const std::lock_guard lock(mutex_);
-    for (const CompiledSchema& one : schemas_) {
+    for (const CompiledSchema& one : schemas_)
       if (one.schema == schema) return &one;
-    }
     return schemas_.size() < most ? &schemas_.emplace_back(schema) : nullptr;
   }
 
@@ -98,21 +97,18 @@ valijson::ValidationResults validate(const json& document, const json& schema) {
 std::vector<Fault> check_schema(const json& document, const json& schema, const Places& places) {
   const valijson::ValidationResults results = validate(document, schema);
   std::map<std::string, Located> faulty;
-  for (const auto& error : results) {
-    if (auto located = locate(document, schema, error.context)) {
+  for (const auto& error : results)
+    if (auto located = locate(document, schema, error.context))
       faulty.emplace(located->path, *located);
-    }
-  }
   std::vector<Fault> faults;
   for (const auto& [path, located] : faulty) {
     std::vector<Fault> here = explain(*located.value, located.schema, path, places);
     faults.insert(faults.end(), here.begin(), here.end());
   }
   // The validator's own words, should it ever find what the sentences above do not cover.
-  if (faults.empty() && results.numErrors() > 0) {
+  if (faults.empty() && results.numErrors() > 0)
     faults.push_back(
         {place_of(places, ""), "", results.begin()->description, "see manifests/mien.schema.json"});
-  }
   return faults;
 }
 

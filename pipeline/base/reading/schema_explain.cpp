@@ -52,9 +52,8 @@ std::string as_yaml(const json& value) {
     return "[" + text + "]";
   }
   if (value.is_object()) {
-    for (const auto& [key, member] : value.items()) {
+    for (const auto& [key, member] : value.items())
       text += (text.empty() ? "" : ", ") + key + ": " + as_yaml(member);
-    }
     return "{" + text + "}";
   }
   return shown(value);
@@ -103,9 +102,8 @@ class Explainer {
     if (right) return false;
     std::string remedy = example_of(node_);
     if (type == "boolean") remedy = "write true or false";
-    if (type == "string" && value_.is_primitive() && !value_.is_null()) {
+    if (type == "string" && value_.is_primitive() && !value_.is_null())
       remedy = "put it in quotes: \"" + shown(value_) + "\"";
-    }
     add("must be " + named(type) + " but is " + described(value_), remedy);
     return true;
   }
@@ -128,9 +126,8 @@ class Explainer {
     if (std::find(choices.begin(), choices.end(), value_) != choices.end()) return;
     std::vector<std::string> words;
     for (const json& choice : choices) words.push_back(as_yaml(choice));
-    if (words.size() == 1) {
+    if (words.size() == 1)
       return add("must be " + words[0] + " but is " + shown(value_), "write " + words[0]);
-    }
     const std::string word = value_.is_string() ? value_.get<std::string>() : shown(value_);
     const bool is_near = motion::nearest_word(word, words).has_value();
     const std::string choices_listed = fmt::format("{}", fmt::join(words, ", "));
@@ -167,13 +164,11 @@ class Explainer {
 
   void explain_text() {
     const auto& text = value_.get_ref<const std::string&>();
-    if (node_.contains("minLength") && count_characters(text) < node_["minLength"]) {
+    if (node_.contains("minLength") && count_characters(text) < node_["minLength"])
       add("must not be empty", example_of(node_));
-    }
     if (node_.contains("pattern") &&
-        !std::regex_search(text, std::regex(node_["pattern"].get<std::string>()))) {
+        !std::regex_search(text, std::regex(node_["pattern"].get<std::string>())))
       add(shown(value_) + " " + node_["x-rule"].get<std::string>(), example_of(node_));
-    }
   }
 
   void explain_length() {
@@ -187,9 +182,8 @@ class Explainer {
   }
 
   void explain_object() {
-    if (value_.size() < node_.value("minProperties", std::size_t{0})) {
+    if (value_.size() < node_.value("minProperties", std::size_t{0}))
       add("must not be empty", example_of(node_));
-    }
     explain_missing_keys();
     explain_unknown_keys();
     if (node_.contains("oneOf")) explain_exclusive_keys();
@@ -215,9 +209,8 @@ class Explainer {
       if (value_.contains(name) || is_misspelt({name})) continue;
       std::string remedy = "add it";
       const SchemaNode member = narrowed(member_schema(schema_, name), {});
-      if (member && member.node->contains("examples")) {
+      if (member && member.node->contains("examples"))
         remedy += ", for example " + name + ": " + as_yaml((*member.node)["examples"][0]);
-      }
       faults_.push_back({place_of(places_, path_), member_path(path_, name), "missing", remedy});
     }
   }

@@ -39,9 +39,8 @@ std::optional<json> number(std::string_view text) {
   const std::optional<double> value = motion::as_finite_number(text);
   if (!value) return std::nullopt;
   constexpr double exact = 9007199254740992.0;
-  if (std::nearbyint(*value) == *value && std::abs(*value) < exact) {
+  if (std::nearbyint(*value) == *value && std::abs(*value) < exact)
     return json(static_cast<std::int64_t>(*value));
-  }
   return json(*value);
 }
 
@@ -84,18 +83,16 @@ class Converter {
     const bool was_too_long = path_bytes_ > most_bytes;
     path_bytes_ += path.size();
     if (path_bytes_ <= most_bytes) return false;
-    if (!was_too_long) {
+    if (!was_too_long)
       faults_.push_back({node.place, "", "the paths of the values exceed 256 MiB in total",
                          "use shorter names, or less nesting"});
-    }
     return true;
   }
 
   json sequence(const YamlNode& node, SchemaNode schema, const std::string& path) {
     json array = json::array();
-    for (std::size_t i = 0; i < node.children.size(); ++i) {
+    for (std::size_t i = 0; i < node.children.size(); ++i)
       array.push_back(convert(node.children[i], element_schema(schema), element_path(path, i)));
-    }
     return array;
   }
 
@@ -118,9 +115,8 @@ class Converter {
     }
     const bool is_text = expansion.expanded ? takes_text(schema) : node.quoted;
     if (is_text) return expansion.text;
-    if (is_infinity_or_nan(expansion.text)) {
+    if (is_infinity_or_nan(expansion.text))
       faults_.push_back({node.place, path, "not a finite number", "write a finite one"});
-    }
     return plain_scalar(expansion.text);
   }
 

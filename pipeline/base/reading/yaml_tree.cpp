@@ -87,9 +87,8 @@ class TreeBuilder : public YAML::EventHandler {
     node.text = value;
     node.quoted = tag == "!" || tag == "tag:yaml.org,2002:str";
     if (!node.quoted) refuse_tag(tag, node.place);
-    if (node.quoted && !is_closed(places_.text_from(mark))) {
+    if (node.quoted && !is_closed(places_.text_from(mark)))
       fault(node.place, "a quote that is not closed", "add the closing quote");
-    }
     add(std::move(node), anchor);
   }
 
@@ -257,9 +256,8 @@ std::optional<Place> tab_in_indentation(const YamlPlaces& places, const Place& l
 /// At the parser's mark, unless a plainer reason stands before it.
 Fault syntax_fault(const YamlPlaces& places, const YAML::ParserException& error) {
   const Place place = places.at(error.mark);
-  if (const auto tab = tab_in_indentation(places, place)) {
+  if (const auto tab = tab_in_indentation(places, place))
     return {*tab, "", "a tab in the indentation", "use spaces"};
-  }
   const bool expands = places.line(place.line).find("${") != std::string_view::npos;
   return {place, "",
           "not valid YAML: " + motion::excerpt(error.msg, 2 * motion::max_quoted_characters),
@@ -269,12 +267,9 @@ Fault syntax_fault(const YamlPlaces& places, const YAML::ParserException& error)
 
 std::optional<Fault> refuse_text(std::string_view text, const std::string& file) {
   const Place whole{file, 0, 0};
-  if (text.size() > most_bytes) {
-    return Fault{whole, "", "larger than 16 MiB", "split it"};
-  }
-  if (const auto place = first_invalid_utf8(text)) {
+  if (text.size() > most_bytes) return Fault{whole, "", "larger than 16 MiB", "split it"};
+  if (const auto place = first_invalid_utf8(text))
     return Fault{{file, place->line, place->column}, "", "not UTF-8 text", "save it as UTF-8"};
-  }
   return std::nullopt;
 }
 
@@ -289,10 +284,9 @@ YamlNode parse(std::string_view text, const YamlPlaces& places, const std::strin
   }
   YamlNode root = builder.take_root();
   TreeBuilder second(places, faults);
-  if (parser.HandleNextDocument(second)) {
+  if (parser.HandleNextDocument(second))
     faults.push_back({second.take_root().place, "", "a second document begins here",
                       "keep one document in a file"});
-  }
   return root;
 }
 

@@ -2,9 +2,33 @@
 
 #include <Eigen/Core>
 
-#include "pipeline/base/statistics/intraclass.h"
-
 namespace mien::pipeline {
+
+/// How reliable ratings of stimuli are (Shrout and Fleiss 1979), also where raters saw a part of
+/// the stimuli. NaN where it cannot be said. Estimates may be negative: they are not cut at 0.
+struct Intraclass {
+  int stimuli = 0;
+  int raters = 0;
+  int answers = 0;
+  double answers_per_stimulus = 0.0;  ///< k₀ = (N − Σn²/N)/(stimuli − 1) of unequal numbers n
+  bool is_connected = false;  ///< whether all raters can be compared, through common stimuli
+  double one = 0.0;           ///< ICC(1): of one answer, each stimulus by other raters
+  double one_k = 0.0;         ///< ICC(1,k): of a mean of k₀ answers
+  double two = 0.0;           ///< ICC(2,1): raters a random sample, agreement
+  double two_k = 0.0;         ///< ICC(2,k)
+  double three = 0.0;         ///< ICC(3,1): these raters, consistency
+  double three_k = 0.0;       ///< ICC(3,k): Cronbach's alpha of a full table
+};
+
+/// Of a table of stimuli × raters with NaN where there is no answer.
+///
+/// The rule for missing cells: every answer counts and nothing is filled in. ICC(1) are of the
+/// one-way analysis of variance of all answers. ICC(2) and ICC(3) come from variance components by
+/// the method of fitting constants (Henderson 1953, method 3): stimuli after raters, raters after
+/// stimuli, and what is left. In a full table these are the mean squares of Shrout and Fleiss, and
+/// so are the results. Stimuli without answers and raters without any do not count; where the
+/// table falls apart into groups without common raters, ICC(2) and ICC(3) are NaN.
+Intraclass intraclass(const Eigen::MatrixXd& answers);
 
 /// How well raters agree about the stimuli on one scale. NaN where it cannot be said: fewer than
 /// two raters or stimuli, or nothing but equal answers.

@@ -16,9 +16,8 @@ constexpr double least_spread = 1e-9;
 
 Eigen::RowVectorXd standardised(const RidgeModel& model, const Eigen::RowVectorXd& predictors) {
   Eigen::RowVectorXd z = predictors - model.mean;
-  for (Eigen::Index k = 0; k < z.size(); ++k) {
+  for (Eigen::Index k = 0; k < z.size(); ++k)
     z[k] = model.spread[k] > 0.0 ? z[k] / model.spread[k] : 0.0;
-  }
   return z;
 }
 
@@ -30,9 +29,8 @@ Eigen::MatrixXd standardise(const Eigen::MatrixXd& predictors, RidgeModel& model
   const Eigen::MatrixXd centred = predictors.rowwise() - model.mean;
   model.spread = (centred.colwise().squaredNorm() / count).cwiseSqrt();
   const Eigen::RowVectorXd size = model.mean.cwiseAbs().cwiseMax(1.0);
-  for (Eigen::Index k = 0; k < model.spread.size(); ++k) {
+  for (Eigen::Index k = 0; k < model.spread.size(); ++k)
     if (model.spread[k] < least_spread * size[k]) model.spread[k] = 0.0;
-  }
   Eigen::MatrixXd z(predictors.rows(), predictors.cols());
   for (Eigen::Index i = 0; i < z.rows(); ++i) z.row(i) = standardised(model, predictors.row(i));
   return z;
@@ -104,9 +102,8 @@ double leverage(const RidgeModel& model, const Eigen::RowVectorXd& predictors) {
 std::vector<double> penalty_choices(int observations) {
   constexpr int steps = 24;
   std::vector<double> choices;
-  for (int i = 0; i <= steps; ++i) {
+  for (int i = 0; i <= steps; ++i)
     choices.push_back(observations * std::pow(10.0, -3.0 + 6.0 * i / steps));
-  }
   return choices;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 
 #include "pipeline/base/statistics/exact_number.h"
 
@@ -14,13 +15,23 @@ namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
+/// Σ(x − x̄)², and the mean.
+struct Deviation {
+  double mean = 0.0;
+  double squares = 0.0;
+};
+
+Deviation deviation_of(const std::vector<double>& values) {
+  Deviation result;
+  result.mean = exact_mean(values);
+  for (const double value : values) result.squares += (value - result.mean) * (value - result.mean);
+  return result;
+}
+
 /// Exactly 0 where nothing but roundings differ.
 double variance_of(const std::vector<double>& values) {
   if (all_alike(values)) return 0.0;
-  const double mean = exact_mean(values);
-  double sum = 0.0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return sum / static_cast<double>(values.size() - 1);
+  return deviation_of(values).squares / static_cast<double>(values.size() - 1);
 }
 
 TTest finished(TTest test) {
@@ -37,6 +48,15 @@ double margin(const TTest& test, double confidence) {
          test.standard_error;
 }
 
+/// What d times it is without bias: Γ(ν/2)/(√(ν/2)·Γ((ν − 1)/2)) (Hedges 1981) with ν degrees of
+/// freedom: n + m − 2 of two samples, n − 1 of differences. NaN below two.
+double hedges_correction(double degrees) {
+  if (degrees < 2.0) return not_known;
+  // Γ((ν − 1)/2)/Γ(ν/2)
+  const double ratio = boost::math::tgamma_delta_ratio(0.5 * degrees - 0.5, 0.5);
+  return 1.0 / (ratio * std::sqrt(0.5 * degrees));
+}
+
 }  // namespace
 
 double TTest::low(double confidence) const { return mean - margin(*this, confidence); }
@@ -49,9 +69,8 @@ bool all_alike(const std::vector<double>& values) {
 }
 
 TTest paired_t_test(const std::vector<double>& differences) {
-  if (differences.size() < 2) {
+  if (differences.size() < 2)
     return {differences.empty() ? not_known : differences[0], not_known, 0.0, not_known, not_known};
-  }
   const auto n = static_cast<double>(differences.size());
   return finished({exact_mean(differences), std::sqrt(variance_of(differences) / n), n - 1.0});
 }
@@ -71,6 +90,25 @@ TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b) {
 double cohens_dz(const std::vector<double>& differences) {
   if (differences.size() < 2) return not_known;
   return exact_mean(differences) / std::sqrt(variance_of(differences));
+}
+
+double cohens_d(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() < 2 || b.size() < 2) return not_known;
+  const Deviation of_a = deviation_of(a);
+  const Deviation of_b = deviation_of(b);
+  const double pooled =
+      std::sqrt((of_a.squares + of_b.squares) / static_cast<double>(a.size() + b.size() - 2));
+  return pooled > 0.0 ? (of_a.mean - of_b.mean) / pooled : not_known;
+}
+
+double hedges_g(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() < 2 || b.size() < 2) return not_known;
+  return cohens_d(a, b) * hedges_correction(static_cast<double>(a.size() + b.size() - 2));
+}
+
+double hedges_gz(const std::vector<double>& differences) {
+  if (differences.size() < 3) return not_known;
+  return cohens_dz(differences) * hedges_correction(static_cast<double>(differences.size() - 1));
 }
 
 }  // namespace mien::pipeline

@@ -30,4 +30,14 @@ TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b);
 /// Mean of the differences in units of their standard deviation (n − 1): d_z of Cohen 1988.
 double cohens_dz(const std::vector<double>& differences);
 
+/// Difference of the means of two independent samples in units of their pooled standard deviation:
+/// d_s of Cohen 1988. NaN with fewer than two values in either, or where nothing varies.
+double cohens_d(const std::vector<double>& a, const std::vector<double>& b);
+
+/// g of two independent samples.
+double hedges_g(const std::vector<double>& a, const std::vector<double>& b);
+
+/// g_z of paired differences.
+double hedges_gz(const std::vector<double>& differences);
+
 }  // namespace mien::pipeline

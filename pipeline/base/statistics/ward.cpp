@@ -17,9 +17,8 @@ class Clusters {
     for (Eigen::Index i = 0; i < rows.rows(); ++i) {
       slots_.push_back({static_cast<int>(i), {static_cast<int>(i)}});
       alive_.push_back(static_cast<int>(i));
-      for (Eigen::Index k = 0; k <= i; ++k) {
+      for (Eigen::Index k = 0; k <= i; ++k)
         squared_(i, k) = squared_(k, i) = (rows.row(i) - rows.row(k)).squaredNorm();
-      }
     }
   }
 
@@ -95,9 +94,8 @@ Linkage ward(const Eigen::MatrixXd& rows) {
   Linkage linkage;
   linkage.leaves = static_cast<int>(rows.rows());
   Clusters clusters(rows);
-  for (int step = 0; step + 1 < linkage.leaves; ++step) {
+  for (int step = 0; step + 1 < linkage.leaves; ++step)
     linkage.merges.push_back(clusters.merge_nearest(linkage.leaves + step));
-  }
   return linkage;
 }
 

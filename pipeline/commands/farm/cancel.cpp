@@ -19,9 +19,8 @@ struct CancelCommand {
 void note_cancelled(const std::vector<JobFate>& fates, const SubmissionJournal& journal,
                     const Console& console) {
   try {
-    for (const JobFate& fate : fates) {
+    for (const JobFate& fate : fates)
       if (!fate.live().empty()) journal.note_cancel(fate.journal.comment, fate.journal.job);
-    }
   } catch (const std::exception& fault) {
     console.err << "note: " << fault.what() << "; the jobs are cancelled nevertheless\n";
   }

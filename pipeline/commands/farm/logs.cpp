@@ -25,16 +25,14 @@ struct LogsCommand {
 class LogList {
  public:
   void add(const std::vector<ElementLog>& more) {
-    for (const ElementLog& log : more) {
+    for (const ElementLog& log : more)
       if (seen_.insert(log.file).second) logs_.push_back(log);
-    }
   }
 
   void show(int lines, const Console& console) const {
-    for (const ElementLog& log : logs_) {
+    for (const ElementLog& log : logs_)
       console.out << "==> " << log.item << ": " << log.file.string() << '\n'
                   << tail_of(log.file, lines);
-    }
   }
 
   bool empty() const { return logs_.empty(); }
@@ -73,10 +71,9 @@ void show_failures(const FarmStudy& study, const LogsCommand& command, const Con
   if (!troubles.empty()) console.out << "without a log:\n" << troubles_text(troubles);
   if (logs.empty() && troubles.empty())
     console.out << study.folder.string() << ": no logs of failed jobs\n";
-  if (cancelled_count > 0) {
+  if (cancelled_count > 0)
     console.out << "cancelled jobs are not shown: " << cancelled_count << "; mien farm logs "
                 << study_words(command.study) << " ITEM shows the log of one item\n";
-  }
 }
 
 void show_item(const FarmStudy& study, const LogsCommand& command, const Console& console) {

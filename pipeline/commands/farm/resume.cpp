@@ -19,9 +19,8 @@ struct ResumeCommand {
 
 /// What Slurm took without the client hearing of it.
 void note_adopted(const std::vector<JobFate>& fates, const SubmissionJournal& journal) {
-  for (const JobFate& fate : fates) {
+  for (const JobFate& fate : fates)
     if (fate.is_adopted) journal.note_job(fate.journal.comment, fate.journal.job);
-  }
 }
 
 std::vector<std::string> arrays_that_live(const std::vector<JobFate>& fates,
@@ -31,9 +30,8 @@ std::vector<std::string> arrays_that_live(const std::vector<JobFate>& fates,
     for (const QueueRow& row : fate.live()) {
       const bool is_kept = goes_on(row) && std::find(obsolete.begin(), obsolete.end(),
                                                      name_of(row)) == obsolete.end();
-      if (is_kept && std::find(arrays.begin(), arrays.end(), row.array) == arrays.end()) {
+      if (is_kept && std::find(arrays.begin(), arrays.end(), row.array) == arrays.end())
         arrays.push_back(row.array);
-      }
     }
   }
   return arrays;
@@ -66,11 +64,10 @@ ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
   if (!options.memory.empty()) return needs;  // the operator knows better
   MemoryNeeds memory = memory_needs(fates, study.folder);
   needs.memory = std::move(memory.more);
-  if (!memory.unknown.empty()) {
+  if (!memory.unknown.empty())
     console.err << "note: " << memory.unknown.front()
                 << (memory.unknown.size() > 1 ? " and others" : "")
                 << ": out of memory according to Slurm; request more with --mem\n";
-  }
   return needs;
 }
 
@@ -78,12 +75,11 @@ ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
 JournalSubmission asked_again(const ResumeCommand& command, const JournalContent& journal,
                               const FarmStudy& study) {
   const JournalSubmission* earlier = last_accepted(journal);
-  if (earlier == nullptr) {
+  if (earlier == nullptr)
     throw Error(study.folder.string() + ": nothing has been submitted yet" +
                     (journal.submissions.empty() ? "" : " (Slurm refused earlier submissions)"),
                 "use mien farm submit " + study_words(command.study) +
                     ", or without Slurm mien run " + study_words(command.study));
-  }
   JournalSubmission asked = asked_for(command.options, *earlier);
   asked.quality = command.study.quality;
   return asked;

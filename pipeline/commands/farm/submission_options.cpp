@@ -165,9 +165,8 @@ void sweep_submissions(const std::vector<JobFate>& fates, const DueWork& work,
                        const FarmStudy& study, const Console& console) {
   const TaskGraph& graph = study.production.graph();
   std::set<std::string> due;
-  for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
+  for (std::size_t i = 0; i < graph.tasks.size(); ++i)
     if (work.is_due[i]) due.insert(graph.tasks[i].id);
-  }
   const int removed = remove_submissions(spent_submissions(fates, due, study.folder), study.folder);
   if (removed == 0) return;
   console.err << "note: batch files and logs of " << removed << " older submission"
@@ -201,16 +200,14 @@ Submission fitting_submission(const FarmStudy& study, const StudyCall& call, con
 
 void tell_submitted(const Submission& submission, const Submitted& submitted,
                     const FarmArguments& arguments, bool json, const Console& console) {
-  if (!submitted.unnoted.empty()) {
+  if (!submitted.unnoted.empty())
     console.err
         << "note: " << submitted.unnoted
         << "; the jobs are submitted nevertheless, and mien farm resume records their numbers\n";
-  }
   if (json) {
     ordered_json rows = ordered_json::array();
-    for (const SubmittedJob& job : submitted.jobs) {
+    for (const SubmittedJob& job : submitted.jobs)
       rows.push_back({{"name", job.name}, {"job", job.job}, {"elements", job.elements}});
-    }
     const ordered_json told = {{"study", submission.call.study},
                                {"submission", submission.asked.number},
                                {"folder", submission.folder.string()},
@@ -220,10 +217,9 @@ void tell_submitted(const Submission& submission, const Submitted& submitted,
     return;
   }
   console.out << submission.folder.string() << ":\n";
-  for (const SubmittedJob& job : submitted.jobs) {
+  for (const SubmittedJob& job : submitted.jobs)
     console.out << fmt::format("  job {:<8} {:<12} {}\n", job.job, job.name,
                                element_words(job.elements));
-  }
   console.out << "mien farm status " << study_words(arguments) << " shows the progress\n";
 }
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "motion/text/shell_word.h"
-#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/installed_manifests.h"
@@ -54,28 +54,25 @@ std::vector<std::string> items_in_line(const std::string& file, int line) {
   if (!std::ifstream(file))
     throw WrongSetup(file + ": cannot be read", "give a list of items written by mien farm submit");
   const std::vector<std::vector<std::string>> lines = lines_of_list(file);
-  if (lines.size() < static_cast<std::size_t>(line)) {
+  if (lines.size() < static_cast<std::size_t>(line))
     throw WrongSetup(
         fmt::format("{}: has {} lines, but line {} was requested", file, lines.size(), line),
         "check that the array was submitted with this list");
-  }
   return lines[static_cast<std::size_t>(line) - 1];
 }
 
 std::vector<std::string> items_of(const WorkerArguments& arguments, const Console& console) {
   std::vector<std::string> items;
-  for (const std::string& text : arguments.tasks) {
+  for (const std::string& text : arguments.tasks)
     for (std::string& word : words_of(text)) items.push_back(std::move(word));
-  }
   if (arguments.list.empty() && items.empty())
     throw WrongSetup("no items were given", "name items with --tasks, or --list and --line");
   if (arguments.list.empty()) return items;
   const std::vector<std::string> listed = items_in_line(arguments.list, arguments.line);
   items.insert(items.end(), listed.begin(), listed.end());
-  if (listed.empty()) {
+  if (listed.empty())
     console.err << fmt::format("note: {}:{}: the line is empty and is skipped\n", arguments.list,
                                arguments.line);
-  }
   return items;
 }
 
@@ -131,12 +128,11 @@ int make_items(const WorkerArguments& arguments, const Console& console) {
                         options_of(arguments.production));
   const fs::path folder = folder_of(arguments.production, production.manifest());
   const Hash key = key_of(production.graph());
-  if (!arguments.expected.empty() && arguments.expected != key) {
+  if (!arguments.expected.empty() && arguments.expected != key)
     throw WrongSetup("this is not the study that was submitted (" + key + " instead of " +
                          arguments.expected + ")",
                      "the manifest, one of its files, the version of mien or the processor's "
                      "instruction set differs; mien farm resume submits the study as it is now");
-  }
   const TaskGraph graph = graph_of_items(production.graph(), items);
   WorkResult result;
   {

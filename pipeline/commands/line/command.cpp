@@ -184,10 +184,9 @@ std::vector<CommandOption> Command::named_options() const {
 
 std::vector<CommandPage> every_page(const Command& program) {
   std::vector<CommandPage> pages = {{program.name, program}};
-  for (const Command& command : program.commands) {
+  for (const Command& command : program.commands)
     for (const CommandPage& below : every_page(command))
       pages.push_back({program.name + " " + below.name, below.command});
-  }
   return pages;
 }
 

@@ -1,5 +1,3 @@
-#include "pipeline/commands/line/command_line.h"
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -15,9 +13,10 @@
 #include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
-#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/commands/line/command_line_fault.h"
 #include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/program.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/task_graph.h"
 
@@ -120,10 +119,9 @@ const Command& typed_command(const CLI::App& app, const Command& command) {
     const CLI::App& below = *app.get_subcommands().front();
     return typed_command(below, *command_below(command, below.get_name()));
   }
-  for (const CommandOption& option : command.options) {
+  for (const CommandOption& option : command.options)
     if (option.given != nullptr && app.get_option(option.names.back())->count() > 0)
       option.given->push_back(option.names.back());
-  }
   return command;
 }
 

@@ -24,9 +24,8 @@ fs::path manifests_beside(const fs::path& program) {
   const fs::path folder = program.parent_path();
   const fs::path installed = folder.parent_path() / "share/mien/manifests";
   const fs::path of_the_tree = folder.parent_path().parent_path() / "manifests";
-  for (const fs::path& candidate : {installed, of_the_tree}) {
+  for (const fs::path& candidate : {installed, of_the_tree})
     if (is_file(candidate / "mien.schema.json")) return candidate;
-  }
   return {};
 }
 

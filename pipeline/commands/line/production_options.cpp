@@ -1,9 +1,14 @@
 #include "pipeline/commands/line/production_options.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <thread>
 
+#include "motion/error.h"
 #include "motion/text/shell_word.h"
+#include "pipeline/production/run/run.h"
+#include "pipeline/tasks/progress.h"
+#include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
 
@@ -57,6 +62,23 @@ void tell_stale(const std::vector<std::string>& stale, const ProductionArguments
 
 std::filesystem::path folder_of(const ProductionArguments& arguments, const Manifest& manifest) {
   return std::filesystem::path(arguments.out) / manifest.study;
+}
+
+void make_study(Production& production, const std::filesystem::path& folder,
+                const ProductionArguments& arguments, const Console& console) {
+  RunResult result;
+  {
+    Progress progress(console.err, console.err_is_terminal, production.graph(),
+                      glance(production.graph(), folder), steady_seconds);
+    result = run(production, folder, jobs_of(arguments), console.stop, progress.observer());
+  }
+  if (result.was_interrupted) throw Interrupted{};
+  for (const TaskOutcome& outcome : result.outcomes) {
+    if (outcome.state != TaskState::failed) continue;
+    if (outcome.is_bad_input)
+      throw Error({outcome.error}, "the study cannot be made", "see mien run for all faults");
+    throw std::runtime_error(outcome.error);
+  }
 }
 
 }  // namespace mien::pipeline

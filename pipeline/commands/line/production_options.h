@@ -35,6 +35,11 @@ ProductionOptions options_of(const ProductionArguments& arguments);
 void tell_stale(const std::vector<std::string>& stale, const ProductionArguments& arguments,
                 const Console& console);
 
+/// Makes what is missing of a study, with progress on `err`. Throws for the first task that failed,
+/// and Interrupted.
+void make_study(Production& production, const std::filesystem::path& folder,
+                const ProductionArguments& arguments, const Console& console);
+
 /// out/<study>
 std::filesystem::path folder_of(const ProductionArguments& arguments, const Manifest& manifest);
 

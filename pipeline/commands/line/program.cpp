@@ -14,15 +14,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "pipeline/commands/line/console.h"
-
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
-#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/printable_stream.h"
-#include "pipeline/commands/line/command_line.h"
 #include "pipeline/commands/line/other_programs.h"
 #include "pipeline/tasks/interruption.h"
 
@@ -129,9 +126,8 @@ constexpr char examples[] = R"(Examples:
 /// "Exit codes: 0 done, …"
 std::string told_exit_codes() {
   std::string text;
-  for (const ExitCode& exit : exit_codes) {
+  for (const ExitCode& exit : exit_codes)
     text += (text.empty() ? "Exit codes: " : ", ") + std::to_string(exit.code) + " " + exit.meaning;
-  }
   return text + ".\n";
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -35,6 +37,13 @@ inline std::string chosen_take(const motion::Recording& recording) {
   return recording.takes.size() > 1 ? recording.take : "";
 }
 
+/// Throws Error where a file that is to be written is the one that is read.
+inline void refuse_own_input(const std::string& input, const std::string& written) {
+  std::error_code unknown;
+  if (std::filesystem::equivalent(input, written, unknown))
+    throw Error(Place{written}, "is the input file", "name another file to write");
+}
+
 /// `--take` of a command that compares two files: of both, or of each by its own.
 inline CommandOption takes_option(std::vector<std::string>& takes) {
   return option("--take", &takes,
@@ -47,10 +56,9 @@ inline CommandOption takes_option(std::vector<std::string>& takes) {
 /// several. Throws mien::Error for more names than files, and for a name that no file can have.
 inline std::array<std::string, 2> takes_of(const std::vector<std::string>& takes,
                                            const std::array<std::string, 2>& files) {
-  if (takes.size() > 2) {
+  if (takes.size() > 2)
     throw Error(fmt::format("--take was given {} times for two files", takes.size()),
                 "give it once for both, or once for each in their order");
-  }
   if (takes.size() == 2) return {takes[0], takes[1]};
   if (takes.empty()) return {};
   std::array<std::string, 2> result;

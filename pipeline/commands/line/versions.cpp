@@ -1,10 +1,8 @@
-#include "pipeline/commands/line/versions.h"
-
 #include <memory>
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/program.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {

@@ -18,10 +18,9 @@ namespace fs = std::filesystem;
 /// variables in it: whatever stands in them, YAML does not see it.
 std::string manifest_of(const Change& options) {
   std::string change = options.change;
-  if (!change.starts_with('{') && !change.starts_with('[')) {
+  if (!change.starts_with('{') && !change.starts_with('['))
     change =
         change.find(':') == std::string::npos ? "{emotion: " + change + "}" : "{" + change + "}";
-  }
   // A motion that is still to come is stood in for by any.
   const std::string motion =
       options.in.empty() ? "weights: {woman-walk-neutral: 1}" : "clip: '${MIEN_MOTION}'";

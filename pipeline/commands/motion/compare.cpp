@@ -87,13 +87,11 @@ void show_text(const motion::Distance& distance, const Basis& basis, const Conso
   show_takes(basis, console);
   if (!basis.warning().empty()) console.out << "warning: " << basis.warning() << '\n';
   const auto by_joint = distance.by_joint();
-  for (std::size_t j = 0; j < by_joint.size(); ++j) {
+  for (std::size_t j = 0; j < by_joint.size(); ++j)
     console.out << fmt::format("  {:14} {:.4f} m\n", joint_name(j), by_joint[j]);
-  }
   const auto by_time = distance.by_time();
-  for (std::size_t t = 0; t < by_time.size(); ++t) {
+  for (std::size_t t = 0; t < by_time.size(); ++t)
     console.out << fmt::format("  at {:3} %       {:.4f} m\n", 10 * t, by_time[t]);
-  }
 }
 
 int compare(const CompareOptions& options, const Console& console) {

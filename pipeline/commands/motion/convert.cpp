@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
@@ -22,20 +21,16 @@ struct ConvertOptions {
 };
 
 int convert(const ConvertOptions& options, const Console& console) {
-  std::error_code unknown;
-  if (std::filesystem::equivalent(options.in, options.out, unknown)) {
-    throw Error(Place{options.out}, "is the input file", "name another file to write");
-  }
+  refuse_own_input(options.in, options.out);
   motion::Recording recording = read_told(options.in, options.take, console);
   const motion::MotionFormat* format = motion::motion_format(options.out);
   if (options.body) {
     recording = motion::to_recording(motion::to_body(recording));
   } else if (format != nullptr && format->is_metric) {
     const motion::RigAnalysis rig = motion::analyse_rig(recording);
-    if (!rig.human) {
+    if (!rig.human)
       for (std::size_t i = recording.notes.size(); i < rig.warnings.size(); ++i)
         console.err << "warning: " << options.in << ": " << rig.warnings[i] << '\n';
-    }
     recording = motion::in_metres(std::move(recording));
   }
   motion::write_motion(recording, options.out);

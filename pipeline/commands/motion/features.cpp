@@ -59,24 +59,21 @@ MeasuredFile measured(const std::string& file, const std::string& take,
 }
 
 std::vector<std::string> warnings_of(const MeasuredFile& measured) {
-  if (!measured.prepared.cycle) {
+  if (!measured.prepared.cycle)
     return {
         "No gait cycle was found; features are measured over the whole motion, without step "
         "features."};
-  }
   return measured.prepared.cycle->warnings;
 }
 
 ordered_json as_json(const MeasuredFile& measured) {
   ordered_json values = ordered_json::object();
-  for (std::size_t i = 0; i < measured.values.size(); ++i) {
-    ordered_json& value = values[std::string(motion::motion_features()[i].id)];
-    if (std::isfinite(measured.values[i])) value = measured.values[i];
-  }
+  // What is not known is written as null.
+  for (std::size_t i = 0; i < measured.values.size(); ++i)
+    values[std::string(motion::motion_features()[i].id)] = measured.values[i];
   ordered_json cycle = nullptr;
-  if (const auto& found = measured.prepared.cycle) {
+  if (const auto& found = measured.prepared.cycle)
     cycle = {{"start_frame", found->start_frame}, {"end_frame", found->end_frame}};
-  }
   ordered_json result = {{"file", measured.file},
                          {"cycle", cycle},
                          {"features", values},
@@ -96,9 +93,8 @@ ordered_json as_json(const motion::MotionFeature& feature) {
 
 void show_json(const std::vector<MeasuredFile>& all, const Console& console) {
   ordered_json features = ordered_json::array();
-  for (const motion::MotionFeature& feature : motion::motion_features()) {
+  for (const motion::MotionFeature& feature : motion::motion_features())
     features.push_back(as_json(feature));
-  }
   ordered_json motions = ordered_json::array();
   for (const MeasuredFile& one : all) motions.push_back(as_json(one));
   const ordered_json result = {{"features", features}, {"motions", motions}};
@@ -139,9 +135,8 @@ std::string shown(double value, motion::FeatureUnit unit) {
 void show_row(std::size_t i, const std::vector<MeasuredFile>& all, const Console& console) {
   const motion::MotionFeature& feature = motion::motion_features()[i];
   console.out << fmt::format("  {:25}", feature.id);
-  for (const MeasuredFile& one : all) {
+  for (const MeasuredFile& one : all)
     console.out << fmt::format(" {:>9}", shown(one.values[i], feature.unit));
-  }
   console.out << fmt::format(" {:3}  {}{} {}\n", motion::symbol_of(feature.unit), feature.name,
                              feature.reconstructed ? " *" : "", feature.japanese);
 }
@@ -149,9 +144,8 @@ void show_row(std::size_t i, const std::vector<MeasuredFile>& all, const Console
 void show_table(const std::vector<MeasuredFile>& all, const Console& console) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     console.out << fmt::format("{:2}  {}\n", i + 1, all[i].file);
-    for (const std::string& warning : warnings_of(all[i])) {
+    for (const std::string& warning : warnings_of(all[i]))
       console.out << "    warning: " << warning << '\n';
-    }
   }
   for (int g = 0; g < motion::feature_group_count; ++g) {
     const auto group = static_cast<motion::FeatureGroup>(g);
@@ -159,18 +153,16 @@ void show_table(const std::vector<MeasuredFile>& all, const Console& console) {
     for (std::size_t i = 0; i < all.size(); ++i) console.out << fmt::format(" {:>9}", i + 1);
     console.out << fmt::format("      {} {}\n", motion::name_of(group),
                                motion::japanese_name_of(group));
-    for (std::size_t i = 0; i < motion::motion_features().size(); ++i) {
+    for (std::size_t i = 0; i < motion::motion_features().size(); ++i)
       if (motion::motion_features()[i].group == group) show_row(i, all, console);
-    }
   }
   console.out << "\n* illegible in the published tables; reconstructed\n";
 }
 
 int show_features(const FeaturesOptions& options, const Console& console) {
   std::vector<MeasuredFile> all;
-  for (const std::string& file : options.files) {
+  for (const std::string& file : options.files)
     all.push_back(measured(file, options.take, feature_options(options), console));
-  }
   if (options.json) {
     show_json(all, console);
   } else if (options.csv) {

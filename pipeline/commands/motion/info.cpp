@@ -71,11 +71,10 @@ ordered_json as_json(const motion::MotionSummary& summary) {
 }
 
 void show_mapping(const motion::MotionSummary& summary, const Console& console) {
-  for (const motion::JointSummary& joint : summary.joints) {
+  for (const motion::JointSummary& joint : summary.joints)
     console.out << fmt::format("  {:14} {:28} {:10} {:3.0f} %\n", joint.joint,
                                fmt::format("{}", fmt::join(joint.rig_joints, " + ")),
                                joint.found_by, 100.0 * joint.confidence);
-  }
 }
 
 void show_cycles(const motion::MotionSummary& summary, const Console& console) {
@@ -97,14 +96,12 @@ void show_cycles(const motion::MotionSummary& summary, const Console& console) {
 void show_text(const motion::MotionSummary& summary, const Console& console) {
   console.out << fmt::format("frames   {} at {:.4g} frames per second, {:.2f} s\n", summary.frames,
                              summary.frames_per_second, summary.duration_seconds);
-  if (summary.takes.size() > 1) {
+  if (summary.takes.size() > 1)
     console.out << fmt::format("takes    {} (showing {})\n", fmt::join(summary.takes, ", "),
                                summary.take);
-  }
   console.out << fmt::format("rig      {}, {} joints", summary.rig, summary.joint_names.size());
-  if (summary.is_human) {
+  if (summary.is_human)
     console.out << fmt::format(", recognised with {:.0f} % confidence", 100.0 * summary.confidence);
-  }
   console.out << fmt::format("\nunit     {:.6g} m, up {}\n", summary.unit_m, summary.up);
   if (summary.is_human) {
     console.out << fmt::format("figure   {:.2f} m tall, moving at {:.2f} m/s\n", summary.height_m,

@@ -48,10 +48,9 @@ struct LintedFile {
 
 /// The recording as one cycle of a loop: its last frame is followed by its first, one step on.
 motion::Clip as_loop(motion::Clip clip) {
-  if (clip.frame_count() < 3) {
+  if (clip.frame_count() < 3)
     throw Error(fmt::format("\"{}\" has {} frames", clip.name, clip.frame_count()),
                 "a loop needs at least 3; omit --loop");
-  }
   const motion::Vec3& last = clip.poses.back().root_position;
   motion::Vec3 way = 2.0 * last - clip.poses[clip.poses.size() - 2].root_position -
                      clip.poses.front().root_position;
@@ -167,14 +166,12 @@ void show_table(const std::vector<LintedFile>& all, const Console& console) {
     console.out << fmt::format("{}: {}, {} ({} frames, {:.1f} s)\n", one.file,
                                counted(errors, "error"), counted(warnings, "warning"),
                                one.motion.frames, one.motion.frames / one.motion.frames_per_second);
-    if (!one.is_human) {
+    if (!one.is_human)
       console.out << "  no human body was recognised; only the data were checked\n";
-    }
-    for (const motion::Finding& finding : one.motion.findings) {
+    for (const motion::Finding& finding : one.motion.findings)
       console.out << fmt::format("  {:7}  {:>11}  {:18} {}\n", motion::name_of(finding.severity),
                                  fmt::format("{}–{}", finding.first, finding.last), finding.check,
                                  finding.sentence);
-    }
   }
 }
 
@@ -187,10 +184,9 @@ void draw_timeline(const LintCommand& command, const LintedFile& linted) {
 void require_timeline(const LintCommand& command) {
   if (command.timeline.empty()) return;
   const std::string extension = fs::path(command.timeline).extension().string();
-  if (extension != ".png" && extension != ".svg") {
+  if (extension != ".png" && extension != ".svg")
     throw Error(fmt::format("cannot draw \"{}\"", command.timeline),
                 "timelines are .png or .svg files");
-  }
   if (command.files.size() == 1) return;
   throw Error(fmt::format("--timeline draws one motion, but {} were given", command.files.size()),
               "draw them one by one");
@@ -202,15 +198,13 @@ int show_findings(const LintCommand& command, const Console& console) {
   if (!command.original.empty()) {
     original = as_asked(clip_of(read_told(command.original, command.original_take, console)),
                         command.loop);
-    if (!motion::is_body(original->body)) {
+    if (!motion::is_body(original->body))
       throw Error(fmt::format("no human body was recognised in \"{}\"", command.original),
                   "the original must be a human motion");
-    }
   }
   std::vector<LintedFile> all;
-  for (const std::string& file : command.files) {
+  for (const std::string& file : command.files)
     all.push_back(linted(file, command, original ? &*original : nullptr, console));
-  }
   if (command.json) {
     show_json(all, console);
   } else if (command.csv) {
@@ -226,10 +220,9 @@ int show_findings(const LintCommand& command, const Console& console) {
 
 std::string footer() {
   std::string text = "Rules:\n";
-  for (const motion::LintCheck& check : motion::lint_checks()) {
+  for (const motion::LintCheck& check : motion::lint_checks())
     text += fmt::format("  {:18} {}{}\n", check.id, check.what,
                         check.needs_original ? " (--original)" : "");
-  }
   return text +
          "\nExit code: 0 without errors (warnings are allowed), 1 with errors, 2 for bad input.\n\n"
          "Examples:\n"

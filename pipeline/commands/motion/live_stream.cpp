@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -46,19 +45,16 @@ MotionSource::MotionSource(const std::string& file) : name_(file) {
     descriptor_ = STDIN_FILENO;
     return;
   }
-  if (std::filesystem::is_directory(file)) {
+  if (std::filesystem::is_directory(file))
     throw Error(Place{file}, "is a folder", "name a BVH file, or - for standard input");
-  }
   const motion::MotionFormat* format = motion::motion_format(file);
   if (format != nullptr && !format->is_streamed) {
     throw Error(Place{file}, "cannot be streamed, because this format must be read as a whole",
                 "write it as BVH, with mien motion convert, or use mien motion modify");
-  }
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor_ < 0) {
+  if (descriptor_ < 0)
     throw Error(Place{file}, std::string("cannot be read: ") + std::strerror(errno),
                 "name a BVH file, or - for standard input");
-  }
 }
 
 MotionSource::~MotionSource() {
@@ -73,9 +69,8 @@ std::optional<std::string> MotionSource::next(const std::stop_token& stop) {
     const ssize_t count = read(descriptor_, bytes.data(), bytes.size());
     if (count > 0) return std::string(bytes.data(), static_cast<std::size_t>(count));
     if (count == 0) return std::nullopt;
-    if (errno != EINTR && errno != EAGAIN) {
+    if (errno != EINTR && errno != EAGAIN)
       throw std::system_error(errno, std::generic_category(), "reading " + name_);
-    }
   }
   return std::nullopt;
 }
@@ -152,9 +147,8 @@ void LiveStream::begin(const motion::BvhHead& head, const motion::Pose& pose) {
   }
   const motion::Skeleton& body = mapping_->mapping().body;
   stream_.emplace(body, rate, options_.modification, report_.delay, options_.scope);
-  if (options_.calibration) {
+  if (options_.calibration)
     stream_->expect(motion::to_body(*options_.calibration, mapping_->mapping()));
-  }
   report_.delay = stream_->delay();
   mapped_.name = given_.name = options_.name;
   mapped_.body = given_.body = body;
@@ -186,16 +180,13 @@ bool LiveStream::put(const motion::Pose& pose) {
 }
 
 LiveReport LiveStream::finish() {
-  if (!stream_) {
+  if (!stream_)
     throw Error(Place{options_.name}, "no frame came", "send at least one frame after Frame Time:");
-  }
-  for (const motion::Pose& pose : stream_->finish()) {
+  for (const motion::Pose& pose : stream_->finish())
     if (!put(pose)) break;
-  }
   report_.largest_lag = stream_->largest_lag();
-  if (options_.measure && given_.poses.size() == mapped_.poses.size()) {
+  if (options_.measure && given_.poses.size() == mapped_.poses.size())
     report_.measured = measurement();
-  }
   return report_;
 }
 

@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,8 +17,6 @@ namespace mien::pipeline {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct ModifyOptions {
   std::string in;
   std::string out;
@@ -31,10 +28,7 @@ struct ModifyOptions {
 };
 
 int modify_file(const ModifyOptions& options, const Console& console) {
-  std::error_code unknown;
-  if (fs::equivalent(options.in, options.out, unknown)) {
-    throw Error(Place{options.out}, "is the input file", "name another file to write");
-  }
+  refuse_own_input(options.in, options.out);
   Stimulus stimulus = stimulus_of({options.in, options.change, options.recipes, options.on_fault});
   stimulus.clip->take = options.take;
   stimulus.output.fps =
@@ -60,9 +54,8 @@ void list_emotions(const RecipeBook& book, const Console& console) {
 
 int emotions(const std::string& recipes, bool as_yaml, bool posture, const Console& console) {
   if (posture) {
-    for (const motion::PostureUnitName& unit : motion::posture_units()) {
+    for (const motion::PostureUnitName& unit : motion::posture_units())
       console.out << fmt::format("{:28} {}\n", unit.name, unit.description);
-    }
     return exit_done;
   }
   const RecipeBook book = read_recipes(recipes, recipes);

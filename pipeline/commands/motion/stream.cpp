@@ -48,12 +48,11 @@ void leave_out(motion::Modification& modification, const std::string& what) {
 
 motion::Modification modification_of(const StreamOptions& options) {
   const Stimulus stimulus = stimulus_of({"", options.change, options.recipes});
-  if (stimulus.modify.size() != 1 || stimulus.modify.front().style) {
+  if (stimulus.modify.size() != 1 || stimulus.modify.front().style)
     throw Error(
         stimulus.modify.size() > 1 ? "several changes one after the other"
                                    : "a change based on examples",
         "a stream supports one change of paths, acceleration and posture; write it as one map");
-  }
   motion::Modification modification =
       motion::scaled(modifications_of(stimulus, {}).front(), stimulus.modify.front().strength);
   for (const std::string& what : options.leave_out) leave_out(modification, what);
@@ -118,11 +117,10 @@ void tell(const LiveReport& report, const Console& console) {
       "{:.2f} ms, at most {:.2f} ms\n",
       report.frames, report.frames_per_second, report.delay.frames(),
       report.delay.frames() * milliseconds, report.mean_computing_ms, report.most_computing_ms);
-  if (report.largest_lag != 0.0) {
+  if (report.largest_lag != 0.0)
     console.err << fmt::format("limbs up to {:.0f} ms {} the trunk\n",
                                std::abs(report.largest_lag) * milliseconds,
                                report.largest_lag > 0.0 ? "behind" : "before");
-  }
   if (!report.measured) return;
   const LiveMeasurement& measured = *report.measured;
   console.err << "error relative to modifying the whole motion: " << error_text(measured.error)
@@ -148,10 +146,9 @@ class Pace {
     if (frames_ == 0) start_ = steady_clock::now();
     const auto due = start_ + duration_cast<steady_clock::duration>(duration<double>(
                                   static_cast<double>(frames_++) / frames_per_second));
-    while (!stop.stop_requested() && steady_clock::now() < due) {
+    while (!stop.stop_requested() && steady_clock::now() < due)
       std::this_thread::sleep_for(
           std::min<steady_clock::duration>(due - steady_clock::now(), milliseconds(100)));
-    }
   }
 
  private:
@@ -185,16 +182,9 @@ bool pass_on(MotionSource& source, LiveStream& live, bool paced, const std::stop
   return is_read;
 }
 
-void refuse_own_input(const StreamOptions& options) {
-  std::error_code unknown;
-  for (const std::string& written : {options.out, options.json}) {
-    if (written.empty() || !std::filesystem::equivalent(options.in, written, unknown)) continue;
-    throw Error(Place{written}, "is the input file", "name another file to write");
-  }
-}
-
 int stream_motion(const StreamOptions& options, const Console& console) {
-  refuse_own_input(options);
+  refuse_own_input(options.in, options.out);
+  refuse_own_input(options.in, options.json);
   MotionSource source(options.in);
   MotionSink sink(console.out, options.out,
                   options.lines ? MotionSink::Form::lines : MotionSink::Form::bvh);

@@ -9,7 +9,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/math/geometry.h"
 #include "motion/measures/differences/motion_tolerance.h"
-#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/commands/line/other_programs.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/regress/regress_study.h"

@@ -17,11 +17,9 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/regress/study_baseline.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
-#include "pipeline/production/run/run.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approval.h"
 #include "pipeline/regression/regression.h"
-#include "pipeline/regression/repetition.h"
 #include "pipeline/regression/report/regression_report.h"
 #include "pipeline/regression/report/regression_texts.h"
 #include "pipeline/tasks/command_run.h"
@@ -47,24 +45,10 @@ struct MadeStudy {
 
 void make(MadeStudy& study, const StudyArguments& arguments, const Console& console) {
   Production& production = *study.production;
-  RunResult result;
-  {
-    Progress progress(console.err, console.err_is_terminal, production.graph(),
-                      glance(production.graph(), study.folder), steady_seconds);
-    result = run(production, study.folder, jobs_of(arguments.production), console.stop,
-                 progress.observer());
-  }
-  if (result.was_interrupted) throw Interrupted{};
-  for (const TaskOutcome& outcome : result.outcomes) {
-    if (outcome.state != TaskState::failed) continue;
-    if (outcome.is_bad_input)
-      throw Error({outcome.error}, "the study cannot be made", "see mien run for all faults");
-    throw std::runtime_error(outcome.error);
-  }
-  for (const Stimulus& stimulus : production.manifest().stimuli) {
+  make_study(production, study.folder, arguments.production, console);
+  for (const Stimulus& stimulus : production.manifest().stimuli)
     if (is_asked(arguments.production.only, stimulus.id))
       study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
-  }
 }
 
 /// Read and planned; nothing is made yet. What the manifest has no more cannot be made.
@@ -193,14 +177,12 @@ void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifes
                     const Baseline& baseline) {
   std::vector<std::string> known;
   for (const Stimulus& stimulus : manifest.stimuli) known.push_back(stimulus.id);
-  for (const StimulusFacts& facts : baseline.stimuli) {
+  for (const StimulusFacts& facts : baseline.stimuli)
     if (find_stimulus(manifest, facts.id) == nullptr) known.push_back(facts.id);
-  }
-  for (const std::string& id : ids) {
+  for (const std::string& id : ids)
     if (std::ranges::find(known, id) == known.end())
       throw Error({"--only"}, "the study has no stimulus " + motion::in_quotes(id),
                   motion::did_you_mean(id, known));
-  }
 }
 
 }  // namespace
@@ -288,10 +270,9 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
                                                                  : arguments.production.only.size();
   console.out << fmt::format("{}: {} {} approved by {}\n", folder.string(), approved,
                              approved == 1 ? "stimulus" : "stimuli", baseline.approvals.back().who);
-  for (const StimulusFacts& facts : before.stimuli) {
+  for (const StimulusFacts& facts : before.stimuli)
     if (baseline.find(facts.id) == nullptr)
       console.out << facts.id << " was removed from the baseline\n";
-  }
   return exit_done;
 }
 

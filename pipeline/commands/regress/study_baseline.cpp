@@ -22,6 +22,11 @@ CommandEnd git(const fs::path& folder, std::vector<std::string> words) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+/// Where a study's baseline lies unless told: baselines/<study> beside the manifest.
+fs::path usual_baseline(const Manifest& manifest) {
+  return manifest.file.parent_path() / "baselines" / manifest.study;
+}
+
 /// Links beside a folder's place in `tree`, which stands for the root of the machine, to all that
 /// lies beside the folder itself: what its files name by relative paths is found there too.
 void link_surroundings(const fs::path& folder, const fs::path& tree) {
@@ -99,10 +104,6 @@ fs::path new_baseline(const std::string& given, const Manifest& manifest) {
         "omit --baseline, and commit the approved folder; for a new folder of that name write ./" +
             given);
   return given;
-}
-
-fs::path usual_baseline(const Manifest& manifest) {
-  return manifest.file.parent_path() / "baselines" / manifest.study;
 }
 
 FoundBaseline find_baseline(const std::string& given, const Manifest& manifest) {

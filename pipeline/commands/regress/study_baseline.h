@@ -15,9 +15,6 @@ struct FoundBaseline {
   std::unique_ptr<ScratchFolder> scratch;
 };
 
-/// Where a study's baseline lies unless told: baselines/<study> beside the manifest.
-std::filesystem::path usual_baseline(const Manifest& manifest);
-
 /// The folder that approved stimuli are put into. Throws Error for the name of a commit.
 std::filesystem::path new_baseline(const std::string& given, const Manifest& manifest);
 

@@ -11,18 +11,16 @@
 
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/environment.h"
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/synthesis/repertoire.h"
+#include "pipeline/study/analysis/analysis.h"
 #include "pipeline/study/analysis/analysis_report.h"
-#include "pipeline/study/analysis/analysis_tables.h"
-#include "pipeline/study/analysis/calibration_chart.h"
-#include "pipeline/study/analysis/cluster_names.h"
+#include "pipeline/study/analysis/calibration.h"
 #include "pipeline/study/analysis/published_clusters.h"
 
 namespace mien::pipeline {
@@ -100,16 +98,14 @@ void show_text(const Analysis& analysis, const ScaleSet& scales, const fs::path&
   console.out << fmt::format("{} clusters of {} scales; the largest gap suggests {}\n",
                              analysis.clusters.size(), analysis.none_kept ? "all" : "the kept",
                              analysis.suggested_clusters);
-  for (const ScaleCluster& cluster : analysis.clusters) {
+  for (const ScaleCluster& cluster : analysis.clusters)
     console.out << fmt::format("  {:14} {:3} scale{} around {}\n", cluster.name,
                                cluster.members.size(), cluster.members.size() == 1 ? " " : "s",
                                central_words(analysis, cluster, scales));
-  }
-  for (const PublishedComparison& c : compare_with_published(analysis)) {
+  for (const PublishedComparison& c : compare_with_published(analysis))
     console.out << fmt::format(
         "{}: {} pairs kept in both, {} only here, {} only there; Rand {:.3f}, adjusted {:.3f}\n",
         c.table, c.kept_in_both, c.kept_only_here, c.kept_only_there, c.rand, c.adjusted_rand);
-  }
   if (analysis.impressions.simulated) console.out << "simulated ratings\n";
   console.out << folder.string() << '\n';
 }
@@ -118,20 +114,18 @@ ordered_json as_json(const Analysis& analysis, const ScaleSet& scales, const fs:
   ordered_json clusters = ordered_json::array();
   for (const ScaleCluster& cluster : analysis.clusters) {
     ordered_json members = ordered_json::array();
-    for (const int row : cluster.members) {
+    for (const int row : cluster.members)
       members.push_back(analysis.impressions.scales[static_cast<size_t>(row)]);
-    }
     clusters.push_back({{"name", cluster.name},
                         {"scales", members},
                         {"around", central_words(analysis, cluster, scales)}});
   }
   ordered_json published = ordered_json::array();
-  for (const PublishedComparison& c : compare_with_published(analysis)) {
+  for (const PublishedComparison& c : compare_with_published(analysis))
     published.push_back({{"table", c.table},
                          {"kept_in_both", c.kept_in_both},
                          {"rand", c.rand},
                          {"adjusted_rand", c.adjusted_rand}});
-  }
   return {{"folder", folder.string()},
           {"ratings", analysis.impressions.simulated ? "simulated" : "given"},
           {"scales", analysis.quantities.size()},
@@ -152,7 +146,7 @@ fs::path folder_for(const AnalyzeOptions& options) {
 void show_corrections(const Calibration& calibration, const fs::path& folder,
                       const Console& console) {
   if (calibration.simulated) console.out << "simulated ratings\n";
-  for (const Correction& c : calibration.corrections) {
+  for (const Correction& c : calibration.corrections)
     console.out
         << (c.is_usable()
                 ? fmt::format(
@@ -161,7 +155,6 @@ void show_corrections(const Calibration& calibration, const fs::path& folder,
                 : fmt::format("{}: ratings did not increase with the requested value ({} stimuli); "
                               "no correction possible\n",
                               c.parameter, c.stimuli));
-  }
   console.out << folder.string() << '\n';
 }
 

@@ -12,7 +12,6 @@
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/manifest.h"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/safe_name.h"
-#include "pipeline/base/documents/p_value.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/study/matching/matching_tables.h"
+#include "pipeline/study/matching/matching_report.h"
 
 namespace mien::pipeline {
 
@@ -56,52 +55,43 @@ void show_text(const MatchingEvaluation& evaluation, const Console& console) {
   for (const std::string& target : evaluation.targets) show_of(target);
 }
 
-/// A number, or null where it is not known.
-ordered_json number_json(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json();
-}
-
-/// A number; text where it is too small for one.
+/// A number, which JSON writes as null where it is not known; text where it is too small for one.
 ordered_json p_json(double p) {
-  if (std::isnan(p)) return {};
   const std::string text = p_of_table(p);
   return text.starts_with('<') ? ordered_json(text) : ordered_json(p);
 }
 
 ordered_json as_json(const MatchingEvaluation& evaluation, bool simulated, const fs::path& folder) {
   ordered_json means = ordered_json::array();
-  for (const MatchingMean& m : evaluation.means) {
+  for (const MatchingMean& m : evaluation.means)
     means.push_back({{"measure", name_of(m.measure)},
                      {"interface", m.interface},
                      {"target", target_text(m.target)},
                      {"n", m.n},
                      {"mean", m.mean},
-                     {"sd", number_json(m.sd)}});
-  }
+                     {"sd", m.sd}});
   ordered_json shares = ordered_json::array();
-  for (const MatchingShare& s : evaluation.shares) {
+  for (const MatchingShare& s : evaluation.shares)
     shares.push_back({{"interface", s.interface},
                       {"target", target_text(s.target)},
                       {"guesses", s.guesses},
                       {"near_guesses", s.near_guesses},
                       {"trials", s.trials},
                       {"failures", s.failures}});
-  }
   ordered_json comparisons = ordered_json::array();
-  for (const MatchingComparison& c : evaluation.comparisons) {
+  for (const MatchingComparison& c : evaluation.comparisons)
     comparisons.push_back({{"measure", name_of(c.measure)},
                            {"first", c.first},
                            {"second", c.second},
                            {"target", target_text(c.target)},
                            {"participants", c.exact.pairs},
                            {"mean_difference", c.difference.mean},
-                           {"low_90", number_json(c.difference.low(0.9))},
-                           {"high_90", number_json(c.difference.high(0.9))},
+                           {"low_90", c.difference.low(0.9)},
+                           {"high_90", c.difference.high(0.9)},
                            {"p_paper", p_json(c.paper.p)},
                            {"p_paper_holm", p_json(c.paper_holm)},
                            {"p_exact", p_json(c.exact.p)},
                            {"p_exact_holm", p_json(c.exact_holm)}});
-  }
   return {{"folder", folder.string()},
           {"sessions", simulated ? "simulated" : "given"},
           {"means", means},

@@ -10,9 +10,8 @@
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/live/live_script.h"
-#include "pipeline/study/matching/experiment/matching_export.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {

@@ -6,9 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/study/analysis/feature_clusters.h"

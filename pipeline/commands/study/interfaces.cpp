@@ -7,10 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
-#include "pipeline/study/matching/simulated_chart.h"
 #include "pipeline/study/matching/simulated_evaluation.h"
 
 namespace mien::pipeline {
@@ -46,11 +44,9 @@ void write_all(const fs::path& folder, const std::vector<InterfaceResult>& resul
                const Console& console) {
   write_tables(folder, {results_table(results), summary_table(summaries)});
   std::vector<motion::InterpolationMethod> methods;
-  for (const InterfaceSummary& s : summaries) {
-    if (std::find(methods.begin(), methods.end(), s.method) == methods.end()) {
+  for (const InterfaceSummary& s : summaries)
+    if (std::find(methods.begin(), methods.end(), s.method) == methods.end())
       methods.push_back(s.method);
-    }
-  }
   for (const motion::InterpolationMethod method : methods) {
     std::vector<InterfaceSummary> own;
     std::copy_if(summaries.begin(), summaries.end(), std::back_inserter(own),
@@ -75,9 +71,8 @@ int evaluate(InterfacesCommand command, const Console& console) {
       evaluate_interfaces(repertoire, targets, manifest.interpolation, command.evaluation);
   const auto summaries = summarise(results);
   show(summaries, console);
-  if (!command.out.empty()) {
+  if (!command.out.empty())
     write_all(command.out, results, summaries, command.evaluation.threshold, console);
-  }
   return exit_done;
 }
 

@@ -3,38 +3,11 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
-#include "pipeline/production/run/run.h"
-#include "pipeline/tasks/progress.h"
-#include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Throws for the first task that failed.
-void make_study(Production& production, const fs::path& folder,
-                const ProductionArguments& arguments, const Console& console) {
-  RunResult result;
-  {
-    Progress progress(console.err, console.err_is_terminal, production.graph(),
-                      glance(production.graph(), folder), steady_seconds);
-    result = run(production, folder, jobs_of(arguments), console.stop, progress.observer());
-  }
-  if (result.was_interrupted) throw Interrupted{};
-  for (const TaskOutcome& outcome : result.outcomes) {
-    if (outcome.state != TaskState::failed) continue;
-    if (outcome.is_bad_input)
-      throw Error({outcome.error}, "the study cannot be made", "see mien run for all faults");
-    throw std::runtime_error(outcome.error);
-  }
-}
-
-}  // namespace
-
 MadeQuestionnaire made_questionnaire(const ProductionArguments& arguments, const Console& console) {
-  const fs::path file = manifest_meant(arguments.manifest, console);
+  const std::filesystem::path file = manifest_meant(arguments.manifest, console);
   Manifest manifest = load_manifest(file, process_environment(), arguments.out);
   questionnaire_of(manifest);
   ProductionArguments shown = arguments;

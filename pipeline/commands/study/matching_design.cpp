@@ -10,9 +10,8 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
-#include "pipeline/study/matching/experiment/starting_distance.h"
 #include "pipeline/study/questionnaire/balance.h"
-#include "pipeline/study/questionnaire/latin_square.h"
+#include "pipeline/study/questionnaire/orders.h"
 
 namespace mien::pipeline {
 

@@ -6,11 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/matching/method_comparison.h"
-#include "pipeline/study/matching/primary_parameters.h"
+#include "pipeline/study/matching/target_sampling.h"
 
 namespace mien::pipeline {
 
@@ -31,11 +30,10 @@ void show(const std::vector<MethodTrial>& trials, bool simulated, const Console&
   if (simulated) console.out << "Simulated ratings.\n\n";
   console.out << fmt::format("{:17} {:>10} {:>11} {:>7} {:>9} {:>8} {:>10}\n", "method",
                              "mean error", "worst error", "jump", "examples", "D (m)", "time (ms)");
-  for (const MethodTrial& t : trials) {
+  for (const MethodTrial& t : trials)
     console.out << fmt::format("{:17} {:10.4f} {:11.4f} {:7.3f} {:9.1f} {:8.4f} {:10.3f}\n",
                                motion::name_of(t.method), t.mean_error, t.worst_error, t.jump,
                                t.mean_examples, t.mean_distance, 1000.0 * t.seconds);
-  }
 }
 
 int compare(MethodsCommand command, const Console& console) {

@@ -10,10 +10,9 @@
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/production/synthesis/parameter_label.h"
 #include "pipeline/study/analysis/feature_regression.h"
 
@@ -130,12 +129,10 @@ void show_checks(const FeatureRegression& regression, const Console& console) {
                              regression.simulated ? ", simulated ratings" : "");
   console.out << fmt::format("{:22} {:>9} {:>8} {:>8} {:>8}\n", "parameter", "excluded", "error",
                              "of mean", "R²");
-  for (const ParameterRegression& parameter : regression.parameters) {
-    for (const PredictionCheck& check : parameter.checks) {
+  for (const ParameterRegression& parameter : regression.parameters)
+    for (const PredictionCheck& check : parameter.checks)
       console.out << fmt::format("{:22} {:>9} {:8.3f} {:8.3f} {:8.2f}\n", check.parameter,
                                  check.left_out, check.rmse, check.mean_rmse, check.r_squared);
-    }
-  }
   console.out
       << "\nErrors (RMS) are proportions of the scale; \"of mean\" is the error of predicting the "
          "mean of the\nothers. R² at or below 0: the features do not predict the ratings.\n";
@@ -144,11 +141,10 @@ void show_checks(const FeatureRegression& regression, const Console& console) {
 void show_predictions(const std::vector<Unrated>& motions, const Console& console) {
   for (const Unrated& motion : motions) {
     console.out << '\n' << motion.name << '\n';
-    for (const Prediction& p : motion.predictions) {
+    for (const Prediction& p : motion.predictions)
       console.out << fmt::format("  {:22} {:5.2f}  90 %: {:5.2f} to {:5.2f}{}\n", p.parameter,
                                  p.value, p.low, p.high,
                                  p.extrapolated ? "  beyond the examples" : "");
-    }
   }
 }
 
@@ -172,9 +168,8 @@ int show_prediction(const PredictOptions& options, const Console& console) {
   const std::vector<Unrated> motions = predicted_motions(options, repertoire, regression, console);
   show_checks(regression, console);
   show_predictions(motions, console);
-  if (!options.out.empty()) {
+  if (!options.out.empty())
     write_predictions(options.out, motions, regression, repertoire.scales, console);
-  }
   return exit_done;
 }
 

@@ -15,14 +15,13 @@
 
 #include "motion/text/excerpt.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 #include "pipeline/study/results/answer_files.h"
-#include "pipeline/study/results/people_counted.h"
+#include "pipeline/study/results/gathered_answers.h"
 #include "pipeline/study/results/report/results_report.h"
 
 namespace mien::pipeline {

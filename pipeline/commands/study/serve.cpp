@@ -14,7 +14,6 @@
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/page/served_page.h"
 #include "pipeline/study/questionnaire/service/collected_answers.h"

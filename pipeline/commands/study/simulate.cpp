@@ -9,12 +9,11 @@
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/synthesis/repertoire.h"
-#include "pipeline/study/matching/experiment/simulated_matching.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {

@@ -7,12 +7,11 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/study/study_subject.h"
-#include "pipeline/study/matching/experiment/starting_distance.h"
-#include "pipeline/study/matching/primary_parameters.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/matching/target_manifest.h"
+#include "pipeline/study/matching/target_sampling.h"
 
 namespace mien::pipeline {
 
@@ -32,13 +31,11 @@ struct TargetsCommand {
 TargetSet sampled(const TargetsCommand& command, const Repertoire& repertoire) {
   TargetSet set;
   set.are_features = command.kind == "features";
-  if (!set.are_features && repertoire.parameters.names.empty()) {
+  if (!set.are_features && repertoire.parameters.names.empty())
     throw Error("the examples have no ratings", "give --ratings, or sample --from features");
-  }
   set.parameters = command.parameters;
-  if (set.parameters.empty()) {
+  if (set.parameters.empty())
     set.parameters = set.are_features ? primary_features() : primary_adjectives(repertoire);
-  }
   const ParameterTable& table =
       set.are_features ? repertoire.features.table : repertoire.parameters;
   set.seed = command.sampling.seed;

@@ -7,7 +7,7 @@
 #include <fmt/ostream.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/ratings/answers/word_answers.h"
@@ -72,10 +72,9 @@ void tell_coverage(const WordAnswers& words, std::ostream& out) {
                percent(language.understood, language.answers), language.modifiers_understood,
                language.modifiers, percent(language.modifiers_understood, language.modifiers));
   }
-  for (const WordCount& language : words.left_out) {
+  for (const WordCount& language : words.left_out)
     fmt::print(out, "excluded: {} answers in \"{}\", a language not in the lexicon\n",
                language.count, language.text);
-  }
 }
 
 void tell_stimuli(const WordAnswers& words, std::ostream& out) {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "motion/lint/lint.h"
-#include "pipeline/base/drawing/axis.h"
+#include "pipeline/base/drawing/plot.h"
 
 namespace mien::pipeline {
 

@@ -143,11 +143,10 @@ std::vector<BodyShare> body_shares(const render::Image8& picture_before,
     }
   }
   std::vector<BodyShare> shares;
-  for (std::size_t j = 0; j < moved.size(); ++j) {
+  for (std::size_t j = 0; j < moved.size(); ++j)
     if (by_part[j] > 0.0)
       shares.push_back(
           {motion::part_name(static_cast<motion::BodyJoint>(j)), by_part[j] / all, moved[j]});
-  }
   std::ranges::stable_sort(shares, std::greater{}, &BodyShare::share);
   if (by_part.back() > 0.0) shares.push_back({"", by_part.back() / all, 0.0});
   return shares;

@@ -1,10 +1,9 @@
-#include "pipeline/regression/comparison/compared_containers.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "pipeline/regression/comparison/compared_media.h"
 #include "pipeline/regression/comparison/told_apart.h"
 
 namespace mien::pipeline {

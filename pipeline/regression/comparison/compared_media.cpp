@@ -13,13 +13,10 @@
 
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
-#include "pipeline/regression/comparison/compared_containers.h"
 #include "pipeline/regression/comparison/frame_alignment.h"
-#include "pipeline/regression/comparison/mirroring.h"
 #include "pipeline/tasks/bounded_queue.h"
 #include "render/image/channels.h"
 #include "render/image/tone.h"
-#include "render/video/video.h"
 
 namespace mien::pipeline {
 
@@ -159,10 +156,9 @@ Glimpse glimpse_of(const fs::path& media) {
   if (glimpse.frames.empty())
     throw Error({media.string()}, "contains no image",
                 "name an image, a video or a folder of images");
-  if (fs::is_directory(media)) {
+  if (fs::is_directory(media))
     for (const fs::path& picture : pictures_in(media))
       glimpse.names.push_back(picture.filename().string());
-  }
   return glimpse;
 }
 
@@ -200,9 +196,8 @@ class FrameStream {
   /// That frame; those before it are passed over.
   render::Image8 frame(int wanted) {
     std::pair<int, render::Image8> next;
-    while (queue_.pop(next)) {
+    while (queue_.pop(next))
       if (next.first == wanted) return std::move(next.second);
-    }
     if (failure_) std::rethrow_exception(failure_);
     throw std::runtime_error("a frame disappeared during the comparison");
   }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/regression/comparison/frame_comparison.h"
+#include "render/video/video.h"
 
 namespace mien::pipeline {
 
@@ -43,5 +44,12 @@ ComparedMedia compared_media(const std::filesystem::path& before, const std::fil
 
 std::string as_text(const ComparedMedia& media);
 nlohmann::ordered_json as_json(const ComparedMedia& media);
+
+/// What two files of videos say beside their pixels. `seen` gets what people see: frames at other
+/// moments, another duration (both to the unit of time of the two containers: Matroska counts
+/// milliseconds), colours that are shown otherwise. `kept` gets what nobody sees: codec and pixel
+/// format.
+void compare_containers(const render::VideoSummary& before, const render::VideoSummary& now,
+                        std::vector<std::string>& seen, std::vector<std::string>& kept);
 
 }  // namespace mien::pipeline

@@ -56,7 +56,7 @@ std::string as_text(const ComparedMedia& media) {
 
 nlohmann::ordered_json as_json(const ComparedMedia& media) {
   nlohmann::ordered_json worst = nlohmann::ordered_json::array();
-  for (const FrameComparison& frame : media.worst) {
+  for (const FrameComparison& frame : media.worst)
     worst.push_back({{"frame", frame.frame},
                      {"name", frame.name},
                      {"rms", frame.difference.rms},
@@ -64,7 +64,6 @@ nlohmann::ordered_json as_json(const ComparedMedia& media) {
                      {"flip_mean", frame.perceived.mean},
                      {"flip_max", frame.perceived.largest},
                      {"ssim", frame.similarity}});
-  }
   nlohmann::ordered_json json = {{"before", media.before},
                                  {"now", media.now},
                                  {"alike", media.are_alike()},

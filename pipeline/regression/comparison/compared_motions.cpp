@@ -1,7 +1,5 @@
 #include "pipeline/regression/comparison/compared_motions.h"
 
-#include <string>
-
 #include "motion/error.h"
 #include "motion/examples/make_example.h"
 #include "motion/formats/motion_file.h"

@@ -126,14 +126,12 @@ bool are_of_the_film(Stretch missing, Stretch added, const std::vector<Thumbnail
                      const std::vector<Thumbnail>& now, double step) {
   for (int frame = added.begin; frame < added.end; ++frame) {
     const Thumbnail& picture = now[static_cast<std::size_t>(frame)];
-    for (const int beside : {frame - 1, frame + 1}) {
+    for (const int beside : {frame - 1, frame + 1})
       if (beside >= 0 && beside < static_cast<int>(now.size()) &&
           distance(now[static_cast<std::size_t>(beside)], picture) < 0.25 * step)
         return true;
-    }
-    for (int other = missing.begin; other < missing.end; ++other) {
+    for (int other = missing.begin; other < missing.end; ++other)
       if (distance(before[static_cast<std::size_t>(other)], picture) < 0.5 * step) return true;
-    }
   }
   return false;
 }
@@ -167,6 +165,11 @@ void pair_changed(FrameAlignment& alignment, const std::vector<Thumbnail>& befor
 std::string name_told(int frame, const std::vector<std::string>& names) {
   const auto i = static_cast<std::size_t>(frame);
   return i < names.size() ? " (" + names[i] + ")" : "";
+}
+
+/// "frame 36 (f37.png)"; without names "frame 36".
+std::string frame_told(int frame, const std::vector<std::string>& names) {
+  return fmt::format("frame {}{}", frame, name_told(frame, names));
 }
 
 /// "frame 37 is missing", "frames 3 to 32 are missing": a line for frames in a row.
@@ -226,10 +229,6 @@ Thumbnail thumbnail_of(const render::Image8& picture) {
   return render::resized(picture, std::min(thumbnail_width, picture.width),
                          std::min(thumbnail_height, picture.height))
       .channels;
-}
-
-std::string frame_told(int frame, const std::vector<std::string>& names) {
-  return fmt::format("frame {}{}", frame, name_told(frame, names));
 }
 
 FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/image/image.h"
@@ -35,9 +36,6 @@ struct FrameNames {
   std::vector<std::string> now;
 };
 
-/// "frame 36 (f37.png)"; without names "frame 36".
-std::string frame_told(int frame, const std::vector<std::string>& names);
-
 /// The cheapest way from one to the other by leaving frames out and putting frames in. Both
 /// together cost nine tenths of the usual difference of two frames beside each other, and four
 /// times that of frames which show the same (encoded otherwise, for instance). Frames are not
@@ -46,5 +44,19 @@ std::string frame_told(int frame, const std::vector<std::string>& names);
 /// their places, and are pairs too, unless one repeats its neighbour or is exchanged.
 FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
                      const FrameNames& names = {});
+
+/// How a whole picture lies otherwise than another.
+enum class Mirroring { none, left_right, upside_down, half_turn };
+
+/// "mirrored: left and right are exchanged"; empty for none.
+std::string_view name_of(Mirroring mirroring);
+
+/// Each is undone by itself.
+render::Image8 mirrored(const render::Image8& picture, Mirroring mirroring);
+
+/// How the second sequence lies, of thumbnails of so many pixels: as the first unless its frames
+/// are at most a quarter as far from it when they are mirrored, frame by frame.
+Mirroring mirroring_of(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
+                       int width, int height);
 
 }  // namespace mien::pipeline

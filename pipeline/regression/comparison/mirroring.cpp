@@ -1,7 +1,7 @@
-#include "pipeline/regression/comparison/mirroring.h"
-
 #include <algorithm>
 #include <cstdlib>
+
+#include "pipeline/regression/comparison/frame_alignment.h"
 
 namespace mien::pipeline {
 

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "motion/measures/differences/difference_sentence.h"
 #include "pipeline/regression/comparison/compared_motions.h"
 
@@ -111,15 +109,13 @@ ordered_json as_json(const motion::LintChange& change) {
           {"sentence", change.finding.sentence}};
 }
 
+/// Values that are not known are written as null.
 ordered_json as_json(const motion::FeatureDifference& change) {
   const motion::MotionFeature& feature =
       motion::motion_features()[static_cast<std::size_t>(change.feature)];
-  const auto number = [](double value) {
-    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-  };
   return {{"feature", feature.id},
-          {"before", number(change.before)},
-          {"now", number(change.now)},
+          {"before", change.before},
+          {"now", change.now},
           {"unit", motion::symbol_of(feature.unit)},
           {"notable", change.is_notable()}};
 }

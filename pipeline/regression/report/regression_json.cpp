@@ -28,11 +28,10 @@ nlohmann::ordered_json as_json(const FrameComparison& frame) {
 
 nlohmann::ordered_json as_json(const motion::MotionDifference& motion) {
   nlohmann::ordered_json joints = nlohmann::ordered_json::object();
-  for (const motion::JointDifference& joint : motion.joints) {
+  for (const motion::JointDifference& joint : motion.joints)
     joints[joint.part] = {{"most_m", motion::peak_of(joint.point_m).value},
                           {"most_turn_rad", motion::peak_of(joint.turn_radians).value},
                           {"does_it_itself", joint.differs_itself()}};
-  }
   nlohmann::ordered_json json = {{"mpjpe_m", motion.errors.mpjpe},
                                  {"pa_mpjpe_m", motion.errors.pa_mpjpe}};
   if (motion.body) json["d_m"] = motion.body->d_m;
@@ -73,12 +72,11 @@ nlohmann::ordered_json as_json(const Regression& regression) {
   nlohmann::ordered_json counts = nlohmann::ordered_json::object();
   for (const auto& [word, verdict] : verdict_words) counts[word] = regression.count(verdict);
   nlohmann::ordered_json groups = nlohmann::ordered_json::array();
-  for (const CauseGroup& group : regression.groups) {
+  for (const CauseGroup& group : regression.groups)
     groups.push_back({{"cause", name_of(group.cause)},
                       {"root", group.root},
                       {"differs", group.differs},
                       {"stimuli", group.ids}});
-  }
   nlohmann::ordered_json stimuli = nlohmann::ordered_json::array();
   for (const StimulusComparison& one : regression.stimuli) stimuli.push_back(as_json(one));
   return {{"study", regression.study},

@@ -10,7 +10,6 @@
 #include "pipeline/base/documents/html.h"
 #include "pipeline/regression/report/regression_texts.h"
 #include "pipeline/regression/report/report_pictures.h"
-#include "pipeline/regression/report/report_stimulus.h"
 
 #include "embedded/regression_css.h"
 
@@ -57,9 +56,8 @@ std::string lone_picture(const char* words, const std::filesystem::path& file, i
 std::string lone_pictures(const StimulusComparison& one, const ComparedPictures* pictures) {
   constexpr int most_width = 640;
   std::vector<int> frames;
-  for (const FrameComparison& frame : one.frames) {
+  for (const FrameComparison& frame : one.frames)
     if (!frame.same && !frame.same_size) frames.push_back(frame.frame);
-  }
   if (pictures == nullptr || frames.empty()) return "";
   const int middle = frames[frames.size() / 2];
   return fmt::format("<div class=\"lone\">\n{}{}</div>\n",
@@ -122,12 +120,9 @@ std::string causes_section(const std::vector<CauseGroup>& groups) {
 /// Those that differ before those that are alike.
 std::vector<const StimulusComparison*> in_order(const Regression& regression) {
   std::vector<const StimulusComparison*> order;
-  for (const Verdict verdict :
-       {Verdict::differs, Verdict::appeared, Verdict::gone, Verdict::alike}) {
-    for (const StimulusComparison& one : regression.stimuli) {
+  for (const Verdict verdict : {Verdict::differs, Verdict::appeared, Verdict::gone, Verdict::alike})
+    for (const StimulusComparison& one : regression.stimuli)
       if (one.verdict == verdict) order.push_back(&one);
-    }
-  }
   return order;
 }
 

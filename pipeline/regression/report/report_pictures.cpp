@@ -40,9 +40,8 @@ PictureSizes sizes_of(const Regression& regression, const ComparedPictures& pict
 
 std::vector<const FrameComparison*> shown_frames(const StimulusComparison& one, bool every_frame) {
   std::vector<const FrameComparison*> frames;
-  for (const FrameComparison& frame : one.frames) {
+  for (const FrameComparison& frame : one.frames)
     if (!frame.same && frame.same_size) frames.push_back(&frame);
-  }
   if (every_frame || frames.empty()) return frames;
   return {*std::ranges::max_element(
       frames, {}, [](const FrameComparison* frame) { return frame->perceived.mean; })};

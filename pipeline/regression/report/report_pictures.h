@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "pipeline/regression/compared_pictures.h"
+#include "pipeline/regression/comparer.h"
 #include "pipeline/regression/comparison.h"
 #include "pipeline/regression/regression.h"
 
@@ -30,5 +33,15 @@ std::vector<const FrameComparison*> shown_frames(const StimulusComparison& one, 
 
 /// A PNG as an address that holds all of it. Throws what reading and writing do.
 std::string picture_uri(const std::filesystem::path& file, int most_width);
+
+/// Key frames of a stimulus for the page's script: what was measured, and the pictures. An empty
+/// list where none is shown. Throws what reading does.
+nlohmann::ordered_json frames_json(const StimulusComparison& one, const ComparedPictures& pictures,
+                                   const ReportPictures& chosen);
+
+/// Both motions of a stimulus and their distances for the page's script. World places of joints,
+/// frame by frame, are 16-bit numbers, little end first, in base64, in steps of so many
+/// millimetres; distances are in millimetres. `one.motion` is known. Throws what reading does.
+nlohmann::ordered_json motion_json(const StimulusComparison& one, const ComparedStudy& study);
 
 }  // namespace mien::pipeline

@@ -1,10 +1,9 @@
-#include "pipeline/regression/report/report_stimulus.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "pipeline/base/documents/html.h"
 #include "pipeline/regression/approved_frames.h"
+#include "pipeline/regression/report/report_pictures.h"
 
 namespace mien::pipeline {
 
@@ -24,10 +23,9 @@ ReportJson shares_json(const std::vector<BodyShare>& shares) {
 
 double farthest_m(const JointPaths& paths) {
   double farthest = 0.0;
-  for (const std::vector<motion::Vec3>& joints : paths) {
+  for (const std::vector<motion::Vec3>& joints : paths)
     for (const motion::Vec3& joint : joints)
       farthest = std::max(farthest, joint.cwiseAbs().maxCoeff());
-  }
   return farthest;
 }
 
@@ -56,9 +54,8 @@ ReportJson curve_json(const std::vector<double>& metres) {
 
 ReportJson bones_json(const motion::Skeleton& skeleton) {
   ReportJson bones = ReportJson::array();
-  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
     if (skeleton.joints[j].parent >= 0) bones.push_back({skeleton.joints[j].parent, j});
-  }
   return bones;
 }
 

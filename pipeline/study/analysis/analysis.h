@@ -8,6 +8,7 @@
 #include "pipeline/base/statistics/partition.h"
 #include "pipeline/base/statistics/ward.h"
 #include "pipeline/manifest/ratings/answers/study_answers.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 #include "pipeline/study/analysis/quantification.h"
 
 namespace mien::pipeline {
@@ -50,5 +51,13 @@ struct Analysis {
 /// name that is empty, there twice or a scale's.
 Analysis analyse(const StudyAnswers& answers, const ScaleSet& scales,
                  const std::vector<RatedExample>& examples, const AnalysisOptions& options);
+
+/// Names the clusters of an analysis (analysis.h says how). Throws Error.
+void name_clusters(Analysis& analysis, const ScaleSet& scales,
+                   const std::vector<std::string>& given);
+
+/// The ends of a cluster's most central scales, for a person who looks for a name: "fast, quick".
+std::string central_words(const Analysis& analysis, const ScaleCluster& cluster,
+                          const ScaleSet& scales, int words = 3);
 
 }  // namespace mien::pipeline

@@ -5,12 +5,11 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/impressions.h"
-#include "pipeline/study/analysis/analysis_tables.h"
 #include "pipeline/study/analysis/published_clusters.h"
+#include "pipeline/study/analysis/quantification.h"
 #include "pipeline/study/analysis/scales_yaml.h"
-#include "pipeline/study/analysis/threshold_chart.h"
 
 namespace mien::pipeline {
 
@@ -47,9 +46,8 @@ Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales) {
     const std::string& id = analysis.impressions.scales[static_cast<size_t>(row)];
     d.leaves.push_back(name_of(*find_scale(scales, id)));
   }
-  for (const ScaleCluster& cluster : analysis.clusters) {
+  for (const ScaleCluster& cluster : analysis.clusters)
     d.clusters.push_back({cluster.name, cluster.japanese});
-  }
   d.simulated = analysis.impressions.simulated;
   return d;
 }

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
+#include "pipeline/base/documents/table.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 #include "pipeline/study/analysis/analysis.h"
 #include "pipeline/study/analysis/dendrogram.h"
 
@@ -17,5 +20,16 @@ Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales);
 /// file cannot be written.
 void write_analysis(const Analysis& analysis, const ScaleSet& scales, const Thresholds& thresholds,
                     const std::filesystem::path& folder);
+
+// The results of an analysis as tidy CSV: one row an observation.
+
+WrittenTable quantification_table(const Analysis& analysis, const ScaleSet& scales);
+WrittenTable thresholds_table(const Analysis& analysis, const ScaleSet& scales,
+                              const Thresholds& thresholds);
+WrittenTable linkage_table(const Analysis& analysis);
+WrittenTable clusters_table(const Analysis& analysis);
+WrittenTable primary_table(const Analysis& analysis);
+WrittenTable agreement_table(const Analysis& analysis);
+WrittenTable warnings_table(const std::vector<StudyWarning>& warnings);
 
 }  // namespace mien::pipeline

@@ -1,10 +1,8 @@
-#include "pipeline/study/analysis/analysis_tables.h"
-
 #include <cstddef>
 #include <optional>
 #include <ranges>
 
-#include "pipeline/base/documents/table.h"
+#include "pipeline/study/analysis/analysis_report.h"
 
 namespace mien::pipeline {
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/expectation.h"
 
 namespace mien::pipeline {
@@ -141,10 +140,9 @@ std::set<std::string> other_stimuli(const fs::path& study, const std::vector<Mad
 
 std::vector<RatedExample> stimuli_of(const std::vector<MadeParameter>& made) {
   std::vector<RatedExample> stimuli;
-  for (const MadeParameter& parameter : made) {
+  for (const MadeParameter& parameter : made)
     if (std::ranges::find(stimuli, parameter.stimulus, &RatedExample::name) == stimuli.end())
       stimuli.push_back({parameter.stimulus, ""});
-  }
   return stimuli;
 }
 

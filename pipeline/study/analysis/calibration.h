@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/table.h"
+#include "pipeline/base/drawing/plot.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/manifest/ratings/answers/impressions.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
@@ -75,5 +76,9 @@ WrittenTable calibration_table(const Calibration& calibration);
 
 /// A row a parameter.
 WrittenTable corrections_table(const Calibration& calibration);
+
+/// A panel a parameter: what people saw (with the standard deviation) over what was asked for, what
+/// the blend has, the line of the correction, and the diagonal on which asked is seen.
+Plot calibration_chart(const Calibration& calibration);
 
 }  // namespace mien::pipeline

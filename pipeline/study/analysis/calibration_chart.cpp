@@ -1,9 +1,9 @@
-#include "pipeline/study/analysis/calibration_chart.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "pipeline/study/analysis/calibration.h"
 
 namespace mien::pipeline {
 
@@ -67,11 +67,10 @@ void draw_correction(Canvas& canvas, const Square& square, const Correction& cor
 
 void draw_stimulus(Canvas& canvas, const Square& square, const PerceivedParameter& seen) {
   const double asked = seen.made.asked;
-  if (!std::isnan(seen.deviation)) {
+  if (!std::isnan(seen.deviation))
     canvas.line(square.at(asked, seen.perceived - seen.deviation),
                 square.at(asked, seen.perceived + seen.deviation),
                 {.width = 0.8, .colour = seen_colour});
-  }
   canvas.ring(square.at(asked, seen.made.reached), 3.0, {.width = 1.2, .colour = blend_colour});
   canvas.disc(square.at(asked, seen.perceived), 2.6, seen_colour);
 }
@@ -97,9 +96,8 @@ Plot calibration_chart(const Calibration& calibration) {
       const Square square = square_at(i);
       draw_frame(canvas, square, correction.parameter);
       draw_correction(canvas, square, correction);
-      for (const PerceivedParameter& seen : calibration.stimuli) {
+      for (const PerceivedParameter& seen : calibration.stimuli)
         if (seen.made.parameter == correction.parameter) draw_stimulus(canvas, square, seen);
-      }
     }
   };
   return plot;

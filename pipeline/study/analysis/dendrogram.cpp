@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/drawing/axis.h"
+#include "pipeline/base/drawing/plot.h"
 
 namespace mien::pipeline {
 
@@ -73,10 +73,9 @@ TreeLayout layout_of(const Canvas& canvas, const Dendrogram& d) {
   layout.labels_right = margin + names_width + 12.0 + widest_leaf(canvas, d);
   layout.left = layout.labels_right + 8.0;
   layout.right = page_width - margin - 6.0;
-  if (!d.linkage.merges.empty() && d.linkage.merges.back().height > 0.0) {
+  if (!d.linkage.merges.empty() && d.linkage.merges.back().height > 0.0)
     layout.highest =
         std::max(1.04 * d.linkage.merges.back().height, cut_height(d.linkage, d.partition.groups));
-  }
   return layout;
 }
 
@@ -126,10 +125,9 @@ void draw_clusters(Canvas& canvas, const Dendrogram& d, const TreeLayout& layout
                              .align = Align::right,
                              .max_width = names_width - 8.0};
     canvas.text({rows.right() - 7.0, two_lines ? middle - 5.5 : middle}, name.english, style);
-    if (two_lines) {
+    if (two_lines)
       canvas.text({rows.right() - 7.0, middle + 6.5}, name.japanese,
                   {.size = 8.0, .colour = quiet_ink, .align = Align::right});
-    }
   }
 }
 

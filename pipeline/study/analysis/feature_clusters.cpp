@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "pipeline/base/documents/table.h"
 
 namespace mien::pipeline {
 
@@ -21,9 +20,8 @@ const motion::MotionFeature& feature_of(const std::string& id) {
 Partition published_partition(const std::vector<std::string>& features) {
   Partition partition;
   partition.groups = motion::feature_group_count;
-  for (const std::string& id : features) {
+  for (const std::string& id : features)
     partition.group.push_back(static_cast<int>(feature_of(id).group));
-  }
   return partition;
 }
 
@@ -62,9 +60,8 @@ std::vector<std::string> names_of(const Partition& found, const Partition& publi
     names[static_cast<std::size_t>(cluster)] =
         motion::id_of(static_cast<motion::FeatureGroup>(group));
   }
-  for (std::size_t c = 0; c < names.size(); ++c) {
+  for (std::size_t c = 0; c < names.size(); ++c)
     if (names[c].empty()) names[c] = fmt::format("cluster-{}", c + 1);
-  }
   return names;
 }
 
@@ -144,10 +141,9 @@ FeatureClusters cluster_features(const FeatureParameters& parameters, int cluste
     result.features.push_back(name);
     rows.push_back(static_cast<int>(r));
   }
-  if (clusters > static_cast<int>(rows.size())) {
+  if (clusters > static_cast<int>(rows.size()))
     throw Error(fmt::format("{} clusters of {} features", clusters, rows.size()),
                 "ask for fewer clusters");
-  }
   result.scaled = parameters.table.values(rows, Eigen::all);
   if (scaling == motion::FeatureScaling::z_score) result.scaled = standardised(result.scaled);
   result.linkage = ward(result.scaled);

@@ -6,7 +6,6 @@
 
 #include "motion/error.h"
 #include "motion/math/percentile.h"
-#include "pipeline/base/documents/table.h"
 #include "pipeline/production/synthesis/parameter_label.h"
 
 namespace mien::pipeline {
@@ -17,9 +16,8 @@ constexpr std::size_t fewest_examples = 4;
 
 Eigen::RowVectorXd chosen(const motion::FeatureValues& values, const std::vector<int>& indices) {
   Eigen::RowVectorXd row(static_cast<Eigen::Index>(indices.size()));
-  for (std::size_t k = 0; k < indices.size(); ++k) {
+  for (std::size_t k = 0; k < indices.size(); ++k)
     row[static_cast<Eigen::Index>(k)] = values[static_cast<std::size_t>(indices[k])];
-  }
   return row;
 }
 
@@ -63,9 +61,8 @@ ParameterRegression fitted(const std::string& parameter, const Eigen::MatrixXd& 
   for (Eigen::Index i = 0; i < observed.size(); ++i) alone.push_back(static_cast<int>(i));
   result.checks.push_back(checked(parameter, "example", predictors, observed, alone));
   const int styles = 1 + *std::max_element(style.begin(), style.end());
-  if (styles > 1 && styles < observed.size()) {
+  if (styles > 1 && styles < observed.size())
     result.checks.push_back(checked(parameter, "style", predictors, observed, style));
-  }
   const bool by_style = result.checks.size() > 1;
   const double penalty = best_penalty(predictors, observed, by_style ? style : alone);
   result.model = fit_ridge(predictors, observed, penalty);
@@ -145,38 +142,33 @@ std::string style_of(const std::string& example) {
 }
 
 FeatureRegression fit_feature_regression(const Repertoire& repertoire) {
-  if (repertoire.parameters.names.empty()) {
+  if (repertoire.parameters.names.empty())
     throw Error("the examples have no ratings for prediction", "give ratings");
-  }
-  if (repertoire.names.size() < fewest_examples) {
+  if (repertoire.names.size() < fewest_examples)
     throw Error("there are too few examples for prediction", "rate four motions or more");
-  }
   FeatureRegression regression;
   regression.simulated = repertoire.simulated_ratings;
   choose_features(regression, repertoire.features);
   number_styles(regression, repertoire.names);
   Eigen::MatrixXd predictors(static_cast<Eigen::Index>(repertoire.names.size()),
                              static_cast<Eigen::Index>(regression.features.size()));
-  for (Eigen::Index i = 0; i < predictors.rows(); ++i) {
+  for (Eigen::Index i = 0; i < predictors.rows(); ++i)
     predictors.row(i) =
         chosen(repertoire.features.values[static_cast<std::size_t>(i)], regression.feature_indices);
-  }
   const ParameterTable& table = repertoire.parameters;
-  for (std::size_t r = 0; r < table.names.size(); ++r) {
+  for (std::size_t r = 0; r < table.names.size(); ++r)
     regression.parameters.push_back(fitted(table.names[r], predictors,
                                            table.values.row(static_cast<Eigen::Index>(r)),
                                            regression.style_of_example));
-  }
   return regression;
 }
 
 std::vector<Prediction> predict(const FeatureRegression& regression,
                                 const motion::FeatureValues& features) {
   const Eigen::RowVectorXd predictors = chosen(features, regression.feature_indices);
-  if (!predictors.allFinite()) {
+  if (!predictors.allFinite())
     throw Error("the motion has no gait cycle, but the rated ones have",
                 "give a walk of one cycle or more");
-  }
   std::vector<Prediction> predictions;
   for (const ParameterRegression& r : regression.parameters) {
     Prediction p;

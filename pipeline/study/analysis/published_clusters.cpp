@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/words/adjective_pairs.h"
 
 namespace mien::pipeline {
@@ -55,9 +54,8 @@ constexpr auto published_columns = table_of<GivenOrSimulated<PublishedComparison
 }  // namespace
 
 std::vector<PublishedComparison> compare_with_published(const Analysis& analysis) {
-  for (const Quantity& q : analysis.quantities) {
+  for (const Quantity& q : analysis.quantities)
     if (find_adjective_pair(q.scale) == nullptr) return {};
-  }
   return {compare(analysis, &AdjectivePair::table_2, "Table 2"),
           compare(analysis, &AdjectivePair::table_3, "Table 3")};
 }

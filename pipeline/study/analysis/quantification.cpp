@@ -27,24 +27,21 @@ Normal normalised(const Quantity& q, const Scale& scale) {
 
 std::vector<Normal> normalised(const std::vector<Quantity>& quantities, const ScaleSet& scales) {
   std::vector<Normal> result;
-  for (const Quantity& q : quantities) {
+  for (const Quantity& q : quantities)
     result.push_back(normalised(q, *find_scale(scales, q.scale)));
-  }
   return result;
 }
 
 /// Factor by which the thresholds must be loosened for this scale to be kept.
 double factor_for(const Normal& q, const Thresholds& thresholds) {
   double factor = 1.0;
-  if (!q.passes_mean(thresholds.largest_mean)) {
+  if (!q.passes_mean(thresholds.largest_mean))
     factor = q.largest_mean > 0.0 ? thresholds.largest_mean / q.largest_mean
                                   : std::numeric_limits<double>::infinity();
-  }
-  if (!q.passes_deviation(thresholds.mean_deviation)) {
+  if (!q.passes_deviation(thresholds.mean_deviation))
     factor = std::max(factor, thresholds.mean_deviation > 0.0
                                   ? q.mean_deviation / thresholds.mean_deviation
                                   : std::numeric_limits<double>::infinity());
-  }
   return factor;
 }
 
@@ -114,10 +111,9 @@ Thresholds loosened(const std::vector<Quantity>& quantities, const Thresholds& t
   loose.largest_mean = std::floor(100.0 * thresholds.largest_mean / factor) / 100.0;
   loose.mean_deviation = std::ceil(100.0 * thresholds.mean_deviation * factor) / 100.0;
   const std::vector<Normal> normals = normalised(quantities, scales);
-  if (std::ranges::all_of(
-          normals, [&](const Normal& q) { return q.passes_mean(thresholds.largest_mean); })) {
+  if (std::ranges::all_of(normals,
+                          [&](const Normal& q) { return q.passes_mean(thresholds.largest_mean); }))
     loose.largest_mean = thresholds.largest_mean;
-  }
   if (std::ranges::all_of(normals, [&](const Normal& q) {
         return q.passes_deviation(thresholds.mean_deviation);
       })) {

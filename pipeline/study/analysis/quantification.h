@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/drawing/plot.h"
 #include "pipeline/manifest/ratings/answers/impressions.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
@@ -55,5 +56,11 @@ std::vector<KeptAt> threshold_curve(const std::vector<Quantity>& quantities,
 /// that no scale misses stays. Those given when they keep so many already.
 Thresholds loosened(const std::vector<Quantity>& quantities, const Thresholds& thresholds,
                     const ScaleSet& scales);
+
+/// How many scales each threshold keeps: a panel a condition, the fine line by the condition alone,
+/// the broad one with the other threshold where it is, the threshold in use as a broken line.
+/// `scales`: how many were rated.
+Plot threshold_chart(const std::vector<KeptAt>& curve, const Thresholds& thresholds, int scales,
+                     bool simulated);
 
 }  // namespace mien::pipeline

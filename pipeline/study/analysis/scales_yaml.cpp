@@ -33,18 +33,15 @@ std::string range_of(double least, double most) {
 
 std::string fields_of(const Scale& scale, const Scale& usual) {
   std::string text = fmt::format("low: {}, high: {}", quoted(scale.low), quoted(scale.high));
-  if (!scale.japanese_low.empty() || !scale.japanese_high.empty()) {
+  if (!scale.japanese_low.empty() || !scale.japanese_high.empty())
     text += fmt::format(", ja: [{}, {}]", quoted(scale.japanese_low), quoted(scale.japanese_high));
-  }
-  if (scale.least != usual.least || scale.most != usual.most) {
+  if (scale.least != usual.least || scale.most != usual.most)
     text += ", range: " + range_of(scale.least, scale.most);
-  }
   if (!scale.loadings.empty()) {
     text += ", loadings: {";
-    for (size_t i = 0; i < scale.loadings.size(); ++i) {
+    for (size_t i = 0; i < scale.loadings.size(); ++i)
       text += fmt::format("{}{}: {}", i > 0 ? ", " : "", scale.loadings[i].first,
                           shortest(scale.loadings[i].second));
-    }
     text += "}";
   }
   return text;
@@ -54,9 +51,7 @@ std::string group_text(const ScaleGroup& group) {
   std::string text = fmt::format("  {}:\n", key_of(group.id));
   if (!group.japanese.empty()) text += fmt::format("    ja: {}\n", quoted(group.japanese));
   text += "    scales:\n";
-  for (const std::string& scale : group.scales) {
-    text += fmt::format("      - {}\n", key_of(scale));
-  }
+  for (const std::string& scale : group.scales) text += fmt::format("      - {}\n", key_of(scale));
   return text;
 }
 
@@ -65,17 +60,15 @@ std::string list_of(const std::vector<std::string>& words) { return nlohmann::js
 std::string language_text(const Language& language) {
   std::string text = fmt::format("  {}:\n", key_of(language.name));
   // The first of them is the name itself.
-  if (language.called.size() > 1) {
+  if (language.called.size() > 1)
     text += fmt::format("    called: {}\n",
                         list_of({language.called.begin() + 1, language.called.end()}));
-  }
   for (const auto& [grade, name] :
        {std::pair(Grade::strengthened, "strengthened"), std::pair(Grade::softened, "softened"),
         std::pair(Grade::negated, "negated")}) {
     std::vector<std::string> words;
-    for (const auto& [word, own] : language.grades) {
+    for (const auto& [word, own] : language.grades)
       if (own == grade) words.push_back(word);
-    }
     if (!words.empty()) text += fmt::format("    {}: {}\n", name, list_of(words));
   }
   return text == fmt::format("  {}:\n", key_of(language.name))
@@ -88,12 +81,10 @@ std::string end_text(const Lexicon& lexicon, const WordMeaning& meaning) {
   std::string text;
   for (const Language& language : lexicon.languages) {
     std::vector<std::string> words;
-    for (const auto& [word, own] : language.words) {
+    for (const auto& [word, own] : language.words)
       if (own == meaning) words.push_back(word);
-    }
-    if (!words.empty()) {
+    if (!words.empty())
       text += fmt::format("      {}: {}\n", key_of(language.name), list_of(words));
-    }
   }
   return text;
 }
@@ -126,9 +117,8 @@ std::string to_yaml(const ScaleSet& set, const std::string& head,
   text += "range: " + range_of(usual.least, usual.most) + "\nscales:\n";
   for (const Scale& scale : set.scales) {
     text += fmt::format("  {}: {{{}}}", key_of(scale.id), fields_of(scale, usual));
-    if (const auto remark = remarks.find(scale.id); remark != remarks.end()) {
+    if (const auto remark = remarks.find(scale.id); remark != remarks.end())
       text += "  # " + remark->second;
-    }
     text += '\n';
   }
   if (!set.groups.empty()) text += "groups:\n";
@@ -141,9 +131,8 @@ std::string clusters_yaml(const Analysis& analysis, const ScaleSet& scales) {
   set.groups.clear();
   for (const ScaleCluster& cluster : analysis.clusters) {
     ScaleGroup group{cluster.name, cluster.japanese, {}};
-    for (const int row : cluster.members) {
+    for (const int row : cluster.members)
       group.scales.push_back(analysis.impressions.scales[static_cast<size_t>(row)]);
-    }
     set.groups.push_back(group);
   }
   std::map<std::string, std::string> remarks;
@@ -156,9 +145,8 @@ std::string clusters_yaml(const Analysis& analysis, const ScaleSet& scales) {
   }
   std::string head = "Scales of a rating study and the clusters derived from its answers.";
   if (analysis.impressions.simulated) head += "\nThe ratings are simulated.";
-  if (analysis.none_kept) {
+  if (analysis.none_kept)
     head += "\nThe thresholds removed all scales; all of them were clustered.";
-  }
   return to_yaml(set, head, remarks);
 }
 

@@ -1,10 +1,8 @@
-#include "pipeline/study/analysis/threshold_chart.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "pipeline/base/drawing/axis.h"
+#include "pipeline/study/analysis/quantification.h"
 
 namespace mien::pipeline {
 
@@ -35,10 +33,9 @@ void draw_axes(Canvas& canvas, const Panel& panel, const std::string& title) {
     canvas.text({left.x - 6.0, left.y + 3.0}, fmt::format("{:g}", tick),
                 {.size = 8.0, .colour = quiet_ink, .align = Align::right});
   }
-  for (const double tick : axis_ticks(most_threshold, 4)) {
+  for (const double tick : axis_ticks(most_threshold, 4))
     canvas.text({panel.at(tick, 0.0).x, panel.plot.bottom() + 13.0}, fmt::format("{:g}", tick),
                 {.size = 8.0, .colour = quiet_ink, .align = Align::centre});
-  }
 }
 
 void draw_curve(Canvas& canvas, const Panel& panel, const std::vector<KeptAt>& curve,

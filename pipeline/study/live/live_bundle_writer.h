@@ -3,8 +3,11 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "motion/live/live_bundle.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 #include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {
@@ -26,5 +29,14 @@ LiveChoice live_choice(const Manifest& manifest);
 /// cannot be blended, there are none, or there is no such stimulus.
 motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,
                                const LiveChoice& choice);
+
+/// A body as pages read it: names, parents, offsets and tips of its joints.
+nlohmann::ordered_json body_info(const motion::Skeleton& body);
+
+/// What pages read first (LiveInfo of pipeline/study/page/src/live/core.ts): body, examples,
+/// sliders with their texts and where the examples lie on the average, targets. `primary`:
+/// adjectives shown at once; empty: the scales' groups, or all where there are none.
+nlohmann::ordered_json live_info(const motion::LiveBundle& bundle, const ScaleSet& scales,
+                                 const std::vector<std::string>& primary);
 
 }  // namespace mien::pipeline

@@ -36,9 +36,8 @@ struct BadRequest {
 };
 
 std::string name_in(const json& value, const char* what) {
-  if (!value.is_string() || value.get_ref<const std::string&>().size() > longest_name) {
+  if (!value.is_string() || value.get_ref<const std::string&>().size() > longest_name)
     throw BadRequest{std::string(what) + " is not a valid name"};
-  }
   return value.get<std::string>();
 }
 
@@ -50,9 +49,8 @@ const json& part(const json& body, const char* name) {
 
 const json& list_part(const json& body, const char* name) {
   const json& list = part(body, name);
-  if (!list.is_array() || list.size() > most_sliders) {
+  if (!list.is_array() || list.size() > most_sliders)
     throw BadRequest{"\"" + std::string(name) + "\" is not a list, or is too long"};
-  }
   return list;
 }
 
@@ -61,9 +59,8 @@ motion::LiveSetting setting_in(const json& body) {
   const auto kind = meaning_of(motion::interface_kinds, name_in(part(body, "kind"), "\"kind\""));
   if (!kind) throw BadRequest{"\"kind\" is none of adjectives, features, weights"};
   setting.kind = *kind;
-  for (const json& slider : list_part(body, "sliders")) {
+  for (const json& slider : list_part(body, "sliders"))
     setting.sliders.push_back(name_in(slider, "a slider"));
-  }
   for (const json& value : list_part(body, "values")) {
     if (!value.is_number()) throw BadRequest{"a value is not a number"};
     setting.values.push_back(value.get<double>());
@@ -117,10 +114,9 @@ motion::Distance LiveMotions::distance(const std::string& target,
 
 HttpResponse LiveMotions::posted(const std::string& what, const std::string& body) {
   const json given = parsed(body);
-  if (what == "distance") {
+  if (what == "distance")
     return bytes_answer(motion::to_message(
         distance(name_in(part(given, "target"), "\"target\""), setting_in(given))));
-  }
   const motion::LiveMotion made = with_core<motion::LiveMotion>([&](motion::LiveCore& core) {
     if (what == "make") return core.make(setting_in(given));
     const std::string name = name_in(part(given, "name"), "\"name\"");
@@ -136,13 +132,11 @@ HttpResponse LiveMotions::answer(const HttpRequest& request, std::span<const std
   if (what == "bundle" && reads) return bytes_answer(motion::to_bytes(bundle_));
   const bool is_made =
       what == "make" || what == "distance" || what == "example" || what == "target";
-  if (!is_made && what != "info" && what != "bundle") {
+  if (!is_made && what != "info" && what != "bundle")
     return http_refusal(404, "not found", "there is nothing with that name", "go back");
-  }
-  if (!is_made || request.method != "POST") {
+  if (!is_made || request.method != "POST")
     return http_refusal(405, "not allowed", "this method is not allowed",
                         is_made ? "use POST" : "use GET");
-  }
   try {
     return posted(what, request.body);
   } catch (const BadRequest& bad) {

@@ -19,7 +19,7 @@ namespace mien::pipeline {
 ///
 /// Routes below wherever the server puts them; `rest` is what follows there:
 ///
-///     GET  info        JSON: what there is to choose from (live_info.h)
+///     GET  info        JSON: what there is to choose from (live_info)
 ///     GET  bundle      the bundle (motion/live/live_bundle.h), for a module in the browser
 ///     POST make        {"kind": "adjectives", "sliders": ["quickness"], "values": [0.7]}
 ///     POST distance    the same with "target": "t1"

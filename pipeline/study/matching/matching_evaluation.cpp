@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "pipeline/base/statistics/exact_number.h"
-#include "pipeline/base/statistics/holm.h"
+#include "pipeline/base/statistics/p_correction.h"
 
 namespace mien::pipeline {
 
@@ -150,23 +150,17 @@ MatchingEvaluation evaluate(const MatchingResults& results) {
   evaluation.threshold_m = results.threshold_m;
   if (results.targets.size() > 1) evaluation.targets = results.targets;
   for (const auto measure : {MatchingMeasure::first_guess_d, MatchingMeasure::time_s}) {
-    for (const std::string& interface : results.interfaces) {
+    for (const std::string& interface : results.interfaces)
       add_means(results, measure, interface, evaluation.means);
-    }
-    for (const auto& targets : {std::vector<std::string>{""}, evaluation.targets}) {
-      for (MatchingComparison& comparison : compare(results, measure, targets)) {
+    for (const auto& targets : {std::vector<std::string>{""}, evaluation.targets})
+      for (MatchingComparison& comparison : compare(results, measure, targets))
         evaluation.comparisons.push_back(std::move(comparison));
-      }
-    }
   }
-  for (const std::string& interface : results.interfaces) {
+  for (const std::string& interface : results.interfaces)
     evaluation.shares.push_back(share_of(results, interface, ""));
-  }
-  for (const std::string& target : evaluation.targets) {
-    for (const std::string& interface : results.interfaces) {
+  for (const std::string& target : evaluation.targets)
+    for (const std::string& interface : results.interfaces)
       evaluation.shares.push_back(share_of(results, interface, target));
-    }
-  }
   return evaluation;
 }
 

@@ -48,13 +48,12 @@ class TrialReader {
     trial.time_s = number(field(time_s_));
     trial.success = success_in(field(success_));
     check_time(trial, field(time_s_));
-    if (!read_.seen.emplace(trial.participant, trial.target, trial.interface).second) {
+    if (!read_.seen.emplace(trial.participant, trial.target, trial.interface).second)
       add(field(participant_),
           fmt::format("participant {} has already matched {} with {}",
                       motion::in_quotes(trial.participant), motion::in_quotes(trial.target),
                       motion::in_quotes(trial.interface)),
           "keep one of the two trials");
-    }
     MatchingResults& results = read_.results;
     if (simulated_ >= 0 && field(simulated_).text != "0") results.simulated = true;
     note(trial.interface, results.interfaces);
@@ -177,9 +176,8 @@ MatchingResults matching_results(const std::vector<CsvTable>& tables, const Matc
     const size_t before = results.trials.size();
     TrialReader reader(table, read);
     for (const auto& row : table.rows) reader.read(row);
-    if (read.faults.empty() && results.trials.size() == before) {
+    if (read.faults.empty() && results.trials.size() == before)
       throw Error({table.file, 0, 0}, "there are no trials", "add a row for each trial");
-    }
   }
   if (!read.faults.empty()) throw Faults(read.faults);
   std::ranges::stable_sort(results.interfaces, {}, place_of_interface);

@@ -8,7 +8,6 @@
 #include "motion/interpolation/blend.h"
 #include "motion/interpolation/reach.h"
 #include "motion/measures/distance/distance.h"
-#include "pipeline/base/documents/table.h"
 #include "pipeline/base/statistics/named_random.h"
 
 namespace mien::pipeline {

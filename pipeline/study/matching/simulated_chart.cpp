@@ -1,11 +1,9 @@
-#include "pipeline/study/matching/simulated_chart.h"
-
 #include <limits>
-#include <string>
 
 #include <fmt/format.h>
 
 #include "pipeline/base/drawing/bar_chart.h"
+#include "pipeline/study/matching/simulated_evaluation.h"
 
 namespace mien::pipeline {
 
@@ -71,9 +69,8 @@ Plot simulated_chart(const std::vector<InterfaceSummary>& summaries, double thre
   std::vector<BarChart> charts = {distance_chart(summaries, threshold_m)};
   for (BarChart& shares : std::vector{
            share_chart(summaries, "First guesses that match", &InterfaceSummary::first_success),
-           share_chart(summaries, "Never matched", &InterfaceSummary::failure)}) {
+           share_chart(summaries, "Never matched", &InterfaceSummary::failure)})
     if (!shares.bars.empty()) charts.push_back(std::move(shares));
-  }
   return bar_charts_plot("Distance to the targets reached with each interface", charts,
                          "Simulated participants  模擬");
 }

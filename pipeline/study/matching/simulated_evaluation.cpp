@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/table.h"
-#include "pipeline/study/matching/primary_parameters.h"
+#include "pipeline/study/matching/target_sampling.h"
 
 namespace mien::pipeline {
 
@@ -141,9 +140,8 @@ constexpr auto summary_columns = table_of<InterfaceSummary>(
 
 std::vector<SliderInterface> interfaces_of(const Repertoire& repertoire) {
   std::vector<SliderInterface> interfaces;
-  if (!repertoire.parameters.names.empty()) {
+  if (!repertoire.parameters.names.empty())
     interfaces.push_back({InterfaceKind::adjectives, primary_adjectives(repertoire)});
-  }
   interfaces.push_back({InterfaceKind::features, primary_features()});
   std::vector<std::string> examples;
   for (const RatedExample& example : repertoire.names) examples.push_back(example.name);
@@ -163,9 +161,8 @@ std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
   for (const motion::InterpolationMethod method : methods) {
     how.weights.method = method;
     std::vector<FittedInterface> fitted;
-    for (const SliderInterface& interface : interfaces) {
+    for (const SliderInterface& interface : interfaces)
       fitted.push_back(fit_interface(interface, how, repertoire));
-    }
     for (const SampledTarget& target : targets) {
       const KnownMotion known = known_motion(target, fitted.front(), how, repertoire);
       for (const FittedInterface& interface : fitted) {

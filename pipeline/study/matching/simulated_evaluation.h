@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/table.h"
+#include "pipeline/base/drawing/plot.h"
 #include "pipeline/production/synthesis/slider_interface.h"
 #include "pipeline/study/matching/simulated_trial.h"
 #include "pipeline/study/matching/target_sampling.h"
@@ -65,5 +66,10 @@ std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& resu
 
 WrittenTable results_table(const std::vector<InterfaceResult>& results);
 WrittenTable summary_table(const std::vector<InterfaceSummary>& summaries);
+
+/// Bars of what the interfaces came to, marked as simulated: D of the nearest slider settings and
+/// of first guesses with ±1 SD and the threshold, success of first guesses, failures (after figures
+/// 7, 8 and 11 of the adjective paper).
+Plot simulated_chart(const std::vector<InterfaceSummary>& summaries, double threshold_m);
 
 }  // namespace mien::pipeline

@@ -29,9 +29,8 @@ class Search {
     true_ = look(settings_);
     trial.first_distance = true_;
     seen_ = seen(true_);
-    for (double step = first_step; step >= last_step && !is_over();) {
+    for (double step = first_step; step >= last_step && !is_over();)
       if (!round(step)) step *= 0.5;
-    }
     trial.distance = true_;
     trial.looks = looks_;
     trial.matched = matches();
@@ -79,10 +78,9 @@ class Search {
   std::vector<Eigen::Index> order() {
     std::vector<std::pair<double, Eigen::Index>> drawn;
     ++rounds_;
-    for (Eigen::Index i = 0; i < settings_.size(); ++i) {
+    for (Eigen::Index i = 0; i < settings_.size(); ++i)
       drawn.emplace_back(
           uniform(user_.seed, fmt::format("{} round {} slider {}", user_.name, rounds_, i)), i);
-    }
     std::sort(drawn.begin(), drawn.end());
     std::vector<Eigen::Index> sliders;
     for (const auto& [number, slider] : drawn) sliders.push_back(slider);

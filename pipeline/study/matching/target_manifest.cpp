@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/reading/manifest_yaml.h"
 
 namespace mien::pipeline {

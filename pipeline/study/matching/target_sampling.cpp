@@ -100,9 +100,8 @@ std::vector<std::size_t> spread(const std::vector<SampledTarget>& pool, std::siz
   std::vector<std::size_t> chosen = {farthest(distances)};
   std::fill(distances.begin(), distances.end(), std::numeric_limits<double>::infinity());
   while (chosen.size() < count) {
-    for (std::size_t i = 0; i < pool.size(); ++i) {
+    for (std::size_t i = 0; i < pool.size(); ++i)
       distances[i] = std::min(distances[i], (pool[i].seen - pool[chosen.back()].seen).norm());
-    }
     chosen.push_back(farthest(distances));
   }
   return chosen;
@@ -115,14 +114,13 @@ std::vector<SampledTarget> sample_targets(const ParameterTable& table,
                                           const TargetOptions& options) {
   const std::vector<SampledTarget> pool = TargetPool(table, parameters, options).targets();
   const auto wanted = static_cast<std::size_t>(options.targets + options.practice);
-  if (pool.size() < wanted) {
+  if (pool.size() < wanted)
     throw Error(fmt::format("only {} of {} random samples are within {:g} of an example{}",
                             pool.size(), most_draws, options.farthest_from_example,
                             options.unreachable == Unreachable::reject
                                 ? " and can be made by a blend of the examples"
                                 : ""),
                 "use fewer parameters, or allow a larger distance");
-  }
   std::vector<SampledTarget> targets;
   std::vector<bool> taken(pool.size(), false);
   for (const std::size_t i : spread(pool, static_cast<std::size_t>(options.targets))) {
@@ -138,6 +136,19 @@ std::vector<SampledTarget> sample_targets(const ParameterTable& table,
     targets.back().id = fmt::format("practice-{}", ++practised);
   }
   return targets;
+}
+
+std::vector<std::string> primary_adjectives(const Repertoire& repertoire) {
+  std::vector<std::string> groups;
+  for (const ScaleGroup& group : repertoire.scales.groups)
+    if (repertoire.parameters.find(group.id) >= 0) groups.push_back(group.id);
+  return groups.empty() ? repertoire.parameters.names : groups;
+}
+
+std::vector<std::string> primary_features() {
+  std::vector<std::string> names = feature_parameter_names();
+  names.resize(motion::feature_group_count);
+  return names;
 }
 
 }  // namespace mien::pipeline

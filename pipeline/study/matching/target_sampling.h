@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "pipeline/manifest/ratings/scales/parameter_table.h"
+#include "pipeline/production/synthesis/repertoire.h"
 
 namespace mien::pipeline {
 
@@ -53,5 +54,12 @@ struct TargetOptions {
 std::vector<SampledTarget> sample_targets(const ParameterTable& table,
                                           const std::vector<std::string>& parameters,
                                           const TargetOptions& options);
+
+/// The parameters that participants of a matching experiment would move: groups of rated scales
+/// or, where there are none, all rated scales.
+std::vector<std::string> primary_adjectives(const Repertoire& repertoire);
+
+/// The four groups of features.
+std::vector<std::string> primary_features();
 
 }  // namespace mien::pipeline

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 
 namespace mien::pipeline {
 
@@ -109,9 +109,8 @@ class Search {
 }  // namespace
 
 bool Likeness::are_alike(std::size_t a, std::size_t b) const {
-  for (std::size_t f = 0; f < factors.size(); ++f) {
+  for (std::size_t f = 0; f < factors.size(); ++f)
     if (!levels[a][f].empty() && levels[a][f] == levels[b][f]) return true;
-  }
   return false;
 }
 
@@ -128,14 +127,11 @@ std::optional<Things> order_apart(const Likeness& likeness, const Things& things
 
 std::string why_none(const Likeness& likeness, const Things& things) {
   const LevelCounts counts = counts_of(likeness, things);
-  for (std::size_t f = 0; f < counts.size(); ++f) {
-    for (const auto& [level, count] : counts[f]) {
-      if (2 * count > things.size() + 1) {
+  for (std::size_t f = 0; f < counts.size(); ++f)
+    for (const auto& [level, count] : counts[f])
+      if (2 * count > things.size() + 1)
         return fmt::format("{} of {} stimuli have {}: {}", count, things.size(),
                            likeness.factors[f], level);
-      }
-    }
-  }
   return "none was found in any attempted order";
 }
 

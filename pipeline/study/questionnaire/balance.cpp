@@ -4,9 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/questionnaire/latin_square.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
 #include "pipeline/study/trials/trial_kind.h"
 
@@ -37,9 +36,8 @@ void count_session(const SessionPlan& plan, Balance& balance) {
 void count_sides(const SessionPlan& plan, Balance& balance) {
   const auto asked = std::ranges::find_if(plan.trials, &Trial::is_analysed);
   if (asked == plan.trials.end() || !asked->kind->form->is_on_scale) return;
-  for (const AskedItem& item : asked->items) {
+  for (const AskedItem& item : asked->items)
     if (item.item != asked->kind->form->item) balance.flipped[item.item] += item.flipped;
-  }
 }
 
 CountRange range_over(const auto& counts, std::size_t possible) {
@@ -62,11 +60,10 @@ void add_latin_sentence(const Manifest& manifest, const Balance& balance, int pa
                         std::vector<std::string>& sentences) {
   if (questionnaire_of(manifest).order.kind != TrialOrder::Kind::latin) return;
   const auto count = static_cast<std::size_t>(balance.most_places);
-  if (count < balance.subjects.size()) {
+  if (count < balance.subjects.size())
     return sentences.push_back(
         "Latin square within each participant's stimuli: positions and order effects are fully "
         "balanced only when all participants see the same stimuli, which is not the case here.");
-  }
   const std::size_t rows = williams_rows(count);
   if (static_cast<std::size_t>(participants) % rows == 0)
     return sentences.push_back(
@@ -188,14 +185,12 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
                   shown(follows_range(balance), "times")),
       fmt::format("Every pair of {} co-occurs in {}.", form.stimuli > 1 ? "pairs" : "stimuli",
                   shown(together_range(balance), "sessions"))};
-  if (!balance.flipped.empty()) {
+  if (!balance.flipped.empty())
     sentences.push_back(fmt::format("The high end of each scale is on the left for {}.",
                                     shown(flipped_range(balance), "participants")));
-  }
-  if (form.stimuli > 1) {
+  if (form.stimuli > 1)
     sentences.push_back(fmt::format("The first stimulus of each pair is on the left {}.",
                                     shown(left_range(balance), "times")));
-  }
   add_latin_sentence(manifest, balance, participants, sentences);
   return sentences;
 }

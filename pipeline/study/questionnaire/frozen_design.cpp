@@ -17,8 +17,8 @@
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/session_duration.h"
-#include "pipeline/study/questionnaire/shown_media.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
+#include "render/video/video_kind.h"
 
 namespace mien::pipeline {
 
@@ -47,12 +47,6 @@ constexpr char readme[] =
 constexpr char no_analysis_plan[] =
     "No analysis plan: the manifest has no questionnaire.analysis.plan.\n";
 
-std::string sha256_of(const std::string& bytes) {
-  Sha256 sha;
-  sha.add(bytes);
-  return sha.finish();
-}
-
 std::string sha256_of_file(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   Sha256 sha;
@@ -67,9 +61,8 @@ std::string sha256_of_file(const fs::path& file) {
 
 std::string hashes_text(const ZipFiles& files) {
   std::string text;
-  for (const auto& [path, bytes] : files) {
+  for (const auto& [path, bytes] : files)
     if (path != hashes_path) text += sha256_of(bytes) + "  " + path + "\n";
-  }
   return text;
 }
 
@@ -171,9 +164,8 @@ ZipFiles read_frozen(const fs::path& bundle) {
 std::map<std::string, std::string> rows_of_table(const std::string& csv) {
   std::map<std::string, std::string> rows;
   const CsvTable table = parse_csv(csv, "frozen");
-  for (const auto& row : table.rows) {
+  for (const auto& row : table.rows)
     for (const CsvField& field : row) rows[row.front().text] += field.text + "\n";
-  }
   return rows;
 }
 
@@ -188,9 +180,8 @@ void compare_tables(const std::string& what, const std::string& then, const std:
     if (found == before.end()) added.push_back(name);
     if (found != before.end() && found->second != row) changed.push_back(name);
   }
-  for (const auto& [name, row] : before) {
+  for (const auto& [name, row] : before)
     if (!after.contains(name)) removed.push_back(name);
-  }
   const auto tell = [&](const char* happened, const std::vector<std::string>& names) {
     if (!names.empty())
       differences.push_back(fmt::format("{}: {} {}", what, fmt::join(names, ", "), happened));
@@ -215,6 +206,21 @@ void compare_designs(const std::string& then, const std::string& now,
 }
 
 }  // namespace
+
+std::vector<ShownMedia> shown_media(const Manifest& manifest) {
+  std::vector<ShownMedia> media;
+  const std::vector<std::string> shown = shown_stimuli(manifest);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (std::ranges::find(shown, stimulus.id) == shown.end()) continue;
+    for (const render::VideoKind kind : stimulus.output.video) {
+      const std::string name = render::with_ending(stimulus.id, kind).string();
+      media.push_back({stimulus.id, "videos/" + name});
+    }
+    if (questionnaire_of(manifest).view == ShownAs::turn)
+      media.push_back({stimulus.id, "clips/" + stimulus.id + ".glb"});
+  }
+  return media;
+}
 
 ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                        const fs::path& made) {

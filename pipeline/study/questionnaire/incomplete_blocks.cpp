@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 
 namespace mien::pipeline {
 
@@ -37,9 +37,8 @@ class Dealer {
     improve(chosen);
     for (const std::size_t a : chosen) {
       ++dealt_[a];
-      for (const std::size_t b : chosen) {
+      for (const std::size_t b : chosen)
         if (a != b) ++together_[a * things_ + b];
-      }
     }
     ++block_;
     std::ranges::sort(chosen);
@@ -50,9 +49,8 @@ class Dealer {
   /// What joining the chosen ones adds to the sum of squares of how often two were dealt together.
   long long cost(std::size_t thing, const Things& chosen) const {
     long long sum = 0;
-    for (const std::size_t other : chosen) {
+    for (const std::size_t other : chosen)
       if (other != thing) sum += 2 * together_[thing * things_ + other] + 1;
-    }
     return sum;
   }
 

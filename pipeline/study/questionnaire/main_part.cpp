@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/questionnaire/latin_square.h"
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 
 namespace mien::pipeline {
@@ -69,15 +68,13 @@ class MainPart {
 
   void append_blocks() {
     std::vector<std::string> levels;
-    for (const std::string& level : subjects_.blocks) {
+    for (const std::string& level : subjects_.blocks)
       if (std::ranges::find(levels, level) == levels.end()) levels.push_back(level);
-    }
     for (const std::size_t place :
          square_row(levels.size(), index_, seed_of(manifest_.seed, "blocks"))) {
       Subjects block;
-      for (const std::size_t subject : share_) {
+      for (const std::size_t subject : share_)
         if (subjects_.blocks[subject] == levels[place]) block.push_back(subject);
-      }
       append_apart(block, "block/" + levels[place]);
     }
   }
@@ -158,10 +155,9 @@ class MainPart {
       const bool is_own = std::ranges::find(share_, subject) != share_.end();
       if (!is_own && subjects_.blocks[subject] == block) candidates.push_back(subject);
     }
-    for (std::size_t place = trials_.size(); place-- > 0;) {
+    for (std::size_t place = trials_.size(); place-- > 0;)
       if (!trials_[place].repeated && block_of(place) == block)
         candidates.push_back(trials_[place].subject);
-    }
     return candidates;
   }
 

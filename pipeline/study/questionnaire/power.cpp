@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
 #include "motion/math/random_number.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/base/statistics/proportion.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
 
 namespace mien::pipeline {
@@ -138,9 +138,8 @@ class PowerSimulation {
 
 /// The least number of participants with which `is_enough`; 0 for none.
 int least_number(const std::vector<int>& found, int studies, auto&& is_enough) {
-  for (std::size_t n = 2; n < found.size(); ++n) {
+  for (std::size_t n = 2; n < found.size(); ++n)
     if (is_enough(simulated_share(found[n], studies))) return static_cast<int>(n);
-  }
   return 0;
 }
 
@@ -180,11 +179,8 @@ std::string number_or_more(int number, int most) {
 }  // namespace
 
 SimulatedShare simulated_share(int successes, int trials) {
-  constexpr double z = 1.959963984540054;
-  const double n = trials, p = successes / n;
-  const double middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
-  const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
-  return {p, std::max(0.0, middle - half), std::min(1.0, middle + half)};
+  const ShareInterval interval = wilson(successes, trials);
+  return {static_cast<double>(successes) / trials, interval.low, interval.high};
 }
 
 PowerEstimate estimate_power(const Manifest& manifest, const PowerQuestion& question) {
@@ -209,12 +205,6 @@ PowerEstimate estimate_power(const Manifest& manifest, const PowerQuestion& ques
             .needed_low = least([&](const auto& share) { return share.high >= question.wanted; }),
             .needed_high = high};
   }
-}
-
-double paired_t_power(int pairs, double mean, double deviation, double alpha) {
-  const double critical = critical_t(static_cast<std::size_t>(pairs), alpha);
-  const boost::math::non_central_t test(pairs - 1.0, mean / deviation * std::sqrt(pairs));
-  return cdf(complement(test, critical)) + cdf(test, -critical);
 }
 
 bool is_test_misled(const PowerQuestion& question, const PowerEstimate& estimate) {

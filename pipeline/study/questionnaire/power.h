@@ -51,10 +51,6 @@ struct PowerEstimate {
 /// sees two stimuli.
 PowerEstimate estimate_power(const Manifest& manifest, const PowerQuestion& question);
 
-/// Power of the two-sided paired t test of so many differences of this mean and standard deviation,
-/// by the noncentral t distribution.
-double paired_t_power(int pairs, double mean, double deviation, double alpha);
-
 /// Whether differences among stimuli of the same level make the test find what is not there more
 /// often than its level allows, beyond the simulation's error. Its power is no power then.
 bool is_test_misled(const PowerQuestion& question, const PowerEstimate& estimate);

@@ -78,10 +78,9 @@ RatingSpread spread_of(const Answers& answers) {
     return numbers.emplace(name, static_cast<int>(numbers.size())).first->second;
   };
   for (const Answer& answer : answers.answers) {
-    if (answer.participant.empty()) {
+    if (answer.participant.empty())
       throw Error("these ratings are means over several participants",
                   "give the answers of each participant");
-    }
     Total& cell = by_scale[answer.scale]
                           [{number(people, answer.participant), number(things, answer.stimulus)}];
     cell.sum += answer.value;

@@ -7,7 +7,7 @@
 
 #include "pipeline/manifest/asked.h"
 #include "pipeline/study/questionnaire/main_part.h"
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_duration.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
 #include "pipeline/study/trials/trial_kind.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/study/trials/trial.h"
+#include "pipeline/study/trials/trial_kind.h"
 
 namespace mien::pipeline {
 

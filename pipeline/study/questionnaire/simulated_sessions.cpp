@@ -24,9 +24,8 @@ class SimulatedSession {
       : manifest_(manifest), plan_(plan), truth_(truth), people_(people), scales_(scales) {}
 
   void add_rows(std::vector<AnswerRow>& rows) const {
-    for (const Trial& trial : plan_.trials) {
+    for (const Trial& trial : plan_.trials)
       for (const AskedItem& item : trial.items) rows.push_back(row_of(trial, item));
-    }
   }
 
  private:
@@ -34,16 +33,8 @@ class SimulatedSession {
     AnswerRow row;
     row.participant = plan_.participant;
     row.session = "simulated";
-    row.trial = trial.number;
-    row.block = trial.block;
-    row.kind = trial.kind_name();
-    if (!trial.stimuli.empty()) row.stimulus = trial.stimuli[0];
-    row.against = trial.against();
+    put_trial(trial, row);
     row.item = item.item;
-    row.is_practice = trial.practice;
-    row.is_warmup = trial.warm_up;
-    row.is_catch = trial.is_catch;
-    row.expected = trial.expected;
     row.rt_ms = std::round(1000.0 * people_.answer_seconds *
                            std::exp(0.4 * normal(plan_.seed, name("time", trial, item))));
     row.seed = plan_.seed;
@@ -130,11 +121,10 @@ std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>
   for (TextSource* text : {&asked.consent, &asked.instructions, &asked.ending}) text->file.clear();
   asked.scales.file.clear();
   std::string all = title_of(manifest) + "\n" + written(asked, Writing{}).dump() + "\n";
-  for (const Scale& scale : asked_scales(manifest).scales) {
+  for (const Scale& scale : asked_scales(manifest).scales)
     all +=
         fmt::format("{}|{}|{}|{}|{}|{}|{}\n", scale.id, scale.low, scale.high, scale.japanese_low,
                     scale.japanese_high, shortest(scale.least), shortest(scale.most));
-  }
   for (const SessionPlan& plan : plans) all += fmt::format("{}\n", fmt::join(plan.choices, "|"));
   return hash_of(all + plans_csv(plans));
 }

@@ -71,10 +71,9 @@ class TruthReader {
       return value;
     }
     const Scale* range = find_scale(scales_, scale);
-    if (range != nullptr && (value < range->least || value > range->most)) {
+    if (range != nullptr && (value < range->least || value > range->most))
       add(field, fmt::format("{} is outside the scale", field.text),
           fmt::format("write a number from {:g} to {:g}", range->least, range->most));
-    }
     return value;
   }
 

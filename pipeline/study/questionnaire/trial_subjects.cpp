@@ -6,7 +6,7 @@
 
 #include "pipeline/manifest/asked.h"
 #include "pipeline/study/questionnaire/incomplete_blocks.h"
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/base/statistics/hodges_lehmann.h"
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/base/statistics/wilcoxon.h"
 #include "pipeline/study/results/gathered_answers.h"
@@ -122,5 +121,18 @@ std::vector<double> corrected(const std::vector<double>& p_values, TestCorrectio
 
 /// Its name in plain words: "Holm".
 std::string name_of(TestCorrection correction);
+
+/// The video in which an end of a scale is seen most, among those of a setting.
+struct BestSeen {
+  std::string setting;
+  std::string end;       ///< "sad"
+  bool is_high = false;  ///< of its scale
+  Comparison comparison;
+  bool is_found = false;  ///< towards the end, and its paired test below alpha after the correction
+};
+
+/// By setting and end: whose answers lie farthest towards the end from the persons' other videos.
+std::vector<BestSeen> best_seen(const Gathered& gathered,
+                                const std::vector<Comparison>& comparisons);
 
 }  // namespace mien::pipeline

@@ -37,6 +37,18 @@ ReportedStimulus reported(const Stimulus& stimulus) {
   return result;
 }
 
+/// The stimuli that a questionnaire asks about, practice and warm-up among them.
+std::vector<ReportedStimulus> reported_stimuli(const Manifest& manifest) {
+  const std::vector<std::string> asked = asked_stimuli(manifest);
+  const Questionnaire& questionnaire = questionnaire_of(manifest);
+  std::set<std::string> shown(asked.begin(), asked.end());
+  shown.insert(questionnaire.practice.begin(), questionnaire.practice.end());
+  std::vector<ReportedStimulus> stimuli;
+  for (const Stimulus& stimulus : manifest.stimuli)
+    if (shown.contains(stimulus.id)) stimuli.push_back(reported(stimulus));
+  return stimuli;
+}
+
 /// Sorts rows and keeps what is wrong with them.
 class AnswerSorter {
  public:
@@ -230,17 +242,6 @@ bool ReportedStimulus::is_neutral() const {
          (emotion.empty() && (made == "as-is" || made == "neutral"));
 }
 
-std::vector<ReportedStimulus> reported_stimuli(const Manifest& manifest) {
-  const std::vector<std::string> asked = asked_stimuli(manifest);
-  const Questionnaire& questionnaire = questionnaire_of(manifest);
-  std::set<std::string> shown(asked.begin(), asked.end());
-  shown.insert(questionnaire.practice.begin(), questionnaire.practice.end());
-  std::vector<ReportedStimulus> stimuli;
-  for (const Stimulus& stimulus : manifest.stimuli)
-    if (shown.contains(stimulus.id)) stimuli.push_back(reported(stimulus));
-  return stimuli;
-}
-
 Gathered gather(const Manifest& manifest, std::vector<AnswerRow> rows,
                 const ReportChoices& choices) {
   const Questionnaire& asked = questionnaire_of(manifest);
@@ -272,6 +273,26 @@ Gathered gather(const Manifest& manifest, std::vector<AnswerRow> rows,
                 "answers to practice, warm-up and check trials and those of excluded participants "
                 "are ignored");
   return result;
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+std::string people_sentence(const Gathered& gathered) {
+  const std::size_t all = gathered.attention.size();
+  return fmt::format("{} of {} analysed", gathered.people.size(),
+                     counted(all, "participant", "participants"));
+}
+
+std::vector<std::string> unfinished_sentences(const Gathered& gathered) {
+  std::vector<std::string> sentences;
+  for (const Unfinished& one : gathered.unfinished)
+    sentences.push_back(
+        fmt::format("participant {} did not finish ({} of {} trials): {}",
+                    motion::in_quotes(one.participant), one.trials, one.planned,
+                    gathered.without_unfinished ? "excluded" : "answers given are included"));
+  return sentences;
 }
 
 }  // namespace mien::pipeline

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "pipeline/base/statistics/effect_size.h"
 #include "pipeline/base/statistics/exact_number.h"
+#include "pipeline/base/statistics/t_test.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/summaries.h"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "motion/text/as_number.h"
@@ -12,13 +11,6 @@
 namespace mien::pipeline {
 
 namespace {
-
-double median_or_nothing(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 /// Counts once a trial what is told on each of its rows.
 void add_trials(ParticipantSummary& summary, const std::vector<const AnswerRow*>& rows) {
@@ -37,7 +29,7 @@ void add_trials(ParticipantSummary& summary, const std::vector<const AnswerRow*>
     summary.blurs += row->blurs.value_or(0);
   }
   summary.trials = static_cast<int>(met.size());
-  summary.median_rt_ms = median_or_nothing(times);
+  summary.median_rt_ms = median_of(times);
   summary.is_constant = summary.answers >= 3 && values.size() == 1;
 }
 

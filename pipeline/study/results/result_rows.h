@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/base/documents/p_value.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/study/results/result_tables.h"
 
 namespace mien::pipeline {

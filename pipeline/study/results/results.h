@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/study/results/axis_correlations.h"
 #include "pipeline/study/results/catch_trials.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/confusion.h"
@@ -12,7 +11,6 @@
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
 #include "pipeline/study/results/participants.h"
-#include "pipeline/study/results/reliability.h"
 #include "pipeline/study/results/summaries.h"
 
 namespace mien::pipeline {

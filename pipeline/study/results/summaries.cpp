@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <Eigen/Core>
 
 #include "pipeline/base/statistics/t_test.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-double median_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 std::size_t place_on(const Scale& scale, int points, double value) {
   const double place = (points - 1) * (value - scale.least) / (scale.most - scale.least);
@@ -41,7 +38,34 @@ RatingSummary summary_of(const std::vector<CountedRating>& ratings, const Scale&
   return summary;
 }
 
+/// Stimuli that were rated on the scale × people; NaN without an answer.
+Eigen::MatrixXd table_on(const Gathered& gathered, std::size_t scale) {
+  const auto people = static_cast<Eigen::Index>(gathered.people.size());
+  Eigen::MatrixXd table(0, people);
+  for (const auto& ratings : by_stimulus(gathered, scale)) {
+    if (ratings.empty()) continue;
+    Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(people);
+    Eigen::RowVectorXd counts = Eigen::RowVectorXd::Zero(people);
+    for (const CountedRating& rating : ratings) {
+      sums[static_cast<Eigen::Index>(rating.person)] += rating.value;
+      counts[static_cast<Eigen::Index>(rating.person)] += 1.0;
+    }
+    table.conservativeResize(table.rows() + 1, Eigen::NoChange);
+    for (Eigen::Index i = 0; i < people; ++i)
+      table(table.rows() - 1, i) =
+          counts[i] > 0.0 ? sums[i] / counts[i] : std::numeric_limits<double>::quiet_NaN();
+  }
+  return table;
+}
+
 }  // namespace
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
 
 std::vector<double> places_of(const Scale& scale, int points) {
   std::vector<double> places;
@@ -65,6 +89,17 @@ std::vector<RatingSummary> summaries_of(const Gathered& gathered) {
         summaries.push_back(summary_of(ratings, gathered.scales[scale], gathered.points));
   std::ranges::stable_sort(summaries, {}, &RatingSummary::stimulus);
   return summaries;
+}
+
+std::vector<Reliability> reliability_of(const Gathered& gathered) {
+  std::vector<Reliability> all;
+  if (gathered.ratings.empty()) return all;
+  for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
+    const Eigen::MatrixXd table = table_on(gathered, scale);
+    const Agreement agreement = agreement_of(table);
+    all.push_back({scale, agreement.all, agreement.complete_raters, agreement.alpha});
+  }
+  return all;
 }
 
 }  // namespace mien::pipeline

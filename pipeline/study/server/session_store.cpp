@@ -42,13 +42,12 @@ constexpr std::string_view record_columns =
 
 std::vector<StoredRecord> read_records(Statement& statement) {
   std::vector<StoredRecord> records;
-  while (statement.step()) {
+  while (statement.step())
     records.push_back({.session = static_cast<int>(statement.number(0)),
                        .position = static_cast<int>(statement.number(1)),
                        .name = statement.text(2),
                        .content = statement.text(3),
                        .kept_at = statement.text(4)});
-  }
   return records;
 }
 
@@ -165,14 +164,13 @@ std::vector<StoredSession> SessionStore::sessions() {
       database_,
       "SELECT number, plan, participant, link, begun_at, came_by FROM sessions ORDER BY number");
   std::vector<StoredSession> sessions;
-  while (statement.step()) {
+  while (statement.step())
     sessions.push_back({.index = static_cast<int>(statement.number(0)),
                         .plan = static_cast<int>(statement.number(1)),
                         .participant = statement.text(2),
                         .link = statement.text(3),
                         .begun_at = statement.text(4),
                         .came_by = statement.text(5)});
-  }
   return sessions;
 }
 

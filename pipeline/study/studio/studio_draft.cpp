@@ -125,9 +125,8 @@ Vocabulary DraftReader::vocabulary(const std::string& key, const Manifest& manif
 
 std::string examples_key(const ordered_json& document) {
   ordered_json parts = ordered_json::object();
-  for (const char* name : {"examples", "seed"}) {
+  for (const char* name : {"examples", "seed"})
     if (document.contains(name)) parts[name] = document[name];
-  }
   return parts.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 

@@ -73,12 +73,10 @@ std::string rig_poses(const scenes::Character& character, const motion::Clip& cl
   std::string positions, rotations;
   for (const motion::Pose& pose : worn.poses) {
     const motion::JointTransforms rig = scenes::rig_pose(character, pose);
-    for (const motion::Vec3& position : rig.positions) {
+    for (const motion::Vec3& position : rig.positions)
       for (const double metres : position) put(positions, metres);
-    }
-    for (const motion::Quat& rotation : rig.rotations) {
+    for (const motion::Quat& rotation : rig.rotations)
       for (const double number : rotation.coeffs()) put(rotations, number);
-    }
   }
   return positions + rotations;
 }
@@ -87,9 +85,8 @@ std::string rig_poses(const scenes::Character& character, const motion::Clip& cl
 
 StudioFigures::Kept StudioFigures::character(const fs::path& file, const motion::Skeleton& body) {
   const std::string key = key_of(file, body);
-  for (const auto& [asked, kept] : characters_) {
+  for (const auto& [asked, kept] : characters_)
     if (asked == key) return kept;
-  }
   characters_.emplace_front(key, std::make_shared<const scenes::Character>(
                                      scenes::scaled_to_body(scenes::read_character(file), body)));
   if (characters_.size() > most_characters) characters_.pop_back();
@@ -114,9 +111,8 @@ const std::string& StudioFigures::file(const std::string& key, const scenes::Fig
   static const std::string none;
   const std::string own = key_of(figure, role, body);
   if (own.empty() || digest_of(own) != key) return none;
-  for (const auto& [asked, file] : files_) {
+  for (const auto& [asked, file] : files_)
     if (asked == key) return file;
-  }
   const auto* options = mannequin_in(figure);
   files_.emplace_front(
       key, options != nullptr

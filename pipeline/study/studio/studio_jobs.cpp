@@ -60,9 +60,8 @@ class RunShare {
 };
 
 std::string first_error(const RunResult& result) {
-  for (const TaskOutcome& outcome : result.outcomes) {
+  for (const TaskOutcome& outcome : result.outcomes)
     if (!outcome.error.empty()) return outcome.error;
-  }
   return "rendering failed";
 }
 

@@ -10,10 +10,8 @@
 #include "motion/live/live_message.h"
 #include "motion/measures/distance/distance.h"
 #include "pipeline/production/film/film_shot.h"
-#include "pipeline/production/synthesis/motions.h"
 #include "pipeline/production/synthesis/synthesis.h"
 #include "pipeline/study/live/live_bundle_writer.h"
-#include "pipeline/study/live/live_info.h"
 
 namespace mien::pipeline {
 
@@ -26,14 +24,13 @@ constexpr std::size_t most_motions = 48;
 
 ordered_json findings_json(const std::vector<motion::Finding>& findings) {
   ordered_json list = ordered_json::array();
-  for (const motion::Finding& finding : findings) {
+  for (const motion::Finding& finding : findings)
     list.push_back({{"check", finding.check},
                     {"joint", finding.joint},
                     {"first", finding.first},
                     {"last", finding.last},
                     {"is_error", finding.severity == motion::Severity::error},
                     {"sentence", finding.sentence}});
-  }
   return list;
 }
 
@@ -46,10 +43,9 @@ ordered_json values_json(const NamedValues& values) {
 /// Shares of the examples that take part.
 ordered_json weights_json(const Synthesis& synthesis, const Repertoire& repertoire) {
   ordered_json map = ordered_json::object();
-  for (Eigen::Index i = 0; i < synthesis.weights.size(); ++i) {
+  for (Eigen::Index i = 0; i < synthesis.weights.size(); ++i)
     if (synthesis.weights[i] != 0.0)
       map[repertoire.names[static_cast<std::size_t>(i)].name] = synthesis.weights[i];
-  }
   return map;
 }
 
@@ -86,9 +82,8 @@ bool has_stimuli(const ordered_json& about) {
 ordered_json without_looks(ordered_json document) {
   document.erase("look");
   if (!document.contains("stimuli") || !document["stimuli"].is_array()) return document;
-  for (ordered_json& stimulus : document["stimuli"]) {
+  for (ordered_json& stimulus : document["stimuli"])
     if (stimulus.is_object()) stimulus.erase("look");
-  }
   return document;
 }
 
@@ -130,9 +125,8 @@ Motions& StudioMotions::study(const ordered_json& document) {
 StudioMotions::Kept StudioMotions::made(const ordered_json& document, const std::string& name) {
   const ordered_json about = without_looks(document_about(document, {name}));
   const std::string key = name + "\n" + text_of(about);
-  for (const auto& [asked, kept] : made_) {
+  for (const auto& [asked, kept] : made_)
     if (asked == key) return kept;
-  }
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
   auto motion = std::make_shared<StudioMotion>();
@@ -155,9 +149,8 @@ StudioMotions::Kept StudioMotions::made(const ordered_json& document, const std:
 StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const std::string& name) {
   const ordered_json about = document_about(document, {name});
   const std::string key = name + "\n" + looks_of(about);
-  for (const auto& [asked, kept] : shown_) {
+  for (const auto& [asked, kept] : shown_)
     if (asked == key) return kept;
-  }
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
   shown_.emplace_front(key, stimulus == nullptr ? Shown{manifest.look.figure}

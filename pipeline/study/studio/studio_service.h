@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "pipeline/study/page/served_page.h"
 #include "pipeline/study/server/http_message.h"
 #include "pipeline/study/server/rate_limit.h"
@@ -21,15 +23,15 @@ inline constexpr char walker_page[] = "walk.html";
 /// What the studio's server answers, to who knows the link:
 ///
 ///     GET  /<link>/               the page, and the files of it
-///     GET  /<link>/walk.html      the walker's page, where the motion core is compiled for
-///     browsers GET  /<link>/studio.json    the manifest, and what there is to choose from
-///     (studio_words.h) POST /<link>/choices        examples and sliders for a document POST
-///     /<link>/motion         a motion, as bytes (studio_motions.h) POST /<link>/figure
-///     {"document", "show", "key"}: the figure of a motion, as GLB POST /<link>/places folders of
-///     captures, and characters (studio_places.h) POST /<link>/save           {"document", "text",
-///     "version"}: writes the text (manifest_file.h) POST /<link>/reload         opens the file
-///     again POST /<link>/jobs           {"document", "kind", "stimulus", "seconds", "quality"}: a
-///     still
+///     GET  /<link>/walk.html      the walker's page, if the motion core is compiled for browsers
+///     GET  /<link>/studio.json    the manifest, and what there is to choose from (studio_words)
+///     POST /<link>/choices        examples and sliders for a document
+///     POST /<link>/motion         a motion, as bytes (studio_motions.h)
+///     POST /<link>/figure         {"document", "show", "key"}: the figure of a motion, as GLB
+///     POST /<link>/places         folders of captures, and characters (studio_places.h)
+///     POST /<link>/save           {"document", "text", "version"}: writes it (manifest_file.h)
+///     POST /<link>/reload         opens the file again
+///     POST /<link>/jobs           {"document", "kind", "stimulus", "seconds", "quality"}: a still
 ///                                 or a video is begun
 ///     GET  /<link>/jobs/<n>       how far it is
 ///     POST /<link>/jobs/<n>/cancel

@@ -1,8 +1,8 @@
-#include "pipeline/commands/line/command_line.h"
-
 #include <sstream>
 
 #include <gtest/gtest.h>
+
+#include "pipeline/commands/line/program.h"
 
 namespace mien::pipeline {
 namespace {

@@ -1,11 +1,10 @@
-#include "pipeline/regression/gate.h"
-
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "pipeline/regression/approved_study.h"
 #include "pipeline/regression/comparison/noise_test.h"
+#include "pipeline/regression/regression.h"
 
 namespace mien::pipeline {
 namespace {

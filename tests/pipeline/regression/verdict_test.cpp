@@ -1,9 +1,8 @@
-#include "pipeline/regression/verdict.h"
-
 #include <gtest/gtest.h>
 
 #include "motion/procedural/builtin_sets.h"
 #include "motion/skeleton/body.h"
+#include "pipeline/regression/comparison.h"
 
 namespace mien::pipeline {
 namespace {

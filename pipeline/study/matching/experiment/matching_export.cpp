@@ -1,5 +1,3 @@
-#include "pipeline/study/matching/experiment/matching_export.h"
-
 #include <cmath>
 
 #include <fmt/format.h>
@@ -7,6 +5,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/study/live/live_script.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/experiment/jatos_archive.h"
 

@@ -1,10 +1,8 @@
-#include "pipeline/study/matching/experiment/matching_plan.h"
-
 #include <algorithm>
 
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/questionnaire/latin_square.h"
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_duration.h"
 #include "pipeline/study/trials/trial_kind.h"
 
@@ -67,6 +65,17 @@ void add_target_blocks(SessionPlan& plan, const Matching& matching, const String
   for (std::size_t i = 0; i < ordered.size(); ++i) add_block(ordered[i], ordered[i], i);
 }
 
+/// What a session is reckoned to take: its texts read, for each trial a guess (30 s), half of the
+/// limit to match, and a pause (15 s).
+double matching_seconds(const Manifest& manifest, const SessionPlan& plan) {
+  const Matching& matching = matching_of(manifest);
+  double seconds = question_seconds * static_cast<double>(matching.demographics.size());
+  for (const TextSource* text : {&matching.consent, &matching.instructions, &matching.ending})
+    seconds += words_in(text->text) / words_per_second;
+  const double trial = guess_seconds + share_of_limit * matching.limit_s + pause_seconds;
+  return seconds + trial * static_cast<double>(plan.trials.size());
+}
+
 SessionPlan plan_of(const Manifest& manifest, int index) {
   const Matching& matching = *manifest.matching;
   const Strings targets = matching_targets(manifest);
@@ -89,15 +98,6 @@ std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count) {
   std::vector<SessionPlan> plans;
   for (int index = 0; index < participants; ++index) plans.push_back(plan_of(manifest, index));
   return plans;
-}
-
-double matching_seconds(const Manifest& manifest, const SessionPlan& plan) {
-  const Matching& matching = matching_of(manifest);
-  double seconds = question_seconds * static_cast<double>(matching.demographics.size());
-  for (const TextSource* text : {&matching.consent, &matching.instructions, &matching.ending})
-    seconds += words_in(text->text) / words_per_second;
-  const double trial = guess_seconds + share_of_limit * matching.limit_s + pause_seconds;
-  return seconds + trial * static_cast<double>(plan.trials.size());
 }
 
 }  // namespace mien::pipeline

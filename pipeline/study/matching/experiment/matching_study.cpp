@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "pipeline/manifest/asked.h"
-#include "pipeline/study/matching/experiment/matching_plan.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 #include "pipeline/tasks/hash.h"
 
@@ -16,9 +15,8 @@ using Strings = std::vector<std::string>;
 
 Strings practised_and_matched(const Manifest& manifest) {
   Strings ids = matching_targets(manifest);
-  for (const std::string& id : matching_of(manifest).practice) {
+  for (const std::string& id : matching_of(manifest).practice)
     if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
-  }
   return ids;
 }
 
@@ -40,11 +38,10 @@ ordered_json shown_and_offered(const ordered_json& info, const Strings& shown,
 
 void refuse_unrated(const Manifest& manifest, const Strings& names,
                     const motion::ParameterTable& rated) {
-  for (const std::string& name : names) {
+  for (const std::string& name : names)
     if (std::ranges::find(rated.names, name) == rated.names.end())
       throw Error({manifest.file.string()}, "there are no ratings of \"" + name + "\"",
                   "use rated adjectives");
-  }
 }
 
 ordered_json sliders_json(const Manifest& manifest, const motion::LiveBundle& bundle) {
@@ -76,7 +73,7 @@ ordered_json sessions_of(const std::vector<SessionPlan>& plans) {
   ordered_json sessions = ordered_json::array();
   for (const SessionPlan& plan : plans) {
     ordered_json trials = ordered_json::array();
-    for (const Trial& trial : plan.trials) {
+    for (const Trial& trial : plan.trials)
       trials.push_back({{"number", trial.number},
                         {"block", trial.block},
                         {"kind", trial.kind_name()},
@@ -84,7 +81,6 @@ ordered_json sessions_of(const std::vector<SessionPlan>& plans) {
                         {"target", trial.stimuli.front()},
                         {"interface", trial.items.front().item},
                         {"practice", trial.practice}});
-    }
     sessions.push_back({{"participant", plan.participant},
                         {"seed", std::to_string(plan.seed)},
                         {"trials", trials}});

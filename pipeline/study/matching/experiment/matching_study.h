@@ -1,12 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/study/live/live_bundle_writer.h"
+#include "pipeline/study/questionnaire/service/matching_rows.h"
 #include "pipeline/study/questionnaire/service/served_study.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 
@@ -25,5 +28,61 @@ MatchingStudy matching_study(const Manifest& manifest, Motions& motions, int par
 
 /// With the pages of that folder (page_bundle("matching")), and motions that the server makes.
 ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pages);
+
+/// The sessions of a matching experiment for all planned participants, or for `count` when that is
+/// not 0. A trial is a target (its stimulus) and an interface (its item).
+///
+/// Practice comes first: its motions one after the other, with the interfaces in the participant's
+/// own order, so many trials that each motion and each interface comes. Then one block an
+/// interface, in each of which every target comes once. Blocks follow a row of Williams' square of
+/// the interfaces (orders.h); targets a row of theirs, another one in each block and for each
+/// participant of the same order of blocks.
+///
+/// Where guesses come first, blocks are targets in that participant's row, in each of which every
+/// interface comes once, in another row of theirs in each block; so practice has every motion with
+/// every interface. Every plan is a pure function of (manifest, its index).
+std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count = 0);
+
+/// A matching experiment that runs by itself, the motion core inside the browser: files by their
+/// paths, for write_export (questionnaire/experiment/export.h).
+///
+///     index.html, matching.js, …        what participants open, on disk or on any web server
+///     experiment.js, experiment.json    all sessions, for the page and for other programs
+///     live_core.js                      the motion core (WebAssembly) and what it blends
+///     <study>.jzip                      the same for JATOS
+///     plans.csv                         every trial of every participant
+///     answers/data/README.md            where the files of participants go
+///     README.txt                        for the lab
+///
+/// `pages` is the folder of the built page, `module` the motion core (live_module()). The same
+/// study gives the same bytes.
+ZipFiles exported_matching(const Manifest& manifest, const MatchingStudy& study,
+                           const std::filesystem::path& pages, const std::filesystem::path& module);
+
+/// Trials that nobody went through: of each plan without its practice, a simulated user
+/// (simulated_trial.h) before each target, who takes 20 s to guess and 3 s for each look after it,
+/// and gives up at the limit. Sliders are those that are shown at once. Every trial is marked as
+/// simulated. Where a target is no blend, its sliders are read as being in the middle.
+std::vector<MatchedTrial> simulated_matching(const Manifest& manifest, Motions& motions,
+                                             const MatchingStudy& study);
+
+/// How far a participant who moves nothing is from a target.
+struct StartingDistance {
+  std::string target;
+  std::string interface;
+  double metres = 0.0;  ///< D
+};
+
+/// Of every target that is matched, practice aside, with every interface, sliders standing where
+/// the page lets them begin: the examples' average, or shares of none.
+std::vector<StartingDistance> starting_distances(const Manifest& manifest,
+                                                 const MatchingStudy& study);
+
+/// A threshold by which something has to be done, metres: the paper's 0.06, or half of the median
+/// starting distance, to the millimetre below, where that is less.
+double fitting_threshold(const std::vector<StartingDistance>& distances);
+
+/// What to tell of trials that are matched before anything is moved; empty where there are none.
+std::string matched_at_start(const Manifest& manifest, const MatchingStudy& study);
 
 }  // namespace mien::pipeline

@@ -1,11 +1,10 @@
-#include "pipeline/study/matching/experiment/simulated_matching.h"
-
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "motion/live/live_core.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/matching/simulated_trial.h"
 
 namespace mien::pipeline {
@@ -72,7 +71,7 @@ class SimulatedMatch {
     if (looks_++ == 0) {
       record_.changes.push_back({.seconds = seconds, .step = "guess", .action = "guess", .d = d});
     } else {
-      for (std::size_t i = 0; i < now.values.size(); ++i) {
+      for (std::size_t i = 0; i < now.values.size(); ++i)
         if (now.values[i] != record_.last.values[i])
           record_.changes.push_back({.seconds = seconds,
                                      .step = "adjust",
@@ -80,7 +79,6 @@ class SimulatedMatch {
                                      .slider = now.sliders[i],
                                      .value = now.values[i],
                                      .d = d});
-      }
     }
     record_.last = now;
     return d;

@@ -1,5 +1,3 @@
-#include "pipeline/study/matching/experiment/starting_distance.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "motion/live/live_core.h"
 #include "motion/measures/distance/distance.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 
 namespace mien::pipeline {
 
@@ -17,10 +16,9 @@ using nlohmann::ordered_json;
 
 /// As the page rounds it (page/src/matching/slider_panel.ts).
 double starting_value(const ordered_json& sliders, const std::string& name) {
-  for (const ordered_json& slider : sliders) {
+  for (const ordered_json& slider : sliders)
     if (slider.at("name") == name)
       return std::round(100.0 * std::clamp(slider.at("mean").get<double>(), 0.0, 1.0)) / 100.0;
-  }
   return 0.0;
 }
 

@@ -46,9 +46,8 @@ ordered_json choices_json(const Manifest& manifest) {
 
 ordered_json settings_json(const Questionnaire& asked) {
   ordered_json replays = "counted";
-  if (asked.replays.most) {
+  if (asked.replays.most)
     replays = *asked.replays.most == 0 ? ordered_json("none") : ordered_json(*asked.replays.most);
-  }
   return {{"replays", replays},
           {"watch", word_of(watching_words, asked.watch)},
           {"comments", asked.comments},

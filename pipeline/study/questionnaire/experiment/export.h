@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/study/questionnaire/experiment/media.h"
@@ -40,5 +42,15 @@ void refuse_answers_to_another(const std::filesystem::path& folder, const std::s
 /// Puts the files into the folder in the place of those of an earlier export; answers and whatever
 /// else was added there stay.
 void write_export(const ZipFiles& files, const std::filesystem::path& folder);
+
+/// What a lab must know to run an exported questionnaire.
+std::string lab_text(const Manifest& manifest, const std::vector<SessionPlan>& plans);
+
+/// The codebook of the answers: a Psych-DS dataset_description.json, a Dataset of schema.org in
+/// JSON-LD, with every column of answers and participants.
+nlohmann::ordered_json dataset_description(const Manifest& manifest);
+
+/// What stands in the folder that answers are put into.
+std::string data_folder_text();
 
 }  // namespace mien::pipeline

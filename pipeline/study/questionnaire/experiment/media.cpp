@@ -38,9 +38,8 @@ constexpr std::array web_videos = {WebVideo{VideoKind::mp4, "video/mp4"},
 constexpr char motion_type[] = "model/gltf-binary";
 
 std::optional<WebVideo> web_video_of(const Output& output) {
-  for (const WebVideo& video : web_videos) {
+  for (const WebVideo& video : web_videos)
     if (std::ranges::find(output.video, video.kind) != output.video.end()) return video;
-  }
   return std::nullopt;
 }
 
@@ -53,12 +52,6 @@ std::set<std::string> stimuli_in(const std::vector<SessionPlan>& plans) {
     }
   }
   return stimuli;
-}
-
-std::string media_sha256(const fs::path& file) {
-  Sha256 sha;
-  sha.add(read_file(file));
-  return sha.finish();
 }
 
 MediaFile motion_of(const Stimulus& stimulus, const fs::path& folder) {
@@ -117,7 +110,7 @@ MediaFiles media_of(const Manifest& manifest, const std::vector<SessionPlan>& pl
     if (!fs::is_regular_file(file.file, unknown))
       throw Error({file.file.string()}, "is not there", "make the study again with mien run");
     file.token = media_token(manifest, id);
-    file.sha256 = media_sha256(file.file);
+    file.sha256 = sha256_of(read_file(file.file));
     media.emplace(id, std::move(file));
   }
   return media;

@@ -1,5 +1,3 @@
-#include "pipeline/study/questionnaire/service/lab_page.h"
-
 #include <algorithm>
 #include <cctype>
 

@@ -75,10 +75,9 @@ MatchingChange read_change(const nlohmann::json& text) {
 
 void check_setting(const std::vector<std::string>& known, const SliderSetting& setting) {
   std::set<std::string> taken;
-  for (const std::string& slider : setting.sliders) {
+  for (const std::string& slider : setting.sliders)
     if (std::ranges::find(known, slider) == known.end() || !taken.insert(slider).second)
       throw RecordFault("a slider does not belong to this interface, or appears twice");
-  }
 }
 
 void check_changes(const std::vector<std::string>& known,
@@ -98,11 +97,9 @@ MatchingFacts matching_facts(const nlohmann::ordered_json& matching) {
   MatchingFacts facts;
   facts.limit_s = matching.at("limit_s");
   facts.threshold_m = matching.at("threshold_m");
-  for (const auto& [interface, sliders] : matching.at("sliders").items()) {
-    for (const char* part : {"shown", "offered"}) {
+  for (const auto& [interface, sliders] : matching.at("sliders").items())
+    for (const char* part : {"shown", "offered"})
       for (const auto& slider : sliders.at(part)) facts.sliders[interface].push_back(slider);
-    }
-  }
   return facts;
 }
 

@@ -63,16 +63,8 @@ AnswerRow row_of_trial(const AskedFacts& facts, const SessionPlan& plan, const T
   AnswerRow row = record.measured;
   row.participant = plan.participant;
   row.session = record.session;
-  row.trial = trial.number;
-  row.block = trial.block;
-  row.kind = trial.kind_name();
-  if (!trial.stimuli.empty()) row.stimulus = trial.stimuli.front();
+  put_trial(trial, row);
   row.stimulus_sha256 = hash_at(facts.sha256, row.stimulus);
-  row.against = trial.against();
-  row.is_practice = trial.practice;
-  row.is_warmup = trial.warm_up;
-  row.is_catch = trial.is_catch || trial.is_attention_check();
-  row.expected = trial.expected;
   row.seed = plan.seed;
   row.design = facts.design;
   row.simulated = facts.simulated;
@@ -105,7 +97,7 @@ AskedFacts asked_facts(const nlohmann::ordered_json& experiment) {
   AskedFacts facts;
   facts.design = experiment.at("design");
   facts.simulated = experiment.value("simulated", false);
-  for (const auto& [id, item] : experiment.at("items").items()) {
+  for (const auto& [id, item] : experiment.at("items").items())
     facts.scales[id] = {.points = item.at("points"),
                         .slider = item.value("slider", false),
                         .words = item.value("words", false),
@@ -113,10 +105,8 @@ AskedFacts asked_facts(const nlohmann::ordered_json& experiment) {
                         .most = item.at("most"),
                         .low = item.value("low", ""),
                         .high = item.value("high", "")};
-  }
-  if (const auto choices = experiment.find("choices"); choices != experiment.end()) {
+  if (const auto choices = experiment.find("choices"); choices != experiment.end())
     for (const auto& [id, shown] : choices->items()) facts.choices.push_back(id);
-  }
   if (const auto matching = experiment.find("matching"); matching != experiment.end())
     facts.matching = matching_facts(*matching);
   for (const auto& question : experiment.at("demographics")) {

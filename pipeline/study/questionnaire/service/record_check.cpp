@@ -1,6 +1,7 @@
 #include "pipeline/study/questionnaire/service/record_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -19,10 +20,9 @@ void refuse(const std::string& fault) {
 /// The one response that there may be to each of these items, in any order.
 void check_items(const PageRecord& record, const std::vector<std::string>& items) {
   std::set<std::string> left(items.begin(), items.end());
-  for (const GivenResponse& response : record.responses) {
+  for (const GivenResponse& response : record.responses)
     if (left.erase(response.item) == 0)
       throw RecordFault("an answer does not belong to this page, or appears twice");
-  }
   if (!left.empty()) throw RecordFault(fmt::format("\"{}\" is not answered", *left.begin()));
 }
 
@@ -75,15 +75,33 @@ void check_demographics(const AskedFacts& facts, const PageRecord& record) {
       throw RecordFault(fmt::format("\"{}\" is {}", question->id,
                                     question->is_number ? "not a number" : "a number"));
   }
-  for (const AskedQuestion& question : facts.questions) {
+  for (const AskedQuestion& question : facts.questions)
     if (question.required && !answered.contains(question.id))
       throw RecordFault(fmt::format("\"{}\" is not answered", question.id));
-  }
 }
 
 void check_consent(const PageRecord& record) {
   check_items(record, {consent_record});
   check_word(record.responses.front(), {"agreed", consent_refused});
+}
+
+/// Of what is the same number, found in a browser or here; metres.
+constexpr double distance_slack_m = 1e-9;
+
+void check_distance(LiveMotions& live, const Trial& trial, const SliderSetting& setting,
+                    double told) {
+  motion::LiveSetting sliders;
+  sliders.kind = meaning_of(motion::interface_kinds, trial.items.front().item).value();
+  sliders.sliders = setting.sliders;
+  sliders.values = setting.values;
+  double found = 0.0;
+  try {
+    found = live.distance(trial.stimuli.front(), sliders).mean;
+  } catch (const Error& error) {
+    throw RecordFault(error.what());
+  }
+  if (std::abs(found - told) > distance_slack_m)
+    throw RecordFault("a distance does not match its slider settings");
 }
 
 }  // namespace
@@ -114,6 +132,11 @@ void check_record(const AskedFacts& facts, const SessionPlan& plan, const PageRe
   } else {
     throw RecordFault("there is no such page");
   }
+}
+
+void check_distances(LiveMotions& live, const Trial& trial, const MatchingRecord& record) {
+  check_distance(live, trial, record.first, record.first_guess_d);
+  check_distance(live, trial, record.last, record.d);
 }
 
 }  // namespace mien::pipeline

@@ -88,10 +88,9 @@ class RecordReader {
 
   /// Throws where there is more than was asked for.
   void finish() const {
-    for (const auto& [member, value] : text_.items()) {
+    for (const auto& [member, value] : text_.items())
       if (!taken_.contains(member))
         throw RecordFault(fmt::format("{} has an unknown member", what_));
-    }
   }
 
  private:

@@ -22,9 +22,8 @@ std::set<std::string> tokens_of(const nlohmann::ordered_json& session) {
 /// Of experiment.json, without media.
 nlohmann::ordered_json shared_part(const ServedStudy& study) {
   nlohmann::ordered_json own;
-  for (const auto& [name, value] : study.experiment.items()) {
+  for (const auto& [name, value] : study.experiment.items())
     if (name != "sessions" && name != "media" && name != "stimuli") own[name] = value;
-  }
   own["media"] = nlohmann::ordered_json::object();
   return own;
 }

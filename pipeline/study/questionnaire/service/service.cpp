@@ -6,8 +6,7 @@
 #include "motion/text/json_depth.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/html.h"
-#include "pipeline/study/questionnaire/service/lab_page.h"
-#include "pipeline/study/questionnaire/service/matching_distances.h"
+#include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 
 namespace mien::pipeline {

@@ -26,7 +26,7 @@ struct ServiceRates {
 ///   /media/<token>                a video
 ///   /join/<link>/                 the page for somebody who has no session: it asks for consent
 ///   /join/<link>/records/consent  POST: who agrees is given a session
-///   /lab/<link>/                  the experimenter's page and exports (lab_page.h)
+///   /lab/<link>/                  the experimenter's page and exports (lab_answer)
 ///
 /// A link opens one session and nothing else. Nothing of a request names a file. For several
 /// threads.

@@ -63,12 +63,11 @@ StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, Cloc
 
 void StudySessions::begin() {
   std::vector<StoredSession> sessions;
-  for (std::size_t plan = 0; plan < study_.plans.size(); ++plan) {
+  for (std::size_t plan = 0; plan < study_.plans.size(); ++plan)
     sessions.push_back({.index = static_cast<int>(plan),
                         .plan = static_cast<int>(plan),
                         .participant = study_.plans[plan].participant,
                         .link = random_link()});
-  }
   store_.begin({{study_fact, study_.experiment.at("study").get<std::string>()},
                 {design_fact, study_.facts.design},
                 {media_fact, media_hash(study_)},
@@ -155,9 +154,8 @@ bool StudySessions::has_enough() const {
 /// Must not be asked while somebody else may join.
 bool StudySessions::is_full() const {
   std::vector<bool> finished(study_.plans.size());
-  for (const SessionState& state : states_) {
+  for (const SessionState& state : states_)
     if (state.has_finished()) finished[static_cast<std::size_t>(state.session.plan)] = true;
-  }
   return std::ranges::all_of(finished, std::identity()) ||
          states_.size() >= most_sessions_a_plan * study_.plans.size();
 }

@@ -1,5 +1,3 @@
-#include "pipeline/study/results/figures/difference_figures.h"
-
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -7,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/drawing/bar_chart.h"
+#include "pipeline/study/results/figures/result_figures.h"
 
 namespace mien::pipeline {
 

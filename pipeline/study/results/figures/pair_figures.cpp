@@ -1,10 +1,9 @@
-#include "pipeline/study/results/figures/pair_figures.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "pipeline/base/drawing/bar_chart.h"
+#include "pipeline/study/results/figures/result_figures.h"
 
 namespace mien::pipeline {
 

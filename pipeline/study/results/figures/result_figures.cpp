@@ -8,12 +8,9 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/drawing/bar_chart.h"
-#include "pipeline/study/results/best_seen.h"
-#include "pipeline/study/results/figures/difference_figures.h"
+#include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/figures/heat_map.h"
-#include "pipeline/study/results/figures/pair_figures.h"
 #include "pipeline/study/results/figures/rating_grid.h"
-#include "pipeline/study/results/figures/word_figures.h"
 
 namespace mien::pipeline {
 

@@ -34,4 +34,15 @@ struct StimulusGroup {
 };
 std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered);
 
+/// Modified, acted and neutral motions against each other, within persons: over all settings, then
+/// video by video.
+void add_difference_figures(const Results& results, std::vector<ResultFigure>& figures);
+
+/// Of each question asked about pairs: how often the first of either pair was chosen, with Wilson's
+/// interval, against one half; a few pairs a figure.
+void add_pair_figures(const Results& results, std::vector<ResultFigure>& figures);
+
+/// Of each question answered in words: the words that most people gave, stimulus by stimulus.
+void add_word_figures(const Results& results, std::vector<ResultFigure>& figures);
+
 }  // namespace mien::pipeline

@@ -1,5 +1,3 @@
-#include "pipeline/study/results/figures/word_figures.h"
-
 #include <algorithm>
 #include <set>
 
@@ -7,6 +5,7 @@
 
 #include "pipeline/base/drawing/canvas.h"
 #include "pipeline/base/drawing/palette.h"
+#include "pipeline/study/results/figures/result_figures.h"
 
 namespace mien::pipeline {
 

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/base/documents/written_tables.h"
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 
 namespace mien::pipeline {
@@ -126,9 +126,8 @@ Variables variables_of(const Results& results) {
   for (const std::string& factor : further_factors(results.gathered))
     variables.add(factor, "level of the factor " + factor + " of the stimulus");
   if (!results.demographics.empty()) {
-    for (const CsvField& field : results.demographics.table.header) {
+    for (const CsvField& field : results.demographics.table.header)
       if (const Column* known = participant_column(field.text)) variables.add(*known);
-    }
     for (const std::string& question : results.demographics.questions())
       variables.add(question, "participant's answer to the question " + question);
   }

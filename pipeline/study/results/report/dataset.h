@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/manifest/ratings/answers/answer_row.h"
+#include "pipeline/study/results/gathered_answers.h"
 #include "pipeline/study/results/result_tables.h"
 #include "pipeline/study/results/results.h"
 
@@ -31,5 +32,16 @@ DatasetPaths dataset_paths(const std::string& study);
 /// codebook.csv that tells those of the tables of results too.
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
                                        const std::vector<WrittenTable>& tables);
+
+/// Scripts for R that read the exported data and fit what mien does not reimplement. They run from
+/// the folder they lie in, beside data/.
+struct RScripts {
+  std::string mixed;    ///< lme4: linear mixed models, scale by scale
+  std::string ordinal;  ///< ordinal: cumulative link mixed models, scale by scale
+};
+
+/// `answers` and `stimuli` are the paths of the data, relative to the dataset's folder.
+RScripts r_scripts(const Gathered& gathered, const std::string& answers,
+                   const std::string& stimuli);
 
 }  // namespace mien::pipeline

@@ -47,7 +47,7 @@ void HtmlRow::add(std::string_view css_class, const std::string& plain) {
   cells_ += html_escaped(plain) + "</td>";
 }
 
-std::string wide_table(std::initializer_list<std::string_view> heads, const std::string& rows) {
+std::string wide_table(const std::vector<std::string_view>& heads, const std::string& rows) {
   if (rows.empty()) return "";
   std::string html = "<div class=\"wide\"><table><thead><tr>";
   for (const std::string_view head : heads)

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pipeline/manifest/ratings/scales/scales.h"
 
@@ -40,6 +40,6 @@ class HtmlRow {
 
 /// A table that may be wider than the page; nothing without rows. Heads that begin with "<" are of
 /// columns of text.
-std::string wide_table(std::initializer_list<std::string_view> heads, const std::string& rows);
+std::string wide_table(const std::vector<std::string_view>& heads, const std::string& rows);
 
 }  // namespace mien::pipeline

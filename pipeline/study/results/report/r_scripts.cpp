@@ -1,10 +1,9 @@
-#include "pipeline/study/results/report/r_scripts.h"
-
 #include <set>
 
 #include <fmt/format.h>
 
 #include "pipeline/manifest/ratings/answers/trial_form.h"
+#include "pipeline/study/results/report/dataset.h"
 
 namespace mien::pipeline {
 

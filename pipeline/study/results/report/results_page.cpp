@@ -1,14 +1,13 @@
-#include "pipeline/study/results/report/results_page.h"
-
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/html.h"
-#include "pipeline/study/results/people_counted.h"
+#include "pipeline/study/results/gathered_answers.h"
 #include "pipeline/study/results/report/page_style.h"
 #include "pipeline/study/results/report/page_tables.h"
+#include "pipeline/study/results/report/results_report.h"
 
 namespace mien::pipeline {
 

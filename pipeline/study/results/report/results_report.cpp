@@ -4,10 +4,7 @@
 
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/study/results/figures/result_figures.h"
 #include "pipeline/study/results/report/dataset.h"
-#include "pipeline/study/results/report/r_scripts.h"
-#include "pipeline/study/results/result_tables.h"
 
 namespace mien::pipeline {
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "pipeline/manifest/ratings/answers/answer_row.h"
-#include "pipeline/study/results/report/results_page.h"
+#include "pipeline/study/results/figures/result_figures.h"
+#include "pipeline/study/results/result_tables.h"
 #include "pipeline/study/results/results.h"
 
 namespace mien::pipeline {
@@ -18,5 +20,16 @@ void clear_results_folder(const std::filesystem::path& folder);
 /// bytes. Throws Error and WriteFailure.
 void write_results(const Results& results, const std::vector<AnswerRow>& rows,
                    const FrozenVerdict& frozen, const std::filesystem::path& folder);
+
+/// What the page says of a frozen design: a sentence, and what differs from it.
+struct FrozenVerdict {
+  std::string sentence;  ///< empty: was not asked for
+  std::vector<std::string> differences;
+};
+
+/// The page report.html: everything that was found, with links to tables and drawings beside it.
+/// Whatever participants wrote is escaped. Works from disk, without a network and without scripts.
+std::string results_page(const Results& results, const std::vector<ResultFigure>& figures,
+                         const std::vector<WrittenTable>& tables, const FrozenVerdict& frozen);
 
 }  // namespace mien::pipeline

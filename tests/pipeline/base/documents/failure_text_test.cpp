@@ -1,11 +1,11 @@
-#include "pipeline/base/documents/failure_text.h"
-
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "pipeline/base/documents/fault.h"
 
 namespace mien::pipeline {
 namespace {

@@ -1,5 +1,3 @@
-#include "pipeline/base/documents/formula_mark.h"
-
 #include <random>
 #include <vector>
 

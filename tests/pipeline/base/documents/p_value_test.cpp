@@ -1,9 +1,9 @@
-#include "pipeline/base/documents/p_value.h"
-
 #include <cmath>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
+
+#include "pipeline/base/documents/table.h"
 
 namespace mien::pipeline {
 namespace {

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/base/documents/written_tables.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

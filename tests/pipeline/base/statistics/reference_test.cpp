@@ -11,12 +11,8 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/statistics/agreement.h"
-#include "pipeline/base/statistics/benjamini_hochberg.h"
 #include "pipeline/base/statistics/correlation.h"
-#include "pipeline/base/statistics/effect_size.h"
-#include "pipeline/base/statistics/hodges_lehmann.h"
-#include "pipeline/base/statistics/holm.h"
-#include "pipeline/base/statistics/intraclass.h"
+#include "pipeline/base/statistics/p_correction.h"
 #include "pipeline/base/statistics/proportion.h"
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/base/statistics/wilcoxon.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/base/statistics/holm.h"
+#include "pipeline/base/statistics/p_correction.h"
 
 namespace mien::pipeline {
 namespace {

@@ -1,8 +1,8 @@
-#include "pipeline/regression/comparison/compared_containers.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "pipeline/regression/comparison/compared_media.h"
 
 namespace mien::pipeline {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/regression/comparison/mirroring.h"
+#include "pipeline/regression/comparison/frame_alignment.h"
 #include "pipeline/temporary_folder.h"
 #include "render/image/image_io.h"
 #include "render/video/video.h"

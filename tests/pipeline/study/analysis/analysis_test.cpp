@@ -9,8 +9,6 @@
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/manifest/ratings/answers/impressions.h"
 #include "pipeline/study/analysis/analysis_report.h"
-#include "pipeline/study/analysis/analysis_tables.h"
-#include "pipeline/study/analysis/cluster_names.h"
 #include "pipeline/study/analysis/scales_yaml.h"
 #include "pipeline/temporary_folder.h"
 

@@ -7,7 +7,6 @@
 #include "motion/error.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/statistics/named_random.h"
-#include "pipeline/study/analysis/calibration_chart.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

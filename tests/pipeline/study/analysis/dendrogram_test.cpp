@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/base/drawing/axis.h"
+#include "pipeline/base/drawing/plot.h"
 
 namespace mien::pipeline {
 namespace {

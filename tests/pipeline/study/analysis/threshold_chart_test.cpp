@@ -1,8 +1,8 @@
-#include "pipeline/study/analysis/threshold_chart.h"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
+
+#include "pipeline/study/analysis/quantification.h"
 
 namespace mien::pipeline {
 namespace {

@@ -1,8 +1,7 @@
-#include "pipeline/study/matching/matching_charts.h"
-
 #include <gtest/gtest.h>
 
 #include "pipeline/plot_texts.h"
+#include "pipeline/study/matching/matching_report.h"
 
 namespace mien::pipeline {
 namespace {

@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/fault.h"
-#include "pipeline/study/matching/matching_charts.h"
-#include "pipeline/study/matching/matching_tables.h"
+#include "pipeline/study/matching/matching_report.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -1,8 +1,7 @@
-#include "pipeline/study/matching/simulated_chart.h"
-
 #include <gtest/gtest.h>
 
 #include "pipeline/plot_texts.h"
+#include "pipeline/study/matching/simulated_evaluation.h"
 
 namespace mien::pipeline {
 namespace {

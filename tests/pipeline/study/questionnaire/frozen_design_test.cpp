@@ -7,7 +7,6 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/study/questionnaire/asked_study.h"
-#include "pipeline/study/questionnaire/shown_media.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -1,9 +1,9 @@
-#include "pipeline/study/questionnaire/latin_square.h"
-
 #include <map>
 #include <utility>
 
 #include <gtest/gtest.h>
+
+#include "pipeline/study/questionnaire/orders.h"
 
 namespace mien::pipeline {
 namespace {

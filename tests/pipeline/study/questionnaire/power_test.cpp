@@ -6,11 +6,13 @@
 
 #include "motion/error.h"
 #include "pipeline/study/questionnaire/asked_study.h"
+#include "pipeline/study/questionnaire/paired_t_power.h"
 
 namespace mien::pipeline {
 namespace {
 
 using test::asked_study;
+using test::paired_t_power;
 
 TEST(PairedTPower, IsThatOfPublishedTables) {
   // Cohen 1988, G*Power 3: d_z = 0.5, two-sided 0.05: 34 pairs for 0.80 (0.8078), and 27 pairs give

@@ -10,7 +10,7 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/study/questionnaire/asked_study.h"
-#include "pipeline/study/trials/asked_scale.h"
+#include "pipeline/study/trials/trial_kind.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

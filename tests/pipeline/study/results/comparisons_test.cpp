@@ -7,12 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/study/results/axis_correlations.h"
-#include "pipeline/study/results/best_seen.h"
 #include "pipeline/study/results/confusion.h"
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
-#include "pipeline/study/results/reliability.h"
 #include "pipeline/study/results/result_tables.h"
 #include "pipeline/study/results/summaries.h"
 #include "pipeline/study/results/two_emotions.h"

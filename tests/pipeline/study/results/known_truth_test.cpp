@@ -5,7 +5,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <gtest/gtest.h>
 
-#include "pipeline/study/questionnaire/power.h"
+#include "pipeline/study/questionnaire/paired_t_power.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/two_emotions.h"
 
@@ -80,8 +80,8 @@ void expect_power_of_the_design(int studies) {
   question.difference = difference;
   question.studies = 2000;
   const PowerEstimate estimate = estimate_power(two_emotion_study(participants), question);
-  const double exact = paired_t_power(participants, difference,
-                                      std::sqrt(2.0) * steady_people.spread.residual, level);
+  const double exact = test::paired_t_power(participants, difference,
+                                            std::sqrt(2.0) * steady_people.spread.residual, level);
   EXPECT_NEAR(estimate.power.share, exact, 0.04);
   expect_share(found.paired, studies, exact, "paired t tests");
   // And where nothing was put in, nothing is found.

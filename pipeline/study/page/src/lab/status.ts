@@ -1,4 +1,4 @@
-/** A study that is being served, as the server tells it (pipeline/study/questionnaire/service/lab_page.h). */
+/** A study that is being served, as the server tells it (pipeline/study/questionnaire/service/lab_page.cpp). */
 export interface LabStatus {
   study: string;
   title: string;

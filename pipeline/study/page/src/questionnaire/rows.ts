@@ -60,7 +60,7 @@ function rowsOf(
   });
 }
 
-/** What a spreadsheet would run gets an apostrophe before it (pipeline/base/documents/formula_mark.h). */
+/** What a spreadsheet would run gets an apostrophe before it (pipeline/base/documents/formula_mark.cpp). */
 const marked = (text: string): string => {
   const bare = text.replace(/^'*/, "").replace(/^ */, "");
   const number = "[+-]?(inf|nan|(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?)";

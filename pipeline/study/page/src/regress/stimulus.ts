@@ -1,4 +1,4 @@
-// What the report says of a stimulus (pipeline/regression/report/report_stimulus.h, report_videos.h).
+// What the report says of a stimulus (pipeline/regression/report/report_pictures.h, report_videos.h).
 
 /** A key frame, then and now; pictures are addresses. */
 export interface KeyFrame {

@@ -1,5 +1,3 @@
-#include "pipeline/study/matching/experiment/matching_plan.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -7,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/study/questionnaire/latin_square.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
+#include "pipeline/study/questionnaire/orders.h"
 
 namespace mien::pipeline {
 namespace {

@@ -6,7 +6,6 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
-#include "pipeline/study/matching/experiment/simulated_matching.h"
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/service.h"
 #include "pipeline/temporary_folder.h"

@@ -7,10 +7,7 @@
 
 #include "motion/live/live_core.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
-#include "pipeline/study/matching/experiment/simulated_matching.h"
-#include "pipeline/study/matching/experiment/starting_distance.h"
 #include "pipeline/study/matching/matching_evaluation.h"
-#include "pipeline/study/questionnaire/service/matching_distances.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 
 namespace mien::pipeline {

@@ -1,5 +1,6 @@
-#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/orders.h"
 
+#include <algorithm>
 #include <cassert>
 #include <numeric>
 #include <utility>
@@ -29,6 +30,21 @@ std::vector<std::size_t> random_order(std::size_t count, std::uint64_t seed,
   // Fisher and Yates 1938, from the end.
   for (std::size_t left = count; left > 1; --left)
     std::swap(order[left - 1], order[random_choice(left, seed, name, left)]);
+  return order;
+}
+
+std::size_t williams_rows(std::size_t count) { return count % 2 == 0 ? count : 2 * count; }
+
+std::vector<std::size_t> williams_row(std::size_t count, std::size_t row) {
+  std::vector<std::size_t> order(count);
+  if (count == 0) return order;
+  row %= williams_rows(count);
+  // 0, 1, n − 1, 2, n − 2 …: neighbours differ by every number once.
+  for (std::size_t place = 0; place < count; ++place) {
+    const std::size_t first = place % 2 == 1 ? (place + 1) / 2 : (count - place / 2) % count;
+    order[place] = (first + row) % count;
+  }
+  if (row >= count) std::ranges::reverse(order);
   return order;
 }
 

@@ -1,9 +1,17 @@
 #pragma once
 
+#include <filesystem>
+
 #include "pipeline/base/drawing/bar_chart.h"
 #include "pipeline/study/matching/matching_evaluation.h"
 
 namespace mien::pipeline {
+
+/// Writes means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures first_guess_d,
+/// first_guess_success, time, time_saved and failures as .pdf, .svg and .png, which are figures 7
+/// to 11 of the adjective paper. Targets are "all" over the means of participants.
+void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResults& results,
+                      const std::filesystem::path& folder);
 
 // Figures 7 to 11 of the adjective paper: bars of the interfaces, target by target, then over all.
 // Of more than twelve targets over all alone.
