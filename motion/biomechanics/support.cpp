@@ -1,6 +1,7 @@
 #include "motion/biomechanics/support.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "motion/biomechanics/weight_bearing.h"
@@ -121,6 +122,19 @@ double signed_distance_to_hull(const Vec3& point, const std::vector<Vec3>& corne
 Vec3 nearest_in_hull(const Vec3& point, const std::vector<Vec3>& corners) {
   const Nearest found = nearest(point, corners);
   return found.is_inside ? horizontal(point) : found.point;
+}
+
+BodyOnFloor body_on_floor(const LintSubject& subject) {
+  return {body_dynamics(subject), supports(subject)};
+}
+
+void mask_ends(const LintSubject& subject, std::vector<double>& values) {
+  if (subject.was_loop) return;
+  const long count = static_cast<long>(values.size());
+  const long ends = std::min(count, std::lround(0.1 * subject.rate()) + 1);
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  std::fill(values.begin(), values.begin() + ends, nothing);
+  std::fill(values.end() - ends, values.end(), nothing);
 }
 
 }  // namespace mien::motion

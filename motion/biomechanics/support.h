@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "motion/biomechanics/body_dynamics.h"
 #include "motion/biomechanics/subject.h"
 
 namespace mien::motion {
@@ -27,5 +28,18 @@ double signed_distance_to_hull(const Vec3& point, const std::vector<Vec3>& corne
 
 /// The point of the convex hull that is nearest to `point`, on the floor.
 Vec3 nearest_in_hull(const Vec3& point, const std::vector<Vec3>& corners);
+
+/// Dynamics and support of a subject, frame by frame: the input of the checks of balance and
+/// forces.
+struct BodyOnFloor {
+  std::vector<BodyDynamics> moments;
+  std::vector<Support> supports;
+};
+
+BodyOnFloor body_on_floor(const LintSubject& subject);
+
+/// Sets the values of the first and last 0.1 s to NaN, unless the motion loops: accelerations are
+/// unreliable there.
+void mask_ends(const LintSubject& subject, std::vector<double>& values);
 
 }  // namespace mien::motion

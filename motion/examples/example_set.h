@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace mien::motion {
 /// Selection of the motion files of a set of examples.
 struct ExampleFolder {
   std::filesystem::path path;
-  std::string include = "*";  ///< pattern of file names (file_labels.h)
+  std::string include = "*";  ///< pattern of file names
   std::string exclude;        ///< pattern; empty excludes nothing
   std::string take;           ///< name of the motion in files with several; empty: the first
   CycleChoice cycle = CycleChoice::automatic;
@@ -54,5 +56,16 @@ struct LoadedExamples {
 /// Error naming the file that cannot be used: unreadable, not human, with another number of
 /// keytimes than the first, a duplicate name, or manual keytimes for a file that does not exist.
 LoadedExamples load_examples(const ExampleFolder& folder);
+
+/// Whether a file name matches a pattern of `*` (any characters), `?` (any one), `[abc]`, `[a-z]`,
+/// `[!a]` (one of, one not of) and `{walk,run}` (either; may be nested). Upper and lower case
+/// differ.
+bool matches_glob(std::string_view pattern, std::string_view name);
+
+/// Short labels for files that belong together: the common prefix and suffix of all stems (names
+/// without extension) are removed, in whole parts between "_", "." and spaces.
+/// {"dataset-1_walk_sad_001", "dataset-1_walk_proud_001"} gives {"sad", "proud"}. A single stem
+/// stays as it is.
+std::vector<std::string> labels_from_names(std::span<const std::string> stems);
 
 }  // namespace mien::motion

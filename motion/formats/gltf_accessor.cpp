@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <span>
 #include <string>
 
 namespace mien::motion {
@@ -98,34 +97,22 @@ size_t size_of_number(const tinygltf::Accessor& accessor) {
 }
 
 size_t components_of(const tinygltf::Accessor& accessor) {
-  switch (accessor.type) {
-    case TINYGLTF_TYPE_SCALAR:
-      return 1;
-    case TINYGLTF_TYPE_VEC2:
-      return 2;
-    case TINYGLTF_TYPE_VEC3:
-      return 3;
-    case TINYGLTF_TYPE_VEC4:
-      return 4;
-    case TINYGLTF_TYPE_MAT4:
-      // Columns of shorter numbers would be padded; only floats are taken.
-      return accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT ? 16 : 0;
-    default:
-      return 0;
-  }
+  // Columns of shorter numbers would be padded; only floats are taken.
+  const bool is_matrix = accessor.type == TINYGLTF_TYPE_MAT4 &&
+                         accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
+  for (const int vector :
+       {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4})
+    if (accessor.type == vector)
+      return static_cast<size_t>(
+          tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(vector)));
+  return is_matrix ? 16 : 0;
 }
 
 size_t size_of_index(const GltfFile& file, int type, std::string_view use) {
-  switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return 1;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return 2;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return 4;
-    default:
-      refuse_use(file, use, "indices of a type that glTF does not support");
-  }
+  if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return 1;
+  if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return 2;
+  if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return 4;
+  refuse_use(file, use, "indices of a type that glTF does not support");
 }
 
 size_t index_at(const unsigned char* bytes, size_t size) {

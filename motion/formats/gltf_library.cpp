@@ -6,7 +6,6 @@
 #include <array>
 #include <cstring>
 #include <utility>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
-#include "motion/formats/gltf_library.h"
 #include "motion/text/excerpt.h"
 
 namespace mien::motion {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 #include <set>
-#include <string>
 #include <utility>
 
 #include "motion/formats/frame_rate.h"

@@ -6,8 +6,8 @@
 
 #include "motion/gait/foot_path.h"
 #include "motion/gait/foot_placement.h"
+#include "motion/math/filter.h"
 #include "motion/math/rotation.h"
-#include "motion/math/smooth_envelope.h"
 
 namespace mien::motion {
 

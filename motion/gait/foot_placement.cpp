@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "motion/gait/foot_path.h"
+#include "motion/math/filter.h"
 #include "motion/math/rotation.h"
-#include "motion/math/smooth_envelope.h"
 #include "motion/skeleton/two_bone_ik.h"
 
 namespace mien::motion {

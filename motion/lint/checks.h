@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "motion/biomechanics/body_on_floor.h"
 #include "motion/biomechanics/subject.h"
+#include "motion/biomechanics/support.h"
 #include "motion/lint/finding.h"
 #include "motion/lint/lint_options.h"
 

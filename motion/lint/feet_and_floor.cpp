@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/biomechanics/body_on_floor.h"
+#include "motion/biomechanics/support.h"
 #include "motion/biomechanics/weight_bearing.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/threshold_findings.h"

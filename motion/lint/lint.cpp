@@ -1,7 +1,6 @@
 #include "motion/lint/lint.h"
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
 
 #include "motion/lint/checks.h"

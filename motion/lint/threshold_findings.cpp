@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cmath>
 #include <iomanip>
-#include <limits>
 #include <sstream>
 
 #include "motion/skeleton/body.h"

@@ -6,7 +6,6 @@
 
 #include "motion/error.h"
 #include "motion/live/bytes.h"
-#include "motion/measures/features/feature_parameter.h"
 #include "motion/skeleton/body.h"
 
 namespace mien::motion {

@@ -6,7 +6,6 @@
 
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
-#include "motion/measures/features/feature_parameter.h"
 
 namespace mien::motion {
 

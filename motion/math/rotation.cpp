@@ -77,20 +77,6 @@ Quat frame_from(const Vec3& x, const Vec3& y_hint) {
   return Quat(frame).normalized();
 }
 
-namespace {
-
-Vec3 unit(Axis axis) { return Vec3::Unit(static_cast<int>(axis)); }
-
-}  // namespace
-
-Quat from_euler(const std::array<Axis, 3>& order, const Vec3& radians) {
-  Quat rotation = Quat::Identity();
-  for (int i = 0; i < 3; ++i) {
-    rotation = rotation * Quat(Eigen::AngleAxisd(radians[i], unit(order[static_cast<size_t>(i)])));
-  }
-  return rotation;
-}
-
 Vec3 to_euler(const std::array<Axis, 3>& order, const Quat& rotation) {
   const int i = static_cast<int>(order[0]);
   const int j = static_cast<int>(order[1]);

@@ -38,12 +38,9 @@ Quat frame_from(const Vec3& x, const Vec3& y_hint);
 
 enum class Axis { x, y, z };
 
-/// Rotation from angles (radians) about `order[0]`, `order[1]`, `order[2]`, multiplied in that
-/// order: R = R₀·R₁·R₂ on column vectors, as BVH's CHANNELS line means it.
-Quat from_euler(const std::array<Axis, 3>& order, const Vec3& radians);
-
-/// The inverse of `from_euler` for three different axes; the middle angle lies in [−π/2, π/2]. At
-/// gimbal lock the third angle is 0.
+/// The angles (radians) about `order[0]`, `order[1]`, `order[2]`, three different axes, of which a
+/// rotation is the product in that order: R = R₀·R₁·R₂ on column vectors, as BVH's CHANNELS line
+/// means it. The middle angle lies in [−π/2, π/2]. At gimbal lock the third angle is 0.
 Vec3 to_euler(const std::array<Axis, 3>& order, const Quat& rotation);
 
 /// A rotation as two direction vectors, d1 = R·e1 and d2 = R·e2 (the six numbers of the emotion

@@ -5,8 +5,8 @@
 
 #include "motion/gait/foot_path.h"
 #include "motion/gait/foot_placement.h"
+#include "motion/math/filter.h"
 #include "motion/math/rotation.h"
-#include "motion/math/smooth_envelope.h"
 #include "motion/modify/hip_shift.h"
 #include "motion/skeleton/sole.h"
 #include "motion/skeleton/two_bone_ik.h"
@@ -49,6 +49,12 @@ std::vector<int> frames_from_plant(const std::vector<FootPlant>& plants, bool le
   return away;
 }
 
+std::vector<double> smooth_lift(const std::vector<double>& needed, const Clip& clip) {
+  const int half_width =
+      std::max(1, static_cast<int>(std::lround(lift_seconds * clip.frames_per_second)));
+  return smooth_envelope(needed, half_width, clip.loops);
+}
+
 std::vector<double> lifts(const Clip& clip, const Clip& original,
                           const std::vector<FootPlant>& plants, bool left) {
   const std::vector<SolePoints> now = sole_paths(clip, left);
@@ -60,12 +66,9 @@ std::vector<double> lifts(const Clip& clip, const Clip& original,
     const double wanted = std::clamp(lowest(before[f]), 0.0, clearance);
     needed[f] = std::max(0.0, wanted - lowest(now[f]));
   }
-  const int half_width =
-      std::max(1, static_cast<int>(std::lround(lift_seconds * clip.frames_per_second)));
-  std::vector<double> lift = smooth_envelope(needed, half_width, clip.loops);
+  std::vector<double> lift = smooth_lift(needed, clip);
   for (size_t f = 0; f < lift.size(); ++f) {
-    const double x = std::clamp(away[f] / (onset_seconds * clip.frames_per_second + 1.0), 0.0, 1.0);
-    lift[f] *= x * x * (3.0 - 2.0 * x);
+    lift[f] *= smooth_step(away[f] / (onset_seconds * clip.frames_per_second + 1.0));
   }
   return lift;
 }
@@ -78,9 +81,7 @@ std::vector<double> sunk(const Clip& clip, const Clip& original, bool left) {
   for (size_t f = 0; f < now.size(); ++f) {
     needed.push_back(std::max(0.0, std::min(lowest(before[f]), 0.0) - lowest(now[f]) - sinks));
   }
-  const int half_width =
-      std::max(1, static_cast<int>(std::lround(lift_seconds * clip.frames_per_second)));
-  return smooth_envelope(needed, half_width, clip.loops);
+  return smooth_lift(needed, clip);
 }
 
 /// Raises the ankle of one pose; the foot keeps its direction in the world.
@@ -96,6 +97,20 @@ void lift_foot(Pose& pose, const Skeleton& body, const LegJoints& leg, double he
   pose.rotations[at(leg.hip)] = (world.rotations[Pelvis].conjugate() * thigh).normalized();
   pose.rotations[at(leg.knee)] = (thigh.conjugate() * shank).normalized();
   pose.rotations[at(leg.ankle)] = (shank.conjugate() * world.rotations[at(leg.ankle)]).normalized();
+}
+
+/// With each foot raised by what `lift_of` gives of it, frame by frame.
+template <class LiftOf>
+Clip with_feet_raised(const Clip& clip, const LiftOf& lift_of) {
+  Clip result = clip;
+  for (const bool left : {true, false}) {
+    const std::vector<double> lift = lift_of(left);
+    for (size_t f = 0; f < lift.size(); ++f) {
+      if (lift[f] < 1e-6) continue;
+      lift_foot(result.poses[f], clip.body, leg_joints(left), lift[f]);
+    }
+  }
+  return result;
 }
 
 /// The plant's feet as they stand in `known`, moved over the floor and turned about the vertical to
@@ -135,9 +150,8 @@ void carry_toes_over(Clip& clip, const Clip& settled, const std::vector<FootPlan
     for (size_t f = 0; f < clip.poses.size(); ++f) {
       const double x = std::min(1.0, away[f] / (fade_seconds * clip.frames_per_second + 1.0));
       if (x == 1.0) continue;
-      const double share = 1.0 - x * x * (3.0 - 2.0 * x);
       Quat& bend = clip.poses[f].rotations[toe];
-      bend = slerp(bend, settled.poses[f].rotations[toe], share);
+      bend = slerp(bend, settled.poses[f].rotations[toe], 1.0 - smooth_step(x));
     }
   }
 }
@@ -175,28 +189,12 @@ Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants)
 }
 
 Clip with_feet_above_floor(const Clip& clip, const Clip& original) {
-  Clip result = clip;
-  for (const bool left : {true, false}) {
-    const std::vector<double> lift = sunk(clip, original, left);
-    for (size_t f = 0; f < lift.size(); ++f) {
-      if (lift[f] < 1e-6) continue;
-      lift_foot(result.poses[f], clip.body, leg_joints(left), lift[f]);
-    }
-  }
-  return result;
+  return with_feet_raised(clip, [&](bool left) { return sunk(clip, original, left); });
 }
 
 Clip with_toe_clearance(const Clip& clip, const Clip& original,
                         const std::vector<FootPlant>& plants) {
-  Clip result = clip;
-  for (const bool left : {true, false}) {
-    const std::vector<double> lift = lifts(clip, original, plants, left);
-    for (size_t f = 0; f < lift.size(); ++f) {
-      if (lift[f] < 1e-6) continue;
-      lift_foot(result.poses[f], clip.body, leg_joints(left), lift[f]);
-    }
-  }
-  return result;
+  return with_feet_raised(clip, [&](bool left) { return lifts(clip, original, plants, left); });
 }
 
 Clip with_plants_carried_over(const Clip& clip, const Clip& still,

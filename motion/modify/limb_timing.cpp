@@ -16,6 +16,24 @@ constexpr double standstill = 0.05;  // m/s
 constexpr double set_seconds = 0.15;
 constexpr double rounding_seconds = 0.1;
 
+struct LimbParts {
+  bool Limbs::*is_meant;
+  BodyJoint first;  ///< joints are numbered down each chain
+  BodyJoint last;
+  BodyJoint end;
+};
+
+const LimbParts& parts_of(Limb limb) {
+  static constexpr LimbParts limbs[] = {
+      {&Limbs::head, Neck, Head, Head},
+      {&Limbs::left_hand, LeftClavicle, LeftWrist, LeftWrist},
+      {&Limbs::right_hand, RightClavicle, RightWrist, RightWrist},
+      {&Limbs::left_foot, LeftHip, LeftToe, LeftAnkle},
+      {&Limbs::right_foot, RightHip, RightToe, RightAnkle},
+  };
+  return limbs[static_cast<size_t>(limb)];
+}
+
 /// Where each of `count` equal parts of `whole` begins; the end of the last too.
 std::vector<long> parts(long whole, long count) {
   std::vector<long> borders;
@@ -92,48 +110,15 @@ Clip accelerated(const Clip& clip, const Limbs& limbs, const std::span<const int
 
 }  // namespace
 
-bool has(const Limbs& limbs, Limb limb) {
-  switch (limb) {
-    case Limb::head:
-      return limbs.head;
-    case Limb::left_hand:
-      return limbs.left_hand;
-    case Limb::right_hand:
-      return limbs.right_hand;
-    case Limb::left_foot:
-      return limbs.left_foot;
-    case Limb::right_foot:
-      return limbs.right_foot;
-  }
-  return false;
-}
+bool has(const Limbs& limbs, Limb limb) { return limbs.*parts_of(limb).is_meant; }
 
 std::vector<BodyJoint> joints_of(Limb limb) {
-  switch (limb) {
-    case Limb::head:
-      return {Neck, Head};
-    case Limb::left_hand:
-      return {LeftClavicle, LeftShoulder, LeftElbow, LeftWrist};
-    case Limb::right_hand:
-      return {RightClavicle, RightShoulder, RightElbow, RightWrist};
-    case Limb::left_foot:
-      return {LeftHip, LeftKnee, LeftAnkle, LeftToe};
-    case Limb::right_foot:
-      return {RightHip, RightKnee, RightAnkle, RightToe};
-  }
-  return {};
+  std::vector<BodyJoint> joints;
+  for (int j = parts_of(limb).first; j <= parts_of(limb).last; ++j) joints.push_back(BodyJoint(j));
+  return joints;
 }
 
-BodyJoint end_of(Limb limb) {
-  switch (limb) {
-    case Limb::left_foot:
-      return LeftAnkle;
-    case Limb::right_foot:
-      return RightAnkle;
-    default:
-      return joints_of(limb).back();
-  }
-}
+BodyJoint end_of(Limb limb) { return parts_of(limb).end; }
 
 std::vector<double> limb_speeds(const Clip& clip, Limb limb) {
   std::vector<Vec3> path;
@@ -197,8 +182,7 @@ std::vector<double> near_only(std::span<const double> durations, std::span<const
       if (loops) away = std::min(away, count - std::min(away, count));
       nearest = std::min(nearest, away / frames_per_second);
     }
-    const double x = std::clamp(nearest / 0.1 - 1.0, 0.0, 1.0);
-    const double share = 1.0 - x * x * (3.0 - 2.0 * x);
+    const double share = 1.0 - smooth_step(nearest / 0.1 - 1.0);
     result.push_back(1.0 + share * (durations[i] - 1.0));
   }
   return result;

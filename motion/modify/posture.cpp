@@ -1,9 +1,8 @@
 #include "motion/modify/posture.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <vector>
+#include <map>
 
 #include "motion/math/rotation.h"
 #include "motion/skeleton/sole.h"
@@ -26,7 +25,7 @@ struct UnitTurn {
   TurnFrame frame;
 };
 
-std::vector<UnitTurn> turns_of(PostureUnit unit) {
+const std::vector<UnitTurn>& turns_of(PostureUnit unit) {
   using enum PostureUnit;
   constexpr auto own = TurnFrame::own;
   constexpr auto parent = TurnFrame::parent;
@@ -42,50 +41,30 @@ std::vector<UnitTurn> turns_of(PostureUnit unit) {
     return std::vector<UnitTurn>{{left, axis, frame},
                                  {mirrored(left), Vec3(axis.x(), -axis.y(), -axis.z()), frame}};
   };
-  switch (unit) {
-    case head_flexion:
-      return shared(Neck, Head, x);
-    case head_lateral:
-      return shared(Neck, Head, -z);
-    case head_turn:
-      return shared(Neck, Head, y);
-    case chest_flexion:
-      return {{Chest, x, own}};
-    case spine_flexion:
-      return shared(Spine, Chest, x);
-    case spine_lateral:
-      return shared(Spine, Chest, -z);
-    case spine_turn:
-      return shared(Spine, Chest, y);
-    case pelvis_tilt:
-      return {{Pelvis, x, own}, {LeftHip, -x, parent}, {RightHip, -x, parent}};
-    case shoulder_elevation:
-      return both_sides(LeftClavicle, z, parent);
-    case shoulder_protraction:
-      return both_sides(LeftClavicle, -y, parent);
-    case shoulder_abduction:
-      return both_sides(LeftShoulder, z, parent);
-    case shoulder_flexion:
-      return both_sides(LeftShoulder, -x, parent);
-    case shoulder_internal_rotation:
-      return both_sides(LeftShoulder, x, own);
-    case elbow_flexion:
-      return both_sides(LeftElbow, -y, own);
-    case wrist_flexion:
-      return both_sides(LeftWrist, -z, own);
-    case hip_abduction:
-      return both_sides(LeftHip, z, parent);
-    case hip_flexion:
-      return both_sides(LeftHip, -x, parent);
-    case hip_internal_rotation:
-      return both_sides(LeftHip, -y, own);
-    case knee_flexion:
-      return both_sides(LeftKnee, x, own);
-    case ankle_dorsiflexion:
-      return both_sides(LeftAnkle, -x, own);
-  }
-  assert(false);
-  return {};
+  static const std::map<PostureUnit, std::vector<UnitTurn>> turns = {
+      {head_flexion, shared(Neck, Head, x)},
+      {head_lateral, shared(Neck, Head, -z)},
+      {head_turn, shared(Neck, Head, y)},
+      {chest_flexion, std::vector<UnitTurn>{{Chest, x, own}}},
+      {spine_flexion, shared(Spine, Chest, x)},
+      {spine_lateral, shared(Spine, Chest, -z)},
+      {spine_turn, shared(Spine, Chest, y)},
+      {pelvis_tilt,
+       std::vector<UnitTurn>{{Pelvis, x, own}, {LeftHip, -x, parent}, {RightHip, -x, parent}}},
+      {shoulder_elevation, both_sides(LeftClavicle, z, parent)},
+      {shoulder_protraction, both_sides(LeftClavicle, -y, parent)},
+      {shoulder_abduction, both_sides(LeftShoulder, z, parent)},
+      {shoulder_flexion, both_sides(LeftShoulder, -x, parent)},
+      {shoulder_internal_rotation, both_sides(LeftShoulder, x, own)},
+      {elbow_flexion, both_sides(LeftElbow, -y, own)},
+      {wrist_flexion, both_sides(LeftWrist, -z, own)},
+      {hip_abduction, both_sides(LeftHip, z, parent)},
+      {hip_flexion, both_sides(LeftHip, -x, parent)},
+      {hip_internal_rotation, both_sides(LeftHip, -y, own)},
+      {knee_flexion, both_sides(LeftKnee, x, own)},
+      {ankle_dorsiflexion, both_sides(LeftAnkle, -x, own)},
+  };
+  return turns.at(unit);
 }
 
 constexpr double full_until = 0.35;   // of the limb's length, away from where it hangs
@@ -105,8 +84,7 @@ constexpr std::array<FadingLimb, fading_limb_count> fading_limbs = {
      {{RightHip, RightKnee, RightAnkle, RightToe}, RightAnkle}}};
 
 double faded_in(double share) {
-  const double x = std::clamp((share - full_until) / (gone_from - full_until), 0.0, 1.0);
-  return 1.0 - x * x * (3.0 - 2.0 * x);
+  return 1.0 - smooth_step((share - full_until) / (gone_from - full_until));
 }
 
 /// From the joint that swings the limb to its end, metres.

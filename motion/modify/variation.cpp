@@ -17,19 +17,9 @@ constexpr double path_share = 0.6;  // of the middle band
 constexpr double timing_seconds = 0.08;
 
 std::string_view name_of(Limb limb) {
-  switch (limb) {
-    case Limb::head:
-      return "head";
-    case Limb::left_hand:
-      return "left hand";
-    case Limb::right_hand:
-      return "right hand";
-    case Limb::left_foot:
-      return "left foot";
-    case Limb::right_foot:
-      return "right foot";
-  }
-  return "";
+  constexpr std::string_view names[] = {"head", "left hand", "right hand", "left foot",
+                                        "right foot"};
+  return names[static_cast<size_t>(limb)];
 }
 
 /// What of a joint's directions is quicker than 1 Hz, that is what other gains than 1 would add.

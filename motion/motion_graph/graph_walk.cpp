@@ -8,7 +8,6 @@
 #include "motion/error.h"
 #include "motion/gait/foot_lock.h"
 #include "motion/interpolation/blend.h"
-#include "motion/motion_graph/walk_frames.h"
 #include "motion/steered_walk/root_motion.h"
 
 namespace mien::motion {

@@ -24,11 +24,6 @@ double mean_missing(const WalkHeadings& headings, const HeadingGoal& goal) {
   return sum / count;
 }
 
-double risen(double share) {
-  const double t = std::clamp(share, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 }  // namespace
 
 HeadingCorrection correct_headings(const WalkHeadings& headings,
@@ -44,7 +39,8 @@ HeadingCorrection correct_headings(const WalkHeadings& headings,
     const double more = std::clamp(missing, -most, most);
     for (std::size_t f = 0; f < correction.added.size(); ++f) {
       if (headings.seconds[f] < from) continue;
-      correction.added[f] = added + more * risen((headings.seconds[f] - from) / (until - from));
+      correction.added[f] =
+          added + more * smooth_step((headings.seconds[f] - from) / (until - from));
     }
     correction.missing.push_back(missing - more);
     added += more;

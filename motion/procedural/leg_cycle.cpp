@@ -5,8 +5,6 @@
 #include <cmath>
 #include <span>
 
-#include "motion/procedural/walk_curves.h"
-
 namespace mien::motion {
 
 namespace {

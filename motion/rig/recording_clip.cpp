@@ -4,40 +4,24 @@
 
 namespace mien::motion {
 
-namespace {
-
-Skeleton scaled(Skeleton skeleton, double factor) {
-  for (Joint& joint : skeleton.joints) {
-    joint.offset *= factor;
-    if (joint.tip) *joint.tip *= factor;
-  }
-  return skeleton;
-}
-
-Pose upright(Pose pose, const RigAnalysis& rig) {
-  pose.root_position = rig.to_y_up * (pose.root_position * rig.metres_per_unit);
-  pose.root_position.y() -= rig.floor;
-  pose.rotations.front() = rig.to_y_up * pose.rotations.front();
-  for (Vec3& offset : pose.offsets) offset *= rig.metres_per_unit;
-  return pose;
-}
-
-}  // namespace
-
 Recording in_metres(Recording recording) {
   const RigAnalysis rig = analyse_rig(recording);
   if (!rig.human) return recording;  // nothing tells its unit and axes
-  const double unit = rig.metres_per_unit;
-  for (Joint& joint : recording.skeleton.joints) {
-    joint.offset *= unit;
-    if (joint.tip) *joint.tip *= unit;
-  }
-  for (Pose& pose : recording.poses) {
-    pose.root_position = rig.to_y_up * (unit * pose.root_position);
-    pose.rotations.front() = rig.to_y_up * pose.rotations.front();
-    for (Vec3& offset : pose.offsets) offset *= unit;
-  }
+  to_metres(rig.metres_per_unit, rig.to_y_up, recording.skeleton, recording.poses);
   return recording;
+}
+
+void to_metres(double metres_per_unit, const Quat& to_y_up, Skeleton& body,
+               std::vector<Pose>& poses) {
+  for (Joint& joint : body.joints) {
+    joint.offset *= metres_per_unit;
+    if (joint.tip) *joint.tip *= metres_per_unit;
+  }
+  for (Pose& pose : poses) {
+    pose.root_position = to_y_up * (metres_per_unit * pose.root_position);
+    pose.rotations.front() = to_y_up * pose.rotations.front();
+    for (Vec3& offset : pose.offsets) offset *= metres_per_unit;
+  }
 }
 
 Clip clip_of(const Recording& recording) {
@@ -45,9 +29,11 @@ Clip clip_of(const Recording& recording) {
   if (rig.human) return to_body(recording, *rig.human);
   Clip clip;
   clip.name = recording.name;
-  clip.body = scaled(recording.skeleton, rig.metres_per_unit);
+  clip.body = recording.skeleton;
   clip.frames_per_second = recording.frames_per_second;
-  for (const Pose& pose : recording.poses) clip.poses.push_back(upright(pose, rig));
+  clip.poses = recording.poses;
+  to_metres(rig.metres_per_unit, rig.to_y_up, clip.body, clip.poses);
+  for (Pose& pose : clip.poses) pose.root_position.y() -= rig.floor;
   return clip;
 }
 

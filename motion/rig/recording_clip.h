@@ -10,6 +10,11 @@ namespace mien::motion {
 /// (`sketch`); recordings that are not human are unchanged.
 Recording in_metres(Recording recording);
 
+/// Lengths in another unit and axes turned, before anything stands on a floor: for a body and its
+/// poses whose file has `metres_per_unit` and whose up axis `to_y_up` takes to +Y.
+void to_metres(double metres_per_unit, const Quat& to_y_up, Skeleton& body,
+               std::vector<Pose>& poses);
+
 /// A recording as a clip in metres, +Y up, on the floor: of the canonical body when the figure is
 /// human, else of the recording's own skeleton, so that it can be drawn at all.
 Clip clip_of(const Recording& recording);

@@ -106,21 +106,12 @@ Quat foot_frame(const RestFigure& figure, BodyJoint ankle) {
 }
 
 Quat canonical_frame(const RestFigure& figure, BodyJoint joint) {
-  switch (joint) {
-    case LeftAnkle:
-    case RightAnkle:
-      return foot_frame(figure, joint);
-    case LeftToe:
-    case RightToe:
-      return foot_frame(figure, BodyJoint(joint - 1));
-    case LeftWrist:
-    case RightWrist:
-      return canonical_frame(figure, BodyJoint(joint - 1));
-    case Head:
-      return Quat::Identity();
-    default:
-      return turn_between(rest_direction(joint), bone_direction(figure, joint));
-  }
+  const auto above = BodyJoint(joint - 1);
+  if (joint == LeftAnkle || joint == RightAnkle) return foot_frame(figure, joint);
+  if (joint == LeftToe || joint == RightToe) return foot_frame(figure, above);
+  if (joint == LeftWrist || joint == RightWrist) return canonical_frame(figure, above);
+  if (joint == Head) return Quat::Identity();
+  return turn_between(rest_direction(joint), bone_direction(figure, joint));
 }
 
 }  // namespace

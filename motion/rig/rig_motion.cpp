@@ -9,16 +9,9 @@ namespace mien::motion {
 namespace {
 
 std::optional<BodyJoint> main_child(BodyJoint joint) {
-  switch (joint) {
-    case Head:
-    case LeftWrist:
-    case RightWrist:
-    case LeftToe:
-    case RightToe:
-      return std::nullopt;
-    default:
-      return BodyJoint(joint + 1);  // joints are numbered down each chain
-  }
+  for (const BodyJoint tip : {Head, LeftWrist, RightWrist, LeftToe, RightToe})
+    if (joint == tip) return std::nullopt;
+  return BodyJoint(joint + 1);  // joints are numbered down each chain
 }
 
 }  // namespace

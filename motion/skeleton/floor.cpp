@@ -120,12 +120,6 @@ std::optional<double> standing_level(const Clip& clip, bool left, double lowest)
 
 }  // namespace
 
-std::vector<double> lowest_sole_heights(const Clip& clip) {
-  std::vector<double> heights;
-  for (const Points& points : sole_of_both(clip)) heights.push_back(points[lowest(points)].y());
-  return heights;
-}
-
 double floor_height(const Clip& clip) {
   const double lowest = lowest_rest(clip);
   const std::optional<double> left = standing_level(clip, true, lowest);

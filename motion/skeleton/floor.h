@@ -6,9 +6,6 @@
 
 namespace mien::motion {
 
-/// Height of the lowest point of both soles (sole.h), frame by frame, metres.
-std::vector<double> lowest_sole_heights(const Clip& clip);
-
 /// Height of the floor under a clip: the level on which the lower foot stands, where its ball rests
 /// (the median of its height while it is slow). Toes that dip at toe off do not count, nor rests
 /// higher than 0.08 m above the lowest (steps, raised feet). If no ball rests it is the third

@@ -19,8 +19,7 @@ Vec3 bend_direction(const TwoBoneLimb& limb, const Vec3& line, const Vec3& hint)
   const Vec3 upper = (limb.middle - limb.root).normalized();
   const Vec3 off = upper - upper.dot(line) * line;
   const Vec3 hinted = hint - hint.dot(line) * line;
-  const double x = std::min(1.0, off.norm() / clear_bend);
-  const double share = clear_bend * (1.0 - x * x * (3.0 - 2.0 * x));
+  const double share = clear_bend * (1.0 - smooth_step(off.norm() / clear_bend));
   Vec3 bend = off;
   if (hinted.norm() > 1e-9) bend += share * hinted.normalized();
   return bend.norm() > 1e-9 ? Vec3(bend.normalized()) : Vec3(line.unitOrthogonal());

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "motion/math/rotation.h"
-#include "motion/procedural/upper_body.h"
+#include "motion/procedural/walker.h"
 #include "motion/procedural/walker_legs.h"
 #include "motion/skeleton/pose.h"
 #include "motion/steered_walk/steered_moment.h"

@@ -99,11 +99,6 @@ FootNumbers landing_numbers(const SteppingLeg& leg, const LegCycle& steady) {
   return end;
 }
 
-double smooth_step(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 /// The foot raised where it would touch the floor in the middle of its swing. Who hardly gets on
 /// lifts a foot higher than who walks: it does not swing past, it is set.
 FootPose clear_of_floor(FootPose foot, const FootShape& shape, double x, double speed_m_s) {

@@ -7,7 +7,6 @@
 #include <type_traits>
 
 #include "motion/error.h"
-#include "motion/procedural/stance_fit.h"
 #include "motion/procedural/walk_style.h"
 #include "motion/procedural/walker_legs.h"
 

@@ -26,7 +26,7 @@ struct FittedGait {
 };
 
 /// The style on the body, as high and as well placed over its feet as the walker walks
-/// (stance_fit.h). Throws mien::Error when its steps are too long for the legs.
+/// (walker_legs.h). Throws mien::Error when its steps are too long for the legs.
 FittedGait fit_gait(const WalkStyle& style, const Skeleton& body);
 
 /// Standing in the posture of the style: the weight lies over the middle of the feet.

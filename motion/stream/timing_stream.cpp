@@ -20,10 +20,7 @@ constexpr double return_seconds = 0.6;   // in which a limb left to itself comes
 constexpr double quickest = 2.5;         // times its own speed, when it catches up
 
 /// 1 well below half the mean speed, 0 from three quarters on.
-double pause_of(double speed, double mean) {
-  const double x = std::clamp((0.75 - speed / mean) / 0.5, 0.0, 1.0);
-  return x * x * (3.0 - 2.0 * x);
-}
+double pause_of(double speed, double mean) { return smooth_step((0.75 - speed / mean) / 0.5); }
 
 }  // namespace
 

@@ -102,26 +102,10 @@ std::vector<int> basic_periods(const Clip& clip, BodyJoint effector) {
 }
 
 int amplitude_class(int joint) {
-  switch (joint) {
-    case Pelvis:
-    case Spine:
-    case Chest:
-      return 0;
-    case LeftElbow:
-    case RightElbow:
-    case LeftKnee:
-    case RightKnee:
-      return 2;
-    case LeftWrist:
-    case RightWrist:
-    case LeftAnkle:
-    case RightAnkle:
-    case LeftToe:
-    case RightToe:
-      return 3;
-    default:
-      return 1;
-  }
+  const auto is_one_of = [&](auto... joints) { return ((joint == joints) || ...); };
+  if (is_one_of(Pelvis, Spine, Chest)) return 0;
+  if (is_one_of(LeftElbow, RightElbow, LeftKnee, RightKnee)) return 2;
+  return is_one_of(LeftWrist, RightWrist, LeftAnkle, RightAnkle, LeftToe, RightToe) ? 3 : 1;
 }
 
 std::vector<PeriodMeasure> measured_periods(const Clip& clip, BodyJoint effector) {

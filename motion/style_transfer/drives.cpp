@@ -41,16 +41,9 @@ Vec3 hand_place(const JointTransforms& world, bool left) {
 }
 
 double hand_value(const Vec3& place, int part, bool left) {
-  switch (part) {
-    case 0:
-      return place.z();
-    case 1:
-      return left ? place.x() : -place.x();
-    case 2:
-      return place.y();
-    default:
-      return place.norm();
-  }
+  if (part == 0) return place.z();
+  if (part == 1) return left ? place.x() : -place.x();
+  return part == 2 ? place.y() : place.norm();
 }
 
 Vec3 hand_place_with(const Vec3& place, int part, bool left, double value) {

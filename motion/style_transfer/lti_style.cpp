@@ -6,7 +6,6 @@
 
 #include "motion/error.h"
 #include "motion/math/singular_values.h"
-#include "motion/style_transfer/motion_curves.h"
 
 namespace mien::motion {
 

@@ -9,7 +9,6 @@
 #include "motion/math/dynamic_time_warp.h"
 #include "motion/math/fast_ica.h"
 #include "motion/math/singular_values.h"
-#include "motion/style_transfer/motion_curves.h"
 
 namespace mien::motion {
 

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "motion/error.h"
-#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -35,18 +34,10 @@ std::string unreadable(int error) {
 }
 
 std::string status_error(const struct stat& status, std::uintmax_t most_bytes) {
-  switch (status.st_mode & S_IFMT) {
-    case S_IFREG:
-      break;
-    case S_IFDIR:
-      return "is a folder, not a file";
-    case S_IFIFO:
-      return "is a pipe, not a file";
-    case S_IFSOCK:
-      return "is a socket, not a file";
-    default:
-      return "is a device, not a file";
-  }
+  if (S_ISDIR(status.st_mode)) return "is a folder, not a file";
+  if (S_ISFIFO(status.st_mode)) return "is a pipe, not a file";
+  if (S_ISSOCK(status.st_mode)) return "is a socket, not a file";
+  if (!S_ISREG(status.st_mode)) return "is a device, not a file";
   const auto size = static_cast<std::uintmax_t>(status.st_size);
   if (size <= most_bytes) return "";
   return "has " + size_text(size) + ", more than the " + size_text(most_bytes) +
@@ -117,14 +108,6 @@ std::string read_contents(const std::filesystem::path& path) {
                 "run: git lfs pull");
   if (reading.bytes) return *std::move(reading.bytes);
   throw Error({path.string()}, reading.error, "give the path of a motion file");
-}
-
-void write_contents(const std::filesystem::path& path, std::string_view bytes) {
-  try {
-    write_result(path, bytes);
-  } catch (const WriteFailure& failure) {
-    throw Error(failure.what(), "");
-  }
 }
 
 }  // namespace mien::motion

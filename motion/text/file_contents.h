@@ -38,7 +38,4 @@ inline bool is_lfs_pointer(std::string_view bytes) {
 /// The bytes of a motion's or character's file. Throws mien::Error when it cannot be read.
 std::string read_contents(const std::filesystem::path& path);
 
-/// Writes the bytes, replacing a file of that name. Throws mien::Error when that fails.
-void write_contents(const std::filesystem::path& path, std::string_view bytes);
-
 }  // namespace mien::motion

@@ -11,11 +11,10 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/checks/document_checks.h"
-#include "pipeline/manifest/checks/session_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/run/rehearsal.h"
-#include "pipeline/production/run/rehearsal_sample.h"
 #include "pipeline/production/synthesis/wish.h"
 
 namespace mien::pipeline {

@@ -13,7 +13,6 @@
 #include "pipeline/commands/verification_text.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/archive/keep.h"
-#include "pipeline/production/archive/not_kept.h"
 #include "pipeline/production/archive/study_contents.h"
 #include "pipeline/production/run/run.h"
 #include "pipeline/tasks/stale_artifacts.h"

@@ -12,7 +12,7 @@
 #include "motion/text/shell_word.h"
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/verification_text.h"
-#include "pipeline/tasks/progress_bar.h"
+#include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
 

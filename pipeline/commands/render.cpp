@@ -211,16 +211,18 @@ std::vector<CommandOption> file_options(RenderOptions& options) {
 
 /// How they are shown.
 std::vector<CommandOption> look_options(LookOptions& look) {
-  return {option("--camera", &look.camera,
-                 "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
-              .with_default(),
-          option("--figure", &look.figure,
-                 "stick, mannequin, point-light or trail, options (\"point-light: {scrambled: "
-                 "true}\"), or the glTF file of a skinned character")
-              .with_default(),
-          option("--scene", &look.scene,
-                 "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "
-                 "sets); default: studio, or void for point lights")};
+  return {
+      option("--camera", &look.camera,
+             "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
+          .with_default(),
+      option("--figure", &look.figure,
+             motion::listed(scenes::figure_names<scenes::Figure>()) +
+                 ", options (\"point-light: {scrambled: true}\"), or the glTF file of a skinned "
+                 "character")
+          .with_default(),
+      option("--scene", &look.scene,
+             "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "
+             "sets); default: studio, or void for point lights")};
 }
 
 /// Stills, dots and noise.

@@ -11,7 +11,7 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/production_options.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
-#include "pipeline/manifest/checks/study_record.h"
+#include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/production/run/provenance.h"
 #include "pipeline/tasks/progress.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/tasks/progress_bar.h"
+#include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
 

@@ -15,7 +15,7 @@
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/archive/rerender.h"
 #include "pipeline/production/run/provenance.h"
-#include "pipeline/tasks/progress_bar.h"
+#include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
 

@@ -2,7 +2,6 @@
 
 #include <charconv>
 
-#include "pipeline/farm/jobs/ended_elements.h"
 #include "pipeline/farm/jobs/task_list.h"
 #include "pipeline/farm/stages.h"
 

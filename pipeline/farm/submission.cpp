@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/tasks/key_builder.h"
+#include "pipeline/tasks/hash.h"
 
 namespace mien::pipeline {
 

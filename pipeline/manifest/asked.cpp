@@ -4,7 +4,7 @@
 #include <iterator>
 #include <set>
 
-#include "pipeline/manifest/ratings/scales/emotion_scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

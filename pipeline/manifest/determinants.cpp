@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "pipeline/base/reading/field_writer.h"
@@ -98,10 +97,9 @@ void add_interpolation(KeyBuilder& key, const Interpolation& how) {
 void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
   add_fields(key, "", stimulus, concerns::picture, files);
   add_set(key, stimulus.look.set);
-  if (std::holds_alternative<scenes::PointLightOptions>(stimulus.look.figure))
-    key.add("dots of", stimulus.id);
-  if (const auto* character = scenes::character_in(stimulus.look.figure))
-    key.add("character", files.of_character(character->file));
+  if (scenes::kind_of(stimulus.look.figure).has_dots) key.add("dots of", stimulus.id);
+  if (const auto* file = scenes::file_of(stimulus.look.figure))
+    key.add("character", files.of_character(*file));
 }
 
 void add_page(KeyBuilder& key, const Manifest& manifest) {

@@ -2,7 +2,7 @@
 
 #include "pipeline/manifest/file_keys.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/tasks/key_builder.h"
+#include "pipeline/tasks/hash.h"
 
 namespace mien::pipeline {
 

@@ -1,7 +1,6 @@
 #include "pipeline/manifest/file_keys.h"
 
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/tasks/key_builder.h"
 #include "scenes/character/character.h"
 
 namespace mien::pipeline {

@@ -74,8 +74,7 @@ void fields_of(auto&& field, MaybeConst<ClipSource> auto& clip) {
   field("frames", clip.frames, concerns::motion);
 }
 
-/// Of a stimulus: target, created or reference.
-using Role = scenes::Role;
+using scenes::Role;  ///< of a stimulus: never neutral
 
 inline constexpr Words<Role> role_words = {
     {"target", Role::target}, {"created", Role::created}, {"reference", Role::reference}};

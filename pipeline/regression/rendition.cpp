@@ -101,7 +101,7 @@ Hash Rendition::scene_key(const std::string& id) {
     key.add("x", equal.framing.figure_place->front());
     key.add("y", equal.framing.figure_place->back());
   }
-  if (std::holds_alternative<scenes::PointLightOptions>(scene.look.figure))
+  if (scenes::kind_of(scene.look.figure).has_dots)
     key.add("dots", static_cast<std::int64_t>(manifest_.seed));
   return key.key();
 }

@@ -8,7 +8,7 @@
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
-#include "pipeline/tasks/key_builder.h"
+#include "pipeline/tasks/hash.h"
 #include "scenes/cameras/camera_settings.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"
@@ -88,10 +88,9 @@ void add_set(std::vector<Setting>& settings, const scenes::SetPlan& set) {
 
 /// A character counts with the pictures and buffers that it refers to.
 void add_character(std::vector<Setting>& settings, const Stimulus& stimulus, FileKeys& files) {
-  const auto* character = scenes::character_in(stimulus.look.figure);
-  if (character == nullptr) return;
-  const OrderedJson content = {
-      {character->file.filename().string(), content_id(files.of_character(character->file))}};
+  const std::filesystem::path* file = scenes::file_of(stimulus.look.figure);
+  if (file == nullptr) return;
+  const OrderedJson content = {{file->filename().string(), content_id(files.of_character(*file))}};
   settings.push_back({"look.figure content", Aspect::scene, content.dump()});
 }
 

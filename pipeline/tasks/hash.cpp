@@ -1,6 +1,7 @@
 #include "pipeline/tasks/hash.h"
 
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -46,5 +47,20 @@ Hash hash_of_file(const std::filesystem::path& file) {
   if (std::ferror(stream.get()) != 0) throw_errno(file);
   return as_text(XXH3_128bits_digest(state.get()));
 }
+
+KeyBuilder& KeyBuilder::add(std::string_view name, std::string_view value) {
+  determinants_ += fmt::format("{}:{}={}:{};", name.size(), name, value.size(), value);
+  return *this;
+}
+
+KeyBuilder& KeyBuilder::add(std::string_view name, double value) {
+  return add(name, fmt::format("{:016x}", std::bit_cast<std::uint64_t>(value)));
+}
+
+KeyBuilder& KeyBuilder::add(std::string_view name, std::int64_t value) {
+  return add(name, fmt::format("{}", value));
+}
+
+Hash KeyBuilder::key() const { return hash_of(determinants_); }
 
 }  // namespace mien::pipeline

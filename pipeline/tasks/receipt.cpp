@@ -8,7 +8,6 @@
 
 #include "motion/text/file_contents.h"
 #include "motion/text/safe_name.h"
-#include "pipeline/tasks/key_builder.h"
 
 namespace mien::pipeline {
 

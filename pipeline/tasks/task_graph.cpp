@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <optional>
 #include <system_error>
-#include <utility>
 
 #include "pipeline/base/documents/files.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/tasks/key_builder.h"
+#include "pipeline/tasks/hash.h"
 #include "pipeline/tasks/store.h"
 
 namespace mien::pipeline {

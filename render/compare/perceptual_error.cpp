@@ -10,10 +10,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "render/compare/changed_part.h"
 #include "render/compare/perceptual_color.h"
 #include "render/compare/perceptual_filters.h"
-#include "render/compare/picture_size.h"
+#include "render/compare/picture_difference.h"
 #include "render/image/tone.h"
 #include "render/math/for_avx2.h"
 

@@ -1,11 +1,25 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
+#include "render/error.h"
 #include "render/image/image.h"
 #include "render/image/window.h"
 
 namespace mien::render {
+
+/// Throws Error, with both sizes, when two pictures cannot be compared pixel by pixel.
+template <class Picture>
+void require_same_size(const Picture& a, const Picture& b) {
+  const auto size_text = [](const Picture& picture) {
+    return std::to_string(picture.width) + " x " + std::to_string(picture.height);
+  };
+  if (a.width != b.width || a.height != b.height)
+    throw Error("the pictures differ in size: " + size_text(a) + " and " + size_text(b) +
+                " pixels");
+  if (a.width < 1 || a.height < 1) throw Error("the pictures have no pixels");
+}
 
 /// How two pictures differ, channel by channel. Values are shares of full scale.
 struct PictureDifference {
@@ -38,5 +52,15 @@ struct LibraryDifference {
   std::int64_t failing_pixels = 0;  ///< with a channel that differs by more than the limit
 };
 LibraryDifference library_difference(const Image8& a, const Image8& b, double limit = 0.0);
+
+/// A rectangle of pixels, (x, y) its upper left.
+struct PicturePart {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// The rectangle within `part` whose results can differ if each depends on the pixels up to `reach`
+/// around it: the bounding box of the differing pixels, grown by `reach`. Its height is 0 when
+/// nothing differs. Both pictures have one size.
+PicturePart changed_part(const Image8& a, const Image8& b, const PicturePart& part, int reach);
 
 }  // namespace mien::render

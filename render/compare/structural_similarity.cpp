@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "render/compare/picture_size.h"
+#include "render/compare/picture_difference.h"
 #include "render/compare/separable.h"
 #include "render/math/for_avx2.h"
 

@@ -170,13 +170,6 @@ void develop_rows(const Framebuffer& framebuffer, const Window& part, const Tone
   }
 }
 
-template <class Picture>
-Picture developed(const Framebuffer& framebuffer, const Tone& tone) {
-  Picture picture(framebuffer.width, framebuffer.height);
-  develop(framebuffer, {0, 0, framebuffer.width, framebuffer.height}, tone, picture, 0, 0);
-  return picture;
-}
-
 }  // namespace
 
 float tone_curve(float light, float shoulder) { return toned(light, shoulder); }
@@ -229,11 +222,9 @@ void develop(const Framebuffer& framebuffer, const Window& part, const Tone& ton
 }
 
 Image8 to_srgb8(const Framebuffer& framebuffer, const Tone& tone) {
-  return developed<Image8>(framebuffer, tone);
-}
-
-Image16 to_srgb16(const Framebuffer& framebuffer, const Tone& tone) {
-  return developed<Image16>(framebuffer, tone);
+  Image8 picture(framebuffer.width, framebuffer.height);
+  develop(framebuffer, {0, 0, framebuffer.width, framebuffer.height}, tone, picture, 0, 0);
+  return picture;
 }
 
 }  // namespace mien::render

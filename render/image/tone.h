@@ -29,11 +29,10 @@ Color linear_from_srgb8(int red, int green, int blue);
 /// Tone curve, transfer function and rounding to the nearest code value. The code of a channel is
 /// found by comparison with exact thresholds, so that it does not depend on a machine's pow().
 Image8 to_srgb8(const Framebuffer& framebuffer, const Tone& tone = {});
-Image16 to_srgb16(const Framebuffer& framebuffer, const Tone& tone = {});
 
-/// As to_srgb8 and to_srgb16 for a part of the framebuffer, written to the picture from column x
-/// and row y on. Parts of a picture may be developed at the same time; their codes are those of the
-/// whole picture developed at once.
+/// As to_srgb8, of 8 or 16 bits, for a part of the framebuffer, written to the picture from column
+/// x and row y on. Parts of a picture may be developed at the same time; their codes are those of
+/// the whole picture developed at once.
 void develop(const Framebuffer& framebuffer, const Window& part, const Tone& tone, Image8& picture,
              int x, int y);
 void develop(const Framebuffer& framebuffer, const Window& part, const Tone& tone, Image16& picture,

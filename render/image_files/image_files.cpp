@@ -17,19 +17,9 @@ using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
 TypeDesc type_of(ChannelKind kind) {
-  switch (kind) {
-    case ChannelKind::byte:
-      return TypeDesc::UINT8;
-    case ChannelKind::word:
-      return TypeDesc::UINT16;
-    case ChannelKind::half:
-      return TypeDesc::HALF;
-    case ChannelKind::single:
-      return TypeDesc::FLOAT;
-    case ChannelKind::other:
-      break;
-  }
-  return TypeDesc::UNKNOWN;
+  constexpr TypeDesc::BASETYPE types[] = {TypeDesc::UINT8, TypeDesc::UINT16, TypeDesc::HALF,
+                                          TypeDesc::FLOAT, TypeDesc::UNKNOWN};
+  return types[static_cast<std::size_t>(kind)];
 }
 
 ChannelKind kind_of(TypeDesc type) {

@@ -1,6 +1,5 @@
 #include "render/math/filter.h"
 
-#include <array>
 #include <numbers>
 
 namespace mien::render {

@@ -1,6 +1,5 @@
 #include "render/tracer/engine.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
 
 #include "render/light/floor.h"
 #include "render/light/sky_cone.h"

@@ -13,31 +13,23 @@ namespace {
 constexpr int encoder_threads = 2;
 constexpr int key_frame_distance = 60;
 
+/// Of a kind of video; in the order of the kinds.
 struct EncoderChoice {
   const char* encoder;    ///< as FFmpeg names it
   const char* container;  ///< likewise
   AVPixelFormat pixels;
 };
 
-constexpr EncoderChoice choice_of(VideoKind kind) {
-  switch (kind) {
-    case VideoKind::mp4_lossless:
-      return {"libx264rgb", "mp4", AV_PIX_FMT_RGB24};
-    case VideoKind::webm:
-      return {"libvpx-vp9", "webm", AV_PIX_FMT_YUV420P};
-    case VideoKind::webm_av1:
-      return {"libaom-av1", "webm", AV_PIX_FMT_YUV420P};
-    case VideoKind::mkv:
-      return {"ffv1", "matroska", AV_PIX_FMT_BGR0};
-    case VideoKind::webp:
-      return {"libwebp_anim", "webp", AV_PIX_FMT_BGRA};
-    case VideoKind::gif:
-      return {"gif", "gif", AV_PIX_FMT_PAL8};
-    case VideoKind::apng:
-      return {"apng", "apng", AV_PIX_FMT_RGB24};
-    default:
-      return {"libx264", "mp4", AV_PIX_FMT_YUV420P};
-  }
+const EncoderChoice& choice_of(VideoKind kind) {
+  static constexpr EncoderChoice choices[] = {{"libx264", "mp4", AV_PIX_FMT_YUV420P},
+                                              {"libx264rgb", "mp4", AV_PIX_FMT_RGB24},
+                                              {"libvpx-vp9", "webm", AV_PIX_FMT_YUV420P},
+                                              {"libaom-av1", "webm", AV_PIX_FMT_YUV420P},
+                                              {"ffv1", "matroska", AV_PIX_FMT_BGR0},
+                                              {"libwebp_anim", "webp", AV_PIX_FMT_BGRA},
+                                              {"gif", "gif", AV_PIX_FMT_PAL8},
+                                              {"apng", "apng", AV_PIX_FMT_RGB24}};
+  return choices[static_cast<std::size_t>(kind)];
 }
 
 /// Sets options of an encoder; one that it does not know is a fault of ours.
@@ -116,23 +108,14 @@ void set_quality(AVCodecContext& codec, VideoKind kind, bool fast) {
 
 AVDictionary* container_options(const VideoFormat& format) {
   AVDictionary* options = nullptr;
-  switch (format.kind) {
-    case VideoKind::mp4:
-    case VideoKind::mp4_lossless:
-      av_dict_set(&options, "movflags", "+faststart", 0);
-      break;
-    case VideoKind::webp:
-      av_dict_set(&options, "loop", format.loops ? "0" : "1", 0);
-      break;
-    case VideoKind::gif:
-      av_dict_set(&options, "loop", format.loops ? "0" : "-1", 0);
-      break;
-    case VideoKind::apng:
-      av_dict_set(&options, "plays", format.loops ? "0" : "1", 0);
-      break;
-    default:
-      break;
-  }
+  const auto repeat = [&](const char* option, const char* once) {
+    av_dict_set(&options, option, format.loops ? "0" : once, 0);
+  };
+  if (format.kind == VideoKind::mp4 || format.kind == VideoKind::mp4_lossless)
+    av_dict_set(&options, "movflags", "+faststart", 0);
+  if (format.kind == VideoKind::webp) repeat("loop", "1");
+  if (format.kind == VideoKind::gif) repeat("loop", "-1");
+  if (format.kind == VideoKind::apng) repeat("plays", "1");
   return options;
 }
 

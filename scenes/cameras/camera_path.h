@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "render/scene/camera.h"
 #include "scenes/cameras/camera_settings.h"
 
 namespace mien::scenes {
@@ -10,5 +12,10 @@ namespace mien::scenes {
 /// (Catmull & Rom 1974, tangents for uneven times), constant before the first and after the last.
 /// The keys ascend in time; there is at least one.
 CameraKey camera_on_path(const std::vector<CameraKey>& path, double seconds);
+
+/// The left and the right eye of a camera: parallel axes, `separation_m` metres apart, and pictures
+/// shifted (off-axis projection) so that points at the distance `convergence_m` have zero parallax.
+std::array<render::Camera, 2> stereo_pair(const render::Camera& camera, double separation_m,
+                                          double convergence_m);
 
 }  // namespace mien::scenes

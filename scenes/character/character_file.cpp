@@ -1,7 +1,5 @@
 #include "scenes/character/character_file.h"
 
-#include <string>
-
 #include "motion/error.h"
 #include "motion/text/excerpt.h"
 

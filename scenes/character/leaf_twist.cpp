@@ -8,17 +8,10 @@ namespace mien::scenes {
 
 double max_twist(motion::BodyJoint joint) {
   constexpr double degree = motion::radians_per_degree;
-  switch (joint) {
-    case motion::LeftToe:
-    case motion::RightToe:
-      return 30.0 * degree;
-    case motion::Head:
-    case motion::LeftWrist:
-    case motion::RightWrist:
-      return 110.0 * degree;
-    default:
-      return motion::pi;
-  }
+  if (joint == motion::LeftToe || joint == motion::RightToe) return 30.0 * degree;
+  for (const auto end : {motion::Head, motion::LeftWrist, motion::RightWrist})
+    if (joint == end) return 110.0 * degree;
+  return motion::pi;
 }
 
 motion::Quat clamped_twist(const motion::Quat& rotation, const motion::Vec3& axis, double most) {

@@ -6,18 +6,6 @@
 
 namespace mien::scenes {
 
-namespace {
-
-struct Naming {
-  std::string_view operator()(const StickOptions&) const { return "stick"; }
-  std::string_view operator()(const MannequinOptions&) const { return "mannequin"; }
-  std::string_view operator()(const CharacterOptions&) const { return "character"; }
-  std::string_view operator()(const PointLightOptions&) const { return "point-light"; }
-  std::string_view operator()(const TrailOptions&) const { return "trail"; }
-};
-
-}  // namespace
-
 double figure_height(const motion::Clip& clip) {
   if (motion::is_body(clip.body)) return motion::standing_height(clip.body);
   const motion::JointTransforms world = motion::world_transforms(clip.body, clip.poses.front());
@@ -33,13 +21,17 @@ double figure_height(const motion::Clip& clip) {
   return std::max(height, 0.2);
 }
 
-std::string_view name_of(const Figure& figure) { return std::visit(Naming{}, figure); }
+const FigureKind& kind_of(const Figure& figure) {
+  return std::visit([](const auto& options) -> const FigureKind& { return options.kind; }, figure);
+}
 
-const CharacterOptions* character_in(const Figure& figure) {
-  if (const auto* trail = std::get_if<TrailOptions>(&figure)) {
-    return std::get_if<CharacterOptions>(&trail->figure);
-  }
-  return std::get_if<CharacterOptions>(&figure);
+const std::filesystem::path* file_of(const Figure& figure) {
+  const auto file = []<class Options>(const Options& options) -> const std::filesystem::path* {
+    if constexpr (FromFile<Options>) return &options.file;
+    return nullptr;
+  };
+  const auto* trail = std::get_if<TrailOptions>(&figure);
+  return trail != nullptr ? std::visit(file, trail->figure) : std::visit(file, figure);
 }
 
 }  // namespace mien::scenes

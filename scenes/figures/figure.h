@@ -1,13 +1,15 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "motion/skeleton/clip.h"
-#include "scenes/figures/point_light_options.h"
 
 namespace mien::scenes {
 
@@ -15,13 +17,30 @@ namespace mien::scenes {
 /// from the root in the first frame, at least 0.2.
 double figure_height(const motion::Clip& clip);
 
+/// What is declared of a kind of figure beside its options, of which it is the member `kind`.
+/// Whatever reads, checks, lists or describes figures goes by it.
+struct FigureKind {
+  const char* name;            ///< in manifests, options and tables: "point-light"
+  const char* set = "studio";  ///< where it is shown unless a set is named
+
+  /// Drawn as dots (Actor::dots) of exactly the colours that are given, without motion blur. What
+  /// is random about them depends on the stimulus, and a table lists their positions.
+  bool has_dots = false;
+
+  const char* not_in_overlays = "";  ///< why an overlay cannot show it; empty: it can
+};
+
 /// A stick figure: a round cone for each bone and a sphere for each joint.
 struct StickOptions {
+  static constexpr FigureKind kind = {.name = "stick"};
+
   friend bool operator==(const StickOptions&, const StickOptions&) = default;
 };
 
 /// A smooth body with the proportions of the clip's skeleton.
 struct MannequinOptions {
+  static constexpr FigureKind kind = {.name = "mannequin"};
+
   double build = 0.5;  ///< 0 slim … 1 heavy
   double sex = 0.5;    ///< 0 female … 1 male
 
@@ -30,9 +49,60 @@ struct MannequinOptions {
 
 /// A skinned character from a glTF file.
 struct CharacterOptions {
+  static constexpr FigureKind kind = {.name = "character"};
+
   std::filesystem::path file;
 
   friend bool operator==(const CharacterOptions&, const CharacterOptions&) = default;
+};
+
+/// A point-light figure: dots on the joints of an invisible body (Johansson 1973), and the
+/// manipulations by which studies remove form, motion or order from it.
+struct PointLightOptions {
+  static constexpr FigureKind kind = {
+      .name = "point-light",
+      .set = "void",
+      .has_dots = true,
+      .not_in_overlays = "the point lights of several motions cannot be told apart"};
+
+  /// "standard": head, shoulders, elbows, wrists, hips, knees and ankles, the 13 of Cutting 1978;
+  /// "all": every joint; empty: those of `joints`.
+  std::string joint_set = "standard";
+  std::vector<std::string> joints;  ///< names of the skeleton's joints, and "HeadTop"
+
+  double size_px = 8.0;          ///< diameter, the same near and far
+  std::optional<double> size_m;  ///< diameter in metres instead: nearer dots are larger
+
+  bool dark_on_light = false;  ///< dots darker than the background
+  /// Michelson contrast of dots and background, 0 … 1; the lighter of the two is white.
+  double contrast = 1.0;
+  std::string colour;      ///< "#rrggbb" of the dots; empty: by polarity and contrast
+  std::string background;  ///< of the background; empty: by polarity and contrast
+
+  /// Limited lifetime: frames that a dot keeps its position on the body before it moves to a random
+  /// position on any limb (Beintema & Lappe 2002); dots change asynchronously. 0: unlimited, on the
+  /// joint. Noise and mask dots have unlimited lifetimes.
+  int lifetime = 0;
+
+  bool inverted = false;         ///< upside down
+  bool mirrored = false;         ///< left and right exchanged, as seen by the camera
+  double rotated_degrees = 0.0;  ///< about the vertical, counter-clockwise seen from above
+  bool scrambled = false;        ///< each dot's motion at a random position in the extent
+
+  bool reversed = false;         ///< last frame first
+  bool constant_speed = false;   ///< each dot follows its own path at constant speed
+  bool phase_scrambled = false;  ///< each dot's motion starts at a random moment of it
+
+  /// Number of noise dots, which move in straight lines in the picture plane, as fast as the
+  /// figure's dots, and reverse at the ends of the figure's extent.
+  int noise = 0;
+  /// Number of mask dots of scrambled figures: each has a joint's motion at another position and
+  /// with another phase.
+  int mask = 0;
+
+  std::optional<std::uint64_t> seed;  ///< default: derived from the production's
+
+  friend bool operator==(const PointLightOptions&, const PointLightOptions&) = default;
 };
 
 /// Figures with a surface, which can be shown in several poses at once.
@@ -40,6 +110,9 @@ using BodyFigure = std::variant<StickOptions, MannequinOptions, CharacterOptions
 
 /// Several poses of one clip in one picture.
 struct TrailOptions {
+  static constexpr FigureKind kind = {.name = "trail",
+                                      .not_in_overlays = "a trail shows one motion only"};
+
   BodyFigure figure;
 
   /// Number of poses left behind, evenly spread over the clip, each visible from its time on; the
@@ -60,10 +133,34 @@ struct TrailOptions {
 using Figure =
     std::variant<StickOptions, MannequinOptions, CharacterOptions, PointLightOptions, TrailOptions>;
 
-/// The key of a figure in a manifest: "stick", "mannequin", "character", "point-light", "trail".
-std::string_view name_of(const Figure& figure);
+/// Options of a kind that is read from a file, and so is nothing by its name alone.
+template <class Options>
+concept FromFile = requires(const Options& options) {
+  options.file;
+};
 
-/// The character options of a figure, or of a trail's figure; null for other kinds.
-const CharacterOptions* character_in(const Figure& figure);
+/// Calls `use` with the default options of each kind of Figure or BodyFigure, in their order.
+template <class Figures>
+void for_each_kind(const auto& use) {
+  const auto use_each = [&]<std::size_t... k>(std::index_sequence<k...>) {
+    (use(std::variant_alternative_t<k, Figures>()), ...);
+  };
+  use_each(std::make_index_sequence<std::variant_size_v<Figures>>());
+}
+
+const FigureKind& kind_of(const Figure& figure);
+
+/// The names of the kinds of Figure or BodyFigure that are not read from a file.
+template <class Figures>
+std::vector<std::string> figure_names() {
+  std::vector<std::string> names;
+  for_each_kind<Figures>([&]<class Options>(const Options&) {
+    if (!FromFile<Options>) names.emplace_back(Options::kind.name);
+  });
+  return names;
+}
+
+/// The file that a figure, or a trail's figure, is read from; null for other kinds.
+const std::filesystem::path* file_of(const Figure& figure);
 
 }  // namespace mien::scenes

@@ -32,17 +32,9 @@ render::Color colour_from_hex(std::string_view hex) {
 }
 
 FigureColours colours_of(Role role) {
-  switch (role) {
-    case Role::target:
-      return shades_of(46, 160, 92);
-    case Role::created:
-      return shades_of(52, 116, 204);
-    case Role::reference:
-      return shades_of(206, 72, 60);
-    case Role::neutral:
-      break;
-  }
-  return shades_of(122, 134, 150);
+  if (role == Role::target) return shades_of(46, 160, 92);
+  if (role == Role::created) return shades_of(52, 116, 204);
+  return role == Role::reference ? shades_of(206, 72, 60) : shades_of(122, 134, 150);
 }
 
 }  // namespace mien::scenes

@@ -1,5 +1,8 @@
 #include "scenes/figures/stick_figure.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace mien::scenes {
 
 namespace {
@@ -16,42 +19,18 @@ constexpr double drawn_stature = 1.75;
 constexpr double plain_radius = 0.022;
 constexpr double head_radius = 0.092;
 
-Thickness thickness_of(BodyJoint joint) {
-  switch (joint) {
-    case motion::Pelvis:
-      return {0.062, 0.058};
-    case motion::Spine:
-      return {0.058, 0.062};
-    case motion::Chest:
-      return {0.064, 0.036};
-    case motion::Neck:
-      return {0.034, 0.034};
-    case motion::Head:
-      return {0.036, 0.036};
-    case motion::LeftClavicle:
-    case motion::RightClavicle:
-      return {0.036, 0.042};
-    case motion::LeftShoulder:
-    case motion::RightShoulder:
-      return {0.044, 0.033};
-    case motion::LeftElbow:
-    case motion::RightElbow:
-      return {0.035, 0.025};
-    case motion::LeftWrist:
-    case motion::RightWrist:
-      return {0.027, 0.024};
-    case motion::LeftHip:
-    case motion::RightHip:
-      return {0.060, 0.043};
-    case motion::LeftKnee:
-    case motion::RightKnee:
-      return {0.046, 0.031};
-    case motion::LeftAnkle:
-    case motion::RightAnkle:
-      return {0.034, 0.026};
-    default:
-      return {0.027, 0.020};
-  }
+const Thickness& thickness_of(BodyJoint joint) {
+  static constexpr std::pair<BodyJoint, Thickness> thicknesses[] = {
+      {motion::Pelvis, {0.062, 0.058}},       {motion::Spine, {0.058, 0.062}},
+      {motion::Chest, {0.064, 0.036}},        {motion::Neck, {0.034, 0.034}},
+      {motion::Head, {0.036, 0.036}},         {motion::LeftClavicle, {0.036, 0.042}},
+      {motion::LeftShoulder, {0.044, 0.033}}, {motion::LeftElbow, {0.035, 0.025}},
+      {motion::LeftWrist, {0.027, 0.024}},    {motion::LeftHip, {0.060, 0.043}},
+      {motion::LeftKnee, {0.046, 0.031}},     {motion::LeftAnkle, {0.034, 0.026}},
+      {motion::LeftToe, {0.027, 0.020}},
+  };
+  const BodyJoint one = motion::is_right(joint) ? motion::mirrored(joint) : joint;
+  return std::ranges::find(thicknesses, one, &std::pair<BodyJoint, Thickness>::first)->second;
 }
 
 /// Material indices of the shades, appended to the scene.

@@ -1,12 +1,11 @@
 #include "scenes/mannequin/mannequin.h"
 
 #include <algorithm>
-#include <vector>
+#include <cmath>
+#include <numeric>
 
-#include "scenes/mannequin/largest_component.h"
-#include "scenes/mannequin/mannequin_paint.h"
+#include "scenes/mannequin/mannequin_landmarks.h"
 #include "scenes/mannequin/mannequin_weights.h"
-#include "scenes/mannequin/surface_nets.h"
 #include "scenes/skinning/skinned_glb.h"
 
 namespace mien::scenes {
@@ -87,6 +86,48 @@ int part_of(const SkinnedMesh& mesh, const std::array<int, 3>& triangle) {
   return mesh.influences[static_cast<size_t>(triangle[0])].front().joint;
 }
 
+/// Vertices that triangles connect.
+struct Pieces {
+  std::vector<int> above;
+
+  explicit Pieces(size_t count) : above(count) { std::iota(above.begin(), above.end(), 0); }
+
+  int of(int vertex) {
+    while (up(vertex) != vertex) vertex = up(vertex) = up(up(vertex));
+    return vertex;
+  }
+
+  void join(int a, int b) { up(of(a)) = of(b); }
+
+  int& up(int vertex) { return above[static_cast<size_t>(vertex)]; }
+};
+
+constexpr int texture_size = 256;
+constexpr float subtlety = 0.5f;  // of the difference between left and right
+
+/// 0 below the border, 1 above it, over a narrow ramp.
+float ramp(float value, float border, float width) {
+  const float t = std::clamp(0.5f + (value - border) / width, 0.0f, 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
+
+render::Color mixed(const render::Color& a, const render::Color& b, float t) {
+  return a + t * (b - a);
+}
+
+/// Metres at 1.75 m inside the border of the face: an upright oval on the front of the head.
+double depth_in_face(const motion::Skeleton& body, const motion::JointTransforms& pose,
+                     const Vec3& point) {
+  const HeadShape head = head_shape(body);
+  const Vec3 from_joint =
+      pose.rotations[motion::Head].conjugate() * (point - pose.positions[motion::Head]);
+  const Vec3 local = (from_joint - head.raise) / (head.size * motion::relative_stature(body));
+  const double across = local.x() / 0.060;
+  const double upward = (local.y() - 0.030) / 0.082;
+  const double oval = 0.058 * (1.0 - std::sqrt(across * across + upward * upward));
+  return std::min(oval, local.z() - 0.030);
+}
+
 }  // namespace
 
 std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body) {
@@ -152,6 +193,68 @@ void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motio
   const auto figure = static_cast<int>(scene.figures.size()) - 1;
   for (const motion::Joint& joint : body.joints) scene.parts.push_back({joint.name, figure});
   scene.solids.meshes.push_back(std::move(mesh));
+}
+
+Surface largest_component(Surface surface) {
+  const size_t count = surface.positions.size();
+  Pieces pieces(count);
+  for (const auto& [a, b, c] : surface.triangles) {
+    pieces.join(a, b);
+    pieces.join(b, c);
+  }
+  std::vector<int> sizes(count, 0);
+  for (size_t v = 0; v < count; ++v) ++sizes[static_cast<size_t>(pieces.of(static_cast<int>(v)))];
+  const auto largest = std::max_element(sizes.begin(), sizes.end());
+  if (largest == sizes.end() || static_cast<size_t>(*largest) == count) return surface;
+  const auto kept = static_cast<int>(largest - sizes.begin());
+  Surface result;
+  std::vector<int> place(count, -1);
+  for (size_t v = 0; v < count; ++v) {
+    if (pieces.of(static_cast<int>(v)) != kept) continue;
+    place[v] = static_cast<int>(result.positions.size());
+    result.positions.push_back(surface.positions[v]);
+    result.normals.push_back(surface.normals[v]);
+  }
+  for (std::array<int, 3> triangle : surface.triangles) {
+    for (int& vertex : triangle) vertex = place[static_cast<size_t>(vertex)];
+    if (triangle[0] >= 0) result.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+render::Texture mannequin_paint(const FigureColours& colours) {
+  const render::Color left = mixed(colours.middle, colours.left, subtlety);
+  const render::Color right = mixed(colours.middle, colours.right, subtlety);
+  const render::Color face = mixed(colours.middle, render::Color::Constant(0.80f), 0.5f);
+  render::Texture texture;
+  texture.width = texture_size;
+  texture.height = texture_size;
+  for (int row = 0; row < texture_size; ++row) {
+    const float v = (static_cast<float>(row) + 0.5f) / texture_size;
+    for (int column = 0; column < texture_size; ++column) {
+      const float u = (static_cast<float>(column) + 0.5f) / texture_size;
+      render::Color colour = mixed(right, colours.middle, ramp(u, 0.25f, 0.06f));
+      colour = mixed(colour, left, ramp(u, 0.75f, 0.06f));
+      texture.texels.push_back(mixed(colour, face, ramp(v, 0.5f, 0.03f)));
+    }
+  }
+  return texture;
+}
+
+std::array<float, 2> paint_uv(const motion::Skeleton& body, const motion::JointTransforms& pose,
+                              const Vec3& point, const std::vector<Influence>& influences) {
+  float side = 0.0f;
+  for (const Influence& influence : influences) {
+    const auto joint = motion::BodyJoint(influence.joint);
+    // Collars and their flesh are the trunk's.
+    if (joint == motion::LeftClavicle || joint == motion::RightClavicle) continue;
+    if (motion::is_left(joint)) side += influence.weight;
+    if (motion::is_right(joint)) side -= influence.weight;
+  }
+  const double depth = depth_in_face(body, pose, point);
+  const auto u = 0.5f + 0.47f * side;
+  const auto v = static_cast<float>(std::clamp(0.5 + depth / 0.12, 0.03, 0.97));
+  return {u, v};
 }
 
 }  // namespace mien::scenes

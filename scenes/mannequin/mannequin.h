@@ -1,12 +1,16 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/pose.h"
+#include "motion/skeleton/skeleton.h"
 #include "render/scene/scene.h"
 #include "scenes/figures/figure_colour.h"
 #include "scenes/mannequin/mannequin_flesh.h"
+#include "scenes/mannequin/surface_nets.h"
 #include "scenes/skinning/skinned_model.h"
 
 namespace mien::scenes {
@@ -43,5 +47,19 @@ render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
 /// body's. glTF viewers use linear blend skinning, so twisting wrists and shoulders are a little
 /// thinner than in films. Throws Error.
 std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body);
+
+/// The largest connected component of a surface. Where a shape is thinner than the cells of the
+/// grid, its end may become a separate component.
+Surface largest_component(Surface surface);
+
+/// The texture of a mannequin. u is the side of the body (0 right … 0.5 middle … 1 left), v the
+/// depth inside the face (above 0.5) or outside (below). Both change smoothly over the surface, and
+/// the texture has sharp borders across them: the borders on the body are clean curves however
+/// large its triangles are.
+render::Texture mannequin_paint(const FigureColours& colours);
+
+/// The texture coordinates of a vertex in the bind pose.
+std::array<float, 2> paint_uv(const motion::Skeleton& body, const motion::JointTransforms& pose,
+                              const motion::Vec3& point, const std::vector<Influence>& influences);
 
 }  // namespace mien::scenes

@@ -33,10 +33,7 @@ constexpr std::array<Hinge, 4> leg_hinges = {{{motion::LeftHip, 0.085, 0.02},
 
 using Weights = std::array<double, motion::body_joint_count>;
 
-double smooth_step(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
+using motion::smooth_step;
 
 struct Weigher {
   const motion::Skeleton& body;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "motion/skeleton/skeleton.h"
-#include "scenes/figures/point_light_options.h"
+#include "scenes/figures/figure.h"
 
 namespace mien::scenes {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/skeleton/clip.h"
-#include "scenes/figures/point_light_options.h"
+#include "scenes/figures/figure.h"
 #include "scenes/point_light/dot_path.h"
 
 namespace mien::scenes {

@@ -6,8 +6,8 @@
 
 #include "motion/error.h"
 #include "motion/math/rotation.h"
+#include "scenes/cameras/camera_path.h"
 #include "scenes/cameras/figure_place.h"
-#include "scenes/cameras/stereo.h"
 #include "scenes/stage/trail_figure.h"
 
 namespace mien::scenes {
@@ -187,8 +187,8 @@ Shot stage(const motion::Clip& clip, const Look& look) {
 Shot stage(const std::vector<Performance>& performances, const Look& given) {
   Look look = given;
   const bool together = performances.size() > 1;
-  if (together && std::holds_alternative<PointLightOptions>(look.figure)) {
-    throw Error("the point lights of several motions cannot be told apart",
+  if (together && kind_of(look.figure).has_dots) {
+    throw Error(kind_of(look.figure).not_in_overlays,
                 "give them another figure, or render them separately");
   }
   if (together && look.layout == Layout::side_by_side && looks_along_lanes(look.camera)) {

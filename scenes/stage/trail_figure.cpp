@@ -5,8 +5,6 @@
 #include <set>
 #include <string_view>
 
-#include "scenes/stage/figure_scope.h"
-
 namespace mien::scenes {
 
 namespace {

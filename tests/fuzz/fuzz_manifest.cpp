@@ -8,7 +8,7 @@
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
-#include "pipeline/manifest/checks/name_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
 using namespace mien::pipeline;

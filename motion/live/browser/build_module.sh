@@ -14,11 +14,10 @@ rooms='biomechanics gait interpolation live live/browser math rig skeleton'
 files='error.cpp
   examples/compared_example.cpp examples/make_example.cpp examples/settled_feet.cpp
   formats/bvh_as_read.cpp formats/bvh_rotation.cpp formats/frame_rate.cpp
-  measures/distance/distance.cpp measures/features/feature_curves.cpp measures/features/feature_parameter.cpp
+  measures/distance/distance.cpp
   measures/features/feature_scale.cpp measures/features/motion_feature_list.cpp measures/features/motion_features.cpp
   procedural/affective_walk.cpp procedural/builtin_styles.cpp
   procedural/expressive_walks.cpp procedural/foot_roll.cpp procedural/leg_cycle.cpp
-  procedural/stance_fit.cpp procedural/upper_body.cpp
   procedural/walk_curves.cpp procedural/walk_style.cpp procedural/walker.cpp
   procedural/walker_legs.cpp
   steered_walk/root_motion.cpp steered_walk/live_walk.cpp steered_walk/steered_moment.cpp

@@ -8,25 +8,14 @@ namespace {
 
 constexpr double least_share = 0.1;
 
-double measurable(FeatureUnit unit) {
-  switch (unit) {
-    case FeatureUnit::degrees:
-      return 1.0;
-    case FeatureUnit::metres:
-      return 0.01;
-    case FeatureUnit::metres_per_second:
-      return 0.05;
-    case FeatureUnit::seconds:
-      break;
-  }
-  return 0.03;
-}
+/// By unit: degrees, metres, metres per second, seconds.
+constexpr double measurable[] = {1.0, 0.01, 0.05, 0.03};
 
 }  // namespace
 
 bool FeatureChange::moved() const {
   const MotionFeature& what = motion_features()[static_cast<std::size_t>(feature)];
-  return std::abs(target_change()) > measurable(what.unit);
+  return std::abs(target_change()) > measurable[static_cast<std::size_t>(what.unit)];
 }
 
 bool FeatureChange::agrees() const {

@@ -13,6 +13,15 @@ namespace mien::motion {
 
 namespace {
 
+/// Frames of a finding as seconds, from its first frame to the one after its last.
+bool touch(const Finding& a, double rate_a, const Finding& b, double rate_b) {
+  return a.first / rate_a <= (b.last + 1) / rate_b && b.first / rate_b <= (a.last + 1) / rate_a;
+}
+
+bool are_one(const Finding& a, double rate_a, const Finding& b, double rate_b) {
+  return a.check == b.check && a.joint == b.joint && touch(a, rate_a, b, rate_b);
+}
+
 bool equal_places(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return std::ranges::equal(a, b);
 }
@@ -168,6 +177,35 @@ double root_mean_square(const MotionDifference& difference,
     count += static_cast<double>((joint.*curve).size());
   }
   return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+std::string_view name_of(LintChange::Kind kind) {
+  constexpr std::string_view names[] = {"gone", "new", "worse", "better"};
+  return names[static_cast<size_t>(kind)];
+}
+
+std::vector<LintChange> lint_changes(const std::vector<Finding>& before, double rate_before,
+                                     const std::vector<Finding>& now, double rate_now) {
+  using enum LintChange::Kind;
+  std::vector<LintChange> changes;
+  for (const Finding& finding : now) {
+    std::optional<Severity> was;
+    for (const Finding& old : before) {
+      if (are_one(old, rate_before, finding, rate_now))
+        was = std::max(was.value_or(old.severity), old.severity);
+    }
+    if (!was) {
+      changes.push_back({appeared, finding});
+    } else if (*was != finding.severity) {
+      changes.push_back({finding.severity == Severity::error ? worse : better, finding});
+    }
+  }
+  for (const Finding& old : before) {
+    bool is_there = false;
+    for (const Finding& finding : now) is_there |= are_one(old, rate_before, finding, rate_now);
+    if (!is_there) changes.push_back({gone, old});
+  }
+  return changes;
 }
 
 }  // namespace mien::motion

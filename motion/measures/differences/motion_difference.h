@@ -3,18 +3,35 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "motion/lint/finding.h"
 #include "motion/lint/lint_options.h"
 #include "motion/measures/differences/contact_difference.h"
 #include "motion/measures/differences/joint_difference.h"
-#include "motion/measures/differences/lint_difference.h"
 #include "motion/measures/differences/timing_difference.h"
 #include "motion/measures/differences/whole_change.h"
 #include "motion/measures/features/motion_features.h"
 
 namespace mien::motion {
+
+/// Change of a fault between two motions.
+struct LintChange {
+  enum class Kind { gone, appeared, worse, better };
+  Kind kind = Kind::appeared;
+  Finding finding;  ///< of the second motion; one that is gone, of the first
+};
+
+/// "gone", "new", "worse", "better".
+std::string_view name_of(LintChange::Kind kind);
+
+/// The findings in which two motions differ. Two are one fault when check and
+/// joint are the same and their frames touch by time; it is worse or better when its severity
+/// changed. Findings of the second come first, in their order, then those that are gone.
+std::vector<LintChange> lint_changes(const std::vector<Finding>& before, double rate_before,
+                                     const std::vector<Finding>& now, double rate_now);
 
 /// Mean distances between joints over all moments that both motions have, metres.
 struct PositionErrors {

@@ -10,6 +10,7 @@
 #include "motion/math/rotation.h"
 #include "motion/measures/distance/body_part.h"
 #include "motion/rig/body_mapping.h"
+#include "motion/rig/recording_clip.h"
 
 namespace mien::motion {
 
@@ -73,16 +74,7 @@ Clip in_frame(const Recording& recording, const Frame& frame) {
   clip.body = recording.skeleton;
   clip.frames_per_second = recording.frames_per_second;
   clip.poses = recording.poses;
-  const double unit = frame.metres_per_unit;
-  for (Joint& joint : clip.body.joints) {
-    joint.offset *= unit;
-    if (joint.tip) *joint.tip *= unit;
-  }
-  for (Pose& pose : clip.poses) {
-    pose.root_position = frame.to_y_up * (unit * pose.root_position);
-    pose.rotations.front() = frame.to_y_up * pose.rotations.front();
-    for (Vec3& offset : pose.offsets) offset *= unit;
-  }
+  to_metres(frame.metres_per_unit, frame.to_y_up, clip.body, clip.poses);
   return clip;
 }
 

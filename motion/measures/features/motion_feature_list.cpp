@@ -113,17 +113,8 @@ std::string_view name_of(FeatureGroup group) { return names_of(group).english; }
 std::string_view japanese_name_of(FeatureGroup group) { return names_of(group).japanese; }
 
 std::string_view symbol_of(FeatureUnit unit) {
-  switch (unit) {
-    case degrees:
-      return "deg";
-    case metres:
-      return "m";
-    case metres_per_second:
-      return "m/s";
-    case seconds:
-      break;
-  }
-  return "s";
+  constexpr std::string_view symbols[] = {"deg", "m", "m/s", "s"};
+  return symbols[static_cast<size_t>(unit)];
 }
 
 const std::array<MotionFeature, motion_feature_count>& motion_features() { return features; }

@@ -1,18 +1,181 @@
 #include "motion/measures/features/motion_features.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "motion/gait/contact.h"
 #include "motion/gait/gait.h"
-#include "motion/measures/features/feature_curves.h"
+#include "motion/math/filter.h"
 #include "motion/skeleton/straighten.h"
 
 namespace mien::motion {
 
 namespace {
+
+/// An angle of a segment over a cycle, forward and sideways, radians, without jumps at ±180°.
+/// Frames at which an angle is undefined are omitted, so the two may differ in length.
+struct SegmentAngles {
+  std::vector<double> forward;
+  std::vector<double> sideways;
+};
+
+/// The curves that motion features are statistics of (measure_features), 30 times a second.
+/// Index 0 of the pairs is the left side.
+struct FeatureCurves {
+  SegmentAngles torso, head;
+  std::array<SegmentAngles, 2> upper_arm, forearm, thigh, shin, foot;
+  std::vector<double> mass_left, mass_height;                        ///< metres
+  std::vector<double> velocity_forward, velocity_left, velocity_up;  ///< m/s
+};
+
+constexpr double samples_per_second = 30.0;
+
+/// The way walked, its left, and up.
+struct Directions {
+  Vec3 forward, left, up;
+};
+
+Directions directions_of(const Clip& clip) {
+  const Vec3 forward = mean_direction(clip);
+  return {forward, Vec3::UnitY().cross(forward), Vec3::UnitY()};
+}
+
+/// One cycle, evenly sampled.
+struct Samples {
+  std::vector<JointTransforms> poses;
+  double per_second = samples_per_second;
+};
+
+Samples sampled(const Clip& clip) {
+  const double duration = clip.duration_seconds();
+  const int steps = std::max(2, static_cast<int>(std::lround(duration * samples_per_second)));
+  const int count = clip.loops ? steps : steps + 1;
+  Samples samples;
+  samples.per_second = steps / duration;
+  for (int k = 0; k < count; ++k) {
+    samples.poses.push_back(world_transforms(clip.body, pose_at(clip, k * duration / steps)));
+  }
+  return samples;
+}
+
+double next_to(double previous, double angle) {
+  return angle + 2.0 * pi * std::round((previous - angle) / (2.0 * pi));
+}
+
+void append(std::vector<double>& curve, double angle) {
+  curve.push_back(curve.empty() ? angle : next_to(curve.back(), angle));
+}
+
+enum class Pointing { up, down };
+
+// Sine of 10°: nearer to the axis of an angle a segment says nothing of it.
+constexpr double least_in_plane = 0.17;
+
+bool is_told_by(double x, double y, const Vec3& segment) {
+  return std::hypot(x, y) > least_in_plane * segment.norm();
+}
+
+void append_segment(SegmentAngles& angles, const Vec3& segment, const Directions& to,
+                    Pointing pointing) {
+  const double along = pointing == Pointing::up ? segment.dot(to.up) : -segment.dot(to.up);
+  const double forward = segment.dot(to.forward);
+  const double left = segment.dot(to.left);
+  if (is_told_by(forward, along, segment)) append(angles.forward, std::atan2(forward, along));
+  if (is_told_by(left, along, segment)) append(angles.sideways, std::atan2(left, along));
+}
+
+/// `sole` is the unit vector along the sole towards the toes.
+void append_foot(SegmentAngles& angles, const Vec3& sole, const Directions& to) {
+  const double forward = sole.dot(to.forward);
+  const double left = sole.dot(to.left);
+  const double up = sole.dot(to.up);
+  if (is_told_by(forward, up, sole)) append(angles.forward, std::atan2(up, forward));
+  if (forward > least_in_plane) append(angles.sideways, std::atan2(left, forward));
+}
+
+/// The way from ankle to toes as it lies when standing, turned with the ankle.
+Vec3 sole_of(const Skeleton& body, const JointTransforms& pose, BodyJoint ankle) {
+  const Vec3& foot = body.joints[ankle + 1].offset;
+  return pose.rotations[ankle] * Vec3(foot.x(), 0.0, foot.z()).normalized();
+}
+
+void append_limbs(FeatureCurves& curves, size_t side, const Skeleton& body,
+                  const JointTransforms& pose, const Directions& to) {
+  const auto on_side = [side](BodyJoint joint) { return side == 0 ? joint : mirrored(joint); };
+  const auto segment = [&](BodyJoint from, BodyJoint end) -> Vec3 {
+    return pose.positions[on_side(end)] - pose.positions[on_side(from)];
+  };
+  const Pointing down = Pointing::down;
+  append_segment(curves.upper_arm[side], segment(LeftShoulder, LeftElbow), to, down);
+  append_segment(curves.forearm[side], segment(LeftElbow, LeftWrist), to, down);
+  append_segment(curves.thigh[side], segment(LeftHip, LeftKnee), to, down);
+  append_segment(curves.shin[side], segment(LeftKnee, LeftAnkle), to, down);
+  append_foot(curves.foot[side], sole_of(body, pose, on_side(LeftAnkle)), to);
+}
+
+/// Neck to vertex; to the head joint on a body without one.
+Vec3 head_of(const Skeleton& body, const JointTransforms& pose) {
+  const Vec3 beyond = body.joints[Head].tip.value_or(Vec3::Zero());
+  return pose.positions[Head] + pose.rotations[Head] * beyond - pose.positions[Neck];
+}
+
+/// Velocity of the body relative to the floor: continuous over the seam of a loop; for a walk in
+/// place the floor's velocity is subtracted.
+std::vector<Vec3> velocities(const Clip& clip, std::vector<Vec3> path, double per_second) {
+  if (!clip.loops) return derivative(path, per_second);
+  const auto count = static_cast<double>(path.size());
+  for (size_t k = 0; k < path.size(); ++k) {
+    path[k] -= clip.cycle_displacement * (static_cast<double>(k) / count);
+  }
+  const Vec3 mean = clip.cycle_displacement * (per_second / count) - floor_velocity(clip);
+  std::vector<Vec3> result = derivative(path, per_second, SignalEnds::periodic);
+  for (Vec3& velocity : result) velocity += mean;
+  return result;
+}
+
+void add_mass_curves(FeatureCurves& curves, const Clip& clip, const Samples& samples,
+                     const Directions& to, MassModel masses) {
+  std::vector<Vec3> path;
+  for (const JointTransforms& pose : samples.poses) {
+    path.push_back(centre_of_mass(clip.body, pose, masses));
+  }
+  for (const Vec3& place : path) {
+    curves.mass_left.push_back(place.dot(to.left));
+    curves.mass_height.push_back(place.dot(to.up));
+  }
+  for (const Vec3& velocity : velocities(clip, path, samples.per_second)) {
+    curves.velocity_forward.push_back(velocity.dot(to.forward));
+    curves.velocity_left.push_back(velocity.dot(to.left));
+    curves.velocity_up.push_back(velocity.dot(to.up));
+  }
+}
+
+void turn_outward(FeatureCurves& curves) {
+  for (auto* limb :
+       {&curves.upper_arm, &curves.forearm, &curves.thigh, &curves.shin, &curves.foot}) {
+    for (double& angle : (*limb)[1].sideways) angle = -angle;
+  }
+}
+
+FeatureCurves feature_curves(const Example& example, const FeatureOptions& options) {
+  const Clip& clip = example.clip;
+  const Directions to = directions_of(clip);
+  const Samples samples = sampled(clip);
+  FeatureCurves curves;
+  for (const JointTransforms& pose : samples.poses) {
+    append_segment(curves.torso, pose.positions[Neck] - pose.positions[Pelvis], to, Pointing::up);
+    append_segment(curves.head, head_of(clip.body, pose), to, Pointing::up);
+    for (const size_t side : {0u, 1u}) append_limbs(curves, side, clip.body, pose, to);
+  }
+  if (options.outward) turn_outward(curves);
+  add_mass_curves(curves, clip, samples, to, options.masses);
+  return curves;
+}
 
 /// NaN without values.
 double mean(std::span<const double> values) {

@@ -11,7 +11,7 @@
 #include "motion/text/as_number.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/job_room.h"
-#include "pipeline/farm/jobs/spent_submissions.h"
+#include "pipeline/farm/jobs/job_fates.h"
 #include "pipeline/farm/jobs/worker_reports.h"
 #include "pipeline/tasks/progress.h"
 

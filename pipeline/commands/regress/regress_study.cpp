@@ -26,7 +26,6 @@
 #include "pipeline/regression/report/regression_texts.h"
 #include "pipeline/tasks/command_run.h"
 #include "pipeline/tasks/progress.h"
-#include "pipeline/tasks/progress_bar.h"
 
 namespace mien::pipeline {
 

@@ -14,7 +14,7 @@
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/manifest/checks/session_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/production/archive/zip_archive.h"

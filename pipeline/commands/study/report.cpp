@@ -17,7 +17,7 @@
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/manifest/ratings/answers/answers_of_files.h"
+#include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"

@@ -1,10 +1,14 @@
 #include "pipeline/farm/jobs/job_fates.h"
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
-#include <map>
+#include <system_error>
 
+#include "motion/text/as_number.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/farm/jobs/task_list.h"
+#include "pipeline/farm/slurm/worker_codes.h"
 
 namespace mien::pipeline {
 
@@ -40,6 +44,16 @@ JobFate fate_of(const JournalJob& job, std::vector<QueueRow> rows, const fs::pat
     fate.kind = has_begun(job, folder) ? JobFate::Kind::ended : JobFate::Kind::lost;
   }
   return fate;
+}
+
+bool is_needed(const JobFate& fate, const std::set<std::string>& due, const fs::path& folder) {
+  if (fate.kind == JobFate::Kind::live) return true;
+  if (fate.journal.elements == 0) return false;
+  return std::ranges::any_of(lines_of_list(list_of(fate.journal, folder)), [&](const auto& line) {
+    return std::ranges::any_of(line, [&](const std::string& item) {
+      return due.contains(item.substr(0, item.find('[')));
+    });
+  });
 }
 
 }  // namespace
@@ -99,6 +113,52 @@ std::vector<std::string> told_losses(const std::vector<JobFate>& fates) {
     }
   }
   return told;
+}
+
+std::map<std::pair<std::string, int>, ElementEnd> ends_in(const std::filesystem::path& submission) {
+  std::map<std::pair<std::string, int>, ElementEnd> ends;
+  for (const std::filesystem::path& end : paths_in(submission / "ends")) {
+    const std::string name = end.filename().string();
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string::npos) continue;
+    const int element = motion::as_number<int>(name.substr(dot + 1)).value_or(0);
+    std::ifstream file(end);
+    ElementEnd told;
+    if (element < 1 || !(file >> told.code)) continue;
+    std::string node;
+    std::string lack;
+    file >> told.restarts >> node >> lack;
+    told.lacked_memory = lack == lack_of_memory;
+    ends.emplace(std::pair(name.substr(0, dot), element), told);
+  }
+  return ends;
+}
+
+std::vector<std::string> spent_submissions(const std::vector<JobFate>& fates,
+                                           const std::set<std::string>& due,
+                                           const fs::path& folder) {
+  std::map<std::pair<std::size_t, std::string>, bool> needed;  // "9999" before "10000"
+  for (const JobFate& fate : fates) {
+    const std::string& number = fate.journal.submission;
+    if (!motion::as_number<unsigned>(number)) continue;  // else it is no submission's folder
+    bool& is = needed[{number.size(), number}];
+    is = is || is_needed(fate, due, folder);
+  }
+  std::vector<std::string> spent;
+  std::size_t newer = needed.size();
+  for (const auto& [number, is] : needed) {
+    if (--newer >= kept_submissions && !is) spent.push_back(number.second);
+  }
+  return spent;
+}
+
+int remove_submissions(const std::vector<std::string>& numbers, const fs::path& folder) {
+  int removed = 0;
+  for (const std::string& number : numbers) {
+    std::error_code ignored;  // what cannot be removed harms nobody
+    removed += fs::remove_all(folder / "farm" / number, ignored) > 0 && !ignored ? 1 : 0;
+  }
+  return removed;
 }
 
 }  // namespace mien::pipeline

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
-#include "pipeline/farm/jobs/ended_elements.h"
 #include "pipeline/farm/jobs/task_list.h"
 #include "pipeline/farm/jobs/trouble_words.h"
 #include "pipeline/farm/slurm/worker_codes.h"

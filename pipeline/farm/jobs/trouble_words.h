@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "pipeline/farm/jobs/ended_elements.h"
+#include "pipeline/farm/jobs/job_fates.h"
 #include "pipeline/farm/slurm/slurm_answers.h"
 
 namespace mien::pipeline {

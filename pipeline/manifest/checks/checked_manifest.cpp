@@ -7,10 +7,8 @@
 #include <vector>
 
 #include "pipeline/base/documents/fault_list.h"
-#include "pipeline/manifest/checks/modification_checks.h"
-#include "pipeline/manifest/checks/name_checks.h"
-#include "pipeline/manifest/checks/source_checks.h"
-#include "pipeline/manifest/checks/study_record.h"
+#include "pipeline/manifest/checks/document_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/vocabulary.h"
 
 namespace mien::pipeline {

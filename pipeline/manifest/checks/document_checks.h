@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,5 +22,15 @@ Fault told_as_no_manifest(DocumentKind kind, const std::filesystem::path& file);
 
 /// Faults of a file that is no manifest. Never throws for what its text says.
 std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file);
+
+/// What a provenance.json says of the manifest behind a study.
+struct StudyRecord {
+  std::filesystem::path as_run;    ///< a manifest that makes the study again
+  std::filesystem::path manifest;  ///< a copy of what its author wrote
+  std::string command;             ///< that made the study
+};
+
+/// The record, if the file is one: JSON whose `manifest` tells what was run.
+std::optional<StudyRecord> study_record_in(const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

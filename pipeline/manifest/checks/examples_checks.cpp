@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/examples_checks.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -9,6 +7,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/example_files.h"
 
 namespace mien::pipeline {

@@ -1,7 +1,6 @@
 #include "pipeline/manifest/checks/film_checks.h"
 
 #include <algorithm>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -134,7 +133,7 @@ void check_stereo(const WrittenFilm& written) {
 void check_shutter(const WrittenFilm& written) {
   if (written.film.output.shutter == 0.0) return;
   const std::string path = written.output_at("shutter");
-  if (std::holds_alternative<scenes::PointLightOptions>(written.film.look.figure)) {
+  if (scenes::kind_of(written.film.look.figure).has_dots) {
     written.list.add(path, "motion blur is not available for point lights",
                      "omit it, or set it to 0");
   } else if (written.film.output.frames == FrameFormat::layers) {

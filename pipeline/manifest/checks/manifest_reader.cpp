@@ -7,8 +7,7 @@
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/base/reading/yaml_json.h"
 #include "pipeline/manifest/checks/document_checks.h"
-#include "pipeline/manifest/checks/manifest_checks.h"
-#include "pipeline/manifest/reading/manifest_builder.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/reading/resolved_manifest.h"
 
 namespace mien::pipeline {

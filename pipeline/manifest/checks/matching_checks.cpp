@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/matching_checks.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -8,6 +6,7 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/ratings/scales/feature_parameters.h"
 
 namespace mien::pipeline {

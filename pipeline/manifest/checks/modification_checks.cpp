@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/modification_checks.h"
-
 #include <map>
 #include <optional>
 #include <string>
@@ -8,6 +6,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
 
 namespace mien::pipeline {

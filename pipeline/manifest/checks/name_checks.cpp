@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/name_checks.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -14,6 +12,7 @@
 #include "motion/text/nearest_word.h"
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "render/video/video_kind.h"
 
 namespace mien::pipeline {

@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/path_checks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "motion/text/nearest_word.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
 
 namespace mien::pipeline {

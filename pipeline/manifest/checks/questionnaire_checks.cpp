@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/questionnaire_checks.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
@@ -10,7 +8,7 @@
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/manifest/checks/session_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 
 namespace mien::pipeline {

@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/session_checks.h"
-
 #include <algorithm>
 #include <string>
 
@@ -7,6 +5,7 @@
 
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/checks/part_checks.h"
 
 namespace mien::pipeline {
 

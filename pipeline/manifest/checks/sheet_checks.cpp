@@ -1,24 +1,18 @@
-#include "pipeline/manifest/checks/sheet_checks.h"
-
 #include <string>
-#include <variant>
 
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/part_checks.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-constexpr char other_figure[] = "give it another look: {figure: stick}";
-
 void check_figure(const Overlay& overlay, FaultList& list) {
   const Stimulus& film = overlay.film;
   const std::string own = member_path(film.path, "look.figure");
   const std::string path = list.was_given(own) ? own : film.path;
-  if (std::holds_alternative<scenes::TrailOptions>(film.look.figure))
-    list.add(path, "a trail shows one motion only", other_figure);
-  if (std::holds_alternative<scenes::PointLightOptions>(film.look.figure))
-    list.add(path, "the point lights of several motions cannot be told apart", other_figure);
+  const std::string fault = scenes::kind_of(film.look.figure).not_in_overlays;
+  if (!fault.empty()) list.add(path, fault, "give it another look: {figure: stick}");
 }
 
 void check_layout(const Overlay& overlay, FaultList& list) {

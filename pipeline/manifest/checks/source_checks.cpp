@@ -1,10 +1,9 @@
-#include "pipeline/manifest/checks/source_checks.h"
-
 #include <algorithm>
 #include <string>
 #include <system_error>
 
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/named_motions.h"
 #include "scenes/figures/figure.h"
 
@@ -36,8 +35,8 @@ class SourceChecker : public FaultList {
   void check_look(const std::string& path, const Look& look) {
     if (!was_given(path)) return;
     check(member_path(path, "scene"), look.scene_file);
-    if (const auto* character = scenes::character_in(look.figure))
-      check(member_path(path, "figure"), character->file);
+    if (const fs::path* file = scenes::file_of(look.figure))
+      check(member_path(path, "figure"), *file);
   }
 
   /// A value that is a map with a file, or that file alone.

@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/stimulus_checks.h"
-
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -9,7 +7,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault_list.h"
-#include "pipeline/manifest/checks/path_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
 
 namespace mien::pipeline {

@@ -9,7 +9,7 @@ namespace mien::pipeline {
 
 std::string scene_of(const Look& look) {
   if (!look.scene.empty()) return look.scene;
-  return std::holds_alternative<scenes::PointLightOptions>(look.figure) ? "void" : "studio";
+  return scenes::kind_of(look.figure).set;
 }
 
 scenes::SetPlan staged_set(const Look& look) {

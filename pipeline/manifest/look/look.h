@@ -17,7 +17,7 @@ enum class Colours {
 
 /// How a clip becomes a picture.
 struct Look {
-  /// A set that comes with the program, or a file's path; empty: studio, or void for point lights.
+  /// A set that comes with the program, or a file's path; empty: that of the figure's kind.
   std::string scene;
   std::filesystem::path scene_file;  ///< resolved; empty for a set that comes with the program
   std::string background;            ///< "#rrggbb" instead of the set's own; empty: its own

@@ -10,6 +10,8 @@ namespace mien::pipeline {
 // What `look:` of a manifest says. All of it concerns the picture. Figure and camera are replaced
 // as a whole; of a scene, so is the background.
 
+void fields_of(auto&&, MaybeConst<scenes::StickOptions> auto&) {}
+
 void fields_of(auto&& field, MaybeConst<scenes::MannequinOptions> auto& mannequin) {
   field("build", mannequin.build, concerns::picture);
   field("sex", mannequin.sex, concerns::picture);
@@ -44,19 +46,27 @@ void fields_of(auto&& field, MaybeConst<scenes::PointLightOptions> auto& dots) {
   field("seed", dots.seed, concerns::picture);
 }
 
-/// A figure with a surface: a name, or a map of one figure.
-struct BodyFigureForm {
-  static void read(const Given& given, scenes::BodyFigure& figure);
-  static nlohmann::ordered_json write(const scenes::BodyFigure& figure, const Writing& how);
+/// A Figure or BodyFigure: a name, or a map of one figure with its options.
+template <class Figures>
+struct FigureForm {
+  static void read(const Given& given, Figures& figure);
+  static nlohmann::ordered_json write(const Figures& figure, const Writing& how);
   static void walk(auto& names) {
-    scenes::MannequinOptions mannequin;
-    names("mannequin", mannequin, concerns::picture);
-    names.add("character");
+    scenes::for_each_kind<Figures>(
+        [&](auto options) { names(options.kind.name, options, concerns::picture); });
   }
 };
 
+/// `poses:` of a trail: none by default where onion skin or traces are given. So it is always
+/// written.
+struct PosesForm {
+  static void read(const Given& given, scenes::TrailOptions& trail);
+  static nlohmann::ordered_json write(const scenes::TrailOptions& trail, const Writing&);
+  static void walk(auto&) {}
+};
+
 void fields_of(auto&& field, MaybeConst<scenes::TrailOptions> auto& trail) {
-  field.by("figure", trail.figure, concerns::picture, BodyFigureForm());
+  field.by("figure", trail.figure, concerns::picture, FigureForm<scenes::BodyFigure>());
   field("poses", trail.poses, concerns::picture);
   field("before", trail.before, concerns::picture);
   field("after", trail.after, concerns::picture);
@@ -64,21 +74,8 @@ void fields_of(auto&& field, MaybeConst<scenes::TrailOptions> auto& trail) {
   field("faintest", trail.faintest, concerns::picture);
   field("traces", trail.traces, concerns::picture);
   field("trace_width", trail.trace_width_m, concerns::picture);
+  field.inside(trail, concerns::picture | concerns::required, PosesForm());
 }
-
-/// `figure:` a name, or a map of one figure.
-struct FigureForm {
-  static void read(const Given& given, scenes::Figure& figure);
-  static nlohmann::ordered_json write(const scenes::Figure& figure, const Writing& how);
-  static void walk(auto& names) {
-    names.add("stick");
-    BodyFigureForm::walk(names);
-    scenes::PointLightOptions dots;
-    names("point-light", dots, concerns::picture);
-    scenes::TrailOptions trail;
-    names("trail", trail, concerns::picture);
-  }
-};
 
 void fields_of(auto&& field, MaybeConst<scenes::CameraKey> auto& key) {
   field("at", key.seconds, concerns::picture | concerns::required);
@@ -132,7 +129,7 @@ inline constexpr Words<Colours> colours_words = {{"neutral", Colours::neutral},
 
 void fields_of(auto&& field, MaybeConst<Look> auto& look) {
   field.by("scene", look, concerns::picture, SceneForm());
-  field.by("figure", look.figure, concerns::picture, FigureForm());
+  field.by("figure", look.figure, concerns::picture, FigureForm<scenes::Figure>());
   field.whole("camera", look.camera, concerns::picture);
   field("colours", look.colours, concerns::picture, colours_words);
 }

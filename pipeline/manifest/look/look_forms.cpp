@@ -1,3 +1,5 @@
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "pipeline/base/reading/field_reader.h"
@@ -14,60 +16,13 @@ using nlohmann::json;
 
 constexpr double eyes_apart_m = 0.063;
 
-/// A figure that is named, or a map of one.
-bool is_figure(const Given& given, const char* name) {
-  return given.value == name || member(given.value, name) != nullptr;
-}
-
-/// The options under a figure's name, if there are any, over those that it has anyway.
-template <class Options>
-Options options_of(const Given& given, const char* name, Options options = {}) {
-  if (const json* map = member(given.value, name))
-    read({*map, member_path(given.path, name), given.context}, options);
-  return options;
-}
-
-scenes::CharacterOptions character_of(const Given& given) {
-  scenes::CharacterOptions character;
-  read({*member(given.value, "character"), member_path(given.path, "character"), given.context},
-       character.file);
-  return character;
-}
-
-/// Onion skin and traces are there instead of poses left behind, unless these are asked for too.
-scenes::TrailOptions trail_before(const Given& given) {
-  scenes::TrailOptions trail;
-  const json* map = member(given.value, "trail");
-  if (map == nullptr) return trail;
-  if (map->contains("before") || map->contains("after") || map->contains("traces")) trail.poses = 0;
-  return trail;
-}
-
-/// A map of one figure.
-OrderedJson figure_map(const char* name, const auto& options, const Writing& how) {
-  OrderedJson map;
-  map[name] = written(options, how);
-  return map;
-}
-
-OrderedJson figure_map(const scenes::StickOptions&, const Writing&) { return "stick"; }
-
-OrderedJson figure_map(const scenes::MannequinOptions& mannequin, const Writing& how) {
-  return figure_map("mannequin", mannequin, how);
-}
-
-OrderedJson figure_map(const scenes::CharacterOptions& character, const Writing& how) {
-  return figure_map("character", character.file, how);
-}
-
-OrderedJson figure_map(const scenes::PointLightOptions& dots, const Writing& how) {
-  return figure_map("point-light", dots, how);
-}
-
-OrderedJson figure_map(const scenes::TrailOptions& trail, const Writing& how) {
-  OrderedJson map = figure_map("trail", trail, how);
-  map["trail"]["poses"] = trail.poses;  // what it is unless told hangs on the others
-  return map;
+/// What stands under a figure's name: its options, or the file that it is read from.
+auto& under_name(auto& options) {
+  if constexpr (requires { options.file; }) {
+    return options.file;
+  } else {
+    return options;
+  }
 }
 
 }  // namespace
@@ -82,34 +37,39 @@ OrderedJson JointsForm::write(const scenes::PointLightOptions& dots, const Writi
   return dots.joints.empty() ? OrderedJson(dots.joint_set) : written(dots.joints, how);
 }
 
-void BodyFigureForm::read(const Given& given, scenes::BodyFigure& figure) {
-  if (member(given.value, "character") != nullptr) {
-    figure = character_of(given);
-  } else if (is_figure(given, "mannequin")) {
-    figure = options_of<scenes::MannequinOptions>(given, "mannequin");
-  } else {
-    figure = scenes::StickOptions{};
-  }
+template <class Figures>
+void FigureForm<Figures>::read(const Given& given, Figures& figure) {
+  figure = Figures();
+  scenes::for_each_kind<Figures>([&]<class Options>(Options options) {
+    const char* name = Options::kind.name;
+    const json* map = member(given.value, name);
+    if (map != nullptr)
+      pipeline::read({*map, member_path(given.path, name), given.context}, under_name(options));
+    const bool is_named = !scenes::FromFile<Options> && given.value == name;
+    if (map != nullptr || is_named) figure = std::move(options);
+  });
 }
 
-OrderedJson BodyFigureForm::write(const scenes::BodyFigure& figure, const Writing& how) {
-  return std::visit([&](const auto& body) { return figure_map(body, how); }, figure);
+template <class Figures>
+OrderedJson FigureForm<Figures>::write(const Figures& figure, const Writing& how) {
+  const auto map = [&]<class Options>(const Options& options) -> OrderedJson {
+    if (std::is_empty_v<Options>) return options.kind.name;
+    return {{options.kind.name, written(under_name(options), how)}};
+  };
+  return std::visit(map, figure);
 }
 
-void FigureForm::read(const Given& given, scenes::Figure& figure) {
-  if (is_figure(given, "point-light")) {
-    figure = options_of<scenes::PointLightOptions>(given, "point-light");
-  } else if (is_figure(given, "trail")) {
-    figure = options_of(given, "trail", trail_before(given));
-  } else {
-    scenes::BodyFigure body;
-    BodyFigureForm::read(given, body);
-    std::visit([&](const auto& options) { figure = options; }, body);
-  }
+template struct FigureForm<scenes::Figure>;
+template struct FigureForm<scenes::BodyFigure>;
+
+void PosesForm::read(const Given& given, scenes::TrailOptions& trail) {
+  const json& map = given.value;
+  const bool has_others = map.contains("before") || map.contains("after") || map.contains("traces");
+  if (has_others && !map.contains("poses")) trail.poses = 0;
 }
 
-OrderedJson FigureForm::write(const scenes::Figure& figure, const Writing& how) {
-  return std::visit([&](const auto& body) { return figure_map(body, how); }, figure);
+OrderedJson PosesForm::write(const scenes::TrailOptions& trail, const Writing&) {
+  return {{"poses", trail.poses}};
 }
 
 void StereoForm::read(const Given& given, std::optional<double>& separation_m) {

@@ -10,7 +10,7 @@ namespace mien::pipeline {
 /// with or without braces ("mannequin: {build: 0.3}"). A scene may be a file, and so may a figure
 /// (of a character); paths are taken from the working folder.
 struct LookOptions {
-  std::string scene;  ///< empty: studio, or void for point lights
+  std::string scene;  ///< empty: that of the figure's kind
   std::string figure = "stick";
   std::string camera = "three-quarter";
 };

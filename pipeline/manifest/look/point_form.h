@@ -2,12 +2,17 @@
 
 #include <cstddef>
 
+#include <nlohmann/json.hpp>
+
 #include "motion/math/geometry.h"
 #include "pipeline/base/reading/value_forms.h"
-#include "pipeline/manifest/look/colour_json.h"
 #include "render/math/vector.h"
 
 namespace mien::pipeline {
+
+/// Takes a colour over from "#rrggbb" or [r, g, b] (linear); what is neither was told by the schema
+/// and changes nothing.
+void assign(const nlohmann::json* value, render::Color& target);
 
 /// [x, y, z]
 template <>

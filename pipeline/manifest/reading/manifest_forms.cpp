@@ -98,7 +98,8 @@ std::vector<std::vector<const Stimulus*>> alike(const std::vector<Stimulus>& sti
   std::vector<std::string> names;
   std::vector<std::vector<const Stimulus*>> groups;
   for (const Stimulus& stimulus : stimuli) {
-    const std::string name(among == Among::figure ? scenes::name_of(stimulus.look.figure) : "");
+    const std::string name(among == Among::figure ? scenes::kind_of(stimulus.look.figure).name
+                                                  : "");
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) groups.emplace_back();
     const auto group = static_cast<std::size_t>(found - names.begin());

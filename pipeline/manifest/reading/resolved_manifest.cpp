@@ -1,14 +1,16 @@
 #include "pipeline/manifest/reading/resolved_manifest.h"
 
-#include <string>
+#include <algorithm>
 #include <utility>
 
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/base/documents/utf8.h"
+#include "pipeline/base/reading/field_reader.h"
 #include "pipeline/manifest/foil.h"
 #include "pipeline/manifest/hold.h"
 #include "pipeline/manifest/look/look_checks.h"
+#include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/reading/recipes.h"
 
 namespace mien::pipeline {
@@ -92,6 +94,40 @@ std::vector<Fault> resolve_asked(Manifest& manifest) {
   return faults;
 }
 
+using nlohmann::json;
+
+/// Built-in sets that are blended come with ratings.
+void add_builtin_ratings(const json& document, Manifest& manifest) {
+  const json* examples = member(document, "examples");
+  if (examples == nullptr || member(*examples, "ratings") != nullptr) return;
+  if (manifest.examples.builtin.empty() || !manifest.examples.blendable) return;
+  manifest.ratings.source = Ratings::Source::builtin;
+}
+
+void name_places(Manifest& manifest) {
+  for (std::size_t i = 0; i < manifest.stimuli.size(); ++i)
+    manifest.stimuli[i].path = element_path("stimuli", i);
+  for (std::size_t i = 0; i < manifest.overlays.size(); ++i)
+    manifest.overlays[i].film.path = element_path("overlays", i);
+  for (std::size_t i = 0; i < manifest.sheets.size(); ++i)
+    manifest.sheets[i].path = element_path("sheets", i);
+}
+
+std::string usual_id(const Sheet& sheet) {
+  return !sheet.stills.empty()    ? "stills"
+         : !sheet.gallery.empty() ? "gallery"
+                                  : sheet.target + "_" + sheet.created;
+}
+
+void name_what_has_no_id(Manifest& manifest) {
+  for (Overlay& overlay : manifest.overlays) {
+    if (overlay.film.id.empty()) overlay.film.id = overlay.target + "_with_" + overlay.created;
+  }
+  for (Sheet& sheet : manifest.sheets) {
+    if (sheet.id.empty()) sheet.id = usual_id(sheet);
+  }
+}
+
 }  // namespace
 
 ResolvedManifest resolve(Manifest manifest) {
@@ -104,6 +140,26 @@ ResolvedManifest resolve(Manifest manifest) {
   const bool knows_what_is_asked = in_asked.empty();
   append(faults, std::move(in_asked));
   return {std::move(manifest), std::move(faults), knows_what_is_asked};
+}
+
+Manifest build_manifest(
+    JsonReading reading, const std::filesystem::path& file,
+    const std::function<void(const std::string&, const std::filesystem::path&)>& names) {
+  Manifest manifest;
+  manifest.file = file;
+  manifest.places = std::move(reading.places);
+  const auto resolve = [&names, folder = file.parent_path()](const std::string& path) {
+    std::filesystem::path resolved = (folder / path).lexically_normal();
+    if (names) names(path, resolved);
+    return resolved;
+  };
+  const ReadingContext context{manifest.places, resolve};
+  read({reading.document, "", context}, manifest);
+  manifest.interpolation.weights.nearest.seed = manifest.seed;
+  add_builtin_ratings(reading.document, manifest);
+  name_places(manifest);
+  name_what_has_no_id(manifest);
+  return manifest;
 }
 
 }  // namespace mien::pipeline

@@ -5,9 +5,21 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/production/archive/study_contents.h"
 #include "pipeline/tasks/receipt.h"
 
 namespace mien::pipeline {
+
+/// Tells what was removed from a study on purpose. It lies beside provenance.json and not among the
+/// store's own files, so that it goes where the study goes.
+inline constexpr char not_kept_path[] = "not-kept.json";
+
+/// What the study's folder says was removed, by path; nothing where it says nothing. Throws Error
+/// when the note is damaged.
+std::vector<ArtifactRecord> not_kept_in(const std::filesystem::path& folder);
+
+/// Adds to the note; an entry of the same path is replaced.
+void note_not_kept(const std::filesystem::path& folder, const std::vector<ArtifactRecord>& removed);
 
 /// What can be kept or removed of a study, by the folder that it lies in.
 enum class ArtifactKind { videos, frames, clips, sheets, metrics };
@@ -37,7 +49,7 @@ int dead_links(const std::filesystem::path& folder, const Cleaning& cleaning);
 /// of no kind and stay. All of it is hashed. Throws Error when the folder has no receipts.
 Cleaning all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
-/// Removes them, and notes in the folder that this was on purpose (not_kept.h). What has been
+/// Removes them, and notes in the folder that this was on purpose. What has been
 /// changed since `all_but` looked is left, and told as changed.
 Cleaning remove_all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/sha256.h"
@@ -16,6 +18,18 @@ namespace mien::pipeline {
 
 namespace {
 
+/// A value of bag-info.txt is one line.
+std::string as_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
+
+std::string element(const char* label, const std::string& value) {
+  return value.empty() ? "" : fmt::format("{}: {}\n", label, as_line(value));
+}
+
 namespace fs = std::filesystem;
 
 /// Collects files, those behind links too.
@@ -25,8 +39,7 @@ class Payload {
 
   void add(const std::string& path) {
     const fs::path file = folder_ / path;
-    if (const std::string problem = motion::read_error(file, motion::any_size);
-        !problem.empty())
+    if (const std::string problem = motion::read_error(file, motion::any_size); !problem.empty())
       throw Error({file.string()}, problem, "remove it: archives contain regular files only");
     sizes_[path] = fs::file_size(file);
   }
@@ -161,6 +174,40 @@ void pack(const StudyContents& contents, const std::vector<PayloadFile>& payload
     if (done) done(static_cast<double>(packed) / static_cast<double>(total), file.path);
   }
   bag.finish();
+}
+
+std::string bagit_text() {
+  return "BagIt-Version: 1.0\n"
+         "Tag-File-Character-Encoding: UTF-8\n";
+}
+
+std::string bag_info_text(const StudyContents& contents, const std::vector<PayloadFile>& payload,
+                          const BagInfo& info) {
+  std::uint64_t bytes = 0;
+  for (const PayloadFile& file : payload) bytes += file.size;
+  const std::string made_by = "Human motion stimuli, made by: " + contents.command;
+  return element("Bag-Software-Agent", "mien " + contents.program) +
+         element("Contact-Email", info.contact_email) + element("Contact-Name", info.contact_name) +
+         element("External-Description", info.description.empty() ? made_by : info.description) +
+         element("External-Identifier", contents.study) + element("License", info.license) +
+         element("Payload-Oxum", fmt::format("{}.{}", bytes, payload.size())) +
+         element("Source-Organization", info.organization);
+}
+
+std::string bag_manifest_line(const std::string& sha256, const std::string& path) {
+  std::string line = sha256 + "  ";
+  for (const char c : path) {
+    if (c == '\n') {
+      line += "%0A";
+    } else if (c == '\r') {
+      line += "%0D";
+    } else if (c == '%') {
+      line += "%25";
+    } else {
+      line += c;
+    }
+  }
+  return line + "\n";
 }
 
 }  // namespace mien::pipeline

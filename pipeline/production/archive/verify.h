@@ -16,7 +16,7 @@ struct Finding {
     missing,   ///< told, and not there
     changed,   ///< there, with other bytes, or it does not decode
     extra,     ///< there, and made by nobody that is known
-    not_kept,  ///< told, and removed on purpose (not_kept.h)
+    not_kept,  ///< told, and removed on purpose (keep.h)
   };
   Kind kind;
   std::string path;  ///< in the study's folder

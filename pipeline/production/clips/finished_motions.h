@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "motion/skeleton/clip.h"
@@ -33,5 +34,16 @@ class FinishedMotions {
 /// What the video shows of a motion: a loop repeated `output.cycles` times, in place when asked
 /// for.
 motion::Clip playback_clip(const motion::Clip& motion, const Output& output);
+
+inline constexpr char durations_task_id[] = "durations";
+
+/// Holds how long all films are: a number of seconds in JSON, in the store's folder.
+inline constexpr char duration_record_path[] = ".mien/equalized/duration.json";
+
+/// Throws where the file holds no number.
+double recorded_duration(const std::filesystem::path& file);
+
+/// Tells the motions what was found, in the store's folder. Throws when there is nothing.
+void know_durations(const std::filesystem::path& folder, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

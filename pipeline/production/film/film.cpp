@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -15,12 +14,11 @@
 #include "pipeline/production/film/frame_drawer.h"
 #include "pipeline/production/film/frame_reuse.h"
 #include "pipeline/production/film/frame_writer.h"
-#include "pipeline/tasks/progress_bar.h"
+#include "pipeline/tasks/progress.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/image/contact_sheet.h"
 #include "render/image/resize.h"
 #include "render/image/tone.h"
-#include "render/tracer/tracer.h"
 
 namespace mien::pipeline {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "pipeline/production/film/film_equalized.h"
@@ -100,9 +99,7 @@ std::string dots_csv(const scenes::Shot& shot) {
   return dots_columns.of(rows).csv;
 }
 
-bool has_dots(const Stimulus& stimulus) {
-  return std::holds_alternative<scenes::PointLightOptions>(stimulus.look.figure);
-}
+bool has_dots(const Stimulus& stimulus) { return scenes::kind_of(stimulus.look.figure).has_dots; }
 
 Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equalize,
                const SharedDeterminants& shared, FinishedMotions& motions) {

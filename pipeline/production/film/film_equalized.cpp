@@ -8,7 +8,6 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/production/clips/durations.h"
 #include "pipeline/production/film/film_exposure.h"
 #include "pipeline/production/film/film_framing.h"
 #include "pipeline/tasks/code_identity.h"

@@ -33,8 +33,9 @@ struct EqualizedFilms {
 /// Those of the tasks "sizes" and "places" (metrics/sizes.csv, metrics/places.csv: film_framing.h)
 /// and "exposure" (metrics/exposure.csv: film_exposure.h) that `manifest.equalize` asks for. Beside
 /// its table, which is for people, each writes all that has been found so far,
-/// .mien/equalized/<task>.json. They go by durations (clips/durations.h), whose task comes before
-/// them. They read all motions and look at all stimuli. `manifest` and `motions` outlive them.
+/// .mien/equalized/<task>.json. They go by durations (clips/finished_motions.h), whose task comes
+/// before them. They read all motions and look at all stimuli. `manifest` and `motions` outlive
+/// them.
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, FinishedMotions& motions);
 

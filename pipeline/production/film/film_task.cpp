@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <memory>
-#include <string>
 #include <utility>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/determinants.h"
-#include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/film/film_record.h"

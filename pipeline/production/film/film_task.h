@@ -9,7 +9,7 @@
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
-#include "pipeline/tasks/key_builder.h"
+#include "pipeline/tasks/hash.h"
 #include "pipeline/tasks/task_graph.h"
 #include "scenes/stage/shot.h"
 

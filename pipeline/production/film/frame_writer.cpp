@@ -1,6 +1,5 @@
 #include "pipeline/production/film/frame_writer.h"
 
-#include <utility>
 #include <variant>
 
 namespace mien::pipeline {

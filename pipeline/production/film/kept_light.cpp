@@ -12,7 +12,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/code_identity.h"
-#include "pipeline/tasks/key_builder.h"
+#include "pipeline/tasks/hash.h"
 #include "pipeline/tasks/stale_artifacts.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/error.h"

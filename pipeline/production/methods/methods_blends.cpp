@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/production/methods/method_sources.h"
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/methods/study_facts.h"

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/reading/field_writer.h"
-#include "pipeline/production/methods/method_sources.h"
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/methods/stated_settings.h"

@@ -1,8 +1,36 @@
 #pragma once
 
-#include "pipeline/production/methods/methods_text.h"
+#include <string>
+
+#include "motion/interpolation/interpolation_options.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/style_step.h"
+#include "pipeline/production/methods/prose.h"
+#include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {
+
+/// A text of sentences and paragraphs about a study that cites as pandoc reads it.
+class MethodsText {
+ public:
+  MethodsText(const Manifest& of, Motions& made) : manifest(of), motions(made) {}
+
+  const Manifest& manifest;
+  Motions& motions;
+
+  void say(const std::string& sentence);
+  void end_paragraph();
+
+  /// " [@rose1998; @sloan2001]", and notes the works.
+  std::string cite(const Names& keys);
+
+  const std::string& text() const { return text_; }
+  const Names& cited() const { return cited_; }
+
+ private:
+  std::string text_ = "# Stimuli\n\n";
+  Names cited_;
+};
 
 // The parts of the methods section. A part that has no subject in the study writes nothing.
 
@@ -28,5 +56,18 @@ void describe_example_settings(MethodsText& out);
 /// The order of guesses and matches of a matching experiment and the films beside them, where these
 /// differ from their defaults.
 void describe_matching_settings(MethodsText& out);
+
+/// A way of interpolation in words, and the keys of the references that it is from.
+struct MethodWords {
+  motion::InterpolationMethod method;
+  std::string words;
+  Names sources;
+};
+
+/// Of that method.
+MethodWords words_of(motion::InterpolationMethod method);
+
+/// The key of the reference that an older method is from.
+std::string source_of(StyleMethod method);
 
 }  // namespace mien::pipeline

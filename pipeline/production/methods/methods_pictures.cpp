@@ -22,7 +22,7 @@ void tell_looks(MethodsText& out) {
   for (const Stimulus* film : films_of(out.manifest)) {
     const Output& output = film->output;
     const auto [width, height] = output.shown_size();
-    add_once(figures, figure_name(film->look));
+    add_once(figures, scenes::kind_of(film->look.figure).name);
     add_once(scenes, scene_name(film->look));
     add_once(cameras, film->look.camera.view);
     add_once(sizes, fmt::format("{} × {}", width, height));

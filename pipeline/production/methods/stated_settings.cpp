@@ -40,7 +40,6 @@ constexpr OptionWords option_words[] = {
     {"presentation.background", "cards, cross and blanks on grey {} (sRGB, 0 black, 1 white)"},
     {"look.colours", "figures coloured by {}"},
     {"look.scene.background", "the background {}"},
-    {"trail.figure.stick", "trails of stick figures"},
     {"trail.figure.mannequin", "trails of mannequins"},
     {"figure.character", "the character of the file {}"},
     {"mannequin.build", "mannequins of build {} (0 slim, 1 heavy)"},

@@ -2,11 +2,7 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 #include "motion/interpolation/interpolation_options.h"
-#include "pipeline/base/reading/field_values.h"
-#include "pipeline/manifest/look/look_fields.h"
 
 namespace mien::pipeline {
 
@@ -35,11 +31,6 @@ std::string method_of(const Stimulus& stimulus) {
   return std::string(motion::name_of(stimulus.weights.empty()
                                          ? stimulus.interpolation.weights.method
                                          : motion::InterpolationMethod::direct));
-}
-
-std::string figure_name(const Look& look) {
-  const OrderedJson figure = FigureForm::write(look.figure, Writing{.for_key = true});
-  return figure.is_string() ? figure.get<std::string>() : figure.items().begin().key();
 }
 
 std::string scene_name(const Look& look) {

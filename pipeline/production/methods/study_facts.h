@@ -25,9 +25,6 @@ std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_
 /// How the weights were found; empty for a file shown as it is.
 std::string method_of(const Stimulus& stimulus);
 
-/// What a motion is shown on: "mannequin".
-std::string figure_name(const Look& look);
-
 /// The set: "studio", or the name of its file.
 std::string scene_name(const Look& look);
 

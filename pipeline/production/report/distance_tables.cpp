@@ -2,7 +2,7 @@
 
 #include "motion/measures/distance/distance.h"
 #include "pipeline/production/methods/study_facts.h"
-#include "pipeline/production/report/feature_changes.h"
+#include "pipeline/production/report/report_tables.h"
 #include "pipeline/production/report/tables.h"
 
 namespace mien::pipeline {

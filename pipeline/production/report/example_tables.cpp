@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/manifest/ratings/answers/impression_table.h"
+#include "pipeline/manifest/ratings/answers/impressions.h"
 #include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/report/tables.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 #include "motion/math/rotation.h"
 #include "motion/measures/distance/distance.h"

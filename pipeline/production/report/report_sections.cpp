@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include <fmt/format.h>
 

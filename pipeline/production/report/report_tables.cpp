@@ -7,7 +7,6 @@
 
 #include "motion/measures/distance/distance.h"
 #include "pipeline/base/documents/html.h"
-#include "pipeline/production/report/feature_changes.h"
 #include "pipeline/production/report/foils.h"
 #include "pipeline/production/sheets/sheet.h"
 #include "pipeline/production/synthesis/parameter_label.h"
@@ -185,6 +184,15 @@ std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions) {
   }
   if (rows.empty()) return "";
   return html_table({"foil", "of", "aspect", ">difference", ""}, rows);
+}
+
+std::vector<motion::FeatureChange> feature_changes(const Sheet& sheet, Motions& motions) {
+  if (!sheet.gallery.empty() || sheet.reference.empty()) return {};
+  const auto values = [&](const std::string& name) {
+    return motion::measure_features(motions.of(name).motion);
+  };
+  return motion::feature_changes(values(sheet.reference), values(sheet.target),
+                                 values(sheet.created));
 }
 
 }  // namespace mien::pipeline

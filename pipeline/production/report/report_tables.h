@@ -2,7 +2,9 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
+#include "motion/measures/differences/feature_change.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/production/synthesis/synthesis.h"
@@ -31,5 +33,9 @@ std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motion
 
 /// What the foils among some stimuli and those that they are of differ in; empty without foils.
 std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions);
+
+/// How the created motion of a comparison differs from the reference, beside how the target does.
+/// Empty for sheets that are no comparison with a reference.
+std::vector<motion::FeatureChange> feature_changes(const Sheet& sheet, Motions& motions);
 
 }  // namespace mien::pipeline

@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/determinants.h"
 #include "pipeline/production/report/report.h"
 #include "pipeline/production/report/tables.h"
 #include "pipeline/tasks/code_identity.h"

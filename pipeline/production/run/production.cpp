@@ -1,19 +1,23 @@
 #include "pipeline/production/run/production.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <thread>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "motion/text/shell_word.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/determinants.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_tables.h"
-#include "pipeline/production/film/film_task.h"
 #include "pipeline/production/report/study_tasks.h"
-#include "pipeline/production/run/design_task.h"
+#include "pipeline/production/run/codebook.h"
+#include "pipeline/production/run/stimuli_table.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/sheets/sheet_task.h"
 #include "pipeline/production/sheets/stills_task.h"
@@ -23,6 +27,40 @@
 namespace mien::pipeline {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double cost_seconds = 0.02;
+
+void check_json(const fs::path& file) {
+  if (!nlohmann::json::accept(read_file(file)))
+    throw std::runtime_error(file.string() + " is incomplete");
+}
+
+/// The task "design": metrics/stimuli.csv, metrics/warnings.csv (stimuli_table.h) and
+/// metrics/codebook.json (codebook.h). It reads the products of the motions, clips and films of
+/// `graph`. `study` is the study's key; `manifest` and `motions` outlive the task.
+Task design_task(const Manifest& manifest, Motions& motions, const Hash& study,
+                 const TaskGraph& graph) {
+  Task task;
+  task.id = task.kind = "design";
+  task.determinants.add("study", study);
+  for (const Task& other : graph.tasks) {
+    if (other.kind == "motion" || other.kind == "clip" || other.kind == "film")
+      task.inputs.push_back(other.id);
+  }
+  task.products = {{std::string(stimuli_form.path), {}},
+                   {std::string(warnings_form.path), {}},
+                   {"metrics/codebook.json", {}}};
+  task.cost_seconds = cost_seconds;
+  task.make = [&manifest, &motions](TaskRun& run) {
+    const fs::path& folder = run.store.folder();
+    run.put_text(0, stimuli_csv(manifest, motions, folder), read_csv);
+    run.put_text(1, warnings_csv(manifest, motions, folder), read_csv);
+    run.put_text(2, codebook_json(manifest), check_json);
+  };
+  return task;
+}
 
 /// "mien run study.yaml --quality draft". One that a provenance.json tells stays as it is.
 std::string command_of(const Manifest& manifest, const std::optional<Quality>& quality) {

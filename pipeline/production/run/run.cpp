@@ -1,18 +1,17 @@
 #include "pipeline/production/run/run.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/run/provenance.h"
 #include "pipeline/production/run/study_inputs.h"
-#include "pipeline/production/run/told_warnings.h"
 #include "pipeline/production/synthesis/motion_record.h"
 
 namespace mien::pipeline {
@@ -72,6 +71,8 @@ void refuse_replaced(const RunResult& result, const Store& store) {
   }
 }
 
+constexpr std::size_t most_names_told = 6;
+
 }  // namespace
 
 int RunResult::count(TaskState state) const {
@@ -124,6 +125,21 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
   result.nondeterminism = store.nondeterminism();
   result.repairs = store.repairs();
   return result;
+}
+
+std::vector<std::string> told_warnings(
+    const std::vector<std::pair<std::string, std::string>>& said) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  for (const auto& [name, warning] : said) {
+    auto group = std::ranges::find(groups, warning, [](const auto& one) { return one.first; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {warning, {}});
+    if (std::ranges::find(group->second, name) == group->second.end())
+      group->second.push_back(name);
+  }
+  std::vector<std::string> told;
+  for (const auto& [warning, names] : groups)
+    told.push_back(motion::first_of(names, most_names_told) + ": " + warning);
+  return told;
 }
 
 }  // namespace mien::pipeline

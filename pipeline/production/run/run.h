@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/production/run/production.h"
@@ -39,5 +40,11 @@ std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Product
 RunResult run(Production& production, const std::filesystem::path& folder, int jobs,
               const std::stop_token& stop, const RunObserver& observer,
               Sharing sharing = Sharing::shared);
+
+/// One line for each thing that is said of stimuli, with the names of those that it is said of:
+/// "sad-walk, happy-walk and 41 more: the left foot slides". `said` has names and what is said of
+/// them; lines stand in the order in which things are said first.
+std::vector<std::string> told_warnings(
+    const std::vector<std::pair<std::string, std::string>>& said);
 
 }  // namespace mien::pipeline

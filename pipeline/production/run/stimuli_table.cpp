@@ -51,7 +51,8 @@ std::string motions_of(const Overlay& overlay) {
 }
 
 std::string figure_options(const Look& look) {
-  const OrderedJson figure = FigureForm::write(look.figure, Writing{.for_key = true});
+  const OrderedJson figure =
+      FigureForm<scenes::Figure>::write(look.figure, Writing{.for_key = true});
   if (figure.is_string()) return "";
   const OrderedJson options = *figure.begin();
   return options.is_null() || options.empty() ? "" : options.dump();
@@ -127,7 +128,8 @@ constexpr auto stimuli_columns = table_of<MadeStimulus>(
       "reduced it",
       [](auto& r) { return r.made && !r.made->modified.empty() ? r.made->modified_share : NAN; }},
      {"scene", "", "the set", [](auto& r) { return scene_name(r.film.look); }},
-     {"figure", "", "figure type", [](auto& r) { return figure_name(r.film.look); }},
+     {"figure", "", "figure type",
+      [](auto& r) { return scenes::kind_of(r.film.look.figure).name; }},
      {"figure_options", "", "figure options that differ from the defaults, as JSON",
       [](auto& r) { return figure_options(r.film.look); }},
      {"camera", "", "camera view", [](auto& r) { return r.film.look.camera.view; }},

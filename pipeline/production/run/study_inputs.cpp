@@ -103,9 +103,9 @@ std::vector<fs::path> uncopied_files(const Manifest& manifest) {
       add_motion_file(files, step.pose->neutral.file);
       add_motion_file(files, step.pose->posed.file);
     }
-    if (const auto* character = scenes::character_in(film->look.figure)) {
-      files.push_back(character->file);
-      for (const auto& part : scenes::files_of_character(character->file)) files.push_back(part);
+    if (const fs::path* file = scenes::file_of(film->look.figure)) {
+      files.push_back(*file);
+      for (const fs::path& part : scenes::files_of_character(*file)) files.push_back(part);
     }
   }
   std::sort(files.begin(), files.end());

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/production/sheets/sheet_layout.h"
 #include "pipeline/production/sheets/sheet_parts.h"
 
 namespace mien::pipeline {

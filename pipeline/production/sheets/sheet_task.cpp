@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/determinants.h"
 #include "pipeline/production/sheets/sheet.h"
 #include "pipeline/production/sheets/sheet_content.h"
 #include "pipeline/tasks/code_identity.h"

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/production/clips/durations.h"
+#include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {

@@ -6,8 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/tasks/key_builder.h"
-
 namespace mien::pipeline {
 
 namespace {

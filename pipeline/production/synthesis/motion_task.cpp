@@ -7,8 +7,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/determinants.h"
-#include "pipeline/production/clips/durations.h"
+#include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/tasks/code_identity.h"
 

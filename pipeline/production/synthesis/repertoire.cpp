@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "motion/examples/example_set.h"
 #include "motion/examples/settled_feet.h"
 #include "motion/procedural/builtin_sets.h"
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/manifest/ratings/simulated_raters/measured_profiles.h"
 #include "pipeline/manifest/ratings/simulated_raters/simulated_raters.h"
 #include "pipeline/tasks/parallel.h"
 

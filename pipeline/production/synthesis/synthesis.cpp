@@ -18,7 +18,6 @@
 #include "pipeline/production/synthesis/modified_motion.h"
 #include "pipeline/production/synthesis/slider_interface.h"
 #include "pipeline/production/synthesis/walked_path.h"
-#include "pipeline/production/synthesis/wish.h"
 
 namespace mien::pipeline {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -9,14 +10,17 @@
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
+#include "motion/interpolation/interpolation.h"
 #include "motion/modify/modification.h"
 #include "motion/motion_graph/guided_walk.h"
 #include "motion/motion_graph/motion_graph.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
-#include "motion/steered_walk/scripted_walk.h"
-#include "pipeline/production/synthesis/adjective_moods.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/synthesis/repertoire.h"
+#include "pipeline/production/synthesis/slider_interface.h"
+#include "pipeline/production/synthesis/wish.h"
 
 namespace mien::pipeline {
 
@@ -169,6 +173,41 @@ motion::WalkedClip walked_by_graph(const Stimulus& stimulus) {
   return {std::move(walk.clip), std::move(walk.plants)};
 }
 
+/// The built-in walks of a set with what is rated of them; read when it is first needed.
+class RatedWalks {
+ public:
+  explicit RatedWalks(const std::string& set) : set_(set.substr(set.find(':') + 1)) {}
+
+  Mood shares_of(const Mood& adjectives) {
+    Stimulus stimulus = plain_stimulus(manifest_);
+    stimulus.adjectives = adjectives;
+    const Wish wish = wish_of(stimulus, repertoire());
+    const FittedInterface fitted =
+        fit_interface(wish.sliders, manifest_.interpolation, repertoire(), wish.held);
+    const Eigen::VectorXd weights = motion::weights_at(fitted.interpolator, wish.settings).weights;
+    Mood mood;
+    for (Eigen::Index i = 0; i < weights.size(); ++i) {
+      if (weights(i) > 0.0)
+        mood.emplace_back(repertoire().names[static_cast<std::size_t>(i)].name, weights(i));
+    }
+    return mood;
+  }
+
+ private:
+  const Repertoire& repertoire() {
+    if (!repertoire_) {
+      manifest_.examples.builtin = set_;
+      manifest_.ratings.source = Ratings::Source::builtin;
+      repertoire_ = load_repertoire(manifest_);
+    }
+    return *repertoire_;
+  }
+
+  std::string set_;
+  Manifest manifest_;
+  std::optional<Repertoire> repertoire_;
+};
+
 }  // namespace
 
 motion::WalkedClip walked(const Stimulus& stimulus) {
@@ -180,6 +219,17 @@ motion::WalkedClip walked(const Stimulus& stimulus) {
                                             .moods = moods_in_time(path, moods)};
   if (path.points.empty()) return motion::scripted_walk(gaits, segments_of(path, moods), options);
   return motion::walk_along(gaits, places_of(path), path.pace, options);
+}
+
+WalkPath in_walks(WalkPath path) {
+  RatedWalks rated(path.set);
+  const auto turn = [&](Mood& mood) {
+    if (is_of_adjectives(path, mood)) mood = rated.shares_of(mood);
+  };
+  turn(path.mood);
+  for (WalkStep& step : path.script) turn(step.mood);
+  for (MoodChange& change : path.moods) turn(change.mood);
+  return path;
 }
 
 }  // namespace mien::pipeline

@@ -6,6 +6,7 @@
 #include "motion/error.h"
 #include "motion/steered_walk/scripted_walk.h"
 #include "pipeline/manifest/stimulus.h"
+#include "pipeline/manifest/walk_path.h"
 
 namespace mien::pipeline {
 
@@ -31,5 +32,11 @@ class UnwalkableStep : public Error {
 /// them, each given an emotion's recipe, mixed on the way. Throws Error; UnwalkableStep for a turn
 /// of a script that comes out wrong by more than 10°.
 motion::WalkedClip walked(const Stimulus& stimulus);
+
+/// The path with its moods of adjectives turned into moods of the set's walks: the shares of the
+/// blend that a stimulus of these adjectives would be, which has them or comes nearest to them, by
+/// what is rated of the built-in walks on the built-in scales. Moods of walks stay as they are.
+/// Throws Error when the method cannot take so many adjectives.
+WalkPath in_walks(WalkPath path);
 
 }  // namespace mien::pipeline

@@ -6,7 +6,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/written_tables.h"
-#include "pipeline/manifest/ratings/answers/impression_table.h"
+#include "pipeline/manifest/ratings/answers/impressions.h"
 #include "pipeline/study/analysis/analysis_tables.h"
 #include "pipeline/study/analysis/published_clusters.h"
 #include "pipeline/study/analysis/scales_yaml.h"

@@ -9,7 +9,7 @@
 
 #include "motion/error.h"
 #include "pipeline/base/documents/table.h"
-#include "pipeline/manifest/ratings/answers/personal_values.h"
+#include "pipeline/manifest/ratings/answers/expectation.h"
 
 namespace mien::pipeline {
 

@@ -8,7 +8,7 @@
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/manifest/ratings/simulated_raters/measured_profiles.h"
+#include "pipeline/manifest/ratings/simulated_raters/simulated_raters.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"

@@ -11,7 +11,7 @@
 
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
-#include "pipeline/manifest/ratings/answers/attention.h"
+#include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {

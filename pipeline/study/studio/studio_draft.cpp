@@ -6,8 +6,7 @@
 #include "motion/error.h"
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault_list.h"
-#include "pipeline/manifest/checks/modification_checks.h"
-#include "pipeline/manifest/checks/name_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/study/studio/studio_places.h"
 
 namespace mien::pipeline {

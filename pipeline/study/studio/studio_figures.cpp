@@ -51,8 +51,8 @@ std::string key_of(const scenes::Figure& figure, scenes::Role role, const motion
   if (const auto* mannequin = mannequin_in(figure))
     return fmt::format("mannequin {} {} {} {}", mannequin->build, mannequin->sex,
                        static_cast<int>(role), key_of(body));
-  const auto* character = scenes::character_in(figure);
-  return character == nullptr ? "" : "character " + key_of(character->file, body);
+  const fs::path* file = scenes::file_of(figure);
+  return file == nullptr ? "" : "character " + key_of(*file, body);
 }
 
 /// A name for it that may be sent around and tells no path.
@@ -101,8 +101,8 @@ StudioFigure StudioFigures::worn(const scenes::Figure& figure, scenes::Role role
   const std::string key = key_of(figure, role, clip.body);
   if (key.empty()) return {};
   StudioFigure worn{.key = digest_of(key)};
-  if (const auto* options = scenes::character_in(figure)) {
-    const Kept kept = character(options->file, clip.body);
+  if (const fs::path* own = scenes::file_of(figure)) {
+    const Kept kept = character(*own, clip.body);
     worn.joints = kept->rig.size();
     worn.poses = rig_poses(*kept, clip);
   }
@@ -121,7 +121,7 @@ const std::string& StudioFigures::file(const std::string& key, const scenes::Fig
   files_.emplace_front(
       key, options != nullptr
                ? to_glb(scenes::make_mannequin(body, *options, scenes::colours_of(role)), body)
-               : to_glb(*character(scenes::character_in(figure)->file, body)));
+               : to_glb(*character(*scenes::file_of(figure), body)));
   if (files_.size() > most_figure_files) files_.pop_back();
   return files_.front().second;
 }

@@ -7,6 +7,7 @@
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/look/set_file.h"
 #include "pipeline/manifest/reading/recipes.h"
+#include "scenes/figures/figure.h"
 
 namespace mien::pipeline {
 
@@ -60,7 +61,8 @@ ordered_json studio_words(const ManifestFile& file) {
           {"modification", modification()},
           {"scenes", set_names()},
           {"cameras", {"three-quarter", "front", "side", "follow", "orbit"}},
-          {"figures", {"stick", "mannequin", "point-light", "trail"}}};
+          {"figures", scenes::figure_names<scenes::Figure>()},
+          {"bodies", scenes::figure_names<scenes::BodyFigure>()}};
 }
 
 }  // namespace mien::pipeline

@@ -1,6 +1,6 @@
-#include "motion/examples/file_labels.h"
-
 #include <gtest/gtest.h>
+
+#include "motion/examples/example_set.h"
 
 namespace mien::motion {
 namespace {

@@ -12,6 +12,7 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/rig_motion.h"
 #include "motion/skeleton/floor.h"
+#include "motion/sole_heights.h"
 
 #include "real_data.h"
 
@@ -114,7 +115,7 @@ TEST_F(RealMotion, IsMappedTheSameWithoutNames) {
 TEST_F(RealMotion, StandsOnTheFloor) {
   for (const fs::path& file : files_in(mocap, "walk")) {
     const Clip clip = to_body(read_motion(file));
-    std::vector<double> heights = lowest_sole_heights(clip);
+    std::vector<double> heights = test::lowest_sole_heights(clip);
     std::sort(heights.begin(), heights.end());
     // Feet whose markers say that one stands lower than the other sink by that much.
     EXPECT_GT(heights[heights.size() / 50], -0.035) << file;

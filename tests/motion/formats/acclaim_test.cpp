@@ -7,7 +7,7 @@
 #include "motion/formats/format_checks.h"
 #include "motion/random_recording.h"
 #include "motion/refusal.h"
-#include "motion/text/file_contents.h"
+#include "motion/text/result_file.h"
 
 #include "real_data.h"
 
@@ -258,8 +258,8 @@ TEST(Acclaim, SaysThatASkeletonOfAnotherNameWasTaken) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / "mien_foreign_asf_test";
   std::filesystem::create_directories(folder);
-  write_contents(folder / "02_01.amc", arm_amc);
-  write_contents(folder / "stranger.asf", arm_asf);
+  write_result(folder / "02_01.amc", arm_amc);
+  write_result(folder / "stranger.asf", arm_asf);
   const Recording foreign = read_amc(folder / "02_01.amc");
   ASSERT_EQ(foreign.notes.size(), 1u);
   EXPECT_NE(foreign.notes[0].find("The skeleton is that of stranger.asf"), std::string::npos);
@@ -273,20 +273,20 @@ TEST(Acclaim, FindsTheSkeletonOfAMotion) {
   const fs::path folder = fs::path(testing::TempDir()) / "mien_acclaim_test";
   fs::remove_all(folder);
   fs::create_directories(folder);
-  write_contents(folder / "02_01.amc", arm_amc);
+  write_result(folder / "02_01.amc", arm_amc);
   const auto refusal = [&] {
     return mien::test::refusal_of([&] { read_amc(folder / "02_01.amc"); });
   };
   EXPECT_NE(refusal().find("there is no skeleton (.asf) beside this motion"), std::string::npos);
-  write_contents(folder / "any.ASF", arm_asf);
+  write_result(folder / "any.ASF", arm_asf);
   EXPECT_EQ(find_asf(folder / "02_01.amc"), folder / "any.ASF");
   EXPECT_EQ(read_amc(folder / "02_01.amc").frame_count(), 2);
-  write_contents(folder / "other.asf", "");
+  write_result(folder / "other.asf", "");
   EXPECT_NE(refusal().find("several skeletons"), std::string::npos);
   EXPECT_EQ(read_amc(folder / "02_01.amc", {.skeleton = folder / "any.ASF"}).frame_count(), 2);
-  write_contents(folder / "02_01.asf", "");
+  write_result(folder / "02_01.asf", "");
   EXPECT_EQ(find_asf(folder / "02_01.amc"), folder / "02_01.asf");
-  write_contents(folder / "02.asf", arm_asf);
+  write_result(folder / "02.asf", arm_asf);
   EXPECT_EQ(find_asf(folder / "02_01.amc"), folder / "02.asf");
   fs::remove_all(folder);
 }

@@ -13,6 +13,7 @@
 #include "motion/refusal.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/result_file.h"
 
 #include "real_data.h"
 
@@ -360,7 +361,7 @@ TEST(Gltf, ReadsBuffersBesideTheFile) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "mien_gltf_test";
   std::filesystem::create_directories(folder);
   const std::array<float, 8> numbers = {0, 1, 0, 0, 0, 3, 0, 0};
-  write_contents(folder / "a walk.bin", {reinterpret_cast<const char*>(numbers.data()), 32});
+  write_result(folder / "a walk.bin", {reinterpret_cast<const char*>(numbers.data()), 32});
   const std::string text =
       R"({"asset":{"version":"2.0"},"nodes":[{}],"buffers":[{"byteLength":32,"uri":"a%20walk.bin"}],)"
       R"("bufferViews":[{"buffer":0,"byteLength":32}],"accessors":[)"
@@ -368,7 +369,7 @@ TEST(Gltf, ReadsBuffersBesideTheFile) {
       R"({"bufferView":0,"byteOffset":8,"componentType":5126,"count":2,"type":"VEC3"}],)"
       R"("animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],)"
       R"("samplers":[{"input":0,"output":1}]}]})";
-  write_contents(folder / "walk.gltf", text);
+  write_result(folder / "walk.gltf", text);
   const Recording recording = read_motion(folder / "walk.gltf");
   expect_close(recording.poses.back().root_position, {3, 0, 0});
   const std::string said = mien::test::refusal_of([&] { parse_gltf(text, "walk.gltf"); });

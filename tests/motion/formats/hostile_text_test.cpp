@@ -8,7 +8,7 @@
 #include "motion/formats/gltf.h"
 #include "motion/refusal.h"
 #include "motion/text/excerpt.h"
-#include "motion/text/file_contents.h"
+#include "motion/text/result_file.h"
 
 namespace mien::motion {
 namespace {
@@ -67,7 +67,7 @@ TEST(HostileText, OfAGltfFileIsQuotedInParts) {
       std::string(100'000, 'x') + "\"}]}";
   const std::filesystem::path file =
       std::filesystem::path(testing::TempDir()) / "mien_hostile.gltf";
-  write_contents(file, text);
+  write_result(file, text);
   const std::string refusal = mien::test::refusal_of([&] { read_gltf(file); });
   EXPECT_LT(refusal.size(), 400u + file.string().size());
   std::filesystem::remove(file);

@@ -2,7 +2,7 @@
 
 #include "motion/examples/settled_feet.h"
 #include "motion/live/live_bundle.h"
-#include "motion/measures/features/feature_parameter.h"
+#include "motion/measures/features/feature_scale.h"
 #include "motion/procedural/builtin_sets.h"
 
 namespace mien::test {

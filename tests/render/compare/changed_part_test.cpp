@@ -1,10 +1,10 @@
-#include "render/compare/changed_part.h"
-
 #include <cstdlib>
 #include <random>
 #include <tuple>
 
 #include <gtest/gtest.h>
+
+#include "render/compare/picture_difference.h"
 
 namespace mien::render {
 namespace {

@@ -69,6 +69,12 @@ TEST(Srgb8, KeepsEveryCode) {
   for (int code = 0; code < 256; ++code) EXPECT_EQ(image.at(code, 0)[1], code);
 }
 
+Image16 to_srgb16(const Framebuffer& framebuffer, const Tone& tone = {}) {
+  Image16 picture(framebuffer.width, framebuffer.height);
+  develop(framebuffer, {0, 0, framebuffer.width, framebuffer.height}, tone, picture, 0, 0);
+  return picture;
+}
+
 TEST(Srgb16, RoundsToTheNearestCode) {
   for (float light = 0.0f; light < 0.8f; light += 0.00713f) {
     const double exact = 65535.0 * srgb_from_linear(static_cast<double>(light));

@@ -4,7 +4,6 @@
 
 #include "scenes/cameras/camera_path.h"
 #include "scenes/cameras/camera_rig.h"
-#include "scenes/cameras/stereo.h"
 #include "scenes/walking_clip.h"
 
 namespace mien::scenes {

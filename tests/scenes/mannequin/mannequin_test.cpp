@@ -8,7 +8,6 @@
 #include "motion/math/rotation.h"
 #include "motion/skeleton/sole.h"
 #include "scenes/closed_surface.h"
-#include "scenes/mannequin/mannequin_paint.h"
 
 namespace mien::scenes {
 namespace {

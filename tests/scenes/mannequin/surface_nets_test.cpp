@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes/closed_surface.h"
-#include "scenes/mannequin/largest_component.h"
+#include "scenes/mannequin/mannequin.h"
 #include "scenes/mannequin/sdf_primitive.h"
 
 namespace mien::scenes {

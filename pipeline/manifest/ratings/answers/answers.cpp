@@ -1,7 +1,13 @@
 #include "pipeline/manifest/ratings/answers/answers.h"
 
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/table.h"
-#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/manifest/ratings/answers/study_answers.h"
 #include "pipeline/manifest/ratings/answers/unknown_names.h"
@@ -85,6 +91,35 @@ constexpr auto plain_columns = table_of<GivenOrSimulated<Answer>>(
      {"simulated*", "", "1; there where nobody answered",
       [](auto& r) { return std::vector<std::string>(r.simulated ? 1 : 0, "1"); }}});
 
+/// Takes each row once; counts by session what was there again.
+class RowsTakenOnce {
+ public:
+  void add(AnswerRow row) {
+    if (met_.insert(fields_of_row(row)).second) {
+      result.rows.push_back(std::move(row));
+    } else {
+      ++again_[{row.participant, row.session}];
+    }
+  }
+
+  AnswersOfFiles finished() {
+    for (const auto& [who, count] : again_)
+      result.told.push_back(
+          fmt::format("participant {}, session {}: {} answer{} {} saved more than once and "
+                      "counted once",
+                      motion::in_quotes(who.first),
+                      who.second.empty() ? "without a name" : motion::excerpt(who.second), count,
+                      count == 1 ? "" : "s", count == 1 ? "was" : "were"));
+    return std::move(result);
+  }
+
+  AnswersOfFiles result;
+
+ private:
+  std::set<std::vector<std::string>> met_;
+  std::map<std::pair<std::string, std::string>, int> again_;
+};
+
 }  // namespace
 
 Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales,
@@ -100,6 +135,16 @@ Answers parse_answers(std::string_view csv, const std::string& file, const Scale
 std::string to_csv(const Answers& answers) {
   const std::vector<std::string> if_simulated(answers.simulated ? 1 : 0);
   return plain_columns.of_parts(answers.simulated, answers.answers, if_simulated).csv;
+}
+
+AnswersOfFiles answers_of_files(const std::vector<std::filesystem::path>& files) {
+  RowsTakenOnce taken;
+  for (const std::filesystem::path& file : files)
+    for (AnswerRow& row : answer_rows(read_csv(file), Doubled::allowed)) taken.add(std::move(row));
+  AnswersOfFiles all = taken.finished();
+  const std::vector<Fault> faults = doubled_answers(all.rows);
+  if (!faults.empty()) throw Faults(faults);
+  return all;
 }
 
 }  // namespace mien::pipeline

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
@@ -57,5 +58,17 @@ Answers parse_answers(std::string_view csv, const std::string& file, const Scale
 
 /// As CSV with the column `simulated` when they are.
 std::string to_csv(const Answers& answers);
+
+/// Answers out of several files.
+struct AnswersOfFiles {
+  std::vector<AnswerRow> rows;
+  std::vector<std::string> told;  ///< sentences: what was there more than once
+};
+
+/// Reads what a questionnaire wrote, in the order of the files. Rows that are the same to the last
+/// field, as when a participant saved the files of a session again, are taken once and told of.
+///
+/// Throws Faults as answer_rows; two answers of one session that differ are a fault.
+AnswersOfFiles answers_of_files(const std::vector<std::filesystem::path>& files);
 
 }  // namespace mien::pipeline

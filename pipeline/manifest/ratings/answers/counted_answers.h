@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
@@ -25,5 +26,30 @@ struct CountedAnswers {
 /// AttentionRule. Throws Faults as answer_rows and where a value is not what its raw answer gives,
 /// and Error when nothing is left.
 CountedAnswers counted_answers(const CsvTable& answer_rows, const ScaleSet& scales);
+
+/// Answers on scales whose value is not what their raw answer gives, turned by the side of the
+/// poles. Whether people answered on a slider or on so many points is told by the rows themselves:
+/// it is what most of them agree with.
+std::vector<Fault> contradicted_values(const std::vector<AnswerRow>& rows, const ScaleSet& scales);
+
+/// Whose answers are left out for want of attention.
+struct AttentionRule {
+  int most_failed = 1;  ///< who fails more checks is left out: one may be missed by an oversight
+};
+
+/// How a participant did.
+struct Attention {
+  std::string participant;
+  int checks = 0;  ///< those with an expected answer that were answered
+  int passed = 0;
+  bool is_excluded = false;
+};
+
+/// Of every participant, in the order of the rows. Without checks nobody is excluded.
+std::vector<Attention> attention_of(const std::vector<AnswerRow>& rows,
+                                    const AttentionRule& rule = {});
+
+/// The rule in a plain sentence.
+std::string to_sentence(const AttentionRule& rule);
 
 }  // namespace mien::pipeline

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "pipeline/base/statistics/t_test.h"
-#include "pipeline/manifest/ratings/answers/personal_values.h"
 
 namespace mien::pipeline {
 
@@ -63,6 +63,13 @@ const char* verdict_of(const ExpectationCheck& check) {
   return check.is_certain() ? "as expected" : "in the expected direction, not significant";
 }
 
+/// The scales that a parameter is made of: itself, or the members of a group.
+std::vector<std::string> members_of(const std::string& parameter, const ScaleSet& scales) {
+  const auto group = std::ranges::find(scales.groups, parameter, &ScaleGroup::id);
+  if (group != scales.groups.end()) return group->scales;
+  return {parameter};
+}
+
 }  // namespace
 
 bool ExpectationCheck::is_certain() const {
@@ -85,6 +92,27 @@ std::string sentence_of(const ExpectationCheck& check) {
     if (i > 0) order += " (" + text_of(check.steps[i - 1]) + ")";
   }
   return fmt::format("{}: {}: {}", check.parameter, order, verdict_of(check));
+}
+
+std::map<std::string, double> personal_values(const Answers& answers, const ScaleSet& scales,
+                                              const RatedExample& example,
+                                              const std::string& parameter) {
+  const std::vector<std::string> members = members_of(parameter, scales);
+  const auto known = scales_by_id(scales);
+  std::map<std::string, std::pair<double, int>> sums;
+  for (const Answer& answer : answers.answers) {
+    const bool is_about = answer.stimulus == example.name ||
+                          (!answer.stimulus.empty() && answer.stimulus == example.file_stem);
+    if (!is_about || answer.participant.empty()) continue;
+    if (std::ranges::find(members, answer.scale) == members.end()) continue;
+    auto& [sum, count] = sums[answer.participant];
+    sum += share_of(*known.at(answer.scale), answer.value);
+    ++count;
+  }
+  std::map<std::string, double> values;
+  for (const auto& [participant, tally] : sums)
+    values.emplace(participant, tally.first / tally.second);
+  return values;
 }
 
 }  // namespace mien::pipeline

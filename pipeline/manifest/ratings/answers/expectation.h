@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -61,5 +62,12 @@ std::vector<ExpectationCheck> check_expectations(const std::vector<Expectation>&
 /// "slow-fast: k-walk-slow 0.360 < k-walk-fast 0.530 (n = 14, +0.17, 95 % interval 0.10 to 0.24):
 /// as expected", or what is not, or that it may be noise.
 std::string sentence_of(const ExpectationCheck& check);
+
+/// What each participant said of an example: participant → share of the scale's range, 0 low end,
+/// 1 high end; of a group of scales the mean of those that the participant answered. Answers that
+/// are means of several people are left out.
+std::map<std::string, double> personal_values(const Answers& answers, const ScaleSet& scales,
+                                              const RatedExample& example,
+                                              const std::string& parameter);
 
 }  // namespace mien::pipeline

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/manifest/ratings/scales/parameter_table.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
@@ -31,5 +32,10 @@ Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
 /// (A' of the adjective paper); members that were not rated do not count, and a group none of whose
 /// members was rated is left out.
 ParameterTable parameter_table(const Impressions& impressions, const ScaleSet& scales);
+
+extern const TableForm impressions_form;
+
+/// What people think of the examples.
+std::string impressions_csv(const Impressions& impressions, const ScaleSet& scales);
 
 }  // namespace mien::pipeline

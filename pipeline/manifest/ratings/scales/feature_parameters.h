@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "motion/measures/features/feature_parameter.h"
 #include "motion/measures/features/feature_scale.h"
 #include "motion/skeleton/example.h"
 #include "pipeline/manifest/ratings/scales/parameter_table.h"

@@ -68,4 +68,8 @@ std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& 
 /// An answer as a share of the scale: 0 at the low end, 1 at the high end.
 double share_of(const Scale& scale, double answer);
 
+/// The six pairs of the emotion thesis, answered on −2 … 2: sad-happy, tired-excited,
+/// angry-relaxed, weak-strong, afraid-confident, masculine-feminine. The Japanese is ours.
+ScaleSet emotion_scales();
+
 }  // namespace mien::pipeline

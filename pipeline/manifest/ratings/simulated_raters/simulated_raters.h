@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/skeleton/example.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
@@ -52,5 +53,11 @@ StyleProfile loadings_of(const Scale& scale);
 /// different minds, so that a study has scales to remove. The result is marked as simulated.
 Answers simulate_answers(const std::vector<StyledStimulus>& stimuli, const ScaleSet& scales,
                          const SimulatedRaters& raters);
+
+/// What simulated raters see in motions: each measure (motion/measures/features/motion_measures.h)
+/// is standardised over the set, a spread too small to be seen counting as one that just can, and
+/// summed into the style impressions with the loadings listed in the source; tanh keeps the result
+/// within −1 … 1. A set of one motion is all 0.
+std::vector<StyledStimulus> measured_profiles(const motion::ExampleSet& set);
 
 }  // namespace mien::pipeline

@@ -1,6 +1,6 @@
-#include "motion/measures/differences/lint_difference.h"
-
 #include <gtest/gtest.h>
+
+#include "motion/measures/differences/motion_difference.h"
 
 namespace mien::motion {
 namespace {

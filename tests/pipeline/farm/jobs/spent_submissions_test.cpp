@@ -1,9 +1,8 @@
-#include "pipeline/farm/jobs/spent_submissions.h"
-
 #include <fstream>
 
 #include <gtest/gtest.h>
 
+#include "pipeline/farm/jobs/job_fates.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

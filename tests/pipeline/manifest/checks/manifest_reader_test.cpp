@@ -7,7 +7,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
-#include "pipeline/manifest/checks/name_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

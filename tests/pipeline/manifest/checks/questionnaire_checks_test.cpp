@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/questionnaire_checks.h"
-
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -7,7 +5,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
-#include "pipeline/manifest/checks/session_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/study/questionnaire/asked_study.h"
 #include "pipeline/temporary_folder.h"
 

@@ -1,5 +1,3 @@
-#include "pipeline/manifest/checks/source_checks.h"
-
 #include <filesystem>
 #include <string>
 
@@ -7,6 +5,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

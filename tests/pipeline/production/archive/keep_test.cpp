@@ -6,7 +6,6 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/archive/made_study.h"
-#include "pipeline/production/archive/not_kept.h"
 #include "pipeline/production/archive/verify.h"
 #include "pipeline/production/run/run.h"
 

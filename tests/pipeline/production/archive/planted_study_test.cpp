@@ -5,7 +5,6 @@
 #include "pipeline/planted_names.h"
 #include "pipeline/production/archive/keep.h"
 #include "pipeline/production/archive/made_study.h"
-#include "pipeline/production/archive/not_kept.h"
 #include "pipeline/production/archive/study_contents.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/tasks/receipt.h"

@@ -6,8 +6,8 @@
 #include <sys/stat.h>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/production/archive/keep.h"
 #include "pipeline/production/archive/made_study.h"
-#include "pipeline/production/archive/not_kept.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {

@@ -9,7 +9,7 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/checks/manifest_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/look/set_file.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_equalized.h"

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/production/film/fixation_cross.h"
-
 namespace mien::pipeline {
 namespace {
 

@@ -59,7 +59,7 @@ TEST(FilmColours, ShowNoRoleUnlessTheyAreAskedTo) {
   const scenes::Figure figures[] = {scenes::StickOptions{}, scenes::MannequinOptions{},
                                     scenes::TrailOptions{}};
   for (const scenes::Figure& figure : figures) {
-    SCOPED_TRACE(scenes::name_of(figure));
+    SCOPED_TRACE(scenes::kind_of(figure).name);
     EXPECT_EQ(pictures_of_roles(Colours::neutral, figure), 1u);
     EXPECT_EQ(pictures_of_roles(Colours::role, figure), all_roles.size());
   }

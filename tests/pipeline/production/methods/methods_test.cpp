@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/manifest/checks/manifest_reader.h"
-#include "pipeline/production/methods/method_sources.h"
+#include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/references.h"
 
 namespace mien::pipeline {

@@ -1,9 +1,8 @@
-#include "pipeline/production/report/feature_changes.h"
-
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/production/report/report_tables.h"
 #include "pipeline/production/report/tables.h"
 
 namespace mien::pipeline {

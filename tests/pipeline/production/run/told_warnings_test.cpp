@@ -1,6 +1,6 @@
-#include "pipeline/production/run/told_warnings.h"
-
 #include <gtest/gtest.h>
+
+#include "pipeline/production/run/run.h"
 
 namespace mien::pipeline {
 namespace {

@@ -12,7 +12,6 @@
 #include "motion/lint/lint.h"
 #include "motion/skeleton/body.h"
 #include "motion/walker_motions.h"
-#include "pipeline/production/synthesis/adjective_moods.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/temporary_folder.h"
 

@@ -7,7 +7,7 @@
 
 #include "motion/error.h"
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/manifest/ratings/answers/impression_table.h"
+#include "pipeline/manifest/ratings/answers/impressions.h"
 #include "pipeline/study/analysis/analysis_report.h"
 #include "pipeline/study/analysis/analysis_tables.h"
 #include "pipeline/study/analysis/cluster_names.h"

@@ -6,7 +6,7 @@
 
 #include "motion/procedural/builtin_sets.h"
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/manifest/ratings/simulated_raters/measured_profiles.h"
+#include "pipeline/manifest/ratings/simulated_raters/simulated_raters.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/study/analysis/analysis.h"
 #include "pipeline/study/analysis/published_clusters.h"

@@ -55,7 +55,7 @@ function stageBar(studio: Studio, stage: StageView): HTMLElement {
   const distance = element("span", { class: "distance", role: "status" });
   const figure = element("span");
   const offer = (): void => {
-    const names = ["", "stick", "mannequin", ...charactersOf(studio)];
+    const names = ["", ...studio.words.bodies, ...charactersOf(studio)];
     const select = choice(names, figureText(studio.shownOn), (name) => studio.showOn(figureOfText(name)),
       (name) => (name ? name.replace(/^character (.*\/)?/, "") : "as in the look"));
     select.name = "shown-on";

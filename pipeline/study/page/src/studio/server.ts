@@ -35,6 +35,8 @@ export interface Words {
   scenes: string[];
   cameras: string[];
   figures: string[];
+  /** Of these, those with a surface. */
+  bodies: string[];
 }
 
 export interface StudioState {

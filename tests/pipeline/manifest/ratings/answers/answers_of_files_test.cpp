@@ -1,10 +1,9 @@
-#include "pipeline/manifest/ratings/answers/answers_of_files.h"
-
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/ratings/answers/raw_form.h"
+#include "pipeline/manifest/ratings/answers/answers.h"
+#include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -1,6 +1,6 @@
-#include "pipeline/manifest/ratings/answers/attention.h"
-
 #include <gtest/gtest.h>
+
+#include "pipeline/manifest/ratings/answers/counted_answers.h"
 
 namespace mien::pipeline {
 namespace {

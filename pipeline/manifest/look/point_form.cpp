@@ -1,4 +1,4 @@
-#include "pipeline/manifest/look/colour_json.h"
+#include "pipeline/manifest/look/point_form.h"
 
 #include <algorithm>
 

@@ -1,6 +1,23 @@
-#include "pipeline/production/methods/method_sources.h"
+#include "pipeline/production/methods/methods_parts.h"
 
 namespace mien::pipeline {
+
+void MethodsText::say(const std::string& sentence) {
+  if (!text_.ends_with("\n")) text_ += " ";
+  text_ += sentence + ".";
+}
+
+void MethodsText::end_paragraph() { text_ += text_.ends_with(".") ? "\n\n" : ""; }
+
+std::string MethodsText::cite(const Names& keys) {
+  if (keys.empty()) return "";
+  std::string text;
+  for (const std::string& key : keys) {
+    text += (text.empty() ? "@" : "; @") + key;
+    add_once(cited_, key);
+  }
+  return " [" + text + "]";
+}
 
 MethodWords words_of(motion::InterpolationMethod method) {
   using Method = motion::InterpolationMethod;
@@ -29,24 +46,15 @@ MethodWords words_of(motion::InterpolationMethod method) {
 }
 
 std::string source_of(StyleMethod method) {
-  switch (method) {
-    case StyleMethod::amaya:
-      return "amaya1996";
-    case StyleMethod::unuma:
-      return "unuma1995";
-    case StyleMethod::hsu:
-      return "hsu2005";
-    case StyleMethod::witkin:
-      return "witkin1995";
-    case StyleMethod::shapiro:
-      return "shapiro2006";
-    case StyleMethod::neff:
-      return "neff2009";
-    case StyleMethod::waveshape:
-    case StyleMethod::displacement:
-      break;
-  }
-  return "bruderlin1995";
+  static constexpr Words<StyleMethod> sources = {{"amaya1996", StyleMethod::amaya},
+                                                 {"unuma1995", StyleMethod::unuma},
+                                                 {"hsu2005", StyleMethod::hsu},
+                                                 {"witkin1995", StyleMethod::witkin},
+                                                 {"bruderlin1995", StyleMethod::waveshape},
+                                                 {"bruderlin1995", StyleMethod::displacement},
+                                                 {"shapiro2006", StyleMethod::shapiro},
+                                                 {"neff2009", StyleMethod::neff}};
+  return std::string(word_of(sources, method));
 }
 
 }  // namespace mien::pipeline

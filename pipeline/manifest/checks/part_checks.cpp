@@ -1,17 +1,10 @@
-#include "pipeline/manifest/checks/manifest_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 
 #include <string>
 
 #include "motion/skeleton/body.h"
-#include "pipeline/base/documents/fault_list.h"
-#include "pipeline/manifest/checks/examples_checks.h"
 #include "pipeline/manifest/checks/film_checks.h"
-#include "pipeline/manifest/checks/matching_checks.h"
-#include "pipeline/manifest/checks/modification_checks.h"
-#include "pipeline/manifest/checks/name_checks.h"
-#include "pipeline/manifest/checks/questionnaire_checks.h"
-#include "pipeline/manifest/checks/sheet_checks.h"
-#include "pipeline/manifest/checks/stimulus_checks.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/look/look_checks.h"
 #include "scenes/point_light/dot_joints.h"
 
@@ -30,29 +23,26 @@ std::vector<Fault> check_films(const Manifest& manifest) {
 }
 
 /// Where numbers say how large a figure is seen it cannot be made as small as the smallest.
-std::vector<Fault> check_equalized_sizes(const Manifest& manifest) {
-  FaultList list(manifest.places);
-  if (!manifest.equalize.size) return {};
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    const scenes::CameraSettings& camera = stimulus.look.camera;
-    if (!camera.screen && !camera.position && !camera.figure_px && camera.path.empty()) continue;
-    list.add("equalize",
-             "the camera of \"" + stimulus.id + "\" already determines the size of its figure",
-             "omit size, or give that camera only a view");
-  }
-  return list.take();
+bool has_own_size(const scenes::CameraSettings& camera) {
+  return camera.screen || camera.position || camera.figure_px || !camera.path.empty();
 }
 
 /// Where numbers say where a camera is, its picture is not moved.
-std::vector<Fault> check_equalized_places(const Manifest& manifest) {
+bool has_own_place(const scenes::CameraSettings& camera) {
+  return camera.position || !camera.path.empty();
+}
+
+std::vector<Fault> check_equalized(const Manifest& manifest, std::optional<Among> among,
+                                   bool (*is_given)(const scenes::CameraSettings&),
+                                   const std::string& what, const std::string& remedy) {
   FaultList list(manifest.places);
-  if (!manifest.equalize.place) return {};
+  if (!among) return {};
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const scenes::CameraSettings& camera = stimulus.look.camera;
-    if (!camera.position && camera.path.empty()) continue;
-    list.add("equalize",
-             "the camera of \"" + stimulus.id + "\" already determines the position of its figure",
-             "omit place, or give that camera a view");
+    if (is_given(stimulus.look.camera))
+      list.add(
+          "equalize",
+          "the camera of \"" + stimulus.id + "\" already determines the " + what + " of its figure",
+          remedy);
   }
   return list.take();
 }
@@ -85,8 +75,10 @@ std::vector<Fault> check_parts(const Manifest& manifest) {
   append(faults, check_sheets(manifest));
   append(faults, check_ids(manifest));
   append(faults, check_films(manifest));
-  append(faults, check_equalized_sizes(manifest));
-  append(faults, check_equalized_places(manifest));
+  append(faults, check_equalized(manifest, manifest.equalize.size, has_own_size, "size",
+                                 "omit size, or give that camera only a view"));
+  append(faults, check_equalized(manifest, manifest.equalize.place, has_own_place, "position",
+                                 "omit place, or give that camera a view"));
   append(faults, check_modifications(manifest));
   return faults;
 }

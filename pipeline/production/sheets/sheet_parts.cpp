@@ -1,9 +1,7 @@
-#include "pipeline/production/sheets/sheet_layout.h"
+#include "pipeline/production/sheets/sheet_parts.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "motion/skeleton/body.h"
 
 namespace mien::pipeline {
 
