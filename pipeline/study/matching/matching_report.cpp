@@ -220,7 +220,7 @@ void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResult
   const auto is_time = [](const MatchingComparison& c) {
     return c.measure == MatchingMeasure::time_s;
   };
-  const auto times = evaluation.comparisons | std::views::filter(is_time);
+  auto times = evaluation.comparisons | std::views::filter(is_time);
   write_tables(folder, {means_columns.of_parts(simulated, evaluation.means),
                         shares_columns.of_parts(simulated, evaluation.shares),
                         time_saved_columns.of_parts(simulated, times),

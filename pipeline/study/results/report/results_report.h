@@ -11,6 +11,12 @@
 
 namespace mien::pipeline {
 
+/// What the page says of a frozen design: a sentence, and what differs from it.
+struct FrozenVerdict {
+  std::string sentence;  ///< empty: was not asked for
+  std::vector<std::string> differences;
+};
+
 /// Makes the folder of a report, or leaves nothing of an earlier one in it. Throws Error for a
 /// folder that holds anything else: it is not written over.
 void clear_results_folder(const std::filesystem::path& folder);
@@ -20,12 +26,6 @@ void clear_results_folder(const std::filesystem::path& folder);
 /// bytes. Throws Error and WriteFailure.
 void write_results(const Results& results, const std::vector<AnswerRow>& rows,
                    const FrozenVerdict& frozen, const std::filesystem::path& folder);
-
-/// What the page says of a frozen design: a sentence, and what differs from it.
-struct FrozenVerdict {
-  std::string sentence;  ///< empty: was not asked for
-  std::vector<std::string> differences;
-};
 
 /// The page report.html: everything that was found, with links to tables and drawings beside it.
 /// Whatever participants wrote is escaped. Works from disk, without a network and without scripts.
