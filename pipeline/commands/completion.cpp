@@ -37,6 +37,13 @@ constexpr char bash_tail[] = R"(
 complete -F _mien mien
 )";
 
+/// The command whose first column lists what an argument may be: "mien sets" for the name of a set.
+/// Empty when there is none.
+std::string command_that_lists(const CommandPage& page, const CommandOption& argument) {
+  if (argument.argument == "manifest") return "mien manifests";
+  return argument.argument == "name" ? page.name : "";
+}
+
 std::string joined_words(const std::vector<std::string>& words, const std::string& separator) {
   return fmt::to_string(fmt::join(words, separator));
 }
@@ -135,13 +142,6 @@ std::string zsh_words(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + zsh_text(word);
   return text;
-}
-
-/// The command whose first column lists what an argument may be: "mien sets" for the name of a set.
-/// Empty when there is none.
-std::string command_that_lists(const CommandPage& page, const CommandOption& argument) {
-  if (argument.argument == "manifest") return "mien manifests";
-  return argument.argument == "name" ? page.name : "";
 }
 
 /// ":what:action", the part of a specification that says what a value may be.

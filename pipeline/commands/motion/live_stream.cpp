@@ -48,7 +48,7 @@ MotionSource::MotionSource(const std::string& file) : name_(file) {
   if (std::filesystem::is_directory(file))
     throw Error(Place{file}, "is a folder", "name a BVH file, or - for standard input");
   const motion::MotionFormat* format = motion::motion_format(file);
-  if (format != nullptr && !format->is_streamed) {
+  if (format != nullptr && !format->is_streamed)
     throw Error(Place{file}, "cannot be streamed, because this format must be read as a whole",
                 "write it as BVH, with mien motion convert, or use mien motion modify");
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
