@@ -86,7 +86,7 @@ TEST_F(RealFigures, OfThirtyWalksAreWholeMannequins) {
   for (const fs::path& file : files) {
     const motion::Clip clip = motion::to_body(motion::read_motion(file));
     const Mannequin mannequin = make_mannequin(clip.body, {}, colours_of(Role::created));
-    const std::vector<double> soles = motion::test::lowest_sole_heights(clip);
+    const std::vector<double> soles = mien::test::lowest_sole_heights(clip);
     for (const int f : some_frames(clip)) {
       const render::Mesh mesh = posed(mannequin, clip.body, clip.poses[static_cast<size_t>(f)]);
       const Stretch stretch = stretch_of(mannequin.mesh, mesh, 0.008);
@@ -122,7 +122,7 @@ TEST_F(RealFigures, OfThirtyWalksAreWholeCharacters) {
     const motion::Clip clip = motion::to_body(motion::read_motion(file));
     const Character character = scaled_to_body(read, clip.body);
     const motion::Clip worn = retargeted_to(character, clip);
-    const std::vector<double> soles = motion::test::lowest_sole_heights(clip);
+    const std::vector<double> soles = mien::test::lowest_sole_heights(clip);
     std::vector<double> lowest;
     for (const int f : some_frames(clip)) {
       const auto at = static_cast<size_t>(f);

@@ -139,7 +139,7 @@ TEST(FeatureParameters, AreNamedInTablesAndOnSheetsAndRestOnNoRatings) {
   EXPECT_FALSE(content.parameters[1].created.asked);
   EXPECT_FALSE(content.parameters[2].target.asked);
 
-  const CsvTable table = parse_csv(parameters_csv(manifest, motions), "parameters.csv");
+  const CsvTable table = parse_csv(parameters_table.csv(manifest, motions), "parameters.csv");
   ASSERT_EQ(table.rows.size(), 2u * (2u + 45u));
   const auto text = [&](std::size_t row, const char* column) {
     return table.rows[row][static_cast<std::size_t>(require_column(table, column))].text;
@@ -148,7 +148,7 @@ TEST(FeatureParameters, AreNamedInTablesAndOnSheetsAndRestOnNoRatings) {
   EXPECT_EQ(text(1, "parameter"), "sigma-head-lr");
   EXPECT_EQ(text(1, "name"), "side-to-side sway of the head");
   EXPECT_EQ(text(1, "name_ja"), "頭の左右の揺れ");
-  const CsvTable clips = parse_csv(clips_csv(manifest, motions), "clips.csv");
+  const CsvTable clips = parse_csv(clips_table.csv(manifest, motions), "clips.csv");
   EXPECT_EQ(clips.rows[0][static_cast<std::size_t>(require_column(clips, "source"))].text,
             "features");
 }
