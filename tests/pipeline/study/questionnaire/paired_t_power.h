@@ -5,7 +5,7 @@
 #include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
-namespace mien::pipeline::test {
+namespace mien::test {
 
 /// Power of the two-sided paired t test of so many differences of this mean and standard deviation,
 /// by the noncentral t distribution.
@@ -16,4 +16,4 @@ inline double paired_t_power(int pairs, double mean, double deviation, double al
   return cdf(complement(test, critical)) + cdf(test, -critical);
 }
 
-}  // namespace mien::pipeline::test
+}  // namespace mien::test

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/study/questionnaire/paired_t_power.h"
+#include "pipeline/study/questionnaire/power.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/two_emotions.h"
 
