@@ -111,7 +111,7 @@ TEST_F(MotionStream, AnswersEachFrameBeforeTheNextComes) {
   running.send(SIGINT);
   const Ended ended = running.wait(20.0);
   EXPECT_EQ(ended.code, 130);
-  EXPECT_NE(ended.errors.find("5 frames at 30 a second"), std::string::npos) << ended.errors;
+  EXPECT_NE(ended.errors.find("5 frames at 30 per second"), std::string::npos) << ended.errors;
   ::close(to);
   ::close(from);
 }

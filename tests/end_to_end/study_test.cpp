@@ -99,7 +99,7 @@ TEST(StudyCommands, AnalyzeTakesTheScalesThatTheStudyKeeps) {
     ASSERT_EQ(ended.code, 0) << ended.errors;
     EXPECT_EQ(ended.output.substr(0, ended.output.find('\n')),
               "scales of the study: " + (scratch.path() / "out/s/inputs/own.scales.yaml").string());
-    EXPECT_NE(ended.output.find("haste: seen = "), std::string::npos) << ended.output;
+    EXPECT_NE(ended.output.find("haste: perceived = "), std::string::npos) << ended.output;
   }
 }
 

@@ -116,7 +116,7 @@ TEST(Verdict, TellsNumbersAsPeopleReadThem) {
   comparison.motion = motion::motion_difference(walk(), motion::resampled(walk(), 24));
   judge(comparison, {.position_mm = 1e3, .turn_degrees = 180, .speed_m_s = 100});
   ASSERT_FALSE(comparison.reasons.empty());
-  EXPECT_EQ(comparison.reasons.back(), "frame-rate: 30 → 24 frames a second");
+  EXPECT_EQ(comparison.reasons.back(), "frame-rate: 30 → 24 frames per second");
 }
 
 // Other noise is encoded otherwise: what the video loses then is no change of the encoder.
