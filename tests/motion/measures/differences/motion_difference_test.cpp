@@ -145,8 +145,9 @@ TEST(MotionDifference, RefusesWhatCannotBeCompared) {
   Clip broken = walk;
   broken.name = "broken";
   broken.poses[7].rotations[3].x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(refusal_of([&] { difference(walk, broken); }).find("broken: frame 7 holds a number"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal_of([&] { difference(walk, broken); }).find("broken: frame 7 holds an invalid number"),
+      std::string::npos);
   Clip empty = walk;
   empty.poses.clear();
   EXPECT_THROW(difference(walk, empty), Error);
