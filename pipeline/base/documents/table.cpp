@@ -16,7 +16,7 @@ constexpr double least_p = 1e-300;
 constexpr char below_least[] = "< 1e-300";
 
 constexpr auto codebook_columns = table_of<DescribedColumn>(
-    "codebook.csv", "a column of a table",
+    "codebook.csv", "column of a table",
     {{"table", "", "path of the table", [](auto& r) { return r.table; }},
      {"row_is", "", "what a row of the table is", [](auto& r) { return r.rows; }},
      {"column", "", "name of the column", [](auto& r) { return r.column; }},
@@ -44,8 +44,9 @@ const Column* find_column(const TableForm& form, std::string_view name) {
 }
 
 std::string markdown_of(const TableForm& form) {
-  std::string text = fmt::format(
-      "## {}\n\nA row {}.\n\n| column | unit | meaning |\n|---|---|---|\n", form.path, form.rows);
+  std::string text =
+      fmt::format("## {}\n\nOne row per {}.\n\n| column | unit | meaning |\n|---|---|---|\n",
+                  form.path, form.rows);
   for (const Column& column : form.columns)
     text += fmt::format("| `{}` | {} | {} |\n", column.name, column.unit, column.meaning);
   return text;

@@ -108,7 +108,7 @@ struct MeasuredFeature {
 };
 
 constexpr auto measured_columns = table_of<MeasuredFeature>(
-    "features.csv", "a motion and feature",
+    "features.csv", "motion and feature",
     {{"motion", "", "name of the file", [](auto& r) { return r.motion; }},
      {"feature", "", "id of the motion feature", [](auto& r) { return r.feature.id; }},
      {"value", "see unit", "empty where the motion has no steps", [](auto& r) { return r.value; }},

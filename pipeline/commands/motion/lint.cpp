@@ -134,7 +134,7 @@ struct FileFinding {
 };
 
 constexpr auto findings_columns = table_of<FileFinding>(
-    "findings.csv", "a finding",
+    "findings.csv", "finding",
     {{"motion", "", "name of the file", [](auto& r) { return r.motion; }},
      {"check", "", "lint rule", [](auto& r) { return r.found.check; }},
      {"joint", "", "joint; empty if none is concerned", [](auto& r) { return r.found.joint; }},

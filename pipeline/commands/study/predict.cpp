@@ -72,7 +72,7 @@ struct PredictedRating {
 };
 
 constexpr auto predictions_columns = table_of<PredictedRating>(
-    "predictions.csv", "a motion and parameter",
+    "predictions.csv", "motion and parameter",
     {{"motion", "", "name of the file", [](auto& r) { return r.motion; }},
      {"parameter", "", "scale or group of scales", [](auto& r) { return r.predicted.parameter; }},
      whose_ratings_column,
@@ -103,7 +103,7 @@ struct PredictedMean {
 };
 
 constexpr auto rated_columns = table_of<PredictedMean>(
-    "predicted_ratings.csv", "a motion and scale",
+    "predicted_ratings.csv", "motion and scale",
     {{"stimulus", "", "name of the file", [](auto& r) { return r.stimulus; }},
      {"scale", "", "id of the scale", [](auto& r) { return r.scale; }},
      {"value", "scale", "predicted mean answer", [](auto& r) { return r.value; }},

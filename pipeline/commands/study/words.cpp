@@ -29,7 +29,7 @@ struct WordsOptions {
 double percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; }
 
 constexpr auto coverage_columns = table_of<WordCoverage>(
-    "coverage.csv", "a language",
+    "coverage.csv", "language",
     {{"language", "", "the language", [](auto& r) { return r.language; }},
      {"answers", "", "answers with a modifier", [](auto& r) { return r.answers; }},
      {"understood", "", "of these with one that is understood",

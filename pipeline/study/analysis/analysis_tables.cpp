@@ -99,7 +99,7 @@ constexpr auto quantification_columns = table_of<ScaleQuantity>(
       [](auto& r) { return removed_by(r.of()); }}});
 
 constexpr auto thresholds_columns = table_of<ThresholdRow>(
-    "thresholds.csv", "a condition and threshold",
+    "thresholds.csv", "condition and threshold",
     {{"condition", "", "max_abs_mean or mean_sd",
       [](auto& r) {
         return r.of.condition == KeptAt::Condition::largest_mean ? "max_abs_mean" : "mean_sd";
@@ -112,7 +112,7 @@ constexpr auto thresholds_columns = table_of<ThresholdRow>(
       [](auto& r) { return r.of.by_both; }}});
 
 constexpr auto linkage_columns = table_of<MergeRow>(
-    "linkage.csv", "a merge of two clusters",
+    "linkage.csv", "merge of two clusters",
     {{"step", "", "number of the merge, from 1", [](auto& r) { return r.step + 1; }},
      {"first", "", "a scale, or #3 for what step 3 made",
       [](auto& r) { return name_of(r.all, r.of().first); }},
@@ -125,7 +125,7 @@ constexpr auto linkage_columns = table_of<MergeRow>(
      {"height", "", "√(2ΔE): height in the dendrogram", [](auto& r) { return r.of().height; }}});
 
 constexpr auto clusters_columns = table_of<ClusteredScale>(
-    "clusters.csv", "a clustered scale",
+    "clusters.csv", "clustered scale",
     {{"cluster", "", "from 1, along the dendrogram", [](auto& r) { return r.cluster + 1; }},
      {"name", "", "name of the cluster", [](auto& r) { return r.of().name; }},
      {"scale", "", "id of the scale",
@@ -139,7 +139,7 @@ constexpr auto clusters_columns = table_of<ClusteredScale>(
       [](auto& r) { return r.all.none_kept ? "all" : "kept"; }}});
 
 constexpr auto primary_columns = table_of<PrimaryImpression>(
-    "primary.csv", "a cluster and example: the matrix A′",
+    "primary.csv", "cluster and example: the matrix A′",
     {{"primary", "", "name of the cluster", [](auto& r) { return r.of.name; }},
      {"example", "", "example label",
       [](auto& r) { return r.all.impressions.examples[static_cast<size_t>(r.example)]; }},

@@ -79,7 +79,7 @@ Correction correction_of(const std::string& parameter,
 }
 
 constexpr auto calibration_columns = table_of<GivenOrSimulated<PerceivedParameter>>(
-    "calibration.csv", "a stimulus and parameter",
+    "calibration.csv", "stimulus and parameter",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.of.made.stimulus; }},
      {"parameter", "", "scale or group of scales", [](auto& r) { return r.of.made.parameter; }},
      whose_ratings_column,
@@ -93,7 +93,7 @@ constexpr auto calibration_columns = table_of<GivenOrSimulated<PerceivedParamete
       [](auto& r) { return r.of.next; }}});
 
 constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
-    "corrections.csv", "a parameter: perceived = intercept + slope · asked",
+    "corrections.csv", "parameter: perceived = intercept + slope · asked",
     {{"parameter", "", "scale or group of scales", [](auto& r) { return r.of.parameter; }},
      whose_ratings_column,
      {"stimuli", "", "stimuli that it is fitted to", [](auto& r) { return r.of.stimuli; }},

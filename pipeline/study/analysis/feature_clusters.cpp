@@ -92,7 +92,7 @@ struct ScaledFeature {
 };
 
 constexpr auto linkage_of_features = table_of<FeatureMerge>(
-    "linkage.csv", "a merge of two clusters",
+    "linkage.csv", "merge of two clusters",
     {{"step", "", "number of the merge, from 1", [](auto& r) { return r.step + 1; }},
      {"first", "", "a feature, or #3 for what step 3 made",
       [](auto& r) { return node_name(r.all, r.of().first); }},
@@ -104,7 +104,7 @@ constexpr auto linkage_of_features = table_of<FeatureMerge>(
       [](auto& r) { return shortest_measured(r.of().height); }}});
 
 constexpr auto clusters_of_features = table_of<ClusteredFeature>(
-    "clusters.csv", "a feature",
+    "clusters.csv", "feature",
     {{"cluster", "", "its cluster, from 1 along the dendrogram",
       [](auto& r) { return r.cluster() + 1; }},
      {"name", "", "name of the cluster",
@@ -114,7 +114,7 @@ constexpr auto clusters_of_features = table_of<ClusteredFeature>(
       [](auto& r) { return motion::id_of(feature_of(r.id()).group); }}});
 
 constexpr auto scaled_columns = table_of<ScaledFeature>(
-    "features.csv", "a feature and example",
+    "features.csv", "feature and example",
     {{"feature", "", "id of the motion feature", [](auto& r) { return r.feature; }},
      {"example", "", "example label", [](auto& r) { return r.example; }},
      {"scaled", "", "0–1 over the examples, or z scores", [](auto& r) { return r.scaled; }}});

@@ -104,7 +104,7 @@ constexpr SharedColumn left_out_column = {"left_out", "",
                                           [](auto& r) { return r.check.left_out; }};
 
 constexpr auto checks_columns = table_of<CheckRow>(
-    "prediction_checks.csv", "a parameter and kind of check",
+    "prediction_checks.csv", "parameter and kind of check",
     {parameter_column,
      whose_ratings_column,
      left_out_column,
@@ -119,7 +119,7 @@ constexpr auto checks_columns = table_of<CheckRow>(
      {"name_ja", "", "Japanese name", [](auto& r) { return japanese_text(r.label); }}});
 
 constexpr auto left_out_columns = table_of<LeftOutExample>(
-    "left_out_predictions.csv", "a parameter, kind of check and example",
+    "left_out_predictions.csv", "parameter, kind of check and example",
     {parameter_column,
      whose_ratings_column,
      left_out_column,

@@ -39,7 +39,7 @@ PublishedComparison compare(const Analysis& analysis, PublishedCluster table,
 }
 
 constexpr auto published_columns = table_of<GivenOrSimulated<PublishedComparison>>(
-    "published.csv", "a table of the adjective paper",
+    "published.csv", "table of the adjective paper",
     {{"table", "", "Table 2 or Table 3", [](auto& r) { return r.of.table; }},
      whose_ratings_column,
      {"kept_in_both", "", "pairs kept here and there", [](auto& r) { return r.of.kept_in_both; }},

@@ -96,7 +96,7 @@ constexpr SharedColumn sessions_column = {"sessions", "", "given (by people) or 
                                           [](auto& r) { return given_or_simulated(r.simulated); }};
 
 constexpr auto means_columns = table_of<MeanRow>(
-    "means.csv", "a measure, interface and target",
+    "means.csv", "measure, interface and target",
     {measure_column,
      interface_column,
      target_column,
@@ -106,7 +106,7 @@ constexpr auto means_columns = table_of<MeanRow>(
      {"sd", "m or s", "their standard deviation, n − 1", [](auto& r) { return r.of.sd; }}});
 
 constexpr auto shares_columns = table_of<ShareRow>(
-    "shares.csv", "an interface and target",
+    "shares.csv", "interface and target",
     {interface_column,
      target_column,
      sessions_column,
@@ -121,7 +121,7 @@ constexpr auto shares_columns = table_of<ShareRow>(
       [](auto& r) { return share(r.of.failures, r.of.trials); }}});
 
 constexpr auto time_saved_columns = table_of<ComparedRow>(
-    "time_saved.csv", "a pair of interfaces and target",
+    "time_saved.csv", "pair of interfaces and target",
     {first_column,
      second_column,
      target_column,
@@ -135,7 +135,7 @@ constexpr auto time_saved_columns = table_of<ComparedRow>(
       [](auto& r) { return r.of.difference.high(0.9); }}});
 
 constexpr auto compared_columns = table_of<ComparedRow>(
-    "comparisons.csv", "a measure, pair of interfaces and target",
+    "comparisons.csv", "measure, pair of interfaces and target",
     {measure_column,
      first_column,
      second_column,

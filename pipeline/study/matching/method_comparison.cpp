@@ -73,7 +73,7 @@ double largest_jump(const Trial& trial, const std::vector<TrialWish>& wishes, in
 }
 
 constexpr auto method_columns = table_of<GivenOrSimulated<MethodTrial>>(
-    "methods.csv", "a method of interpolation",
+    "methods.csv", "method of interpolation",
     {{"method", "", "the method", [](auto& r) { return motion::name_of(r.of.method); }},
      {"wishes", "", "settings of the sliders that were tried", [](auto& r) { return r.of.wishes; }},
      {"mean_error", "0–1", "|reached − asked| of the parameter that is missed most, mean",

@@ -102,7 +102,7 @@ constexpr SharedColumn nobody_column = {"simulated", "", "always 1: no person is
                                         [](auto&) { return true; }};
 
 constexpr auto results_columns = table_of<InterfaceResult>(
-    "interface_trials.csv", "a target, interface and way to it",
+    "interface_trials.csv", "target, interface and way to it",
     {method_column,
      {"target", "", "id of the target", [](auto& r) { return r.target; }},
      kind_column,
@@ -119,7 +119,7 @@ constexpr auto results_columns = table_of<InterfaceResult>(
      nobody_column});
 
 constexpr auto summary_columns = table_of<InterfaceSummary>(
-    "interface_summary.csv", "an interface and way",
+    "interface_summary.csv", "interface and way",
     {method_column,
      kind_column,
      way_column,

@@ -43,7 +43,7 @@ struct TargetParameter {
 };
 
 constexpr auto targets_columns = table_of<TargetParameter>(
-    "targets.csv", "a target and parameter",
+    "targets.csv", "target and parameter",
     {{"target", "", "id of the target", [](auto& r) { return r.target.id; }},
      {"kind", "", "target or practice",
       [](auto& r) { return r.target.practice ? "practice" : "target"; }},

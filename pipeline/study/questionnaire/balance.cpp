@@ -85,7 +85,7 @@ struct BalanceCount {
 };
 
 constexpr auto balance_columns = table_of<BalanceCount>(
-    "balance.csv", "a count",
+    "balance.csv", "count",
     {{"count", "", "seen, place, follows, together, flipped or left",
       [](auto& r) { return r.count; }},
      {"one", "", "what is counted: a stimulus, pair or scale", [](auto& r) { return r.one; }},
@@ -107,7 +107,7 @@ struct PlannedTrial {
 };
 
 constexpr auto plans_columns = table_of<PlannedTrial>(
-    "plans.csv", "a trial of a participant",
+    "plans.csv", "trial of a participant",
     {{"participant", "", "place in the design", [](auto& r) { return r.plan.participant; }},
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.trial.number; }},
      {"block", "", "practice, main, or a level of the blocking factor",

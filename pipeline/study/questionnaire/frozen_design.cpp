@@ -67,7 +67,7 @@ std::string hashes_text(const ZipFiles& files) {
 }
 
 constexpr auto scales_columns = table_of<Scale>(
-    "scales.csv", "a scale that is asked",
+    "scales.csv", "scale that is asked",
     {{"scale", "", "id of the scale", [](auto& r) { return r.id; }},
      {"low", "", "name of its low end", [](auto& r) { return r.low; }},
      {"high", "", "name of its high end", [](auto& r) { return r.high; }},
@@ -100,7 +100,7 @@ struct FrozenInput {
 };
 
 constexpr auto inputs_columns =
-    table_of<FrozenInput>("inputs.csv", "a file that the manifest names",
+    table_of<FrozenInput>("inputs.csv", "file that the manifest names",
                           {{"input", "", "path of the file", [](auto& r) { return r.name; }},
                            {"xxh3", "", "XXH3-128 of it", [](auto& r) { return r.hash; }}});
 
@@ -116,7 +116,7 @@ struct FrozenMedia {
 };
 
 constexpr auto media_columns = table_of<FrozenMedia>(
-    "stimuli.csv", "a file that is shown",
+    "stimuli.csv", "file that is shown",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.media.stimulus; }},
      {"media", "", "the file, from the study's folder", [](auto& r) { return r.media.path; }},
      {"sha256", "", "SHA-256 of it", [](auto& r) { return r.sha256; }}});

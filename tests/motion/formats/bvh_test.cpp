@@ -224,7 +224,7 @@ TEST(Bvh, RefusesWhatIsWrongAtItsPlace) {
       {replaced(good, ".0083333", "120"), "f.bvh:18:13", "a frame time of \"120\" seconds"},
       {replaced(good, ".0083333", "120"), "f.bvh:18:13", "0.00833333 for 120 frames a second"},
       {replaced(good, ".0083333", "inf"), "f.bvh:18:13", "\"inf\" is not a valid number"},
-      {replaced(good, "10 20 30", "10 20 1e400"), "f.bvh:20:7", "\"1e400\" is not a usable"},
+      {replaced(good, "10 20 30", "10 20 1e400"), "f.bvh:20:7", "\"1e400\" is not a valid"},
       {replaced(good, "10 20 30", "10 2x 30"), "f.bvh:20:4", "\"2x\" is not a valid number"},
       {replaced(good, "10 20 30", "10 30"), "f.bvh:20:20", "ends after 8 of 9 numbers"},
       {replaced(good, "10 20 30", "10 20 30 40"), "f.bvh:20:25", "more than 9 numbers"},

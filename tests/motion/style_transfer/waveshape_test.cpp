@@ -113,7 +113,7 @@ TEST(Waveshaped, RefusesLimitsTheWrongWayRound) {
             std::string::npos);
   JointWaveshape folded{LeftHip, {}, {}};
   folded.shape.points = {{0.0, 0.0}, {0.0, 1.0}};
-  EXPECT_NE(refusal_of([&] { waveshaped(walk, {folded}); }).find("do not ascend"),
+  EXPECT_NE(refusal_of([&] { waveshaped(walk, {folded}); }).find("not in ascending order"),
             std::string::npos);
 }
 

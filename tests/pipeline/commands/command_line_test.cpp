@@ -73,7 +73,7 @@ TEST(CommandValues, TakeWhatIsTypedIntoTheirVariables) {
 TEST(CommandValues, RefuseWhatTheyDoNotAllowAndRunNothing) {
   const std::pair<std::vector<const char*>, std::string> cases[] = {
       {{"sel"}, "unknown command \"sel\"; did you mean \"sell\"?\n"},
-      {{"sell"}, "mien sell: place is missing; write mien sell <place>; mien sell --help"},
+      {{"sell"}, "mien sell: place is missing; write mien sell <place>; see mien sell --help"},
       {{"sell", "a", "--count", "10"}, "mien sell: --count: 10 is not a whole number from 1 to 9;"},
       {{"sell", "a", "--count", "0"}, "mien sell: --count: 0 is not a whole number from 1 to 9;"},
       {{"sell", "a", "--count", "1.5"},

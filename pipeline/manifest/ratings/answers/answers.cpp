@@ -83,7 +83,7 @@ Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSu
 }
 
 constexpr auto plain_columns = table_of<GivenOrSimulated<Answer>>(
-    "answers.csv", "an answer on a scale",
+    "answers.csv", "answer on a scale",
     {{"participant", "", "who answered", [](auto& r) { return r.of.participant; }},
      {"stimulus", "", "what was rated", [](auto& r) { return r.of.stimulus; }},
      {"scale", "", "id of the scale", [](auto& r) { return r.of.scale; }},

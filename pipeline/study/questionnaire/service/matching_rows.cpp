@@ -12,7 +12,7 @@ struct MatchedChange {
 };
 
 constexpr auto trials_columns = table_of<MatchedTrial>(
-    "trials.csv", "a trial without practice",
+    "trials.csv", "trial without practice",
     {{"participant", "", "the place in the design", [](auto& r) { return r.participant; }},
      {"target", "", "id of the target", [](auto& r) { return r.trial.stimuli.front(); }},
      {"interface", "", "adjectives, features, weights …",
@@ -33,7 +33,7 @@ constexpr auto trials_columns = table_of<MatchedTrial>(
      {"threshold_m", "m", "D below which motions match", [](auto& r) { return r.threshold_m; }}});
 
 constexpr auto changes_columns = table_of<MatchedChange>(
-    "changes.csv", "a change of a setting, practice included",
+    "changes.csv", "change of a setting, practice included",
     {{"participant", "", "the place in the design", [](auto& r) { return r.of.participant; }},
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.of.trial.number; }},
      {"target", "", "id of the target", [](auto& r) { return r.of.trial.stimuli.front(); }},

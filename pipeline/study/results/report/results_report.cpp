@@ -29,7 +29,7 @@ struct ListedFigure {
 };
 
 constexpr auto figures_columns = table_of<ListedFigure>(
-    "figures.csv", "a figure, or a table that is like one",
+    "figures.csv", "figure, or a table that is like one",
     {{"file", "", "the file; of figures without its ending", [](auto& r) { return r.file; }},
      {"title", "", "title of the figure", [](auto& r) { return r.title; }},
      {"thesis_figure", "", "number of the figure of the emotion thesis that it is like",

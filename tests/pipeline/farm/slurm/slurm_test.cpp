@@ -199,7 +199,7 @@ TEST(Slurm, SaysWhereThereIsNone) {
   const FakePrograms programs(FakePrograms::Others::hidden);
   std::string why;
   EXPECT_EQ(Slurm().queue_if_any(why), std::nullopt);
-  EXPECT_NE(why.find("squeue is not there"), std::string::npos) << why;
+  EXPECT_NE(why.find("squeue was not found"), std::string::npos) << why;
 }
 
 TEST(Slurm, CancelsJobsThatAreOverWithoutComplaint) {

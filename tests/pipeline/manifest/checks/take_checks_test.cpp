@@ -153,7 +153,7 @@ TEST_F(Takes, ThatNobodyChoseAreTold) {
   std::vector<std::string> told;
   for (const Fault& one : silent_takes(reading.manifest)) {
     told.push_back(one.path + ":" + std::to_string(one.place.line));
-    EXPECT_NE(one.wrong.find("\"Walk\" is taken"), std::string::npos) << one.wrong;
+    EXPECT_NE(one.wrong.find("\"Walk\" is used"), std::string::npos) << one.wrong;
   }
   EXPECT_EQ(told,
             (std::vector<std::string>{"stimuli[0].clip:4", "stimuli[2].modify.pose.posed.motion:7",
@@ -161,7 +161,7 @@ TEST_F(Takes, ThatNobodyChoseAreTold) {
   for (const Stimulus& stimulus : reading.manifest.stimuli) {
     const std::vector<std::string> warnings = synthesize(stimulus, {}).warnings;
     const auto telling = std::ranges::count_if(warnings, [](const std::string& warning) {
-      return warning.find("\"Walk\" is taken") != std::string::npos;
+      return warning.find("\"Walk\" is used") != std::string::npos;
     });
     EXPECT_EQ(telling, stimulus.id == "b" ? 0 : 1) << stimulus.id;
   }

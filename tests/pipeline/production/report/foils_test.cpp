@@ -113,7 +113,7 @@ TEST(Foils, ThatCannotBeMadeAreRefused) {
                 .find("a foil inherits this from its stimulus"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, factors: {my lab: k}}\n")
-                .find("is no name of a column"),
+                .find("is not a valid column name"),
             std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: plain, differ: posture}}\n")
                 .find("do not change its posture"),

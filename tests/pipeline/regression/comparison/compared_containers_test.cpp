@@ -52,7 +52,7 @@ TEST(Containers, AreToldApartToEnoughDigits) {
   EXPECT_EQ(differences_of(film(25.0, 1e-9), longer).seen,
             (std::vector<std::string>{"duration in seconds: 1.6 → 1.6000001"}));
   EXPECT_EQ(differences_of(film(29.97, mp4), film(30.0, mp4)).seen.front(),
-            "frames a second: 29.97 → 30");
+            "frames per second: 29.97 → 30");
 }
 
 TEST(Containers, OfAnotherCodecAreKeptOtherwiseAndShowTheSame) {

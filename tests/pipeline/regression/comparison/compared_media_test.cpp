@@ -95,7 +95,7 @@ TEST_F(ComparedMediaFiles, TellsAnotherRateOfTheSameFrames) {
   write_film(in("a.mp4"), twenty(), 25);
   write_film(in("b.mp4"), twenty(), 30);
   const ComparedMedia media = compared_media(in("a.mp4"), in("b.mp4"), 0.02);
-  EXPECT_TRUE(has(media.remarks, "frames a second: 25 → 30"));
+  EXPECT_TRUE(has(media.remarks, "frames per second: 25 → 30"));
   EXPECT_FALSE(media.are_alike());
 }
 

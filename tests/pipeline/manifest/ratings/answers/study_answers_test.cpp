@@ -170,7 +170,7 @@ TEST(StudyAnswers, ConstantParticipantsAreToldAndDroppedOnDemand) {
                                                  "\"z\" gave the same answer 4 times: kept"});
   const StudyAnswers dropped = read(csv, {.constant = Rules::Constant::drop});
   EXPECT_EQ(dropped.answers.size(), 8u);
-  EXPECT_NE(told(dropped).front().find("left out"), std::string::npos);
+  EXPECT_NE(told(dropped).front().find("excluded"), std::string::npos);
 }
 
 TEST(StudyAnswers, EveryFaultIsToldAtOnce) {
@@ -180,7 +180,7 @@ TEST(StudyAnswers, EveryFaultIsToldAtOnce) {
       "x.csv:2:15: 3 is outside the range of \"slow-fast\"; answers go from -2 to 2; state "
       "another range in the scales file\n"
       "x.csv:3:15: \"x\" is not a number; write a finite decimal number\n"
-      "x.csv:4:12: -5 ms is no response time; write milliseconds from 0 up, or leave the "
+      "x.csv:4:12: -5 ms is not a valid response time; write milliseconds from 0 up, or leave the "
       "field empty\n"
       "x.csv:5:12: \"soon\" is not a number; write a finite decimal number");
   EXPECT_EQ(study_refusal("participant,stimulus,value\np,a,1\n"),

@@ -62,7 +62,7 @@ TEST(MatchingChecks, RefuseWhatIsNotThere) {
                 .find("but this stimulus walks along a path"),
             std::string::npos);
   EXPECT_NE(fault_of("{participants: 2}\nquestionnaire: {participants: 2, scales: emotions}")
-                .find("a manifest of its own"),
+                .find("use separate manifests"),
             std::string::npos);
 }
 
