@@ -20,9 +20,9 @@ constexpr int wide = 160;
 constexpr int high = 96;
 
 VideoSketch sketch_of(const std::vector<Image8>& frames) {
-  VideoSketch framebuffer(frames[0].width, frames[0].height);
-  for (const Image8& frame : frames) framebuffer.add(frame);
-  return framebuffer;
+  VideoSketch sketch(frames[0].width, frames[0].height);
+  for (const Image8& frame : frames) sketch.add(frame);
+  return sketch;
 }
 
 VideoFormat format_of(VideoKind kind, FrameRate rate = {30, 1}) {
@@ -142,12 +142,12 @@ TEST_P(VideoCheckTest, RefusesExchangedColours) {
 TEST_P(VideoCheckTest, RefusesAnotherRateOrSize) {
   const std::vector<Image8> frames = smooth_frames(wide, high, 20);
   test::write_video(path, frames, {30, 1}, GetParam());
-  const VideoSketch framebuffer = sketch_of(frames);
+  const VideoSketch sketch = sketch_of(frames);
   VideoFormat other = format_of(GetParam(), {24, 1});
-  EXPECT_NE(refusal_of([&] { check_video(path, other, framebuffer); }), "");
+  EXPECT_NE(refusal_of([&] { check_video(path, other, sketch); }), "");
   other = format_of(GetParam());
   other.height = 98;
-  EXPECT_NE(refusal_of([&] { check_video(path, other, framebuffer); }).find("the size is"),
+  EXPECT_NE(refusal_of([&] { check_video(path, other, sketch); }).find("the size"),
             std::string::npos);
 }
 
@@ -157,12 +157,11 @@ TEST_P(VideoCheckTest, SaysTheSameWithAnyNumberOfThreads) {
   const std::vector<Image8> frames = smooth_frames(wide, high, 150);
   test::write_video(path, frames, {30, 1}, GetParam());
   const std::vector<char> whole = test::bytes_of(path);
-  const VideoSketch framebuffer = sketch_of(frames);
+  const VideoSketch sketch = sketch_of(frames);
   const auto said_by = [&](int threads) {
-    return refusal_of(
-        [&] { check_video(path, format_of(GetParam()), framebuffer, nullptr, threads); });
+    return refusal_of([&] { check_video(path, format_of(GetParam()), sketch, nullptr, threads); });
   };
-  EXPECT_NO_THROW(check_video(path, format_of(GetParam()), framebuffer, nullptr, 3));
+  EXPECT_NO_THROW(check_video(path, format_of(GetParam()), sketch, nullptr, 3));
   std::vector<char> broken = whole;
   for (const double share : {0.4, 0.8}) {
     const auto at =
@@ -184,17 +183,17 @@ TEST_P(VideoCheckTest, RefusesAFileWithABrokenByteOrAnotherPicture) {
   const std::vector<Image8> frames = smooth_frames(wide, high, 20);
   test::write_video(path, frames, {30, 1}, GetParam());
   const std::vector<char> whole = test::bytes_of(path);
-  const VideoSketch framebuffer = sketch_of(frames);
+  const VideoSketch sketch = sketch_of(frames);
   // Half a kilobyte in the midst of the pictures.
   std::vector<char> broken = whole;
   const auto middle = broken.begin() + static_cast<std::ptrdiff_t>(broken.size() / 2);
   std::transform(middle, middle + std::min<std::ptrdiff_t>(512, broken.end() - middle), middle,
                  [](char c) { return static_cast<char>(~c); });
   test::replace_bytes(path, broken);
-  EXPECT_NE(refusal_of([&] { check_video(path, format_of(GetParam()), framebuffer); }), "");
+  EXPECT_NE(refusal_of([&] { check_video(path, format_of(GetParam()), sketch); }), "");
   test::replace_bytes(path, whole);
   test::cut_short(path, 0.8);
-  EXPECT_NE(refusal_of([&] { check_video(path, format_of(GetParam()), framebuffer); }), "");
+  EXPECT_NE(refusal_of([&] { check_video(path, format_of(GetParam()), sketch); }), "");
 }
 
 TEST(VideoCheck, RefusesAnotherKind) {

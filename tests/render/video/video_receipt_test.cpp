@@ -81,15 +81,15 @@ class VideoReceiptTest : public testing::TestWithParam<VideoKind> {
   }
 
   VideoSketch sketch_of(const std::vector<Image8>& frames) const {
-    VideoSketch framebuffer(walk_width, walk_height, checked_row_step(format));
-    for (const Image8& frame : frames) framebuffer.add(frame);
-    return framebuffer;
+    VideoSketch sketch(walk_width, walk_height, checked_row_step(format));
+    for (const Image8& frame : frames) sketch.add(frame);
+    return sketch;
   }
 
   /// What the check says of a file, or "".
-  std::string said_of(const Written& video, const VideoSketch& framebuffer) const {
+  std::string said_of(const Written& video, const VideoSketch& sketch) const {
     try {
-      check_video(video.path, format, framebuffer, &video.receipt);
+      check_video(video.path, format, sketch, &video.receipt);
       return "";
     } catch (const Error& error) {
       return error.what();
@@ -99,9 +99,9 @@ class VideoReceiptTest : public testing::TestWithParam<VideoKind> {
   /// Tries every frame of `frames` lost, doubled, swapped with the next and damaged, on the way to
   /// the encoder, and in a file that took the place of what the encoder made.
   void try_all(const std::vector<Image8>& frames) const {
-    const VideoSketch framebuffer = sketch_of(frames);
+    const VideoSketch sketch = sketch_of(frames);
     const Written right = written("right", frames);
-    ASSERT_EQ(said_of(right, framebuffer), "");
+    ASSERT_EQ(said_of(right, sketch), "");
     // Other encoders take their time, and the same is compared.
     const std::size_t step = GetParam() == VideoKind::mp4 ? 1 : 11;
     for (std::size_t at = 0; at + 1 < frames.size(); at += step) {
@@ -112,7 +112,7 @@ class VideoReceiptTest : public testing::TestWithParam<VideoKind> {
       std::swap(swapped[at], swapped[at + 1]);
       ++*damaged[at].at(static_cast<int>(7 * at), static_cast<int>(5 * at));
       for (const std::vector<Image8>* wrong : {&lost, &doubled, &swapped, &damaged})
-        EXPECT_NE(said_of(written("wrong", *wrong), framebuffer), "") << at;
+        EXPECT_NE(said_of(written("wrong", *wrong), sketch), "") << at;
     }
   }
 };
@@ -126,20 +126,20 @@ TEST_P(VideoReceiptTest, TellsThemWhereFramesDifferByACode) { try_all(hardly_mov
 TEST_P(VideoReceiptTest, TellsAFileInThePlaceOfWhatTheEncoderMade) {
   const std::vector<Image8> frames = walk();
   const Written right = written("right", frames);
-  const VideoSketch framebuffer = sketch_of(frames);
+  const VideoSketch sketch = sketch_of(frames);
   const std::size_t step = GetParam() == VideoKind::mp4 ? 1 : 11;
   for (std::size_t at = 0; at + 1 < frames.size(); at += step) {
     std::vector<Image8> doubled = frames;
     doubled[at + 1] = doubled[at];
     const Written other{written("other", doubled).path, right.receipt};
-    EXPECT_NE(said_of(other, framebuffer), "") << at;
+    EXPECT_NE(said_of(other, sketch), "") << at;
   }
 }
 
 TEST_P(VideoReceiptTest, TellsEachByteThatIsOther) {
   const std::vector<Image8> frames = walk();
   const Written right = written("right", frames);
-  const VideoSketch framebuffer = sketch_of(frames);
+  const VideoSketch sketch = sketch_of(frames);
   const std::vector<char> bytes = test::bytes_of(right.path);
   // Where frames are: between the index and the end, which also have bytes that mean nothing.
   const std::size_t begin = bytes.size() / 2, end = bytes.size() - bytes.size() / 8;
@@ -147,7 +147,7 @@ TEST_P(VideoReceiptTest, TellsEachByteThatIsOther) {
     std::vector<char> damaged = bytes;
     damaged[begin + k * (end - begin) / 30] ^= 1;
     test::replace_bytes(right.path, damaged);
-    EXPECT_NE(said_of(right, framebuffer), "") << k;
+    EXPECT_NE(said_of(right, sketch), "") << k;
   }
 }
 
@@ -191,9 +191,9 @@ TEST(VideoReceipt, HasOneHashForUnitsAfterMarksAndAfterLengths) {
 }
 
 TEST(VideoReceipt, IsNeededUnlessEveryRowIsLookedAt) {
-  VideoSketch framebuffer(walk_width, walk_height, 4);
-  framebuffer.add(walking_frame(0.0));
-  EXPECT_THROW(check_video("none.mp4", {.width = walk_width, .height = walk_height}, framebuffer),
+  VideoSketch sketch(walk_width, walk_height, 4);
+  sketch.add(walking_frame(0.0));
+  EXPECT_THROW(check_video("none.mp4", {.width = walk_width, .height = walk_height}, sketch),
                std::invalid_argument);
 }
 
