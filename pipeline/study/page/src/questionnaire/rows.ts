@@ -1,5 +1,6 @@
 import { answerColumns, participantColumns } from "./columns";
-import type { Experiment, Item, PageRecord, Session, Trial } from "./experiment";
+import type { Experiment, PageRecord, Session, Trial } from "./experiment";
+import { kindOf } from "./trials/trial_kinds";
 
 export type Row = Record<(typeof answerColumns)[number], string>;
 

@@ -149,12 +149,12 @@ test("refuses aliases and merge keys", () => {
 
 test("refuses several documents, and what is no YAML", () => {
   assert.match(refusal("a: 1\n---\nb: 2\n", (m) => { m.a = 2; }), /document/);
-  assert.throws(() => edited("a: {b\n", "m.yaml", { a: 1 }, { a: 2 }), /m\.yaml:\d+:\d+: .*mend it in the file by hand/);
+  assert.throws(() => edited("a: {b\n", "m.yaml", { a: 1 }, { a: 2 }), /m\.yaml:\d+:\d+: .*correct it in the file by hand/);
 });
 
 test("refuses to lose comments", () => {
   const text = "a: [1, # one\n    2]\nb: 1\n";
-  assert.match(refusal(text, (m) => { m.a.shift(); }), /a comment beside this value would be lost with it/);
+  assert.match(refusal(text, (m) => { m.a.shift(); }), /a comment beside this value would be lost/);
   assert.ok(edit(text, (m) => { m.a[0] = 5; m.a[1] = 6; }).includes("[5, # one"));
 });
 
