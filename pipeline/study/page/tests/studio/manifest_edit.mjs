@@ -135,8 +135,8 @@ test("writes long maps below each other", () => {
 test("refuses aliases and merge keys", () => {
   const text = "base: &base {a: 1, b: 2}\nuse: *base\nmerged:\n  <<: *base\n  c: 3\nfree: &f {a: 1}\n";
   assert.equal(refusal(text, (m) => { m.use = { a: 5, b: 2 }; }),
-    "m.yaml:2:6: this value stands elsewhere in the file, behind an alias; write the value out here, or change it by "
-    + "hand where its anchor is");
+    "m.yaml:2:6: this value is defined elsewhere in the file, through an alias; write the value out here, or edit it by "
+    + "hand at its anchor");
   assert.equal(refusal(text, (m) => { m.base = { a: 5, b: 2 }; }),
     "m.yaml:1:13: this value is used again by the alias on line 2; write the value out there, or change it by hand");
   assert.match(refusal(text, (m) => { delete m.merged.a; }), /"a" comes from the merge key << of this map; write/);
