@@ -93,8 +93,8 @@ Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& b
                            limit * options.torque_ratio.error};
     const std::string name(name_of(BodyJoint(joint.joint)));
     const auto sentence = [&](double worst) {
-      return "The " + display_name(name) + " would need " + rounded(worst, 0) + " N·m, more than the " +
-             rounded(limit, 0) + " N·m of strong adults.";
+      return "The " + display_name(name) + " would need " + rounded(worst, 0) +
+             " N·m, more than the " + rounded(limit, 0) + " N·m of strong adults.";
     };
     add_threshold_findings(findings, subject,
                            {"joint-torque", name, "N·m", raised_levels(levels, before[j]),

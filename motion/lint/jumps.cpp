@@ -237,8 +237,8 @@ Findings find_broken_seam(const LintSubject& subject, const LintOptions& options
   for (int j = 0; j < subject.clip.body.size(); ++j) {
     const std::string& name = subject.clip.body.joints[j].name;
     const auto sentence = [&](double worst) {
-      return "The loop does not close: the " + display_name(name) + " jumps by " + rounded(worst, 1) +
-             "° at its seam.";
+      return "The loop does not close: the " + display_name(name) + " jumps by " +
+             rounded(worst, 1) + "° at its seam.";
     };
     const std::vector<double> steps = in_degrees(excesses(turns(subject.clip, j)));
     add_seam(subject, {"loop-seam", name, "°", options.seam_degrees, 0, 1, sentence},

@@ -114,7 +114,8 @@ TEST(YamlTree, IsNotBlownUpByAliases) {
   std::string aliases;
   for (int i = 0; i < 1000; ++i) aliases += i == 0 ? "*a" : ", *a";
   EXPECT_NE(faults_in(large + aliases + "]\n").find("unfolds"), std::string::npos);
-  EXPECT_NE(faults_in("a: &a [*a]\n").find("inside the value that it refers to"), std::string::npos);
+  EXPECT_NE(faults_in("a: &a [*a]\n").find("inside the value that it refers to"),
+            std::string::npos);
 }
 
 TEST(YamlTree, IsNotBlownUpByAnchorsWithinAnchors) {
