@@ -328,7 +328,8 @@ TEST_F(QuestionnairePage, IsWrittenIntoNoFolderOfOthers) {
       run_mien({"study", "export", (scratch->path() / "gaits.yaml").string(), "--out",
                 (scratch->path() / "out").string(), "-o", other.path().string()});
   EXPECT_NE(refused.code, 0);
-  EXPECT_NE(refused.errors.find("holds something else"), std::string::npos) << refused.errors;
+  EXPECT_NE(refused.errors.find("was not written by mien study export"), std::string::npos)
+      << refused.errors;
 }
 
 }  // namespace
