@@ -14,9 +14,9 @@ namespace mien::scenes {
 
 namespace {
 
-constexpr double least_speed = 0.05;  // m/s
-
 using motion::Vec3;
+
+constexpr double least_speed = 0.05;  // m/s
 
 constexpr double lane_m = 1.1;
 
