@@ -133,13 +133,10 @@ void show_checks(const FeatureRegression& regression, const Console& console) {
     for (const PredictionCheck& check : parameter.checks)
       console.out << fmt::format("{:22} {:>9} {:8.3f} {:8.3f} {:8.2f}\n", check.parameter,
                                  check.left_out, check.rmse, check.mean_rmse, check.r_squared);
-  console.out << "\nEach example is predicted by a fit without it (left out: example) or without "
-                 "all takes of "
-                 "its\nstyle (left out: style). Errors (RMS) are proportions of the scale; \"of "
-                 "mean\" is the "
-                 "error of\npredicting the mean of the others. R² at or below 0: the features do "
-                 "not predict "
-                 "the ratings.\n";
+  console.out << "\nEach example is predicted by a fit without it (left out: example), or without "
+                 "all takes of its\nstyle (left out: style). Errors (RMS) are proportions of the "
+                 "scale; \"of mean\" is the error of\npredicting the mean of the others. R² at or "
+                 "below 0: the features do not predict the ratings.\n";
 }
 
 void show_predictions(const std::vector<Unrated>& motions, const Console& console) {
