@@ -15,7 +15,7 @@ namespace mien::motion {
 /// Selection of the motion files of a set of examples.
 struct ExampleFolder {
   std::filesystem::path path;
-  std::string include = "*";  ///< pattern of file names
+  std::string include = "*";  ///< pattern of file names (matches_glob)
   std::string exclude;        ///< pattern; empty excludes nothing
   std::string take;           ///< name of the motion in files with several; empty: the first
   CycleChoice cycle = CycleChoice::automatic;

@@ -137,7 +137,7 @@ class AmcReader {
     for (size_t i = 0; i < moves.freedoms.size(); ++i) {
       skip_blanks(cursor_);
       if (at_line_end(cursor_)) refuse_count(bone, std::to_string(i) + " numbers");
-      const double value = parse_number(cursor_, "one a degree of freedom");
+      const double value = parse_number(cursor_, "one per degree of freedom");
       const int axis = moves.freedoms[i].axis;
       if (moves.freedoms[i].rotation) {
         turned = Quat(Eigen::AngleAxisd(value * radians_per_unit_, Vec3::Unit(axis))) * turned;

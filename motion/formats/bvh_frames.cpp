@@ -39,11 +39,11 @@ void expect_line_end(TextCursor& cursor) {
   fail(cursor, cursor.at, "nothing more is expected on this line", "start a new line here");
 }
 
-/// What was meant where a frame time is a rate: "0.00833333 for 120 frames a second".
+/// What was meant where a frame time is a rate: "0.00833333 for 120 frames per second".
 std::string frame_time_of(double written) {
   const double rate = written > longest_frame_seconds && written <= 1000.0 ? written : 30.0;
   char text[64];
-  std::snprintf(text, sizeof text, "%.6g for %g frames a second", 1.0 / rate, rate);
+  std::snprintf(text, sizeof text, "%.6g for %g frames per second", 1.0 / rate, rate);
   return text;
 }
 
@@ -93,7 +93,7 @@ double parse_bvh_frame_rate(TextCursor& cursor) {
   expect_label(cursor, "Frame Time");
   skip_space(cursor);
   const size_t place = cursor.at;
-  const double seconds = parse_number(cursor, "seconds a frame");
+  const double seconds = parse_number(cursor, "seconds per frame");
   if (!(seconds >= 1e-5 && seconds <= longest_frame_seconds)) {
     const std::string written(in_quotes(cursor.text.substr(place, cursor.at - place)));
     fail(cursor, place, "a frame time of " + written + " seconds",
@@ -126,7 +126,7 @@ void parse_bvh_frame(TextCursor& cursor, const BvhHierarchy& hierarchy, Pose& po
       skip_space(cursor);
       if (at_end(cursor)) refuse_short_frame(cursor, *wrapped, channels);
     }
-    set_channel(pose, hierarchy.channels[taken], parse_number(cursor, "one a channel"));
+    set_channel(pose, hierarchy.channels[taken], parse_number(cursor, "one per channel"));
   }
   skip_blanks(cursor);
   if (!at_line_end(cursor)) {

@@ -59,11 +59,16 @@ std::string in_words(bool (*is_meant)(const MotionFormat&)) {
 
 std::span<const MotionFormat> motion_formats() { return formats; }
 
-const MotionFormat* motion_format(const std::filesystem::path& path) {
+std::string lower_case_ending(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto* const found = std::ranges::find(formats, ending, &MotionFormat::ending);
+  return ending;
+}
+
+const MotionFormat* motion_format(const std::filesystem::path& path) {
+  const auto* const found =
+      std::ranges::find(formats, lower_case_ending(path), &MotionFormat::ending);
   return found == std::end(formats) ? nullptr : found;
 }
 

@@ -10,8 +10,9 @@
 
 namespace mien::motion {
 
-/// A format of motion files, as an ending of their names tells it. All are listed in
-/// motion_file.cpp; whatever says which there are takes it from that list.
+/// A format of motion files, recognised by the ending of a file's name. The list in motion_file.cpp
+/// is the only one: reading, writing, messages and help texts are derived from it. To support
+/// another format, add an entry there.
 struct MotionFormat {
   std::string_view ending;  ///< in lower case: ".bvh"
   std::string_view name;    ///< "BVH"; endings of one format have the same
@@ -26,6 +27,9 @@ struct MotionFormat {
 
 /// All of them, one for each ending.
 std::span<const MotionFormat> motion_formats();
+
+/// The ending of a file's name in lower case, as formats have it: ".bvh" of "Walk.BVH".
+std::string lower_case_ending(const std::filesystem::path& path);
 
 /// The format of a file by the ending of its name, in upper or lower case; null where it is none.
 const MotionFormat* motion_format(const std::filesystem::path& path);

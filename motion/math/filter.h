@@ -33,7 +33,8 @@ std::vector<Vec3> derivative(std::span<const Vec3> signal, double rate_hz,
 /// averaged over as many by a raised cosine. Needs are ≥ 0. The envelope of a loop is periodic.
 std::vector<double> smooth_envelope(const std::vector<double>& needed, int half_width, bool loops);
 
-/// Smooth step from 1 (x ≤ 0) to 0 (x ≥ 1), with zero slope at both ends.
+/// Smooth step from 1 (x ≤ 0) to 0 (x ≥ 1), with zero slope at both ends: 1 − smooth_step(x)
+/// (geometry.h).
 double fade(double x);
 
 }  // namespace mien::motion

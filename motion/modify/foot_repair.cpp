@@ -99,7 +99,8 @@ void lift_foot(Pose& pose, const Skeleton& body, const LegJoints& leg, double he
   pose.rotations[at(leg.ankle)] = (shank.conjugate() * world.rotations[at(leg.ankle)]).normalized();
 }
 
-/// With each foot raised by what `lift_of` gives of it, frame by frame.
+/// The clip with each foot raised by bending its leg. `lift_of(left)` gives the heights by which
+/// the left or right foot is raised, metres, one per frame; none leaves the foot as it is.
 template <class LiftOf>
 Clip with_feet_raised(const Clip& clip, const LiftOf& lift_of) {
   Clip result = clip;

@@ -31,6 +31,7 @@ const LimbParts& parts_of(Limb limb) {
       {&Limbs::left_foot, LeftHip, LeftToe, LeftAnkle},
       {&Limbs::right_foot, RightHip, RightToe, RightAnkle},
   };
+  static_assert(std::size(limbs) == static_cast<size_t>(Limb::right_foot) + 1);
   return limbs[static_cast<size_t>(limb)];
 }
 

@@ -19,6 +19,7 @@ constexpr double timing_seconds = 0.08;
 std::string_view name_of(Limb limb) {
   constexpr std::string_view names[] = {"head", "left hand", "right hand", "left foot",
                                         "right foot"};
+  static_assert(std::size(names) == static_cast<size_t>(Limb::right_foot) + 1);
   return names[static_cast<size_t>(limb)];
 }
 

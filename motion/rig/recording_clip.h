@@ -10,8 +10,9 @@ namespace mien::motion {
 /// (`sketch`); recordings that are not human are unchanged.
 Recording in_metres(Recording recording);
 
-/// Lengths in another unit and axes turned, before anything stands on a floor: for a body and its
-/// poses whose file has `metres_per_unit` and whose up axis `to_y_up` takes to +Y.
+/// Converts `body` and its `poses` in place from a file's unit and axes to metres with +Y up:
+/// lengths are multiplied by `metres_per_unit`, and everything is rotated by `to_y_up`, which takes
+/// the file's up axis to +Y. The figure is not moved onto the floor; clip_of does that afterwards.
 void to_metres(double metres_per_unit, const Quat& to_y_up, Skeleton& body,
                std::vector<Pose>& poses);
 

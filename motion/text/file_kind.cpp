@@ -15,12 +15,12 @@ using std::string_view_literals::operator""sv;
 constexpr std::string_view export_again = "export the motion as BVH or glTF, and name that file";
 constexpr std::string_view download_again = "download the file itself, not a page about it";
 
-/// How a kind of file begins, in lower case.
+/// A kind of file that is recognised by its first bytes.
 struct Signature {
-  std::string_view bytes;
-  std::string_view is;
-  std::string_view remedy;
-  std::string_view format = {};  ///< of motions: whose reader takes it
+  std::string_view bytes;        ///< with ASCII letters in lower case; compared regardless of case
+  std::string_view is;           ///< what the file is, as words that follow its name
+  std::string_view remedy;       ///< what to do instead of reading it
+  std::string_view format = {};  ///< of motions: the reader that takes it
 };
 
 constexpr Signature signatures[] = {

@@ -14,12 +14,14 @@ namespace mien {
 template <class Enum>
 using Words = std::initializer_list<std::pair<const char*, Enum>>;
 
-/// The first word that means `value`; there must be one.
+/// The first word that means `value`; there must be one: without it an assertion fails, and the
+/// word is empty where assertions are off.
 template <class Enum>
 std::string_view word_of(Words<Enum> words, std::type_identity_t<Enum> value) {
   const auto found = std::find_if(words.begin(), words.end(),
                                   [&](const auto& known) { return known.second == value; });
   assert(found != words.end());
+  if (found == words.end()) return {};
   return found->first;
 }
 

@@ -20,6 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char pack_notes[] =
+    "The archive is a bag (BagIt, RFC 8493): the study in data/, with SHA-256 sums beside it for "
+    "sha256sum -c manifest-sha256.txt. The same study with the same options gives the same bytes. "
+    "The study is verified first, and refused if anything is missing or changed.\n\n"
+    "Examples:\n"
+    "  mien pack out/my-study -o my-study.tar.zst\n"
+    "  mien pack out/my-study --organization \"University of Somewhere\" --license CC-BY-4.0\n"
+    "  mien verify my-study                       after tar xf my-study.tar.zst";
+
 struct PackOptions {
   std::string study;
   std::string output;
@@ -100,16 +109,7 @@ Command pack_command() {
               flag("--force", &options->force, "Replace an existing archive"),
               info_options(options->info),
               flag("--json", &options->json, "List of packed files as JSON on standard output")),
-          .notes =
-              "The archive is a bag (BagIt, RFC 8493): the study in data/, with SHA-256 sums "
-              "beside it for sha256sum -c manifest-sha256.txt. The same study with the same "
-              "options gives the same bytes. The study is verified first, and refused if anything "
-              "is missing or changed.\n\n"
-              "Examples:\n"
-              "  mien pack out/my-study -o my-study.tar.zst\n"
-              "  mien pack out/my-study --organization \"University of Somewhere\" --license "
-              "CC-BY-4.0\n"
-              "  mien verify my-study                       after tar xf my-study.tar.zst",
+          .notes = pack_notes,
           .run = [options](const Console& console) { return run_pack(*options, console); }};
 }
 

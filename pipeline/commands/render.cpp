@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "motion/formats/motion_file.h"
 #include "motion/lint/lint.h"
@@ -28,6 +29,7 @@
 #include "pipeline/production/film/shot_files.h"
 #include "pipeline/tasks/progress.h"
 #include "render/error.h"
+#include "scenes/character/character.h"
 #include "scenes/stage/shot.h"
 
 namespace mien::pipeline {
@@ -212,8 +214,9 @@ std::vector<CommandOption> look_options(LookOptions& look) {
               .with_default(),
           option("--figure", &look.figure,
                  motion::listed(scenes::figure_names<scenes::Figure>()) +
-                     ", options (\"point-light: {scrambled: true}\"), or the glTF file of a "
-                     "skinned character")
+                     ", options (\"point-light: {scrambled: true}\"), or the file of a skinned "
+                     "character (" +
+                     fmt::format("{}", fmt::join(scenes::character_endings, ", ")) + ")")
               .with_default(),
           option("--scene", &look.scene,
                  "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "

@@ -58,7 +58,8 @@ std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& fil
   std::vector<std::filesystem::path> parts;
   if (format == nullptr || format->part_ending.empty()) return parts;
   for (const auto& entry : std::filesystem::directory_iterator(absolute(file).parent_path())) {
-    if (entry.path().extension() == format->part_ending) parts.push_back(entry.path());
+    if (motion::lower_case_ending(entry.path()) == format->part_ending)
+      parts.push_back(entry.path());
   }
   std::sort(parts.begin(), parts.end());
   return parts;

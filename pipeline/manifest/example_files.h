@@ -25,7 +25,8 @@ std::vector<RatedExample> rated_examples(const Manifest& manifest);
 /// Stems of all motion files of the examples' folder, chosen or not. Throws Error.
 std::vector<std::string> stems_in_folder(const Examples& examples);
 
-/// Files that a motion file of its format may refer to: all beside it with the ending of its parts.
+/// Files that a motion file of its format may refer to: all beside it with the ending of its parts,
+/// in upper or lower case.
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file);
 
 /// The answers of the file that the manifest's ratings name. Throws Error.

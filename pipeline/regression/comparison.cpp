@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "motion/measures/differences/motion_tolerance.h"
-#include "pipeline/regression/comparison/told_apart.h"
+#include "pipeline/regression/comparison/distinct_numbers.h"
 
 namespace mien::pipeline {
 
@@ -61,10 +61,10 @@ std::string excess_text(const motion::MotionDifference& motion, const motion::Ex
   const motion::MotionLength& now = motion.timing.now;
   if (excess.measure == "frame-rate")
     return both_told("frame-rate: {} → {} frames per second",
-                     told_apart(before.frames_per_second, now.frames_per_second, 4));
+                     distinct_numbers(before.frames_per_second, now.frames_per_second, 4));
   if (excess.measure == "duration")
     return both_told("duration: {} s → {} s; the limit is ",
-                     told_apart(before.seconds, now.seconds, 4)) +
+                     distinct_numbers(before.seconds, now.seconds, 4)) +
            measured_text(excess, excess.tolerance) + " apart";
   return fmt::format("{}: {}{}; the limit is {}", excess.measure,
                      measured_text(excess, excess.measured), place_text(motion, excess.measure),

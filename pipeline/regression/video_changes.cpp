@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/regression/comparer.h"
-#include "pipeline/regression/comparison/told_apart.h"
+#include "pipeline/regression/comparison/distinct_numbers.h"
 
 namespace mien::pipeline {
 
@@ -15,7 +15,7 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
   if (before.frames != now.frames)
     change.what.push_back(fmt::format("{} frames → {}", before.frames, now.frames));
   if (before.fps != now.fps) {
-    const auto [was, is] = told_apart(before.fps, now.fps);
+    const auto [was, is] = distinct_numbers(before.fps, now.fps);
     change.what.push_back(fmt::format("{} frames/s → {}", was, is));
   }
   if (before.identical != now.identical)
@@ -27,7 +27,7 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
     change.psnr_lost_db = was - now.worst_psnr_db;
   }
   if (!before.identical && !now.identical && before.worst_psnr_db != now.worst_psnr_db) {
-    const auto [was, is] = told_apart(before.worst_psnr_db, now.worst_psnr_db, 4);
+    const auto [was, is] = distinct_numbers(before.worst_psnr_db, now.worst_psnr_db, 4);
     change.what.push_back(fmt::format("worst PSNR {} dB → {} dB", was, is));
   }
   if (change.what.empty()) change.what.emplace_back("different content");

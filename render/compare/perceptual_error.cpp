@@ -255,7 +255,7 @@ PixelMap perceptual_error(const Image8& a, const Image8& b, const Viewing& viewi
   require_same_size(a, b);
   const double pixels_per_degree = viewing.pixels_per_degree();
   if (!(pixels_per_degree >= 1.0 && pixels_per_degree <= 1000.0))
-    throw std::invalid_argument("perceptual_error: there are not 1 to 1,000 pixels a degree");
+    throw std::invalid_argument("perceptual_error: there are not 1 to 1,000 pixels per degree");
   const Measure measure(pixels_per_degree);
   PixelMap errors(a.width, a.height);
   const tbb::blocked_range2d<int> tiles(0, (a.height + tile_height - 1) / tile_height, 1, 0,

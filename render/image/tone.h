@@ -26,8 +26,9 @@ double linear_from_srgb(double encoded);
 /// The linear colour of 8-bit sRGB channels.
 Color linear_from_srgb8(int red, int green, int blue);
 
-/// Tone curve, transfer function and rounding to the nearest code value. The code of a channel is
-/// found by comparison with exact thresholds, so that it does not depend on a machine's pow().
+/// The framebuffer as an 8-bit sRGB image: exposure, tone curve, transfer function and rounding to
+/// the nearest code value. Each code is found by comparing the light with exact thresholds, so that
+/// it does not depend on a machine's pow().
 Image8 to_srgb8(const Framebuffer& framebuffer, const Tone& tone = {});
 
 /// As to_srgb8, of 8 or 16 bits, for a part of the framebuffer, written to the picture from column

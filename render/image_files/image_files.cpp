@@ -2,6 +2,9 @@
 
 #include "render/image_files/image_files.h"
 
+#include <cstddef>
+#include <iterator>
+
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
@@ -19,6 +22,7 @@ using OIIO::TypeDesc;
 TypeDesc type_of(ChannelKind kind) {
   constexpr TypeDesc::BASETYPE types[] = {TypeDesc::UINT8, TypeDesc::UINT16, TypeDesc::HALF,
                                           TypeDesc::FLOAT, TypeDesc::UNKNOWN};
+  static_assert(std::size(types) == static_cast<std::size_t>(ChannelKind::other) + 1);
   return types[static_cast<std::size_t>(kind)];
 }
 

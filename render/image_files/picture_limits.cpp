@@ -6,7 +6,7 @@ namespace mien::render {
 
 std::string picture_read_error(std::int64_t width, std::int64_t height, std::size_t channels) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  if (width < 1 || height < 1 || channels < 1) return "has " + size + ", and is empty";
+  if (width < 1 || height < 1 || channels < 1) return "has " + size + ", so it is empty";
   const auto columns = static_cast<std::uint64_t>(width);
   const auto rows = static_cast<std::uint64_t>(height);
   const bool is_readable = channels <= max_picture_values &&

@@ -1,7 +1,9 @@
 #include "render/video/stream_encoder.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -9,17 +11,18 @@ namespace mien::render {
 
 namespace {
 
-/// Part of the result: encoders cut their work by the number of threads.
+/// Fixed, because encoders divide their work by the number of threads: the bytes depend on it.
 constexpr int encoder_threads = 2;
 constexpr int key_frame_distance = 60;
 
-/// Of a kind of video; in the order of the kinds.
+/// How FFmpeg encodes a kind of video.
 struct EncoderChoice {
-  const char* encoder;    ///< as FFmpeg names it
-  const char* container;  ///< likewise
-  AVPixelFormat pixels;
+  const char* encoder;    ///< FFmpeg's name of the encoder
+  const char* container;  ///< FFmpeg's name of the file format
+  AVPixelFormat pixels;   ///< format of the frames that the encoder is given
 };
 
+/// The table is in the order of VideoKind.
 const EncoderChoice& choice_of(VideoKind kind) {
   static constexpr EncoderChoice choices[] = {{"libx264", "mp4", AV_PIX_FMT_YUV420P},
                                               {"libx264rgb", "mp4", AV_PIX_FMT_RGB24},
@@ -29,6 +32,7 @@ const EncoderChoice& choice_of(VideoKind kind) {
                                               {"libwebp_anim", "webp", AV_PIX_FMT_BGRA},
                                               {"gif", "gif", AV_PIX_FMT_PAL8},
                                               {"apng", "apng", AV_PIX_FMT_RGB24}};
+  static_assert(std::size(choices) == static_cast<std::size_t>(VideoKind::apng) + 1);
   return choices[static_cast<std::size_t>(kind)];
 }
 

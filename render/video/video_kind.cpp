@@ -1,16 +1,19 @@
 #include "render/video/video_kind.h"
 
+#include <cstddef>
+#include <iterator>
 #include <string>
 
 namespace mien::render {
 
 namespace {
 
-// The thresholds lie well below what rendered frames reach (about 42 dB and 0.98) and well above
-// what wrong colours, frames of another moment or broken blocks leave. A GIF has 255 colours for a
-// whole film, and its dither counts as noise.
-// Columns as in VideoTraits: names, needs even sizes, is lossless, is a picture, most frames a
-// second, least PSNR and SSIM.
+// The least PSNR and SSIM are well below what rendered frames reach (about 42 dB and 0.98) and well
+// above what wrong colours, frames of another moment or broken blocks leave. A GIF has 255 colours
+// for the whole video, and its dither counts as noise.
+//
+// In the order of VideoKind. Columns: kind, name, ending, description, codec, even_size, lossless,
+// picture, most_fps, least_psnr_db, least_ssim; those omitted have the defaults of VideoTraits.
 constexpr VideoTraits kinds[] = {
     {VideoKind::mp4, "mp4", ".mp4", "H.264 in MP4", "h264", true, false, false, 240.0, 30.0, 0.88},
     {VideoKind::mp4_lossless, "mp4-lossless", ".lossless.mp4", "H.264 in MP4, lossless RGB", "h264",
@@ -24,6 +27,7 @@ constexpr VideoTraits kinds[] = {
     {VideoKind::gif, "gif", ".gif", "animated GIF", "gif", false, false, true, 50.0, 22.0, 0.5},
     {VideoKind::apng, "apng", ".apng", "animated PNG, lossless", "apng", false, true, true, 90.0},
 };
+static_assert(std::size(kinds) == static_cast<std::size_t>(VideoKind::apng) + 1);
 
 }  // namespace
 

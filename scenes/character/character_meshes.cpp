@@ -165,7 +165,7 @@ void put_uv(const Primitive& primitive, size_t vertices, SkinnedMesh& mesh) {
   }
 }
 
-/// What is told once of all primitives.
+/// What primitives have that is not rendered: one warning each, for all primitives together.
 struct UnsupportedFeatures {
   bool has_lines = false;
   bool has_unweighted = false;

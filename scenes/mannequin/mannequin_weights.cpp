@@ -11,6 +11,7 @@ namespace mien::scenes {
 namespace {
 
 using motion::BodyJoint;
+using motion::smooth_step;
 using motion::Vec3;
 
 /// A joint along a limb and half the length of the zone over which it takes over, at 1.75 m.
@@ -32,8 +33,6 @@ constexpr std::array<Hinge, 4> leg_hinges = {{{motion::LeftHip, 0.085, 0.02},
                                               {motion::LeftToe, 0.028, -0.01}}};
 
 using Weights = std::array<double, motion::body_joint_count>;
-
-using motion::smooth_step;
 
 struct Weigher {
   const motion::Skeleton& body;

@@ -45,9 +45,6 @@ void require(bool holds, const char* wrong) {
 
 }  // namespace
 
-using motion::Quat;
-using motion::Vec3;
-
 DualQuaternion dual_quaternion(const Quat& rotation, const Vec3& translation) {
   const Quat moved = Quat(0.0, translation.x(), translation.y(), translation.z()) * rotation;
   return {rotation.coeffs(), 0.5 * moved.coeffs()};

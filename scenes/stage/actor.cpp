@@ -17,7 +17,7 @@ namespace mien::scenes {
 
 namespace {
 
-/// Solids from index `first` on that name no part of their own become part `body`.
+/// Assigns the part `body` to the solids from index `first` on whose part is still 0 (none).
 template <class Solids>
 void give_part(Solids& solids, std::size_t first, int body) {
   for (std::size_t i = first; i < solids.size(); ++i) {

@@ -14,9 +14,9 @@ namespace mien::scenes {
 
 namespace {
 
-constexpr double least_speed = 0.05;  // m/s
-
 using motion::Vec3;
+
+constexpr double least_speed = 0.05;  // m/s
 
 constexpr double lane_m = 1.1;
 
@@ -187,10 +187,9 @@ Shot stage(const motion::Clip& clip, const Look& look) {
 Shot stage(const std::vector<Performance>& performances, const Look& given) {
   Look look = given;
   const bool together = performances.size() > 1;
-  if (together && kind_of(look.figure).has_dots) {
-    throw Error(kind_of(look.figure).not_in_overlays,
-                "give them another figure, or render them separately");
-  }
+  const std::string not_together = kind_of(look.figure).not_in_overlays;
+  if (together && !not_together.empty())
+    throw Error(not_together, "give them another figure, or render them separately");
   if (together && look.layout == Layout::side_by_side && looks_along_lanes(look.camera)) {
     throw Error("figures side by side hide each other in a side view",
                 "choose front, three-quarter or follow, or layout: superimposed");

@@ -88,7 +88,7 @@ void encode(benchmark::State& state, VideoKind kind, VideoEffort effort) {
   const std::filesystem::path path = scratch(traits_of(kind).ending);
   for (auto _ : state) write_film(path, format_of(kind, effort));
   per_frame(state, frame_count);
-  state.counters["kB a frame"] =
+  state.counters["kB per frame"] =
       1e-3 * static_cast<double>(std::filesystem::file_size(path)) / frame_count;
 }
 

@@ -26,26 +26,26 @@ std::string digits(double value) {
   return formatted(size >= 1.0 ? "%.1f" : "%.2g", value);
 }
 
-std::string frames_told(int frames) {
+std::string frame_count_text(int frames) {
   return std::to_string(frames) + (frames == 1 ? " frame" : " frames");
 }
 
 std::string describe_shift(const TimeShift& shift) {
   const int frames = std::abs(shift.frames);
   return std::string(shift.path_too ? "the motion comes " : "the poses come ") +
-         frames_told(frames) + " (" + in_seconds(std::abs(shift.seconds)) + ") " +
+         frame_count_text(frames) + " (" + in_seconds(std::abs(shift.seconds)) + ") " +
          (shift.frames > 0 ? "later" : "earlier");
 }
 
 std::string describe_gap(const FrameGap& gap, double rate) {
   const int frames = std::abs(gap.frames);
-  return frames_told(frames) + (frames == 1 ? " was " : " were ") +
+  return frame_count_text(frames) + (frames == 1 ? " was " : " were ") +
          (gap.frames < 0 ? "excluded" : "put in") + " at " + in_seconds(gap.frame / rate);
 }
 
 std::string describe_pace(const TimingDifference& timing) {
   return "the same frames, played at " + formatted("%.4g", timing.now.frames_per_second) +
-         " instead of " + formatted("%.4g", timing.before.frames_per_second) + " a second";
+         " instead of " + formatted("%.4g", timing.before.frames_per_second) + " per second";
 }
 
 std::string ordinal(int number) {
@@ -90,11 +90,13 @@ std::string describe_root(const MotionDifference& difference) {
   const CurvePeak tilt = peak_of(root.tilt_radians);
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
-  if (path.value > rounding_m) add("stands up to " + in_centimetres(path.value) + " elsewhere");
-  if (height.value > rounding_m) add("up to " + in_centimetres(height.value) + " higher or lower");
+  if (path.value > rounding_m) add("is displaced by up to " + in_centimetres(path.value));
+  if (height.value > rounding_m)
+    add("is up to " + in_centimetres(height.value) + " higher or lower");
   if (heading.value > rounding_radians)
-    add("heads up to " + in_degrees(heading.value) + " elsewhere");
-  if (tilt.value > rounding_radians) add("leans up to " + in_degrees(tilt.value) + " otherwise");
+    add("heads up to " + in_degrees(heading.value) + " in another direction");
+  if (tilt.value > rounding_radians)
+    add("leans up to " + in_degrees(tilt.value) + " in another direction");
   return text.empty() ? "" : "the figure " + text + "; its poses are unchanged";
 }
 
@@ -127,12 +129,12 @@ std::string describe_place(const MotionDifference& difference) {
   const CurvePeak path = peak_of(difference.root.path_m);
   return path.value < least_reported_offset_m
              ? ""
-             : "the figure stands up to " + in_centimetres(path.value) + " elsewhere";
+             : "the figure is displaced by up to " + in_centimetres(path.value);
 }
 
 std::string describe_order(const TimingDifference& timing) {
   const std::string rates = formatted("%.4g", timing.now.frames_per_second) + " instead of " +
-                            formatted("%.4g", timing.before.frames_per_second) + " a second";
+                            formatted("%.4g", timing.before.frames_per_second) + " per second";
   if (timing.reversed) return "the same frames in reverse order";
   if (timing.every > 1) return "only every " + ordinal(timing.every) + " frame, " + rates;
   return "each frame of before is every " + ordinal(-timing.every) + " one now, " + rates;
@@ -177,7 +179,8 @@ std::string describe_names(const MotionDifference& difference) {
 std::string describe_rest(const MotionDifference& difference) {
   const TimingDifference& timing = difference.timing;
   if (timing.before.frames != timing.now.frames)
-    return frames_told(timing.now.frames) + " instead of " + std::to_string(timing.before.frames);
+    return frame_count_text(timing.now.frames) + " instead of " +
+           std::to_string(timing.before.frames);
   if (!timing.same_length()) return "another frame rate";
   const WorstJoint moved = worst_joint(difference, &JointDifference::point_m);
   if (moved.peak.value > rounding_m)

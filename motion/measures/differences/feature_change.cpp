@@ -1,6 +1,8 @@
 #include "motion/measures/differences/feature_change.h"
 
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 namespace mien::motion {
 
@@ -10,6 +12,7 @@ constexpr double least_share = 0.1;
 
 /// By unit: degrees, metres, metres per second, seconds.
 constexpr double measurable[] = {1.0, 0.01, 0.05, 0.03};
+static_assert(std::size(measurable) == static_cast<std::size_t>(FeatureUnit::seconds) + 1);
 
 }  // namespace
 

@@ -181,6 +181,7 @@ double root_mean_square(const MotionDifference& difference,
 
 std::string_view name_of(LintChange::Kind kind) {
   constexpr std::string_view names[] = {"gone", "new", "worse", "better"};
+  static_assert(std::size(names) == static_cast<size_t>(LintChange::Kind::better) + 1);
   return names[static_cast<size_t>(kind)];
 }
 

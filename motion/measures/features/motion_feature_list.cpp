@@ -114,6 +114,7 @@ std::string_view japanese_name_of(FeatureGroup group) { return names_of(group).j
 
 std::string_view symbol_of(FeatureUnit unit) {
   constexpr std::string_view symbols[] = {"deg", "m", "m/s", "s"};
+  static_assert(std::size(symbols) == static_cast<size_t>(FeatureUnit::seconds) + 1);
   return symbols[static_cast<size_t>(unit)];
 }
 

@@ -73,10 +73,12 @@ void append(std::vector<double>& curve, double angle) {
 
 enum class Pointing { up, down };
 
-// Sine of 10°: nearer to the axis of an angle a segment says nothing of it.
+/// Sine of 10°: the smallest angle between a segment and the axis of an angle that it determines.
 constexpr double least_in_plane = 0.17;
 
-bool is_told_by(double x, double y, const Vec3& segment) {
+/// Whether a segment determines the angle in a plane in which it has the components x and y: not if
+/// it is nearly perpendicular to the plane, where noise would turn it at will.
+bool determines_angle(double x, double y, const Vec3& segment) {
   return std::hypot(x, y) > least_in_plane * segment.norm();
 }
 
@@ -85,8 +87,8 @@ void append_segment(SegmentAngles& angles, const Vec3& segment, const Directions
   const double along = pointing == Pointing::up ? segment.dot(to.up) : -segment.dot(to.up);
   const double forward = segment.dot(to.forward);
   const double left = segment.dot(to.left);
-  if (is_told_by(forward, along, segment)) append(angles.forward, std::atan2(forward, along));
-  if (is_told_by(left, along, segment)) append(angles.sideways, std::atan2(left, along));
+  if (determines_angle(forward, along, segment)) append(angles.forward, std::atan2(forward, along));
+  if (determines_angle(left, along, segment)) append(angles.sideways, std::atan2(left, along));
 }
 
 /// `sole` is the unit vector along the sole towards the toes.
@@ -94,7 +96,7 @@ void append_foot(SegmentAngles& angles, const Vec3& sole, const Directions& to) 
   const double forward = sole.dot(to.forward);
   const double left = sole.dot(to.left);
   const double up = sole.dot(to.up);
-  if (is_told_by(forward, up, sole)) append(angles.forward, std::atan2(up, forward));
+  if (determines_angle(forward, up, sole)) append(angles.forward, std::atan2(up, forward));
   if (forward > least_in_plane) append(angles.sideways, std::atan2(left, forward));
 }
 

@@ -94,8 +94,8 @@ int regress_files(const RegressOptions& options, const Console& console) {
     return told(compared_media(options.before, options.now, options.perceptual), options, console);
   }
   throw Error({options.now}, "cannot be compared with " + options.before,
-              "name two motions, " + motion::formats_read() +
-                  ", two images (PNG, EXR, JPEG, TIFF) or folders of them, or two videos");
+              "name two motions: " + motion::formats_read() +
+                  "; two images: PNG, EXR, JPEG, TIFF, or folders of them; or two videos");
 }
 
 /// A motion, picture or video alone is no study.

@@ -28,6 +28,7 @@ namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::ordered_json;
 
 fs::path folder_of_study(const fs::path& study) {
   return fs::is_directory(study) ? study : fs::absolute(study).parent_path().parent_path();
@@ -44,8 +45,6 @@ std::optional<fs::path> kept_scales(const fs::path& study) {
   if (scales.empty()) return std::nullopt;
   return scales;
 }
-
-using nlohmann::ordered_json;
 
 struct AnalyzeOptions {
   std::string answers;

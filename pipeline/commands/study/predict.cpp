@@ -76,13 +76,13 @@ constexpr auto predictions_columns = table_of<PredictedRating>(
     {{"motion", "", "name of the file", [](auto& r) { return r.motion; }},
      {"parameter", "", "scale or group of scales", [](auto& r) { return r.predicted.parameter; }},
      whose_ratings_column,
-     {"predicted", "0–1", "share of the scale; may lie outside",
+     {"predicted", "0–1", "predicted rating, as a proportion of the scale; may lie outside 0–1",
       [](auto& r) { return r.predicted.value; }},
      {"low_90", "0–1", "lower end of its 90 % interval", [](auto& r) { return r.predicted.low; }},
      {"high_90", "0–1", "its upper end", [](auto& r) { return r.predicted.high; }},
-     {"leverage", "", "distance from the examples, in the fit",
+     {"leverage", "", "leverage: distance of its features from those of the examples",
       [](auto& r) { return r.predicted.leverage; }},
-     {"extrapolated", "0/1", "1: farther than any example is from the others",
+     {"extrapolated", "0/1", "1: the leverage is larger than that of every example",
       [](auto& r) { return r.predicted.extrapolated; }},
      {"name", "", "English name", [](auto& r) { return english_text(r.label); }},
      {"name_ja", "", "Japanese name", [](auto& r) { return japanese_text(r.label); }}});
@@ -127,15 +127,16 @@ void show_checks(const FeatureRegression& regression, const Console& console) {
   console.out << fmt::format("{} examples, {} features{}\n\n", regression.examples.size(),
                              regression.features.size(),
                              regression.simulated ? ", simulated ratings" : "");
-  console.out << fmt::format("{:22} {:>9} {:>8} {:>8} {:>8}\n", "parameter", "excluded", "error",
+  console.out << fmt::format("{:22} {:>9} {:>8} {:>8} {:>8}\n", "parameter", "left out", "error",
                              "of mean", "R²");
   for (const ParameterRegression& parameter : regression.parameters)
     for (const PredictionCheck& check : parameter.checks)
       console.out << fmt::format("{:22} {:>9} {:8.3f} {:8.3f} {:8.2f}\n", check.parameter,
                                  check.left_out, check.rmse, check.mean_rmse, check.r_squared);
-  console.out
-      << "\nErrors (RMS) are proportions of the scale; \"of mean\" is the error of predicting the "
-         "mean of the\nothers. R² at or below 0: the features do not predict the ratings.\n";
+  console.out << "\nEach example is predicted by a fit without it (left out: example), or without "
+                 "all takes of its\nstyle (left out: style). Errors (RMS) are proportions of the "
+                 "scale; \"of mean\" is the error of\npredicting the mean of the others. R² at or "
+                 "below 0: the features do not predict the ratings.\n";
 }
 
 void show_predictions(const std::vector<Unrated>& motions, const Console& console) {

@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "motion/text/as_number.h"
 #include "pipeline/base/documents/files.h"

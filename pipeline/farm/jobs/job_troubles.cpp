@@ -1,15 +1,20 @@
 #include "pipeline/farm/jobs/job_troubles.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
+#include "pipeline/farm/jobs/submission_journal.h"
 #include "pipeline/farm/jobs/task_list.h"
 #include "pipeline/farm/jobs/trouble_words.h"
+#include "pipeline/farm/slurm/slurm_answers.h"
 #include "pipeline/farm/slurm/worker_codes.h"
 
 namespace mien::pipeline {

@@ -1,11 +1,16 @@
 #include "pipeline/manifest/checks/part_checks.h"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "motion/skeleton/body.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/base/documents/places.h"
 #include "pipeline/manifest/checks/film_checks.h"
-#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/look/look_checks.h"
+#include "scenes/cameras/camera_settings.h"
 #include "scenes/point_light/dot_joints.h"
 
 namespace mien::pipeline {

@@ -17,6 +17,8 @@ namespace mien::pipeline {
 
 namespace {
 
+using nlohmann::json;
+
 /// A look that says nothing of its own has the manifest's.
 std::vector<Fault> resolve_sets(Manifest& manifest) {
   ReadSets sets;
@@ -93,8 +95,6 @@ std::vector<Fault> resolve_asked(Manifest& manifest) {
   append(faults, resolve_own_scales(asked.scales, manifest.places));
   return faults;
 }
-
-using nlohmann::json;
 
 /// Built-in sets that are blended come with ratings.
 void add_builtin_ratings(const json& document, Manifest& manifest) {

@@ -18,6 +18,8 @@ namespace mien::pipeline {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 /// A value of bag-info.txt is one line.
 std::string as_line(std::string text) {
   for (char& c : text) {
@@ -29,8 +31,6 @@ std::string as_line(std::string text) {
 std::string element(const char* label, const std::string& value) {
   return value.empty() ? "" : fmt::format("{}: {}\n", label, as_line(value));
 }
-
-namespace fs = std::filesystem;
 
 /// Collects files, those behind links too.
 class Payload {

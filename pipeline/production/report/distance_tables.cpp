@@ -37,7 +37,8 @@ struct ComparedFeature {
 
 constexpr SharedColumn sheet_column = {"sheet", "", "comparison sheet",
                                        [](auto& r) { return r.sheet.id; }};
-constexpr SharedColumn target_column = {"target", "", "reference stimulus or example",
+constexpr SharedColumn target_column = {"target", "",
+                                        "target stimulus or example; of a gallery, its first",
                                         [](auto& r) { return r.pair.target; }};
 constexpr SharedColumn created_column = {"created", "", "stimulus or example compared with it",
                                          [](auto& r) { return r.pair.created; }};
@@ -75,7 +76,10 @@ constexpr auto joint_distances_columns = table_of<ComparedJoint>(
      created_column,
      ratings_column,
      {"joint", "", "joint", [](auto& r) { return motion::name_of(r.joint); }},
-     {"time", "0–1", "time, as a fraction of the duration", [](auto& r) { return r.time; }},
+     {"time", "0–1",
+      "corresponding moment, as a fraction of the duration: 0, 0.1, … 1; matched by keytimes where "
+      "both motions have as many",
+      [](auto& r) { return r.time; }},
      {"distance_m", "m", "distance of the joint from its position in the target",
       [](auto& r) { return r.distance_m; }}});
 

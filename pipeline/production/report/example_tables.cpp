@@ -94,7 +94,9 @@ constexpr auto expectations_columns = table_of<ExpectedExample>(
       [](auto& r) { return r.check.order[r.place].value; }},
      {"above_previous", "0/1", "1: rated above the example expected below it; empty for the first",
       [](auto& r) { return r.is_above_previous(); }},
-     {"people", "", "participants who rated this example and the one before",
+     {"people", "",
+      "participants who rated this example and the one before; empty for the first example and for "
+      "given means",
       [](auto& r) { return r.of_step(&ExpectedStep::people); }},
      {"difference", "0–1", "mean over them of this example's value minus that of the one before",
       [](auto& r) { return r.of_step(&ExpectedStep::difference); }},
@@ -103,7 +105,8 @@ constexpr auto expectations_columns = table_of<ExpectedExample>(
      {"difference_high", "0–1", "upper end of that interval",
       [](auto& r) { return r.of_step(&ExpectedStep::high); }},
      {"holds", "0/1", "1: the whole order is as expected", [](auto& r) { return r.check.holds(); }},
-     {"is_certain", "0/1", "1: every step is significant: its interval lies above 0",
+     {"is_certain", "0/1",
+      "1: the order is as expected, and the interval of every step lies above 0",
       [](auto& r) { return r.check.is_certain(); }}});
 
 std::vector<ExampleRow> example_rows(const Manifest& manifest, Motions& motions) {

@@ -92,14 +92,15 @@ constexpr auto foils_columns = table_of<FoilAspectRow>(
       [](auto& r) { return r.certified.measure; }},
      {"of_value", "see measure", "value of the stimulus; empty if only the difference is known",
       [](auto& r) { return r.certified.of_value; }},
-     {"foil_value", "see measure", "value of the foil",
+     {"foil_value", "see measure", "value of the foil; empty likewise",
       [](auto& r) { return r.certified.foil_value; }},
      {"difference", "° or share",
-      "for posture, the largest difference of a joint rotation in degrees; otherwise the ratio of "
-      "the foil's value to the stimulus's, minus 1",
+      "for posture, the largest difference between the mean rotations of a joint, in degrees; "
+      "otherwise the ratio of the foil's value to the stimulus's, minus 1",
       [](auto& r) { return r.certified.difference; }},
      {"is_held", "0/1",
-      "1: the difference is below 2°, or 0.05; empty for the aspect intended to differ",
+      "1: the absolute difference is below 2° for posture, otherwise below 0.05; empty for the "
+      "aspect intended to differ",
       [](auto& r) {
         return r.certified.aspect == r.foil.differ ? std::nullopt
                                                    : std::optional(r.certified.is_held());

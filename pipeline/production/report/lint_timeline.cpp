@@ -124,7 +124,7 @@ std::string subtitle_of(const LintedMotion& motion) {
       std::ranges::count(motion.findings, motion::Severity::error, &motion::Finding::severity);
   const auto warnings = static_cast<long>(motion.findings.size()) - errors;
   return fmt::format(
-      "{} {}, {} {}; {} frames at {:g} a second", errors, errors == 1 ? "error" : "errors",
+      "{} {}, {} {}; {} frames at {:g} per second", errors, errors == 1 ? "error" : "errors",
       warnings, warnings == 1 ? "warning" : "warnings", motion.frames, motion.frames_per_second);
 }
 

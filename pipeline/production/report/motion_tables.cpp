@@ -84,7 +84,8 @@ constexpr auto clips_columns = table_of<MadeClip>(
      {"stride_m", "m",
       "stride length: distance travelled in one cycle; empty for motions that do not loop",
       [](auto& r) { return r.of_cycle(r.way()); }},
-     {"speed_m_s", "m/s", "mean speed over the floor",
+     {"speed_m_s", "m/s",
+      "displacement over the floor divided by duration, of one cycle or of the whole clip",
       [](auto& r) { return r.way() / r.duration(); }},
      {"planted_drift_m", "m", "largest displacement of a planted foot",
       [](auto& r) { return shortest_measured(r.made.planted_drift_m); }},
@@ -99,7 +100,7 @@ constexpr auto clips_columns = table_of<MadeClip>(
       [](auto& r) { return r.made.modified; }},
      {"modified_share", "0–1",
       "proportion of the requested modification strength that was applied; below 1 where on_fault "
-      "reduced it",
+      "reduced it; empty for no modification",
       [](auto& r) { return r.made.modified.empty() ? NAN : r.made.modified_share; }}});
 
 constexpr auto parameters_columns = table_of<ParameterRow>(

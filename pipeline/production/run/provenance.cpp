@@ -21,6 +21,8 @@ namespace mien::pipeline {
 
 namespace {
 
+using nlohmann::ordered_json;
+
 const Writing by_name{.for_key = true};  // files by name
 
 /// All that a struct says, with what it has anyway.
@@ -82,8 +84,6 @@ OrderedJson resolved_settings(const Overlay& overlay) {
   map["output"] = film["output"];
   return map;
 }
-
-using nlohmann::ordered_json;
 
 ordered_json artifacts_of(const std::vector<TaskOutcome>& outcomes) {
   std::map<std::string, ordered_json> by_path;

@@ -53,7 +53,7 @@ std::vector<std::string> warnings_in(const Production& production, const RunResu
     }
   }
   std::vector<std::string> warnings = told_repetitions(production.manifest());
-  for (std::string& warning : told_warnings(said)) warnings.push_back(std::move(warning));
+  for (std::string& warning : grouped_warnings(said)) warnings.push_back(std::move(warning));
   return warnings;
 }
 
@@ -71,7 +71,7 @@ void refuse_replaced(const RunResult& result, const Store& store) {
   }
 }
 
-constexpr std::size_t most_names_told = 6;
+constexpr std::size_t most_names_listed = 6;
 
 }  // namespace
 
@@ -127,7 +127,7 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
   return result;
 }
 
-std::vector<std::string> told_warnings(
+std::vector<std::string> grouped_warnings(
     const std::vector<std::pair<std::string, std::string>>& said) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;
   for (const auto& [name, warning] : said) {
@@ -136,10 +136,10 @@ std::vector<std::string> told_warnings(
     if (std::ranges::find(group->second, name) == group->second.end())
       group->second.push_back(name);
   }
-  std::vector<std::string> told;
+  std::vector<std::string> lines;
   for (const auto& [warning, names] : groups)
-    told.push_back(motion::first_of(names, most_names_told) + ": " + warning);
-  return told;
+    lines.push_back(motion::first_of(names, most_names_listed) + ": " + warning);
+  return lines;
 }
 
 }  // namespace mien::pipeline

@@ -41,10 +41,10 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
               const std::stop_token& stop, const RunObserver& observer,
               Sharing sharing = Sharing::shared);
 
-/// One line for each thing that is said of stimuli, with the names of those that it is said of:
-/// "sad-walk, happy-walk and 41 more: the left foot slides". `said` has names and what is said of
-/// them; lines stand in the order in which things are said first.
-std::vector<std::string> told_warnings(
+/// One line per warning, with the names of the stimuli that it concerns: "sad-walk, happy-walk and
+/// 41 more: the left foot slides". `said` holds pairs of a name and a warning; lines are in the
+/// order in which warnings first occur.
+std::vector<std::string> grouped_warnings(
     const std::vector<std::pair<std::string, std::string>>& said);
 
 }  // namespace mien::pipeline

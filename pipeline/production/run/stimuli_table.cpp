@@ -125,7 +125,7 @@ constexpr auto stimuli_columns = table_of<MadeStimulus>(
       [](auto& r) { return r.made ? r.made->modified : ""; }},
      {"modified_share", "0–1",
       "proportion of the requested modification strength that was applied; below 1 where on_fault "
-      "reduced it",
+      "reduced it; empty for no modification",
       [](auto& r) { return r.made && !r.made->modified.empty() ? r.made->modified_share : NAN; }},
      {"scene", "", "the set", [](auto& r) { return scene_name(r.film.look); }},
      {"figure", "", "figure type",

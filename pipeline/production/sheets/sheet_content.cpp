@@ -1,14 +1,25 @@
 #include "pipeline/production/sheets/sheet_content.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include <Eigen/Core>
 #include <fmt/format.h>
 
+#include "motion/measures/distance/distance.h"
+#include "pipeline/base/drawing/canvas.h"
 #include "pipeline/base/drawing/figure_drawing.h"
+#include "pipeline/base/drawing/palette.h"
 #include "pipeline/base/drawing/plot.h"
 #include "pipeline/production/sheets/sheet_parts.h"
 #include "pipeline/production/synthesis/modified_motion.h"
+#include "pipeline/production/synthesis/parameter_label.h"
+#include "pipeline/production/synthesis/synthesis.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/regression/comparison/compared_media.h"
-#include "pipeline/regression/comparison/told_apart.h"
+#include "pipeline/regression/comparison/distinct_numbers.h"
 
 namespace mien::pipeline {
 
@@ -20,7 +20,7 @@ bool is_rate(double before, double now) {
 
 void tell_numbers(std::vector<std::string>& told, const std::string& what, double before,
                   double now) {
-  const auto [was, is] = told_apart(before, now);
+  const auto [was, is] = distinct_numbers(before, now);
   told.push_back(fmt::format("{}: {} → {}", what, was, is));
 }
 

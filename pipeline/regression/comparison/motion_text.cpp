@@ -7,7 +7,7 @@
 
 #include "motion/measures/differences/difference_sentence.h"
 #include "pipeline/regression/comparison/compared_motions.h"
-#include "pipeline/regression/comparison/told_apart.h"
+#include "pipeline/regression/comparison/distinct_numbers.h"
 
 namespace mien::pipeline {
 
@@ -65,8 +65,8 @@ std::string in_centimetres_a_second(double metres_a_second) {
 
 void add_timing(Lines& lines, const MotionDifference& difference) {
   const motion::MotionLength &was = difference.timing.before, &is = difference.timing.now;
-  const auto rates = told_apart(was.frames_per_second, is.frames_per_second, 4);
-  const auto seconds = told_apart(was.seconds, is.seconds, 4);
+  const auto rates = distinct_numbers(was.frames_per_second, is.frames_per_second, 4);
+  const auto seconds = distinct_numbers(was.seconds, is.seconds, 4);
   const std::string before = length_told(was, rates.first, seconds.first);
   const std::string now = length_told(is, rates.second, seconds.second);
   lines.add({"duration", "frame-rate", "loop"}, "timing",

@@ -83,26 +83,35 @@ constexpr auto calibration_columns = table_of<GivenOrSimulated<PerceivedParamete
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.of.made.stimulus; }},
      {"parameter", "", "scale or group of scales", [](auto& r) { return r.of.made.parameter; }},
      whose_ratings_column,
-     {"asked", "0–1", "what the stimulus asks for", [](auto& r) { return r.of.made.asked; }},
-     {"reached", "0–1", "what the blend has", [](auto& r) { return r.of.made.reached; }},
-     {"perceived", "0–1", "mean over people of their answers",
+     {"asked", "0–1", "requested value", [](auto& r) { return r.of.made.asked; }},
+     {"reached", "0–1", "value of the blended motion", [](auto& r) { return r.of.made.reached; }},
+     {"perceived", "0–1", "mean of the participants' ratings",
       [](auto& r) { return r.of.perceived; }},
-     {"sd", "0–1", "standard deviation of it, n − 1", [](auto& r) { return r.of.deviation; }},
-     {"people", "", "who answered", [](auto& r) { return r.of.people; }},
-     {"next", "0–1", "what to ask for so that people see what was asked for now",
+     {"sd", "0–1", "standard deviation of the participants' ratings (n − 1)",
+      [](auto& r) { return r.of.deviation; }},
+     {"people", "", "number of participants who rated it", [](auto& r) { return r.of.people; }},
+     {"next", "0–1",
+      "value to request so that the perceived value is the one requested now; empty if the "
+      "correction is not usable",
       [](auto& r) { return r.of.next; }}});
 
 constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
     "corrections.csv", "parameter: perceived = intercept + slope · asked",
     {{"parameter", "", "scale or group of scales", [](auto& r) { return r.of.parameter; }},
      whose_ratings_column,
-     {"stimuli", "", "stimuli that it is fitted to", [](auto& r) { return r.of.stimuli; }},
-     {"intercept", "0–1", "perceived where 0 is asked for", [](auto& r) { return r.of.intercept; }},
-     {"slope", "", "growth of perceived by asked", [](auto& r) { return r.of.slope; }},
-     {"slope_se", "", "its standard error", [](auto& r) { return r.of.slope_error; }},
-     {"r_squared", "0–1", "share of the variance explained",
+     {"stimuli", "", "number of stimuli to which the line is fitted",
+      [](auto& r) { return r.of.stimuli; }},
+     {"intercept", "0–1",
+      "perceived value at a requested value of 0; where all requested values are equal, the mean "
+      "perceived value",
+      [](auto& r) { return r.of.intercept; }},
+     {"slope", "", "increase of the perceived value per increase of the requested value",
+      [](auto& r) { return r.of.slope; }},
+     {"slope_se", "", "its standard error; empty for fewer than three stimuli",
+      [](auto& r) { return r.of.slope_error; }},
+     {"r_squared", "0–1", "proportion of the variance of perceived values explained",
       [](auto& r) { return r.of.r_squared; }},
-     {"usable", "0/1", "1: people saw more where more was asked for",
+     {"usable", "0/1", "1: two or more stimuli and a positive slope",
       [](auto& r) { return r.of.is_usable(); }}});
 
 }  // namespace

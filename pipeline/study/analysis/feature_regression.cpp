@@ -99,19 +99,21 @@ struct LeftOutExample {
 
 constexpr SharedColumn parameter_column = {"parameter", "", "scale or group of scales",
                                            [](auto& r) { return r.check.parameter; }};
-constexpr SharedColumn left_out_column = {"left_out", "",
-                                          "example, or style: all takes of a style together",
-                                          [](auto& r) { return r.check.left_out; }};
+constexpr SharedColumn left_out_column = {
+    "left_out", "",
+    "what is left out of the fit for each prediction: the example, or its style (all takes of it)",
+    [](auto& r) { return r.check.left_out; }};
 
 constexpr auto checks_columns = table_of<CheckRow>(
     "prediction_checks.csv", "parameter and kind of check",
     {parameter_column,
      whose_ratings_column,
      left_out_column,
-     {"examples", "", "examples that were predicted", [](auto& r) { return r.examples; }},
-     {"rmse", "0–1", "root mean square error, share of the scale",
+     {"examples", "", "number of examples predicted", [](auto& r) { return r.examples; }},
+     {"rmse", "0–1", "root mean square error of prediction, as a proportion of the scale",
       [](auto& r) { return r.check.rmse; }},
-     {"mean_rmse", "0–1", "the same of predicting the mean of the others",
+     {"mean_rmse", "0–1",
+      "the same error when the mean of the examples not left out is the prediction",
       [](auto& r) { return r.check.mean_rmse; }},
      {"r_squared", "", "Q² = 1 − (rmse / mean_rmse)²; below 0: worse than the mean",
       [](auto& r) { return r.check.r_squared; }},
@@ -124,12 +126,13 @@ constexpr auto left_out_columns = table_of<LeftOutExample>(
      whose_ratings_column,
      left_out_column,
      {"example", "", "example label", [](auto& r) { return r.all.examples[r.example]; }},
-     {"observed", "0–1", "its rating", [](auto& r) { return r.at(r.parameter.observed); }},
-     {"predicted", "0–1", "from the features, without it in the fit",
+     {"observed", "0–1", "mean rating", [](auto& r) { return r.at(r.parameter.observed); }},
+     {"predicted", "0–1",
+      "prediction from the features by a fit without the example (or its style)",
       [](auto& r) { return r.at(r.check.predictions.predicted); }},
-     {"mean_predicted", "0–1", "mean of the others",
+     {"mean_predicted", "0–1", "mean rating of the examples in that fit",
       [](auto& r) { return r.at(r.check.predictions.mean_predicted); }},
-     {"penalty", "", "of the ridge regression",
+     {"penalty", "", "penalty of the ridge regression in that fit",
       [](auto& r) { return r.at(r.check.predictions.penalty); }}});
 
 }  // namespace

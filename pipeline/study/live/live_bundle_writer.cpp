@@ -13,6 +13,8 @@ namespace mien::pipeline {
 
 namespace {
 
+using nlohmann::ordered_json;
+
 motion::LiveTarget live_target(const std::string& id, Motions& motions) {
   const Stimulus* stimulus = motions.stimulus(id);
   if (stimulus == nullptr)
@@ -27,8 +29,6 @@ motion::LiveTarget live_target(const std::string& id, Motions& motions) {
   target.shown_frames = motions.shown(*stimulus).frame_count();
   return target;
 }
-
-using nlohmann::ordered_json;
 
 ordered_json metres(const motion::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 

@@ -83,14 +83,15 @@ constexpr SharedColumn measure_column = {"measure", "", "first_guess_d (metres) 
                                          [](auto& r) { return name_of(r.of.measure); }};
 constexpr SharedColumn interface_column = {"interface", "", "adjectives, features, weights …",
                                            [](auto& r) { return r.of.interface; }};
-constexpr SharedColumn first_column = {"first", "", "an interface",
+constexpr SharedColumn first_column = {"first", "", "one interface",
                                        [](auto& r) { return r.of.first; }};
-constexpr SharedColumn second_column = {"second", "", "the one that is taken from it",
+constexpr SharedColumn second_column = {"second", "", "the interface subtracted from it",
                                         [](auto& r) { return r.of.second; }};
-constexpr SharedColumn pairs_column = {"participants", "", "participants",
+constexpr SharedColumn pairs_column = {"participants", "",
+                                       "number of participants with both interfaces",
                                        [](auto& r) { return r.of.exact.pairs; }};
 constexpr SharedColumn target_column = {
-    "target", "", "the target; all: over the means of participants",
+    "target", "", "id of the target; all: all targets together",
     [](auto& r) { return r.of.target.empty() ? "all" : r.of.target; }};
 constexpr SharedColumn sessions_column = {"sessions", "", "given (by people) or simulated",
                                           [](auto& r) { return given_or_simulated(r.simulated); }};
@@ -101,23 +102,26 @@ constexpr auto means_columns = table_of<MeanRow>(
      interface_column,
      target_column,
      sessions_column,
-     {"n", "", "values", [](auto& r) { return r.of.n; }},
-     {"mean", "m or s", "mean of those answers", [](auto& r) { return r.of.mean; }},
-     {"sd", "m or s", "their standard deviation, n − 1", [](auto& r) { return r.of.sd; }}});
+     {"n", "", "number of values: trials of the target, or participants for all",
+      [](auto& r) { return r.of.n; }},
+     {"mean", "m or s", "mean of these values", [](auto& r) { return r.of.mean; }},
+     {"sd", "m or s", "standard deviation of these values (n − 1)",
+      [](auto& r) { return r.of.sd; }}});
 
 constexpr auto shares_columns = table_of<ShareRow>(
     "shares.csv", "interface and target",
     {interface_column,
      target_column,
      sessions_column,
-     {"guesses", "", "blind guesses", [](auto& r) { return r.of.guesses; }},
-     {"near_guesses", "", "of these with D below the threshold",
+     {"guesses", "", "number of trials with a blind guess", [](auto& r) { return r.of.guesses; }},
+     {"near_guesses", "", "blind guesses with D below the threshold",
       [](auto& r) { return r.of.near_guesses; }},
-     {"near_share", "0–1", "proportion of identical answers",
+     {"near_share", "0–1", "proportion of blind guesses with D below the threshold",
       [](auto& r) { return share(r.of.near_guesses, r.of.guesses); }},
-     {"trials", "", "trials", [](auto& r) { return r.of.trials; }},
-     {"failures", "", "of these without a match", [](auto& r) { return r.of.failures; }},
-     {"failure_share", "0–1", "proportion of identical answers",
+     {"trials", "", "number of trials", [](auto& r) { return r.of.trials; }},
+     {"failures", "", "trials without a match within the time limit",
+      [](auto& r) { return r.of.failures; }},
+     {"failure_share", "0–1", "proportion of trials without a match",
       [](auto& r) { return share(r.of.failures, r.of.trials); }}});
 
 constexpr auto time_saved_columns = table_of<ComparedRow>(
@@ -127,9 +131,10 @@ constexpr auto time_saved_columns = table_of<ComparedRow>(
      target_column,
      sessions_column,
      pairs_column,
-     {"saved_s", "s", "what the second saves: mean of first less second",
+     {"saved_s", "s",
+      "time saved by the second interface: mean over participants of first minus second",
       [](auto& r) { return r.of.difference.mean; }},
-     {"low_90", "s", "lower end of its 90 % interval; empty where all are identical",
+     {"low_90", "s", "lower end of its 90 % interval; empty if all differences are equal",
       [](auto& r) { return r.of.difference.low(0.9); }},
      {"high_90", "s", "upper end of that interval",
       [](auto& r) { return r.of.difference.high(0.9); }}});
@@ -142,22 +147,31 @@ constexpr auto compared_columns = table_of<ComparedRow>(
      target_column,
      sessions_column,
      pairs_column,
-     {"mean_difference", "m or s", "mean of first less second",
+     {"mean_difference", "m or s", "mean over participants of first minus second",
       [](auto& r) { return r.of.difference.mean; }},
-     {"w_plus", "", "Wilcoxon: sum of the ranks above 0",
+     {"w_plus", "", "Wilcoxon: sum of the ranks of positive differences",
       [](auto& r) { return r.of.exact.w_plus; }},
-     {"w_minus", "", "sum of the ranks below 0", [](auto& r) { return r.of.exact.w_minus; }},
-     {"p_paper", "", "normal approximation without continuity correction, as published",
+     {"w_minus", "", "sum of the ranks of negative differences",
+      [](auto& r) { return r.of.exact.w_minus; }},
+     {"p_paper", "",
+      "Wilcoxon, two-sided: normal approximation without continuity correction, as published",
       [](auto& r) { return p_of_table(r.of.paper.p); }},
-     {"p_paper_holm", "", "corrected (Holm) within a measure",
+     {"p_paper_holm", "",
+      "p corrected (Holm) over the comparisons of the measure: those over all targets, or those of "
+      "single targets",
       [](auto& r) { return p_of_table(r.of.paper_holm); }},
-     {"p_exact", "", "exact, two-sided", [](auto& r) { return p_of_table(r.of.exact.p); }},
-     {"p_exact_holm", "", "corrected (Holm) within a measure",
+     {"p_exact", "", "Wilcoxon, two-sided: exact",
+      [](auto& r) { return p_of_table(r.of.exact.p); }},
+     {"p_exact_holm", "",
+      "p corrected (Holm) over the comparisons of the measure: those over all targets, or those of "
+      "single targets",
       [](auto& r) { return p_of_table(r.of.exact_holm); }},
      {"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation",
       [](auto& r) { return r.of.exact.rank_biserial; }},
-     {"d_z", "", "mean difference in units of its SD", [](auto& r) { return r.of.d_z; }},
-     {"t", "", "paired t", [](auto& r) { return r.of.difference.t; }},
+     {"d_z", "", "mean difference divided by the standard deviation of the differences",
+      [](auto& r) { return r.of.d_z; }},
+     {"t", "", "paired t; empty if all differences are equal",
+      [](auto& r) { return r.of.difference.t; }},
      {"p_t", "", "its two-sided p", [](auto& r) { return p_of_table(r.of.difference.p); }}});
 
 }  // namespace

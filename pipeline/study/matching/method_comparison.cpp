@@ -75,16 +75,16 @@ double largest_jump(const Trial& trial, const std::vector<TrialWish>& wishes, in
 constexpr auto method_columns = table_of<GivenOrSimulated<MethodTrial>>(
     "methods.csv", "method of interpolation",
     {{"method", "", "the method", [](auto& r) { return motion::name_of(r.of.method); }},
-     {"wishes", "", "settings of the sliders that were tried", [](auto& r) { return r.of.wishes; }},
-     {"mean_error", "0–1", "|reached − asked| of the parameter that is missed most, mean",
+     {"wishes", "", "number of slider settings tried", [](auto& r) { return r.of.wishes; }},
+     {"mean_error", "0–1", "mean over the settings of the largest |reached − asked| of a parameter",
       [](auto& r) { return shortest_measured(r.of.mean_error); }},
-     {"worst_error", "0–1", "the largest of these",
+     {"worst_error", "0–1", "largest of these errors",
       [](auto& r) { return shortest_measured(r.of.worst_error); }},
      {"jump", "0–1", "largest change of a weight in one step between settings",
       [](auto& r) { return shortest_measured(r.of.jump); }},
-     {"mean_examples", "", "effective number of examples, 1 / Σ w²",
+     {"mean_examples", "", "mean effective number of examples, 1 / Σ w²",
       [](auto& r) { return r.of.mean_examples; }},
-     {"mean_d_m", "m", "D to the motion that has what is asked for",
+     {"mean_d_m", "m", "mean D to the motion that has the parameters requested",
       [](auto& r) { return r.of.mean_distance; }},
      whose_ratings_column});
 

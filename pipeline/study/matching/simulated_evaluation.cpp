@@ -96,7 +96,7 @@ constexpr SharedColumn kind_column = {"interface", "", "adjectives, features or 
                                       [](auto& r) { return name_of(r.kind); }};
 constexpr SharedColumn way_column = {"way", "", "nearest setting of a grid, or user (simulated)",
                                      [](auto& r) { return r.step > 0.0 ? "nearest" : "user"; }};
-constexpr SharedColumn step_column = {"step", "0–1", "of the grid; empty of users",
+constexpr SharedColumn step_column = {"step", "0–1", "step of the grid; empty for users",
                                       [](auto& r) { return r.step > 0.0 ? r.step : NAN; }};
 constexpr SharedColumn nobody_column = {"simulated", "", "always 1: no person is involved",
                                         [](auto&) { return true; }};
@@ -110,11 +110,11 @@ constexpr auto results_columns = table_of<InterfaceResult>(
      step_column,
      {"user", "", "number of the simulated user, from 1",
       [](auto& r) { return r.user > 0 ? std::optional(r.user) : std::nullopt; }},
-     {"first_d_m", "m", "D of the nearest setting, or of the first guess",
+     {"first_d_m", "m", "D of the nearest setting of the grid, or of the first guess",
       [](auto& r) { return r.first_distance; }},
-     {"d_m", "m", "D in the end", [](auto& r) { return r.distance; }},
-     {"looks", "", "motions that were made", [](auto& r) { return r.looks; }},
-     {"matched", "0/1", "1: D is below the threshold in the end",
+     {"d_m", "m", "D of the last setting", [](auto& r) { return r.distance; }},
+     {"looks", "", "number of motions made", [](auto& r) { return r.looks; }},
+     {"matched", "0/1", "1: D of the last setting is below the threshold",
       [](auto& r) { return r.matches; }},
      nobody_column});
 
@@ -124,16 +124,18 @@ constexpr auto summary_columns = table_of<InterfaceSummary>(
      kind_column,
      way_column,
      step_column,
-     {"count", "", "trials", [](auto& r) { return r.count; }},
-     {"mean_first_d_m", "m", "mean D at first", [](auto& r) { return r.mean_first; }},
-     {"sd_first_d_m", "m", "its standard deviation, n − 1", [](auto& r) { return r.sd_first; }},
-     {"first_success", "0–1", "share of first guesses below the threshold",
+     {"count", "", "number of targets, or of trials of simulated users",
+      [](auto& r) { return r.count; }},
+     {"mean_first_d_m", "m", "mean of first_d_m in interface_trials.csv",
+      [](auto& r) { return r.mean_first; }},
+     {"sd_first_d_m", "m", "standard deviation of these (n − 1)",
+      [](auto& r) { return r.sd_first; }},
+     {"first_success", "0–1", "proportion with first_d_m below the threshold",
       [](auto& r) { return r.first_success; }},
-     {"mean_d_m", "m", "mean D in the end", [](auto& r) { return r.mean_last; }},
-     {"sd_d_m", "m", "its standard deviation, n − 1", [](auto& r) { return r.sd_last; }},
-     {"failure", "0–1", "share that never came below the threshold",
-      [](auto& r) { return r.failure; }},
-     {"mean_looks", "", "mean of the motions made", [](auto& r) { return r.mean_looks; }},
+     {"mean_d_m", "m", "mean of d_m in interface_trials.csv", [](auto& r) { return r.mean_last; }},
+     {"sd_d_m", "m", "standard deviation of these (n − 1)", [](auto& r) { return r.sd_last; }},
+     {"failure", "0–1", "proportion without a match", [](auto& r) { return r.failure; }},
+     {"mean_looks", "", "mean number of motions made", [](auto& r) { return r.mean_looks; }},
      nobody_column});
 
 }  // namespace

@@ -86,12 +86,15 @@ struct BalanceCount {
 
 constexpr auto balance_columns = table_of<BalanceCount>(
     "balance.csv", "count",
-    {{"count", "", "seen, place, follows, together, flipped or left",
+    {{"count", "",
+      "seen, place, follows, together, flipped (high end on the left) or left (the first of a pair "
+      "on the left)",
       [](auto& r) { return r.count; }},
      {"one", "", "what is counted: a stimulus, pair or scale", [](auto& r) { return r.one; }},
-     {"other", "", "the other stimulus, or the place in the order",
+     {"other", "",
+      "the stimulus that follows or occurs in the same session, or the position in the order",
       [](auto& r) { return r.other; }},
-     {"times", "", "how often", [](auto& r) { return r.times; }}});
+     {"times", "", "number of times", [](auto& r) { return r.times; }}});
 
 struct PlannedTrial {
   const SessionPlan& plan;
@@ -108,26 +111,28 @@ struct PlannedTrial {
 
 constexpr auto plans_columns = table_of<PlannedTrial>(
     "plans.csv", "trial of a participant",
-    {{"participant", "", "place in the design", [](auto& r) { return r.plan.participant; }},
+    {{"participant", "", "participant id: position in the design, not a name",
+      [](auto& r) { return r.plan.participant; }},
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.trial.number; }},
      {"block", "", "practice, main, or a level of the blocking factor",
       [](auto& r) { return r.trial.block; }},
      {"kind", "", "kind of trial", [](auto& r) { return r.trial.kind_name(); }},
-     {"stimulus", "", "what is shown; of a pair at the left",
+     {"stimulus", "", "stimulus shown; of a pair, the one on the left",
       [](auto& r) { return r.trial.stimuli.empty() ? "" : r.trial.stimuli[0]; }},
-     {"against", "", "the other one of a pair, or the reference",
+     {"against", "", "the other stimulus of a pair, or the reference",
       [](auto& r) { return r.trial.stimuli.size() > 1 ? r.trial.stimuli[1] : r.trial.reference; }},
-     {"items", "", "what is asked, in order", [](auto& r) { return r.items(false); }},
-     {"flipped", "", "of these with the high end at the left",
+     {"items", "", "items asked, in order, separated by semicolons",
+      [](auto& r) { return r.items(false); }},
+     {"flipped", "", "those of the items that have the high end on the left",
       [](auto& r) { return r.items(true); }},
-     {"is_practice", "0/1", "1: not analysed", [](auto& r) { return r.trial.practice; }},
-     {"is_warmup", "0/1", "1: of the main part, but not analysed",
+     {"is_practice", "0/1", "1: practice trial, not analysed",
+      [](auto& r) { return r.trial.practice; }},
+     {"is_warmup", "0/1", "1: warm-up trial of the main part, not analysed",
       [](auto& r) { return r.trial.warm_up; }},
      {"is_catch", "0/1", "1: an attention check or a repeated stimulus",
       [](auto& r) { return r.trial.is_catch; }},
-     {"expected", "", "the raw answer that passes a check",
-      [](auto& r) { return r.trial.expected; }},
-     {"seed", "", "of the participant's order", [](auto& r) { return r.plan.seed; }}});
+     {"expected", "", "raw answer that passes the check", [](auto& r) { return r.trial.expected; }},
+     {"seed", "", "seed of the participant's order", [](auto& r) { return r.plan.seed; }}});
 
 }  // namespace
 

@@ -11,7 +11,8 @@ using GroupRow = ResultRow<GroupComparison>;
 /// Of the tests within persons.
 template <class Row>
 constexpr std::array within_columns = std::to_array<ResultColumn<Row>>({
-    {"paired_difference", "scale points", "mean within-participant difference",
+    {"paired_difference", "scale points",
+     "mean within-participant difference; for best-seen from the other videos of the setting",
      [](auto& r) { return r.of.within.t.mean; }},
     {"paired_low", "scale points", "lower end of its 95 % interval",
      [](auto& r) { return r.of.within.t.low(0.95); }},
@@ -33,7 +34,8 @@ constexpr std::array within_columns = std::to_array<ResultColumn<Row>>({
      [](auto& r) { return r.of.within.wilcoxon.used; }},
     {"wilcoxon_zeros", "", "number of zero differences",
      [](auto& r) { return r.of.within.wilcoxon.zeros; }},
-    {"wilcoxon_tied", "", "number of tied differences",
+    {"wilcoxon_tied", "",
+     "number of nonzero differences that share their absolute value with another",
      [](auto& r) { return r.of.within.wilcoxon.tied; }},
     {"wilcoxon_p", "", "two-sided p, exact, conditional on ties; zeros excluded",
      [](auto& r) { return p_of_table(r.of.within.wilcoxon.p); }},
@@ -67,47 +69,52 @@ constexpr std::array within_columns = std::to_array<ResultColumn<Row>>({
 constexpr auto comparison_columns = result_table<ComparisonRow>(
     "results/comparisons.csv", "comparison",
     {{"family", "",
-      "best-seen (a video with all videos of same setting), modified-acted, modified-neutral, "
-      "acted-neutral, modified-best (with the video of the setting, itself not modified, in which "
-      "the emotion is top response) or between-levels (what differs in one factor alone: two "
-      "actors); p values are corrected within a family (but for best-seen: comparisons on the "
-      "scale of the emotion that was meant by themselves, and those on other scales)",
+      "best-seen (a video with all videos of its setting), modified-acted, modified-neutral, "
+      "acted-neutral, modified-best (a modified video with the unmodified video of its setting "
+      "that is rated highest on the intended emotion) or between-levels (two stimuli that differ "
+      "in one factor only, such as the actor); p values are corrected within a family, and except "
+      "for best-seen separately for the scale of the intended emotion and for the other scales",
       [](auto& r) { return word_of(family_words, r.of.family); }},
      stimulus_column,
      made_column,
      emotion_column,
      setting_column,
-     {"against", "", "stimulus it is compared with; empty: all of the setting",
+     {"against", "", "stimulus it is compared with; empty: all stimuli of the setting",
       [](auto& r) { return r.of.against ? r.in.stimuli[*r.of.against].id : ""; }},
      {"factor", "", "for between-levels: the factor in which the two stimuli differ",
       [](auto& r) { return r.of.factor; }},
      scale_column,
-     {"own_end", "", "the pole of the scale that is the intended emotion, if any",
+     {"own_end", "",
+      "end of the scale that is the intended emotion: low or high; empty if neither is",
       [](auto& r) { return r.of.own_end == 0  ? ""
                            : r.of.own_end > 0 ? "high"
                                               : "low"; }},
      {"answers", "", "number of answers about the stimulus", [](auto& r) { return r.of.answers; }},
      {"mean", "scale points", "mean of those answers", [](auto& r) { return r.of.mean; }},
-     {"answers_against", "", "number of answers about the stimuli it is compared with",
+     {"answers_against", "",
+      "number of answers about the stimuli it is compared with (best-seen: including the video "
+      "itself)",
       [](auto& r) { return r.of.answers_against; }},
      {"mean_against", "scale points", "mean of those answers",
       [](auto& r) { return r.of.mean_against; }},
      {"welch_difference", "scale points",
       "difference of the two means, treating all answers as independent (best-seen: the test of "
-      "the thesis, in which the video itself is among those it is compared with)",
+      "the emotion thesis, in which the video itself is among those it is compared with)",
       [](auto& r) { return r.of.welch.mean; }},
      {"welch_low", "scale points", "lower end of its 95 % interval",
       [](auto& r) { return r.of.welch.low(0.95); }},
      {"welch_high", "scale points", "upper end", [](auto& r) { return r.of.welch.high(0.95); }},
      {"welch_t", "", "Welch's t", [](auto& r) { return r.of.welch.t; }},
      {"welch_df", "", "degrees of freedom", [](auto& r) { return r.of.welch.degrees; }},
-     {"welch_p", "", "two-sided p", [](auto& r) { return p_of_table(r.of.welch.p); }},
+     {"welch_p", "", "two-sided p; empty if there is no variance",
+      [](auto& r) { return p_of_table(r.of.welch.p); }},
      {"welch_p_adjusted", "", "p corrected within the family",
       [](auto& r) { return p_of_table(r.of.welch_adjusted); }},
      {"cohens_d", "", "Cohen's d: difference divided by the pooled standard deviation",
       [](auto& r) { return r.of.d; }},
      {"hedges_g", "", "the same with Hedges' bias correction", [](auto& r) { return r.of.g; }},
-     {"people", "", "persons who saw both (best-seen: the video and another of same setting)",
+     {"people", "",
+      "participants who rated both (best-seen: the video and any other of its setting)",
       [](auto& r) { return r.of.within.people; }}},
     within_columns<ComparisonRow>);
 
@@ -117,7 +124,7 @@ constexpr auto overall_columns = result_table<OverallRow>(
       [](auto& r) { return word_of(family_words, r.of.family); }},
      {"emotion", "", "intended emotion; empty: all", [](auto& r) { return r.of.emotion; }},
      {"matched", "",
-      "number of settings and emotions, over all participants, of which both sides were judged; "
+      "number of settings and emotions, summed over participants, of which both sides were judged; "
       "only these are compared",
       [](auto& r) { return r.of.matched; }},
      {"unmatched_people", "",

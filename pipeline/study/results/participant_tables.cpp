@@ -29,11 +29,13 @@ constexpr auto session_columns = result_table<SessionRow>(
      {"checks", "", "attention checks", [](auto& r) { return r.of.checks; }},
      {"passed", "", "attention checks passed", [](auto& r) { return r.of.passed; }},
      excluded_column,
-     {"median_rt_ms", "ms", "median response time", [](auto& r) { return r.of.median_rt_ms; }},
+     {"median_rt_ms", "ms", "median response time of the answers analysed",
+      [](auto& r) { return r.of.median_rt_ms; }},
      {"stalls", "", "buffering interruptions", [](auto& r) { return r.of.stalls; }},
      {"dropped_frames", "", "dropped video frames", [](auto& r) { return r.of.dropped_frames; }},
      {"blurs", "", "tab switches", [](auto& r) { return r.of.blurs; }},
-     {"constant", "", "1 for straight-lining: all answers at the same position; included",
+     {"constant", "",
+      "1 for straight-lining: three or more answers, all at the same position; included",
       [](auto& r) { return r.of.is_constant; }},
      {"unfinished", "", "1 if the participant answered fewer trials than planned",
       [](auto& r) { return r.of.is_unfinished; }}});
@@ -41,7 +43,8 @@ constexpr auto session_columns = result_table<SessionRow>(
 constexpr auto demographics_columns = result_table<DemographicRow>(
     "results/demographics.csv", "question and answer",
     {{"question", "", "question id", [](auto& r) { return r.of.question; }},
-     {"answer", "", "the answer, or for numbers the statistic",
+     {"answer", "",
+      "the answer, or for numbers the statistic: mean, standard deviation, least or most",
       [](auto& r) { return r.of.answer; }},
      {"value", "", "number of participants who gave this answer, or the value of the statistic",
       [](auto& r) { return r.of.value; }},
@@ -49,8 +52,8 @@ constexpr auto demographics_columns = result_table<DemographicRow>(
       [](auto& r) { return r.of.people; }}});
 
 constexpr auto catch_columns = result_table<CatchRow>(
-    "results/catch_trials.csv", "a question repeated answers",
-    {{"participant", "", "who repeated answers", [](auto& r) { return r.of.participant; }},
+    "results/catch_trials.csv", "repeated answer",
+    {{"participant", "", "participant id", [](auto& r) { return r.of.participant; }},
      excluded_column,
      named_stimulus_column,
      {"against", "", "the other stimulus of a pair, or the reference shown beside it",
@@ -70,21 +73,22 @@ constexpr auto catch_columns = result_table<CatchRow>(
      {"equal", "", "1 if both answers are the same", [](auto& r) { return r.of.is_equal(); }}});
 
 constexpr auto catch_summary_columns = result_table<CatchSummaryRow>(
-    "results/catch_summary.csv", "some who repeated answers",
+    "results/catch_summary.csv", "participant with repeated answers, item, or all of them",
     {{"participant", "", "participant id; empty: all participants analysed",
       [](auto& r) { return r.of.participant; }},
      {"item", "", "scale or question id; empty: all", [](auto& r) { return r.of.item; }},
      excluded_column,
-     {"answers", "", "questions repeated answers", [](auto& r) { return r.of.answers; }},
-     {"equal", "", "number of identical answers", [](auto& r) { return r.of.equal; }},
-     {"share_equal", "0–1", "proportion of identical answers",
+     {"answers", "", "number of repeated answers", [](auto& r) { return r.of.answers; }},
+     {"equal", "", "number of repeated answers that are the same as the first",
+      [](auto& r) { return r.of.equal; }},
+     {"share_equal", "0–1", "proportion of repeated answers that are the same as the first",
       [](auto& r) { return 1.0 * r.of.equal / r.of.answers; }},
      {"mean_absolute_difference", "scale points",
-      "mean absolute difference between second and first rating",
+      "mean absolute difference between second and first ratings; empty without ratings",
       [](auto& r) { return r.of.mean_difference; }},
      {"retest_r", "-1–1",
-      "test–retest correlation (Pearson) of first with second ratings; empty if either has no "
-      "variance",
+      "test–retest correlation (Pearson) of first with second ratings; empty if there are too few "
+      "or either has no variance",
       [](auto& r) { return r.of.retest.r; }},
      {"retest_low", "-1–1", "lower end of its 95 % interval (Fisher's z)",
       [](auto& r) { return r.of.retest.low; }},
@@ -110,7 +114,7 @@ constexpr auto word_count_columns = result_table<WordRow>(
      {"word", "", "a word; answers are split at commas, semicolons and line ends",
       [](auto& r) { return r.of.word; }},
      {"people", "", "number of participants who gave it", [](auto& r) { return r.of.people; }},
-     {"asked", "", "number of participants who gave any word for the stimulus",
+     {"asked", "", "number of participants who gave any word for the stimulus and question",
       [](auto& r) { return r.of.asked; }}});
 
 }  // namespace

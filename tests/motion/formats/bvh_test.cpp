@@ -222,7 +222,7 @@ TEST(Bvh, RefusesWhatIsWrongAtItsPlace) {
       {replaced(good, ".0083333", "0"), "f.bvh:18:13", "a frame time of \"0\" seconds"},
       {replaced(good, ".0083333", "-0.1"), "f.bvh:18:13", "a frame time of \"-0.1\" seconds"},
       {replaced(good, ".0083333", "120"), "f.bvh:18:13", "a frame time of \"120\" seconds"},
-      {replaced(good, ".0083333", "120"), "f.bvh:18:13", "0.00833333 for 120 frames a second"},
+      {replaced(good, ".0083333", "120"), "f.bvh:18:13", "0.00833333 for 120 frames per second"},
       {replaced(good, ".0083333", "inf"), "f.bvh:18:13", "\"inf\" is not a valid number"},
       {replaced(good, "10 20 30", "10 20 1e400"), "f.bvh:20:7", "\"1e400\" is not a valid"},
       {replaced(good, "10 20 30", "10 2x 30"), "f.bvh:20:4", "\"2x\" is not a valid number"},

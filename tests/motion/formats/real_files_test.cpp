@@ -7,9 +7,9 @@
 
 #include "real_data.h"
 
-// Every motion file of the real data loads.
-
 namespace mien::test {
+
+// Every motion file of the real data loads.
 TEST(RealFiles, LoadWithFiniteValues) {
   const auto data = real_data();
   if (!data) GTEST_SKIP() << "no real motion here: set MIEN_DATA to the folder that has it";

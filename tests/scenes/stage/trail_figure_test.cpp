@@ -93,5 +93,13 @@ TEST(TrailFigure, RefusesTracesOfWhatIsNotThere) {
   EXPECT_THROW(staged(options), Error);
 }
 
+TEST(TrailFigure, ShowsOneMotionOnly) {
+  Look look;
+  look.figure = TrailOptions();
+  const motion::Clip clip = test::walking_clip(61, motion::Vec3::UnitZ(), 0.04);
+  EXPECT_NO_THROW(stage({Performance{.clip = clip}}, look));
+  EXPECT_THROW(stage({Performance{.clip = clip}, Performance{.clip = clip}}, look), Error);
+}
+
 }  // namespace
 }  // namespace mien::scenes

@@ -8,6 +8,9 @@
 
 namespace mien::pipeline {
 
+using motion::feature_parameter;
+using motion::feature_parameter_names;
+
 /// Measured features of the examples as parameters: nobody has to rate anything.
 struct FeatureParameters {
   std::vector<motion::FeatureValues> values;  ///< one an example, in the features' own units
@@ -16,8 +19,5 @@ struct FeatureParameters {
 };
 
 FeatureParameters feature_parameters(const motion::ExampleSet& examples);
-
-using motion::feature_parameter;
-using motion::feature_parameter_names;
 
 }  // namespace mien::pipeline

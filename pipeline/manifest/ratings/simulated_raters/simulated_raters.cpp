@@ -15,6 +15,8 @@ namespace mien::pipeline {
 
 namespace {
 
+using motion::motion_measure_count;
+
 constexpr std::array<std::string_view, style_impression_count> impression_names = {
     "quickness", "clearness", "activeness", "largeness",
     "valence",   "arousal",   "tension",    "stability"};
@@ -97,8 +99,6 @@ double answer_of(const Scale& scale, double share_of_half_range) {
       scale.least == std::round(scale.least) && scale.most == std::round(scale.most);
   return whole_ends ? std::round(value) : value;
 }
-
-using motion::motion_measure_count;
 
 // Ours, after what is known of how walks look (Montepare et al. 1987; Michalak et al. 2009; Roether
 // et al. 2009). The four primary impressions rest on different things: quickness on speed and

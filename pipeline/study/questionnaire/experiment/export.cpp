@@ -25,6 +25,9 @@ namespace mien::pipeline {
 
 namespace {
 
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
 ordered_json variable(std::string_view name, std::string_view meaning, std::string_view unit = "") {
   ordered_json made = {{"@type", "PropertyValue"}, {"name", name}, {"description", meaning}};
   if (!unit.empty()) made["unitText"] = unit;
@@ -36,9 +39,6 @@ double longest_minutes(const std::vector<SessionPlan>& plans) {
   for (const SessionPlan& plan : plans) seconds = std::max(seconds, plan.expected_seconds);
   return seconds / 60.0;
 }
-
-namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 /// A page that was opened from a disk cannot read a motion beside it, but run it as a script.
 std::string as_script(const MediaFile& file, std::string_view bytes) {

@@ -13,7 +13,8 @@ struct MatchedChange {
 
 constexpr auto trials_columns = table_of<MatchedTrial>(
     "trials.csv", "trial without practice",
-    {{"participant", "", "the place in the design", [](auto& r) { return r.participant; }},
+    {{"participant", "", "participant id: position in the design, not a name",
+      [](auto& r) { return r.participant; }},
      {"target", "", "id of the target", [](auto& r) { return r.trial.stimuli.front(); }},
      {"interface", "", "adjectives, features, weights …",
       [](auto& r) { return r.trial.items.front().item; }},
@@ -21,11 +22,11 @@ constexpr auto trials_columns = table_of<MatchedTrial>(
      {"time_s", "s", "from the trial's beginning to the match, or to the limit",
       [](auto& r) { return r.match.time_s; }},
      {"success", "0/1", "1: matched within the limit", [](auto& r) { return r.match.success; }},
-     {"simulated", "0/1", "1: a trial that nobody did", [](auto& r) { return r.simulated; }},
+     {"simulated", "0/1", "1: simulated trial", [](auto& r) { return r.simulated; }},
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.trial.number; }},
      {"d", "m", "D of the last setting", [](auto& r) { return r.match.d; }},
      {"guess_s", "s", "time of the blind guess", [](auto& r) { return r.match.guess_s; }},
-     {"attempt", "", "of the trial, from 1: more after a reload",
+     {"attempt", "", "attempt at the trial, from 1; above 1 after a reload",
       [](auto& r) { return r.match.attempt; }},
      {"session", "", "random id of the browser session", [](auto& r) { return r.session; }},
      {"design", "", "hash of the experiment", [](auto& r) { return r.design; }},
@@ -34,23 +35,23 @@ constexpr auto trials_columns = table_of<MatchedTrial>(
 
 constexpr auto changes_columns = table_of<MatchedChange>(
     "changes.csv", "change of a setting, practice included",
-    {{"participant", "", "the place in the design", [](auto& r) { return r.of.participant; }},
+    {{"participant", "", "participant id: position in the design, not a name",
+      [](auto& r) { return r.of.participant; }},
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.of.trial.number; }},
      {"target", "", "id of the target", [](auto& r) { return r.of.trial.stimuli.front(); }},
      {"interface", "", "adjectives, features, weights …",
       [](auto& r) { return r.of.trial.items.front().item; }},
-     {"is_practice", "0/1", "1: of a practice trial", [](auto& r) { return r.of.trial.practice; }},
-     {"attempt", "", "of the trial, from 1", [](auto& r) { return r.of.match.attempt; }},
-     {"time_s", "s", "since the trial began", [](auto& r) { return r.change.seconds; }},
+     {"is_practice", "0/1", "1: practice trial", [](auto& r) { return r.of.trial.practice; }},
+     {"attempt", "", "attempt at the trial, from 1", [](auto& r) { return r.of.match.attempt; }},
+     {"time_s", "s", "time since the start of the trial", [](auto& r) { return r.change.seconds; }},
      {"step", "", "guess or adjust", [](auto& r) { return r.change.step; }},
      {"action", "", "move, add, remove, guess, match or limit",
       [](auto& r) { return r.change.action; }},
-     {"slider", "", "of the first three: the slider", [](auto& r) { return r.change.slider; }},
+     {"slider", "", "the slider moved, added or removed", [](auto& r) { return r.change.slider; }},
      {"value", "", "its new value", [](auto& r) { return r.change.value; }},
-     {"d", "m", "D of the motion made of it; empty where the next change came sooner",
+     {"d", "m", "D of the resulting motion; empty if the next change came before it was made",
       [](auto& r) { return r.change.d; }},
-     {"simulated", "0/1", "1: of a trial that nobody did",
-      [](auto& r) { return r.of.simulated; }}});
+     {"simulated", "0/1", "1: simulated trial", [](auto& r) { return r.of.simulated; }}});
 
 }  // namespace
 

@@ -215,7 +215,7 @@ std::string agreement_html(const Results& results) {
                 .html();
   }
   return wide_table({"<scale", "videos", "participants", "k", "ICC(1)", "ICC(1,k)", "ICC(2,1)",
-                     "ICC(2,k)", "ICC(3,1)", "ICC(3,k)", "complete raters", "Cronbach’s α"},
+                     "ICC(2,k)", "ICC(3,1)", "ICC(3,k)", "rated all videos", "Cronbach’s α"},
                     rows);
 }
 

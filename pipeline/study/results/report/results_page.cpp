@@ -246,7 +246,7 @@ std::string agreement_part(const Results& results) {
              "imputed: ICC(1) comes from the one-way analysis of variance, ICC(2) and ICC(3) from "
              "variance components estimated by fitting constants (Henderson’s method 3), which for "
              "complete data equal the usual mean squares. Cronbach’s α is computed over the "
-             "participants who complete raters videos.") +
+             "participants who rated all videos.") +
          table;
 }
 

@@ -46,13 +46,13 @@ TEST(LargestChange, TellsWhatHappenedToTheWholeMotionFirst) {
   EXPECT_EQ(told(walk, without_first(walk, 1)), "the motion comes 1 frame (0.03 s) earlier");
   EXPECT_EQ(told(walk, mirrored(walk)), "the motion is mirrored: left and right are exchanged");
   EXPECT_EQ(told(walk, set_elsewhere(walk, Vec3(0.1, 0, 0), 0.0)),
-            "the figure stands up to 10.0 cm elsewhere; its poses are unchanged");
+            "the figure is displaced by up to 10.0 cm; its poses are unchanged");
   EXPECT_EQ(told(walk, without_last(walk, 2)), std::to_string(walk.frame_count() - 2) +
                                                    " frames instead of " +
                                                    std::to_string(walk.frame_count()));
   Clip slower = walk;
   slower.frames_per_second = 24;
-  EXPECT_EQ(told(walk, slower), "the same frames, played at 24 instead of 30 a second");
+  EXPECT_EQ(told(walk, slower), "the same frames, played at 24 instead of 30 per second");
 }
 
 TEST(LargestChange, TellsAFootThatSlides) {
@@ -84,9 +84,9 @@ TEST(LargestChange, TellsFramesThatWereLeftOutOrTurnedRound) {
   few.poses.clear();
   for (std::size_t i = 0; i < walk.poses.size(); i += 2) few.poses.push_back(walk.poses[i]);
   few.frames_per_second = 15;
-  EXPECT_EQ(told(walk, few), "only every second frame, 15 instead of 30 a second");
+  EXPECT_EQ(told(walk, few), "only every second frame, 15 instead of 30 per second");
   EXPECT_EQ(told(few, walk),
-            "each frame of before is every second one now, 30 instead of 15 a second");
+            "each frame of before is every second one now, 30 instead of 15 per second");
   Clip back = walk;
   std::ranges::reverse(back.poses);
   EXPECT_EQ(told(walk, back), "the same frames in reverse order");
@@ -111,13 +111,13 @@ TEST(LargestChange, TakesTheWayOfHipsBelowARootForNoBone) {
   const Clip walk = with_root_above(changeable_walk());
   Clip now = walk;
   for (Pose& pose : now.poses) pose.offsets[1].x() += 0.5;
-  EXPECT_EQ(told(walk, now), "the figure stands up to 50.0 cm elsewhere; its poses are unchanged");
+  EXPECT_EQ(told(walk, now), "the figure is displaced by up to 50.0 cm; its poses are unchanged");
   for (Pose& pose : now.poses)
     pose.rotations[LeftElbow + 1] =
         pose.rotations[LeftElbow + 1] * Quat(Eigen::AngleAxisd(0.1, Vec3::UnitY()));
   const std::string text = told(walk, now);
   EXPECT_EQ(text.find("LeftElbow "), 0U) << text;
-  EXPECT_NE(text.find("; the figure stands up to 50.0 cm elsewhere"), std::string::npos) << text;
+  EXPECT_NE(text.find("; the figure is displaced by up to 50.0 cm"), std::string::npos) << text;
 }
 
 }  // namespace

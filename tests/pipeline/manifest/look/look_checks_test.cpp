@@ -81,6 +81,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"figure: {trail: {figure: {character: nobody.glb}}}",
              "m.yaml:4:45: look.figure.trail.figure.character: there is no file nobody.glb; give a "
              "skinned character (.gltf, .glb, .vrm); paths are taken from the manifest's folder"},
+        Case{"figure: {trail: {figure: {stick: {}, mannequin: {}}}}",
+             "m.yaml:4:33: look.figure.trail.figure: stick and mannequin exclude each other; keep "
+             "one of them"},
+        Case{"figure: {trail: {figure: {}}}",
+             "m.yaml:4:33: look.figure.trail.figure: has none of stick, mannequin, character; give "
+             "one of them"},
         Case{"figure: {character: nobody.glb}",
              "m.yaml:4:28: look.figure.character: there is no file nobody.glb; give a skinned "
              "character (.gltf, .glb, .vrm); paths are taken from the manifest's folder"},

@@ -48,7 +48,7 @@ TEST(LintTimeline, NamesEveryRuleOnceAndEveryJoint) {
                      finding("foot-skate", "LeftAnkle", 50, 80)};
   const auto texts = texts_of(motion);
   EXPECT_EQ(count_of(texts, "walk_001"), 1);
-  EXPECT_EQ(count_of(texts, "3 errors, 2 warnings; 300 frames at 30 a second"), 1);
+  EXPECT_EQ(count_of(texts, "3 errors, 2 warnings; 300 frames at 30 per second"), 1);
   EXPECT_EQ(count_of(texts, "foot-skate"), 1);
   EXPECT_EQ(count_of(texts, "LeftAnkle"), 1);
   EXPECT_EQ(count_of(texts, "RightAnkle"), 1);

@@ -162,7 +162,7 @@ void hold_recipes_to(const std::vector<Clip>& takes, bool at_30_too) {
       expect_feet_apart(take, after, m, what);
       if (!at_30_too || take.frames_per_second <= 30.0) continue;
       expect_no_leap(motion::resampled(take, 30.0), motion::resampled(after, 30.0),
-                     what + " at 30 frames a second", take, m);
+                     what + " at 30 frames per second", take, m);
     }
   }
 }

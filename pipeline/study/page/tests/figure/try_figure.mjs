@@ -36,6 +36,6 @@ console.log(await page.evaluate(async () => {
   const view = globalThis.view;
   const from = performance.now();
   for (let i = 0; i < 20; i += 1) await view.drawn();
-  return `${((performance.now() - from) / 20).toFixed(1)} ms a frame`;
+  return `${((performance.now() - from) / 20).toFixed(1)} ms per frame`;
 }));
 await browser.close();

@@ -4,6 +4,7 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
+import { calmReload } from "../questionnaire/pages.mjs";
 import { openBrowser } from "../questionnaire/participant.mjs";
 import { downloadsOf, take } from "./participant.mjs";
 
@@ -29,8 +30,9 @@ async function open(how = desktop) {
     if (/\/records\//.test(request.url())) posted[request.url().split("/").pop()] = request.postDataJSON();
   });
   const saved = downloadsOf(page);
+  const reloadPage = calmReload(page);
   await page.goto(address);
-  return { page, troubles, saved, asked, posted };
+  return { page, troubles, saved, asked, posted, reloadPage };
 }
 
 /** Until all four files are there; a server has what it was given. */
@@ -71,7 +73,7 @@ async function reload() {
     await page.locator(".control .main:visible").click();
     await page.waitForFunction(() => document.querySelector(".matching").dataset.step !== "guess");
     reloads += 1;
-    await page.reload();
+    await opened.reloadPage();
     return true;
   } });
   return withFiles(opened, { reloads });
@@ -88,7 +90,7 @@ async function guessesFirst() {
   const shows = [];
   const reload = async () => {
     story.push("reload");
-    await page.reload();
+    await opened.reloadPage();
     return true;
   };
   page.on("request", (request) => { if (/\/live\/make$/.test(request.url())) story.push("make"); });

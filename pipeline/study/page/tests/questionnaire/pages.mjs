@@ -37,3 +37,24 @@ export function savedTexts(page, kinds) {
   });
   return saved;
 }
+
+/**
+ * Reloads the page by the function returned, once no request for motions (/live/) has been pending for a
+ * moment: a reload would abort it, which the page reports as an error.
+ */
+export function calmReload(page) {
+  const pending = new Set();
+  const isMotion = (request) => /\/live\//.test(new URL(request.url()).pathname);
+  page.on("request", (request) => { if (isMotion(request)) pending.add(request); });
+  for (const ended of ["requestfinished", "requestfailed"]) page.on(ended, (request) => pending.delete(request));
+  const pause = 20;
+  return async () => {
+    let quiet = 0;
+    for (let waited = 0; quiet < 100 && waited < 30000; waited += pause) {
+      quiet = pending.size === 0 ? quiet + pause : 0;
+      await page.waitForTimeout(pause);
+    }
+    if (pending.size > 0) throw new Error("requests for motions are pending for 30 seconds");
+    await page.reload();
+  };
+}

@@ -114,6 +114,13 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
   EXPECT_EQ(written_report(reported_study()), files);
 }
 
+TEST(ResultsReport, NamesTheColumnsOfRecallAsPublished) {
+  EXPECT_TRUE(usual_report()
+                  .at("results/recall.csv")
+                  .starts_with("by,of,shown,showings,judged,points,recall,low,high,chance,hits,p,"
+                               "p_adjusted,simulated"));
+}
+
 /// Answers with a name in the first cell of each column in which it passes for an answer.
 std::vector<AnswerRow> planted_answers(const Manifest& manifest, const std::vector<AnswerRow>& rows,
                                        const std::string& name, int& planted) {
