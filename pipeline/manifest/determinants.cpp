@@ -16,7 +16,8 @@ namespace mien::pipeline {
 
 namespace {
 
-/// What of a struct concerns an artifact, and is not as it is unless told; with the files it names.
+/// The fields of a struct that concern an artifact and differ from their defaults, with the files
+/// they name.
 template <class Value>
 void add_fields(KeyBuilder& key, const std::string& name, const Value& value, unsigned concerned,
                 FileKeys& files) {

@@ -14,7 +14,7 @@ class FileKeys {
  public:
   const Hash& of(const std::filesystem::path& file);
 
-  /// With the buffers and pictures that a character refers to.
+  /// The hash of a character's file with the buffers and pictures that it refers to.
   const Hash& of_character(const std::filesystem::path& file);
 
  private:

@@ -90,7 +90,7 @@ void check_original(const Stimulus& original, const Stimulus& foil, FaultList& l
            "name another aspect, or a stimulus in which it is changed");
 }
 
-/// The stimulus that a foil is of; nullptr, and told, where there is none.
+/// The stimulus that a foil is of; nullptr, with a fault in the list, where there is none.
 const Stimulus* original_of(const Stimulus& foil, const Manifest& manifest, FaultList& list) {
   const std::string path = member_path(member_path(foil.path, "foil"), "of");
   const std::string& of = foil.foil->of;

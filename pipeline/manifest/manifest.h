@@ -29,12 +29,12 @@ struct RecipesForm {
   static nlohmann::ordered_json write(const RecipesSource& recipes, const Writing& how);
 };
 
-/// Among which stimuli something is made alike.
+/// The stimuli that share one equalized value: all of the study, or those of one kind of figure.
 enum class Among { study, figure };
 
 inline constexpr Words<Among> among_words = {{"study", Among::study}, {"figure", Among::figure}};
 
-/// What stimuli of a study are made alike in; nothing: each as it is.
+/// Properties of films that are equalized across stimuli; none by default.
 struct Equalize {
   std::optional<Among> luminance;  ///< mean luminance of the films, by the exposure
   std::optional<Among> size;       ///< pixels that figures are tall, by the camera's distance
@@ -65,7 +65,7 @@ struct EqualizeForm {
   static void walk(auto& names) { names.template of<Equalize>(); }
 };
 
-/// The stimuli that are made alike with each other.
+/// The stimuli in groups, each of which is equalized within itself, in the order of the manifest.
 std::vector<std::vector<const Stimulus*>> alike(const std::vector<Stimulus>& stimuli, Among among);
 
 /// A production as its author wrote it, defaults filled in and overrides merged.

@@ -140,10 +140,10 @@ void fields_of(auto&& field, MaybeConst<Recipe> auto& recipe) {
 
 /// What is done about a motion whose lint finds errors that the original does not have.
 enum class OnFault {
-  warn,    ///< it is made, and the report tells (default)
+  warn,    ///< it is made, and the report says so (default)
   fail,    ///< the run stops with an error
-  revert,  ///< the motion is left unmodified, and the report tells
-  reduce,  ///< it is modified only as strongly as is clean, and the report tells how strongly
+  revert,  ///< the motion is left unmodified, and the report says so
+  reduce,  ///< it is modified only as strongly as is clean, and the report states how strongly
 };
 
 inline constexpr Words<OnFault> fault_words = {{"warn", OnFault::warn},
@@ -160,7 +160,7 @@ struct ModificationStep {
   double strength = 1.0;  ///< of recipe and edit together
   ModificationEdit edit;  ///< over the recipe
   motion::Modification modification;         ///< the recipe with the edit over it, at strength 1
-  std::optional<PoseDifferenceSource> pose;  ///< likewise; not yet part of the modification
+  std::optional<PoseDifferenceSource> pose;  ///< not yet part of the modification
   std::optional<StyleStep> style;            ///< an older method, instead of all this but strength
 };
 

@@ -19,11 +19,12 @@ struct NamedMotion {
   std::string frame_at;  ///< path of what asks for it
 };
 
-/// Of its clip, its path's graph, and its modifications' poses, in this order.
+/// The motion files of the stimulus's clip, its path's graph and its modifications' poses, in this
+/// order.
 std::vector<NamedMotion> named_motions(const Stimulus& stimulus);
 
-/// That the file holds several motions, and which is taken because none was chosen; else empty.
-/// Throws Error where the file cannot be read.
+/// A sentence that the file has several motions, and which is the default; empty where one was
+/// chosen or there is only one. Throws Error where the file cannot be read.
 std::string silent_take(const NamedMotion& motion);
 
 /// What is wrong with a frame that is asked for: `it has 173 frames, so frame 400 does not exist`,

@@ -5,7 +5,7 @@
 
 namespace mien::pipeline {
 
-/// The seed of something with a name, in a study with that seed.
+/// A seed for the named part of a study: a hash of the study's seed and the name.
 std::uint64_t own_seed(std::uint64_t study_seed, std::string_view name);
 
 }  // namespace mien::pipeline

@@ -103,7 +103,7 @@ void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
   field("most_failed", analysis.most_failed, concerns::nothing);
 }
 
-/// What is asked of participants about the stimuli of a manifest, in which order, and how it is
+/// The questions to participants about the stimuli of a manifest, in which order, and how it is
 /// shown. It has no influence on the stimuli.
 struct Questionnaire {
   std::string title;  ///< empty: the study's name
@@ -114,13 +114,13 @@ struct Questionnaire {
   std::string question;                      ///< above the items of a trial; empty for a usual one
   StimulusChoice stimuli;
   int per_participant = 0;                 ///< trials that are analysed; 0: all
-  const TrialForm* trials = &rating_form;  ///< what participants are asked about a stimulus
+  const TrialForm* trials = &rating_form;  ///< the question about a stimulus
   ScaleChoice scales;
   std::vector<std::pair<std::string, std::string>> choices;  ///< to choose from: id → as shown
   std::vector<std::vector<std::string>> pairs;  ///< of forms with two stimuli; empty: all
   AnswerSettings answer;
   TrialOrder order;
-  std::vector<std::string> apart;     ///< factors in which no two trials in a row are alike
+  std::vector<std::string> apart;     ///< factors in which successive trials must differ
   std::vector<std::string> practice;  ///< stimuli of trials before the main part
   int warm_up = 0;          ///< trials more at the beginning of the main part, not analysed
   int attention_every = 0;  ///< a check after so many trials; 0: none

@@ -20,7 +20,7 @@ bool is_own_by_chance(const scenes::PointLightOptions& dots) {
   return is_random && !dots.seed;
 }
 
-/// The stimulus without what a rater cannot see of it.
+/// The stimulus without what does not affect its pictures.
 Stimulus as_seen(Stimulus stimulus) {
   const auto* dots = std::get_if<scenes::PointLightOptions>(&stimulus.look.figure);
   if (dots == nullptr || !is_own_by_chance(*dots)) stimulus.id.clear();

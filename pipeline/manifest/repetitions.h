@@ -16,18 +16,18 @@ struct Repetition {
   std::string first;  ///< id of the stimulus that it repeats
 };
 
-/// Told by what stimuli are made of and not by their pictures: a motion that is asked for in two
-/// ways, and comes out the same, is no repetition. Point lights that are placed by chance are
-/// others for each id. In the order of the manifest, whose files must be there.
+/// Found by comparing what stimuli are made from, not their pictures: the same motion described in
+/// two ways is no repetition. Randomly placed point lights differ for each id. In the order of the
+/// manifest, whose files must be there.
 std::vector<Repetition> repetitions_in(const Manifest& manifest);
 
-/// What is said of the stimulus, without its id.
+/// A warning about the repeated stimulus, without its id.
 std::string to_sentence(const Repetition& repetition);
 
-/// Each with its id: "b: a rater sees the same as of …".
+/// A warning for each repetition, with its id: "b: a rater sees the same as of …".
 std::vector<std::string> told_repetitions(const Manifest& manifest);
 
-/// The same with its place; no fault, as both may be shown on purpose.
+/// The repetition at its place in the manifest; a warning only, as both may be shown on purpose.
 Fault told_at_its_place(const Repetition& repetition, const Places& places);
 
 }  // namespace mien::pipeline

@@ -74,7 +74,7 @@ void fields_of(auto&& field, MaybeConst<ClipSource> auto& clip) {
   field("frames", clip.frames, concerns::motion);
 }
 
-/// Of a stimulus: target, created or reference.
+/// The role of a stimulus in comparisons: target, created or reference.
 using Role = scenes::Role;
 
 inline constexpr Words<Role> role_words = {
@@ -95,7 +95,7 @@ struct Stimulus {
   std::string path;  ///< in the manifest: "stimuli[2]"
   std::string id;    ///< safe as a file name
   Role role = Role::created;
-  Factors factors;         ///< of the design, as stated (levels_of tells all)
+  Factors factors;         ///< of the design, as stated (levels_of gives all of them)
   NamedValues adjectives;  ///< parameter → 0…1
   Hold hold;               ///< other parameters; of adjectives alone
   NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
@@ -106,8 +106,8 @@ struct Stimulus {
                                              ///< name, in the order of their names
   std::optional<Foil> foil;     ///< all of the motion is then as that of another (resolve_foils)
   Look look;                    ///< the manifest's with this stimulus's own values over it
-  Output output;                ///< likewise
-  Interpolation interpolation;  ///< likewise
+  Output output;                ///< the manifest's with the stimulus's own values over it
+  Interpolation interpolation;  ///< the manifest's with the stimulus's own values over it
   std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
   OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
   RegressionLimits regression;           ///< the manifest's with this stimulus's own over it

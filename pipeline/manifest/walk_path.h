@@ -13,7 +13,7 @@
 
 namespace mien::pipeline {
 
-/// How much of which built-in walks somebody walks like: weights ≥ 0, not all 0; or which
+/// A walker's style as a mixture of built-in walks: weights ≥ 0, not all 0; or which
 /// adjectives of the built-in scales the walk has, each from 0 to 1. By a graph: how much of which
 /// emotions' recipes its motions are given; what is missing to 1 is as captured.
 using Mood = std::vector<std::pair<std::string, double>>;
@@ -112,11 +112,11 @@ std::vector<std::string> adjectives_of_moods();
 /// Whether a mood is of adjectives and not of the set's walks.
 bool is_of_adjectives(const WalkPath& path, const Mood& mood);
 
-/// Those of them that the walker ever walks like, in the set's order; the set's first if none is
-/// named.
+/// The walks or adjectives that the path's moods use, in the set's order; the set's first if none
+/// is named.
 std::vector<std::string> moods_of(const WalkPath& path);
 
-/// In few words: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".
+/// A short description: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".
 std::string described(const WalkPath& path);
 
 /// All moods of the path with where each stands below it: "mood", "script[1].mood", "moods[0].mood"

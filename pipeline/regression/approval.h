@@ -18,12 +18,12 @@ struct ApprovalOptions {
   int threads = 1;
 };
 
-/// Stores stimuli as they are now, all or those of `approval.only`, as what later ones are held
-/// against. `folder` holds a baseline of the study, or nothing. What is not approved stays as it
-/// was; of stimuli that the manifest has no more, nothing is kept once that is approved. A stimulus
-/// is replaced as a whole, all of them when all are made, so that what is interrupted before leaves
-/// the baseline as it was. `inputs` are the hashes of
-/// what the manifest names, as it was read (put_inputs). Throws Error and Interrupted.
+/// Stores stimuli as they are now, all or those of `approval.only`, as the reference for later
+/// comparisons. `folder` holds a baseline of the study, or nothing. What is not approved stays as
+/// it was; of stimuli that the manifest has no more, nothing is kept once that is approved. A
+/// stimulus is replaced as a whole, all of them when all are made, so that what is interrupted
+/// before leaves the baseline as it was. `inputs` are the hashes of what the manifest names, as it
+/// was read (put_inputs). Throws Error and Interrupted.
 Baseline approve(Rendition& now, const std::filesystem::path& folder, const Approval& approval,
                  const std::map<std::string, std::vector<VideoFacts>>& videos,
                  const std::map<std::string, Hash>& inputs, const ApprovalOptions& options,

@@ -20,10 +20,10 @@ motion::Clip approved_clip(const Baseline& baseline, const std::string& id,
 /// A key frame as a display shows it.
 render::Image8 approved_picture(const Baseline& baseline, const std::string& id, int frame);
 
-/// And its blocks.
+/// The block statistics of a key frame.
 BlockStatistics approved_blocks(const Baseline& baseline, const std::string& id, int frame);
 
-/// What stands for a picture in a baseline.
+/// The hash by which a baseline identifies a picture.
 Hash hash_of_pixels(const render::Image8& picture);
 
 }  // namespace mien::pipeline

@@ -21,7 +21,7 @@ std::vector<std::string> changes_of(Aspect aspect, const std::vector<Setting>& b
   return texts;
 }
 
-/// Hashes are long; their beginning tells them apart.
+/// Hashes are long; their beginning distinguishes them.
 std::string short_hash(const std::string& hash) { return hash.substr(0, 8); }
 
 std::vector<std::string> library_changes(const Origin& before, const Origin& now) {

@@ -8,11 +8,11 @@
 
 namespace mien::pipeline {
 
-/// The three states of a stimulus that causes are told from.
+/// The three states of a stimulus from which causes are found.
 struct StimulusStates {
   const StimulusFacts& approved;  ///< as the baseline has it
   const StimulusFacts& then;      ///< what was approved, as this program makes it
-  const StimulusFacts& now;       ///< what is asked for now
+  const StimulusFacts& now;       ///< as the manifest describes it now
 
   bool motion_remade() const { return then.motion != approved.motion; }
   bool motion_asked() const { return now.motion != then.motion; }
@@ -21,22 +21,22 @@ struct StimulusStates {
   bool drawing_asked() const { return now.drawing != then.drawing; }
 };
 
-/// What was asked for otherwise, of one aspect: "weights.sad 0.4 → 0.41; …". Where nothing of it
-/// was, all that was: a seed may change a motion too, by the ratings that it simulates. Else that
-/// it came by other stimuli.
+/// The changed settings of one aspect: "weights.sad 0.4 → 0.41; …". Without any, all changed
+/// settings: a seed may change a motion too, by the ratings that it simulates. Without any at all,
+/// a sentence that the change comes from other stimuli.
 std::string asked_text(const StimulusStates& states, Aspect aspect);
 
 /// What made the motion another, without shares. Empty when it is the same.
 std::vector<Attribution> motion_causes(const StimulusStates& states);
 
-/// What the same motion, staged and drawn in the same way, looks otherwise for: the program, a
+/// Why the same motion, staged and drawn with the same settings, looks different: the program, a
 /// library, the processor, a file that the scene is made from.
 std::vector<Attribution> program_causes(const StimulusStates& states);
 
 /// What made the same frames another file.
 Attribution encoder_cause(const StimulusFacts& before, const StimulusFacts& now);
 
-/// Which of motion, scene and drawing are those of now; the rest is as it was approved.
+/// Which of motion, scene and drawing are taken from the current study; the rest is as approved.
 struct Exchanged {
   bool motion = false;
   bool scene = false;
@@ -55,9 +55,9 @@ struct CauseShares {
 };
 
 /// Exchanges one after the other, in each order: the mean of what each adds is its Shapley value
-/// (1953). `error_of` tells the mean squared error between the picture of such a state and that of
-/// none exchanged; it is asked once for each set of those that `can` be. `program_error` is that
-/// between the approved picture and that of none exchanged. All 0 when there is no error.
+/// (1953). `error_of` returns the mean squared error between the picture of such a state and that
+/// of none exchanged; it is called once for each set of those that `can` be. `program_error` is
+/// that between the approved picture and that of none exchanged. All 0 when there is no error.
 CauseShares cause_shares(const Exchanged& can, double program_error,
                          const std::function<double(const Exchanged&)>& error_of);
 

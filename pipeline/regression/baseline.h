@@ -60,7 +60,7 @@ struct StimulusFacts {
   RegressionLimits limits;           ///< that it was approved with
   std::vector<KeyFrame> key_frames;  ///< ascending
   std::vector<VideoFacts> videos;    ///< none where none were made
-  /// Of all that the baseline keeps of it beside these facts: "frames/00012.png".
+  /// Hashes of all other files of the stimulus in the baseline: "frames/00012.png".
   std::map<std::string, Hash> files = {};
 };
 
@@ -89,8 +89,8 @@ struct Baseline {
   std::string study;
   std::vector<Approval> approvals;  ///< the oldest first
   std::vector<StimulusFacts> stimuli;
-  /// Of every stimulus.json and of all files of the editions, by their paths in the folder. Empty
-  /// in a baseline that mien 0.2 wrote.
+  /// Hashes of every stimulus.json and of all files of the editions, by their paths in the folder.
+  /// Empty in a baseline that mien 0.2 wrote.
   std::map<std::string, Hash> sums = {};
 
   const StimulusFacts* find(const std::string& id) const;
@@ -125,7 +125,8 @@ std::string facts_path(const std::string& id);
 /// baseline.json alone, with `sums`. It is replaced as a whole or not at all.
 void write_baseline(const Baseline& baseline);
 
-/// Of so many frames those that are kept: evenly spread, the first and the last among them.
+/// The key frames among `frame_count` frames: at most `most`, evenly spread, the first and the last
+/// among them.
 std::vector<int> key_frames_of(int frame_count, int most);
 
 }  // namespace mien::pipeline

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Whether frames can be told to be the same without drawing them.
+/// Whether frames are known to be the same without drawing them.
 bool is_drawn_alike(const StimulusFacts& before, const StimulusFacts& now) {
   return before.motion == now.motion && before.scene == now.scene &&
          before.drawing == now.drawing && before.origin.film_code == now.origin.film_code &&
@@ -108,7 +108,7 @@ class StimulusComparer {
     return staged(now_.id, sources(exchanged), study_.threads);
   }
 
-  /// As it is now, but at the approved frame rate.
+  /// The current film, but at the approved frame rate.
   StagedFilm staged_now() {
     Rendition& now = study_.now;
     return staged(now_.id, {&now, &now, &now, clip_at_approved_rate()}, study_.threads);
@@ -134,7 +134,7 @@ class StimulusComparer {
     }
   }
 
-  /// Puts away what a changed frame looks like.
+  /// Saves the pictures of a changed frame.
   void keep(const render::Image8& now, FrameComparison& frame) const {
     if (frame.same) return;
     if (study_.pictures != nullptr)
@@ -201,7 +201,7 @@ class StimulusComparer {
     return rms * rms;
   }
 
-  /// By what the manifest says alone, and without shares.
+  /// Causes by the manifest's settings alone, without shares.
   void guess_causes() {
     const StimulusStates states{before_, before_, now_};
     add_causes(motion_causes(states), {});
@@ -271,7 +271,8 @@ class StimulusComparer {
   const StimulusFacts& now_;
   Rendition* approved_ = nullptr;
   std::optional<StimulusFacts> then_;
-  std::optional<std::string> hindrance_;  ///< once it was tried
+  std::optional<std::string>
+      hindrance_;  ///< why the approved state cannot be made; empty if it can; set by can_remake
   std::optional<motion::Clip> resampled_;
   StimulusComparison result_;
 };

@@ -16,7 +16,7 @@ namespace mien::pipeline {
 struct ComparedStudy {
   const Baseline& baseline;
   Rendition& now;
-  /// What was approved, made by this program. Asked only where something may have changed. Throws
+  /// The approved study, made by this program. Called only where something may have changed. Throws
   /// Error when it cannot be; causes then go by what the manifests say.
   std::function<Rendition&(const std::string& edition)> approved;
   const ComparedPictures* pictures = nullptr;  ///< takes the frames that differ, if any
@@ -28,7 +28,7 @@ struct ComparedStudy {
 };
 
 /// Compares a stimulus that both have on every level, and finds out why it differs. `now` are its
-/// facts, with the videos that were made of it, if any. `draw_anyway`: its key frames are drawn
+/// facts, with the videos that were made of it, if any. `draw_anyway`: draws its key frames
 /// although nothing that they depend on has changed. Throws Error and Interrupted.
 StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool draw_anyway);
 

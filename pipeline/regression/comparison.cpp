@@ -31,7 +31,7 @@ std::string length_text(double metres) {
   return mm < 10'000.0 ? fmt::format("{:.0f} mm", mm) : fmt::format("{:.1f} m", metres);
 }
 
-/// As people read it.
+/// The value as people read it.
 std::string measured_text(const motion::Excess& excess, double value) {
   if (excess.unit == "m") return length_text(value);
   if (excess.unit == "rad") return fmt::format("{:.3g}°", value / motion::radians_per_degree);
@@ -128,7 +128,7 @@ bool is_accepted_motion(const StimulusComparison& comparison) {
          });
 }
 
-/// Whether a scene was asked for otherwise, and its picture is another with the same noise.
+/// Whether the scene's settings have changed, so that its picture differs with the same noise.
 bool is_of_another_scene(const StimulusComparison& comparison) {
   return std::ranges::any_of(comparison.causes, [](const Attribution& one) {
     return one.cause == Cause::scene && one.share.value_or(0.0) > 0.0;

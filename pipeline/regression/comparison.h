@@ -12,7 +12,7 @@
 
 namespace mien::pipeline {
 
-/// What made something look otherwise.
+/// What made something look different.
 enum class Cause {
   motion,       ///< what the manifest says of the motion, or a file that it is made from
   scene,        ///< figure, set, camera, size of the picture; a file that they are made from
@@ -43,7 +43,7 @@ struct Attribution {
   std::optional<double> share;
 };
 
-/// How things stand with a stimulus.
+/// The result of comparing a stimulus with its baseline.
 enum class Verdict {
   same,   ///< every number and pixel is as it was
   alike,  ///< within the limits, or no more than the renderer's noise
@@ -67,7 +67,7 @@ struct ValueChange {
   double now = 0.0;
 };
 
-/// Of the values that one of the lists has and the other has not, or otherwise; 0 where missing.
+/// The values that differ between the lists; 0 where one is missing.
 std::vector<ValueChange> value_changes(const NamedValues& before, const NamedValues& now);
 
 /// A video that is not as it was.
@@ -97,7 +97,7 @@ struct StimulusComparison {
 
 /// Says whether a stimulus counts as another, and for each limit that is passed a sentence. What a
 /// picture changes by because of a motion that is within its limits is no reason; nor is noise,
-/// unless the scene was asked for otherwise: its pictures have the noise of the old one.
+/// unless the scene's settings have changed: its pictures have the noise of the old one.
 void judge(StimulusComparison& comparison, const RegressionLimits& limits);
 
 }  // namespace mien::pipeline

@@ -59,7 +59,7 @@ void plant_in_picture(const ComparedStudy& study, int frame, Gate& gate) {
   gate.picture_caught = noise_test(approved, planted, 1).is_bias;
 }
 
-/// A stimulus that is shown by one picture alone, which is laid over none.
+/// The frame of a stimulus without a counterpart: one picture that is compared with none.
 FrameComparison lone_frame(int frame) {
   return {.frame = frame, .same = false, .same_size = false};
 }
@@ -71,7 +71,7 @@ bool is_motion_of(const StimulusFacts& approved, motion::Clip clip) {
   return digest_of(clip) == approved.motion;
 }
 
-/// The one that is gone and looked the same, if any.
+/// The approved stimulus that is gone and had the same motion and scene, if any.
 const StimulusFacts* former(const std::string& id, const ComparedStudy& study) {
   const Hash scene = study.now.scene_key(id);
   const auto& all = study.baseline.stimuli;
@@ -92,7 +92,7 @@ void show_now(StimulusComparison& comparison, const ComparedStudy& study) {
 }
 
 /// A stimulus that the baseline has not, with a picture of it. Where the baseline has one that is
-/// gone now and was the same motion in the same scene, it is told to have been called so. Throws
+/// gone now and was the same motion in the same scene, it is reported as renamed. Throws
 /// Error and Interrupted.
 StimulusComparison appeared(const std::string& id, const ComparedStudy& study) {
   StimulusComparison comparison{.id = id, .verdict = Verdict::appeared};
@@ -109,8 +109,8 @@ StimulusComparison appeared(const std::string& id, const ComparedStudy& study) {
   return comparison;
 }
 
-/// A stimulus that the manifest has no more, with a picture of it. `others` are told already: what
-/// appeared may be the same under another name. Throws Error when the baseline is damaged.
+/// A stimulus that the manifest has no more, with a picture of it. `others` are compared already: a
+/// new one may be the same under another name. Throws Error when the baseline is damaged.
 StimulusComparison gone(const StimulusFacts& approved, const ComparedStudy& study,
                         const std::vector<StimulusComparison>& others) {
   StimulusComparison comparison{.id = approved.id, .verdict = Verdict::gone};
@@ -153,7 +153,7 @@ std::vector<std::string> wider_limits(const RegressionLimits& approved,
   return wider;
 }
 
-/// Whether chance has a stimulus drawn that need not be.
+/// Whether a stimulus that need not be drawn is part of the random audit.
 bool is_audited(const Baseline& baseline, const std::string& id, double share) {
   constexpr std::uint64_t lots = 1'000'000;
   const std::string decision = baseline.approvals.empty() ? "" : baseline.approvals.back().when;

@@ -29,7 +29,7 @@ Gate plant_defects(const ComparedStudy& study);
 /// What came of making everything several times: must be nothing.
 struct Repetitions {
   int times = 1;         ///< that everything was made
-  int differing = 0;     ///< motions and key frames that came out otherwise
+  int differing = 0;     ///< motions and key frames that came out differently
   double largest = 0.0;  ///< difference of their channels, as share of full scale
 };
 
@@ -42,29 +42,29 @@ Repetitions repeated(const ComparedStudy& study, int times);
 struct CauseGroup {
   Cause cause = Cause::unknown;
   std::string root;
-  std::vector<std::string> ids;  ///< of those that differ or are alike because of it
+  std::vector<std::string> ids;  ///< of the stimuli that this cause changes
   bool differs = false;          ///< whether one of them differs
 };
 
 /// The largest first, those that differ before others.
 std::vector<CauseGroup> groups_of(const std::vector<StimulusComparison>& stimuli);
 
-/// A study held against what was approved of it.
+/// A study compared with its baseline.
 struct Regression {
   std::string study;
   std::vector<StimulusComparison> stimuli;  ///< in the manifest's order; those that are gone last
   std::vector<CauseGroup> groups;           ///< the largest first, those that differ before others
   Gate gate;
   Repetitions repetitions;
-  /// Of each sentence of wider_limits the stimuli that it is said of.
+  /// Stimuli by each sentence of wider_limits that applies to them.
   std::map<std::string, std::vector<std::string>> wider;
-  /// Ids of stimuli that were not asked for, made or gone: nothing is known about them.
+  /// Ids of stimuli that were not selected, made or gone: nothing is known about them.
   std::vector<std::string> not_compared;
   std::vector<std::string> without_videos;  ///< ids: videos were made, and none are approved
   int audited = 0;  ///< stimuli that were drawn although they cannot have changed
 
   int count(Verdict verdict) const;
-  bool passes() const;  ///< nothing differs, appeared, is gone or came out otherwise
+  bool passes() const;  ///< nothing differs, appeared, is gone or came out differently
                         ///< when it was repeated, and the planted defects are seen
 };
 
@@ -72,7 +72,7 @@ struct RegressionOptions {
   double audit_share = 0.02;  ///< of the stimuli that need not be drawn: so many are nevertheless
 };
 
-/// Told after each stimulus.
+/// Called after each stimulus with the share that is done.
 using StimulusDone = std::function<void(double share, const StimulusComparison&)>;
 
 /// Compares all stimuli, or those of `study.only`. `videos` are those that were made of them, by

@@ -24,8 +24,8 @@ namespace mien::pipeline {
 /// Made of a manifest of today, or of one that was approved some time ago.
 class Rendition {
  public:
-  /// What makes films alike is worked out in `folder`, which is a store. Throws Error, also where
-  /// the films cannot be made alike, and Interrupted.
+  /// Films are equalized in `folder`, which is a store. Throws Error, also where the films cannot
+  /// be equalized, and Interrupted.
   Rendition(Manifest manifest, const std::filesystem::path& folder, int threads,
             const std::stop_token& stop);
 

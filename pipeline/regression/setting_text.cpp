@@ -68,7 +68,7 @@ std::string hex_text(const OrderedJson& colour) {
   return text;
 }
 
-/// As it was written: numbers that are kept as floats have the digits of floats.
+/// The value as it was written: numbers stored as floats have the digits of floats.
 std::string value_text(const OrderedJson& value) {
   if (value.is_number_float()) {
     const auto number = value.get<double>();

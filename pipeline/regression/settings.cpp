@@ -27,7 +27,7 @@ Aspect aspect_of(const FieldEntry& entry) {
 
 bool holds_maps(const OrderedJson& array) { return !array.empty() && array.front().is_object(); }
 
-/// Maps, and lists of maps, are told value by value.
+/// Maps, and lists of maps, are listed value by value.
 void add_value(std::vector<Setting>& settings, const std::string& path, Aspect aspect,
                const OrderedJson& value) {
   if (value.is_object()) {
@@ -41,7 +41,7 @@ void add_value(std::vector<Setting>& settings, const std::string& path, Aspect a
   }
 }
 
-/// The beginning of a hash tells a file from what it was.
+/// The beginning of a hash distinguishes versions of a file.
 std::string content_id(const Hash& hash) { return hash.substr(0, 12); }
 
 /// Files by their names, and with the folder where two have one name.
@@ -106,7 +106,7 @@ void add_examples(std::vector<Setting>& settings, const Manifest& manifest, File
   settings.push_back({"examples content", Aspect::motion, std::move(content)});
 }
 
-/// What stands once for all stimuli. Which examples there are their content tells.
+/// Settings that are shared by all stimuli. Which examples there are follows from their content.
 std::vector<FieldEntry> study_entries(const Manifest& manifest) {
   const Writing how{.for_key = true,
                     .concerned = concerns::repertoire | concerns::motion | concerns::picture};

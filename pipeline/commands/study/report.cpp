@@ -43,7 +43,7 @@ struct ReportCommand {
   std::string made = "out";  ///< folder that holds the studies that were made
 };
 
-/// What the command line names, told apart by what it is.
+/// What the command line names, by kind.
 struct ReportInputs {
   std::vector<fs::path> answers;
   std::vector<fs::path> participants;

@@ -15,7 +15,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Faults of the examples' files. What has no line of its own, as a folder, is told where it is
+/// Faults of the examples' files. What has no line of its own, as a folder, is reported where it is
 /// named.
 std::vector<Fault> faults_of_examples(const Error& error, const Places& places) {
   if (const auto* several = dynamic_cast<const Faults*>(&error)) return several->list();
@@ -51,7 +51,8 @@ struct KnownVocabulary {
 
 KnownVocabulary known_vocabulary(const Manifest& manifest) {
   const ScalesSource& scales = manifest.scales;
-  const bool has_scales = scales.file.empty() || !scales.set.scales.empty();  // else as was told
+  const bool has_scales =
+      scales.file.empty() || !scales.set.scales.empty();  // else already reported
   if (!has_scales) return {certain_vocabulary(manifest), {}};
   try {
     return {vocabulary_of(manifest), {}};
@@ -63,7 +64,7 @@ KnownVocabulary known_vocabulary(const Manifest& manifest) {
 bool is_about_examples(const Fault& fault) { return fault.path.starts_with("examples"); }
 
 /// The reading with what names of examples and parameters are at fault. Faults of the examples'
-/// files are told unless the manifest's own part about them is at fault already.
+/// files are reported unless the manifest's own part about them is at fault already.
 ManifestReading checked(ManifestReading reading, const std::filesystem::path& out) {
   const Manifest& manifest = reading.manifest;
   std::vector<Fault> faults = std::move(reading.faults);

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment,
                                const std::filesystem::path& out = {});
 
-/// The same of a text that is to be the manifest of that name.
+/// Checks a text as if it were the content of `file`, which is not read.
 ManifestReading check_manifest_text(std::string_view text, const std::filesystem::path& file,
                                     const Environment& environment,
                                     const std::filesystem::path& out = {});

@@ -17,7 +17,7 @@ enum class DocumentKind { manifest, scales, set, recipes };
 /// it (my.scales.yaml, my.set.yaml, my.recipes.yaml); others are manifests.
 DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name);
 
-/// The fault of a file of another kind in the place of a manifest.
+/// The fault of a file of another kind that was given as a manifest, with how to refer to it.
 Fault told_as_no_manifest(DocumentKind kind, const std::filesystem::path& file);
 
 /// Faults of a file that is no manifest. Never throws for what its text says.
@@ -30,7 +30,7 @@ struct StudyRecord {
   std::string command;             ///< that made the study
 };
 
-/// The record, if the file is one: JSON whose `manifest` tells what was run.
+/// The record, if the file is one: JSON whose `manifest` names the manifest that was run.
 std::optional<StudyRecord> study_record_in(const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

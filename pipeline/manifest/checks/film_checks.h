@@ -25,7 +25,7 @@ struct FilmPaths {
   std::string output;
 };
 
-/// Of a stimulus or an overlay of a manifest.
+/// The paths of a stimulus or an overlay in its manifest.
 FilmPaths paths_of(const Stimulus& film);
 
 /// Pictures and videos that cannot be as `output` at that path describes them: sizes and rates.

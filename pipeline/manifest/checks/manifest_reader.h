@@ -35,7 +35,7 @@ struct NamedFile {
 std::vector<NamedFile> files_named(std::string_view text, const std::filesystem::path& file,
                                    const Environment& environment);
 
-/// As above from a file; that it cannot be read is a fault too.
+/// Like parse_manifest, from a file; a file that cannot be read is a fault too.
 ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment);
 
 }  // namespace mien::pipeline

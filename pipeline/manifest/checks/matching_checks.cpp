@@ -13,14 +13,14 @@ namespace mien::pipeline {
 
 namespace {
 
-/// As the schema has it; what it is not has been told.
+/// Whether the text is "#rrggbb"; the schema reports other values.
 bool is_colour(const std::string& text) {
   return text.size() == 7 && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
 }
 
 std::string matching_path(const char* key) { return member_path("matching", key); }
 
-/// Holds a matching experiment against the manifest around it.
+/// Checks a matching experiment against the rest of its manifest.
 class MatchingCheck {
  public:
   explicit MatchingCheck(const Manifest& manifest)
@@ -93,7 +93,7 @@ class MatchingCheck {
                 "name stimuli as targets: […], or give stimuli role: target");
   }
 
-  /// Groups and pairs: those that have no rating are told when the experiment is made.
+  /// Groups and pairs: those without ratings are reported when the experiment is made.
   Names adjectives() const {
     const ScaleSet scales = scales_of(manifest_.scales);
     Names names;

@@ -30,7 +30,7 @@ struct NameIndex {
   explicit NameIndex(Names all, bool is_all_known = true)
       : names(std::move(all)), known(names.begin(), names.end()), is_all(is_all_known) {}
 
-  /// Whether none is meant by it: where not all are known, that is so of what is near another.
+  /// Whether the name is unknown. Where not all names are known, only if it is a near miss of one.
   bool lacks(const std::string& name) const {
     const auto is_near = [&](const std::string& one) {
       return motion::edit_distance(name, one) <= 1;
@@ -40,7 +40,7 @@ struct NameIndex {
 
   Names names;  ///< as they were given
   std::set<std::string_view> known;
-  bool is_all;  ///< no others may be meant
+  bool is_all;  ///< there are no other valid names
 };
 
 /// What many file systems take for one name is the same here. Ids are ASCII.
@@ -82,14 +82,14 @@ void check_unique(const std::string& id, const std::string& path, TakenIds& take
   }
 }
 
-/// A file may be named alike for two films: "a.lossless" as mp4 and "a" as mp4-lossless.
+/// Videos of two films may have the same file name: "a.lossless" as mp4 and "a" as mp4-lossless.
 void check_video_names(const Manifest& manifest, FaultList& list) {
   std::map<std::string, std::string> taken;
   for (const Stimulus* film : films_of(manifest)) {
     for (const render::VideoKind kind : film->output.video) {
       const std::string file = render::with_ending(film->id, kind).string();
       const auto [first, is_new] = taken.emplace(without_case(file), film->id);
-      // Ids that differ by case alone have been told.
+      // Ids that differ by case alone have been reported.
       if (is_new || without_case(first->second) == without_case(film->id)) continue;
       list.add(member_path(film->path, "id"),
                "its video " + file + " would be that of " + motion::in_quotes(first->second),
@@ -104,7 +104,7 @@ bool has_two_motions(const std::string& target, const std::string& created) {
 
 void check_keys(const Stimulus& stimulus, const char* map, const NamedValues& values,
                 const char* what, const Names& known, FaultList& list) {
-  // Without any, something else is at fault, and has been told.
+  // Without any, something else is at fault, and has been reported.
   if (known.empty()) return;
   for (const auto& [name, value] : values) {
     if (is_among(name, known)) continue;
@@ -153,7 +153,7 @@ void check_motion(const std::string& path, const std::string& name, const NameIn
            motion::did_you_mean(name, motions.names));
 }
 
-/// Of an example there is no film to take a picture from.
+/// Stills need a stimulus: an example has no film to take a picture from.
 void check_pictured(const std::string& path, const std::string& name, const NameIndex& stimuli,
                     FaultList& list) {
   if (name.empty() || stimuli.known.contains(name)) return;

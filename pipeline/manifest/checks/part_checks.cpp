@@ -27,12 +27,12 @@ std::vector<Fault> check_films(const Manifest& manifest) {
   return faults;
 }
 
-/// Where numbers say how large a figure is seen it cannot be made as small as the smallest.
+/// Whether the camera fixes the figure's size, which then cannot be equalized.
 bool has_own_size(const scenes::CameraSettings& camera) {
   return camera.screen || camera.position || camera.figure_px || !camera.path.empty();
 }
 
-/// Where numbers say where a camera is, its picture is not moved.
+/// Whether the camera's position is given, so that its picture is not shifted.
 bool has_own_place(const scenes::CameraSettings& camera) {
   return camera.position || !camera.path.empty();
 }
@@ -65,7 +65,7 @@ std::vector<Fault> check_looks(const Manifest& manifest) {
   return faults;
 }
 
-/// What people are asked can be held against what they see where all of it is known.
+/// Questionnaire and matching experiment; not checked where their scales or texts are missing.
 std::vector<Fault> check_asked(const ResolvedManifest& resolved) {
   if (!resolved.knows_what_is_asked) return {};
   std::vector<Fault> faults = check_questionnaire(resolved.manifest);

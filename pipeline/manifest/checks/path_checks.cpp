@@ -15,7 +15,7 @@ namespace {
 constexpr double longest_walk_s = 600.0;
 constexpr double nearest_points_m = 0.05;
 constexpr double slowest_pace = 0.05;
-constexpr double slow_walk_m_s = 1.0;  // that lengths are held against
+constexpr double slow_walk_m_s = 1.0;  // a slow walk, to estimate durations
 constexpr double turn_deg_s = 70.0;    // about as quickly as a walker turns
 
 /// What moods may be named after; nothing where recipes say (resolve_modifications).
@@ -85,7 +85,7 @@ double seconds_of(const WalkStep& step) {
          std::abs(step.turn_deg.value_or(0.0)) / turn_deg_s;
 }
 
-/// From where a length of script or points is told to be too long.
+/// Refuses a script or points that would take longer than `longest_walk_s`.
 void check_length(const std::string& path, double seconds, FaultList& list) {
   if (seconds <= longest_walk_s) return;
   list.add(path,

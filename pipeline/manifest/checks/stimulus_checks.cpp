@@ -119,7 +119,7 @@ void check_weights(const Stimulus& stimulus, bool has_examples, FaultList& list)
   list.add(path, "all weights are 0", "give at least one example a weight");
 }
 
-/// Of examples that are not blended, one can be shown.
+/// Examples that cannot be blended can only be shown one at a time.
 void check_single(const Stimulus& stimulus, FaultList& list) {
   const auto refuse = [&](const char* key) {
     list.add(member_path(stimulus.path, key), "the examples of this set cannot be blended",

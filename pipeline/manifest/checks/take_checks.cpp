@@ -64,7 +64,7 @@ void add_silent_take(const NamedMotion& motion, FaultList& list) {
     list.add(list.was_given(own) ? own : motion.path, motion.file.string() + ": " + note,
              "add take:");
   } catch (const Error&) {
-    // Told where motions are made.
+    // Reported when the motion is made.
   }
 }
 

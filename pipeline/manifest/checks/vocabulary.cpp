@@ -50,7 +50,7 @@ std::vector<std::string> rated_parameters(const Manifest& manifest) {
   return parameters;
 }
 
-/// Of a set without any, as of a folder that is not there, others were meant.
+/// Whether no other names of examples are valid; a missing folder may have any.
 bool knows_all(const std::vector<std::string>& examples, const Manifest& manifest) {
   return !examples.empty() || !manifest.places.values.contains("examples");
 }
@@ -70,7 +70,7 @@ Vocabulary certain_vocabulary(const Manifest& manifest) {
   try {
     vocabulary.examples = example_names(manifest);
   } catch (const Error&) {
-    // Told of vocabulary_of.
+    // Reported by vocabulary_of.
   }
   vocabulary.knows_examples = knows_all(vocabulary.examples, manifest);
   return vocabulary;

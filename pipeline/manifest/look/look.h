@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-/// What the colours of figures in a stimulus's film go by.
+/// What determines the colours of figures in a stimulus's film.
 enum class Colours {
   neutral,  ///< one colour, that of all films: whoever watches cannot see a condition by it
   role      ///< that of the stimulus's role, as on sheets and overlays

@@ -23,7 +23,7 @@ using SeenFiles = std::set<std::filesystem::path>;
 std::vector<Fault> resolve_set(Look& look, const std::string& path, const Places& places,
                                ReadSets& sets);
 
-/// What is wrong with a look that the schema cannot tell. `joints` are those that point lights and
+/// Faults of a look that the schema cannot express. `joints` are those that point lights and
 /// traces may name; none: not known before the motion is read.
 std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places,
                               const std::vector<std::string>& joints, SeenFiles& characters);

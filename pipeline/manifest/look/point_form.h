@@ -10,8 +10,8 @@
 
 namespace mien::pipeline {
 
-/// Takes a colour over from "#rrggbb" or [r, g, b] (linear); what is neither was told by the schema
-/// and changes nothing.
+/// Takes a colour over from "#rrggbb" or [r, g, b] (linear); what is neither was reported by the
+/// schema and changes nothing.
 void assign(const nlohmann::json* value, render::Color& target);
 
 /// [x, y, z]

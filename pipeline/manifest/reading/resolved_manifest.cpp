@@ -62,7 +62,7 @@ void resolve_text(const std::string& path, TextSource& source, FaultList& list) 
   }
 }
 
-/// Of a questionnaire or a matching experiment.
+/// Reads the texts for participants of a questionnaire or a matching experiment.
 void resolve_texts(const std::string& path, auto& asked, FaultList& list) {
   resolve_text(member_path(path, "consent"), asked.consent, list);
   resolve_text(member_path(path, "instructions"), asked.instructions, list);

@@ -26,8 +26,8 @@ ResolvedManifest resolve(Manifest manifest);
 
 /// The manifest that a document describes, as it was written: paths resolved from the folder of
 /// `file`, a stimulus's own values laid over the manifest's. Values that are absent or of a wrong
-/// type keep their defaults; check_schema tells about them. Reads no file: each that the document
-/// names, or each folder, is told to `names` as it is written and as it is resolved.
+/// type keep their defaults; check_schema reports them. Reads no file: `names` is called for each
+/// file or folder that the document names, with its path as written and as resolved.
 Manifest build_manifest(
     JsonReading reading, const std::filesystem::path& file,
     const std::function<void(const std::string&, const std::filesystem::path&)>& names = {});

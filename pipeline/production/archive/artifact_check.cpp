@@ -103,7 +103,7 @@ std::string decoding_fault(const fs::path& file) {
   }
 }
 
-/// Likewise of a video, and whether it is the one that a film's record tells.
+/// What is wrong with a video; also if it is not the one of the film's record.
 std::string decoding_fault(const fs::path& file, const VideoRecord& record) {
   try {
     return fault_of_video(render::probe(file), record);
@@ -116,7 +116,7 @@ bool is_picture(const std::string& name) {
   return name.ends_with(".png") || name.ends_with(".exr");
 }
 
-/// What is wrong with a file's bytes; empty for nothing. A size of 0 is not told.
+/// What is wrong with a file's bytes; empty for nothing. A size of 0 is not known.
 std::string fault_of_bytes(const fs::path& file, const Hash& hash, std::uint64_t size) {
   if (const std::string problem = motion::read_error(file, motion::any_size); !problem.empty())
     return problem;
@@ -167,7 +167,7 @@ class FramesCheck {
     if (kind == Finding::Kind::changed) changed_.push_back(name);
   }
 
-  /// The receipt tells each frame, and the provenance the receipt.
+  /// The receipt has the hash of each frame, and the provenance that of the receipt.
   void compare_with(const std::vector<FrameReceipt>& frames) {
     std::map<std::string, const FrameReceipt*> wanted;
     for (const FrameReceipt& frame : frames) wanted[frame.name] = &frame;
@@ -211,7 +211,7 @@ class FramesCheck {
   }
 
   void decode(const std::string& name) {
-    if (std::ranges::find(changed_, name) != changed_.end()) return;  // has been told
+    if (std::ranges::find(changed_, name) != changed_.end()) return;  // has been reported
     ++check_.pictures;
     const std::string fault = decoding_fault(file_of(name));
     if (!fault.empty()) find(Finding::Kind::changed, name, fault);

@@ -22,7 +22,7 @@ struct ArtifactCheck {
 ArtifactCheck check_file(const std::filesystem::path& folder, const ArtifactRecord& record,
                          const std::optional<VideoRecord>& video = {});
 
-/// Likewise a sequence of frames, frame by frame.
+/// Checks a sequence of frames, frame by frame.
 ArtifactCheck check_frames(const std::filesystem::path& folder, const ArtifactRecord& record);
 
 }  // namespace mien::pipeline

@@ -117,7 +117,7 @@ Cleaning all_but(const fs::path& folder, const std::vector<ArtifactKind>& kept) 
 Cleaning remove_all_but(const fs::path& folder, const std::vector<ArtifactKind>& kept) {
   Cleaning planned = all_but(folder, kept);
   if (planned.removed.empty()) return planned;
-  // Told before it is done: what is told and still there is no fault.
+  // Noted before it is removed: what is noted and still there is no fault.
   note_not_kept(folder, records_of(planned.removed));
   const Store store(folder, Sharing::exclusive);
   Cleaning cleaning;

@@ -10,8 +10,8 @@
 
 namespace mien::pipeline {
 
-/// Tells what was removed from a study on purpose. It lies beside provenance.json and not among the
-/// store's own files, so that it goes where the study goes.
+/// The list of what was removed from a study on purpose. It is beside provenance.json and not among
+/// the store's own files, so that it goes where the study goes.
 inline constexpr char not_kept_path[] = "not-kept.json";
 
 /// What the study's folder says was removed, by path; nothing where it says nothing. Throws Error
@@ -44,13 +44,13 @@ struct Cleaning {
 /// How many links of the study's report lead to artifacts that are removed, and so nowhere.
 int dead_links(const std::filesystem::path& folder, const Cleaning& cleaning);
 
-/// Artifacts in `folder` of other kinds than those, as their receipts tell them. provenance.json,
+/// Artifacts in `folder` of other kinds than those, as listed by their receipts. provenance.json,
 /// inputs/, the report with methods.md and references.bib, and what the store keeps for itself are
 /// of no kind and stay. All of it is hashed. Throws Error when the folder has no receipts.
 Cleaning all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
 /// Removes them, and notes in the folder that this was on purpose. What has been
-/// changed since `all_but` looked is left, and told as changed.
+/// changed since `all_but` looked is left, and reported as changed.
 Cleaning remove_all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
 }  // namespace mien::pipeline

@@ -38,7 +38,7 @@ std::string bag_info_text(const StudyContents& contents, const std::vector<Paylo
 /// written %0A, %0D and %25, as the RFC has it.
 std::string bag_manifest_line(const std::string& sha256, const std::string& path);
 
-/// Everything of a study but the bookkeeping, by path: what the provenance tells and what else lies
+/// Everything of a study but the bookkeeping, by path: the artifacts of the provenance and all else
 /// in the folder. Throws Error for what is neither a file nor a folder.
 std::vector<PayloadFile> payload_of(const StudyContents& contents);
 

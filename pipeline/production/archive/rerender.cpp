@@ -133,8 +133,8 @@ class Rerendering {
   scenes::Shot shot_;
 };
 
-/// What films have in common, from the tables of it: archives have no records of tasks. Of
-/// durations it is the motions that are told. Throws Error.
+/// What films have in common, from the tables of it: archives have no records of tasks. The
+/// shortest duration is passed to `motions`. Throws Error.
 EqualizedFilms equalized_in_tables(const Manifest& manifest, const fs::path& folder,
                                    Motions& motions) {
   const auto column = [&](const TableForm& form, std::string_view name) {

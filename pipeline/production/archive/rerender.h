@@ -20,7 +20,8 @@ struct KeptFilm {
   bool has_frames() const { return kept.starts_with("frames/"); }
 };
 
-/// Those of a manifest's films, in its order. Of several videos the first lossless one is taken.
+/// The comparable films of a manifest, in its order. Of several videos the first lossless one is
+/// taken.
 std::vector<KeptFilm> kept_films(const Manifest& manifest, const StudyContents& contents);
 
 /// A film's frames that are to be drawn again, ascending.
@@ -29,12 +30,12 @@ struct FramesToRerender {
   std::vector<int> frames;
 };
 
-/// So many different frames of all the films, each as likely as any other; all where there are no
+/// A uniform random sample of `count` different frames of all the films; all where there are no
 /// more. The same seed chooses the same.
 std::vector<FramesToRerender> drawn_by_lot(const std::vector<KeptFilm>& films, int count,
                                            std::uint64_t seed);
 
-/// How a frame that was drawn again compares.
+/// The comparison of a re-rendered frame with the stored one.
 struct RerenderedFrame {
   std::string film;
   int frame = 0;
@@ -47,8 +48,8 @@ struct RerenderedFrame {
 ///
 /// - with the stored frame, whose file has to be the same to the last byte;
 /// - or with the frame that the video decodes to: equal in every pixel where the film's record says
-///   that the video shows the very frames; else as like to it (PSNR and SSIM of video_sketch.h) as
-///   the least like frame was when the film was made, up to 0.1 dB and 0.001.
+///   that the video shows the very frames; else as similar to it (PSNR and SSIM of video_sketch.h)
+///   as the least similar frame was when the film was made, up to 0.1 dB and 0.001.
 ///
 /// `manifest` is the one that the study's provenance names. Throws Interrupted after a stop
 /// request, and Error when what equalizes the films is not there any more.

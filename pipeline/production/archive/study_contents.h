@@ -9,11 +9,11 @@
 
 namespace mien::pipeline {
 
-/// A file of a study, or a sequence of frames, as the study's provenance tells it.
+/// A file of a study, or a sequence of frames, as recorded in the study's provenance.
 struct ArtifactRecord {
   std::string path;  ///< in the study's folder, with '/'
   Hash hash;
-  std::uint64_t size = 0;  ///< bytes; of a copied input 0, which is not told
+  std::uint64_t size = 0;  ///< bytes; 0 for a copied input, whose size is not recorded
   int frames = 0;          ///< of a sequence; 0: a file
 
   friend bool operator==(const ArtifactRecord&, const ArtifactRecord&) = default;
@@ -35,11 +35,12 @@ struct StudyContents {
   const ArtifactRecord* find(const std::string& path) const;
 };
 
-/// Of a study's folder, its provenance.json, or a bag (BagIt) that holds it. Throws Error when
-/// there is no provenance, or one that tells no study or names files outside its folder.
+/// The contents of a study, given its folder, its provenance.json, or a bag (BagIt) that holds it.
+/// Throws Error when there is no provenance, or one that describes no study or names files outside
+/// its folder.
 StudyContents contents_of(const std::filesystem::path& study);
 
-/// The folder that is meant: of a provenance.json its own, of a bag that of the study in it.
+/// The study's folder: that of a given provenance.json, or of the study in a given bag.
 std::filesystem::path study_folder_meant(const std::filesystem::path& study);
 
 /// What belongs to the work on a study and not to the study: what the store and the farm keep for

@@ -11,7 +11,7 @@ namespace mien::pipeline {
 /// How a tar archive is compressed.
 enum class Compression { none, gzip, zstd };
 
-/// By the ending of its name: .tar, .tar.gz or .tgz, .tar.zst. Throws Error for others.
+/// The compression by the file's ending: .tar, .tar.gz or .tgz, .tar.zst. Throws Error for others.
 Compression compression_of(const std::filesystem::path& archive);
 
 /// A tar archive (POSIX pax) in the making. The same files in the same order give the same bytes

@@ -130,7 +130,7 @@ class Verifier {
     if (done_) done_(done_cost_ / total_cost_, record.path);
   }
 
-  /// Those that no artifact's entry tells: receipts do, where they are.
+  /// Files that no artifact's entry names, but the receipts do, where there are any.
   void check_own_files() {
     for (const std::string& path : {std::string("provenance.json"), contents_.as_run}) {
       const fs::path file = contents_.folder / path;

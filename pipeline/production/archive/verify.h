@@ -10,13 +10,13 @@
 
 namespace mien::pipeline {
 
-/// Something about a study that is not as its provenance tells it.
+/// Something about a study that differs from its provenance.
 struct Finding {
   enum class Kind {
-    missing,   ///< told, and not there
+    missing,   ///< recorded, and not there
     changed,   ///< there, with other bytes, or it does not decode
     extra,     ///< there, and made by nobody that is known
-    not_kept,  ///< told, and removed on purpose (keep.h)
+    not_kept,  ///< recorded, and removed on purpose (keep.h)
   };
   Kind kind;
   std::string path;  ///< in the study's folder
@@ -27,7 +27,7 @@ std::string_view name_of(Finding::Kind kind);
 
 /// What was looked at, and what was found.
 struct Verification {
-  int artifacts = 0;  ///< that the provenance tells
+  int artifacts = 0;  ///< recorded in the provenance
   int inputs = 0;     ///< copies in inputs/
   int videos = 0;     ///< decoded
   int pictures = 0;   ///< decoded, frames of sequences counted one by one
@@ -38,13 +38,13 @@ struct Verification {
   bool is_sound() const;  ///< nothing is missing or changed
 };
 
-/// Told after each file; from several threads, one call at a time.
+/// Called after each file; from several threads, one call at a time.
 using ShareDone = std::function<void(double share, const std::string& path)>;
 
 /// Reads everything of a finished study: each artifact is hashed and decoded, each copied input
 /// hashed, and the folder searched for what nobody made. Changes nothing, and needs no more than
-/// the provenance; where the store's receipts are there, single frames are told, and a provenance
-/// that was edited. Throws Interrupted after a stop request, and Error as contents_of does.
+/// the provenance; where the store's receipts are there, single frames are checked, and an edited
+/// provenance is found. Throws Interrupted after a stop request, and Error as contents_of does.
 Verification verify(const StudyContents& contents, int jobs, const std::stop_token& stop,
                     const ShareDone& done);
 

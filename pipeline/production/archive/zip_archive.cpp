@@ -107,7 +107,7 @@ class ZipReader {
   ZipHandle zip_{archive_read_new()};
 };
 
-/// By what the archive says of itself, before anything is unpacked.
+/// Throws where the sizes that the archive states exceed `most` bytes, before anything is unpacked.
 void refuse_told_size(const std::string& bytes, const std::string& name, std::uint64_t most) {
   ZipReader reader(bytes, name);
   std::uint64_t left = most;

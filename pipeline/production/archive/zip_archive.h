@@ -15,7 +15,7 @@ std::string zip_of(const ZipFiles& files);
 
 /// All files of a zip archive. Throws Error for what is none, for damage, for paths that lead out
 /// of it and for more content than 256 MiB or, if that is more, twenty times the archive's size, at
-/// most 4 GiB; where the archive itself tells how much it is, before anything is unpacked.
+/// most 4 GiB; by the sizes that the archive states, where it does, before anything is unpacked.
 ZipFiles read_zip(const std::filesystem::path& archive);
 ZipFiles unzipped(const std::string& bytes, const std::string& name);
 

@@ -26,25 +26,26 @@ struct FilmSettings {
   int eyes = 1;                  ///< pictures side by side in each frame: 2 of a stereo pair
   bool loops = false;            ///< animated pictures repeat for ever
 
-  /// Told for each frame that was drawn the seconds since the one before was handed on, or since
-  /// its own beginning: together, how long drawing took.
+  /// Called for each frame that was rendered with the seconds since the one before was handed on,
+  /// or since its own beginning: their sum is the rendering time.
   std::function<void(double)> drew = {};
 
-  /// What sets that stand share with other films, and what is found again of them (kept_light.h).
-  /// No influence on the pictures.
+  /// Static backgrounds shared with other films, and their light cached on disk. No influence on
+  /// the pictures.
   render::StaticBackgroundCache* sets = nullptr;
   render::LightCache light_cache = {};
 };
 
-/// Of a film of that shot: a set that looks another way in each frame is nobody else's.
+/// The renderer's options for a film of that shot. Sets that change from frame to frame are not
+/// shared.
 render::TracerOptions tracer_options(const FilmSettings& settings, const scenes::Shot& shot,
                                      const std::stop_token& stop = {});
 
 /// The renderer's settings for them.
 render::Quality quality_of(const FilmSettings& settings);
 
-/// Likewise for a shot. A set that looks another way in each frame, by a camera or ground that
-/// moves, is drawn with no more samples than the rest.
+/// The renderer's settings for a shot. A background that changes from frame to frame, by a moving
+/// camera or ground, gets no more samples than the rest.
 render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot);
 
 /// A frame with its layers, and motion to the next one.

@@ -15,13 +15,14 @@
 
 namespace mien::pipeline {
 
-/// What a study makes alike in its films, for one of them.
+/// The equalized properties of one film.
 struct Equalized {
   float exposure_stops = 0.0f;  ///< added to the tone's; EXR files keep the light as it is
   Framing framing;
 };
 
-/// Likewise for all of them, by stimulus; empty what is not made alike, or not found yet.
+/// The equalized properties of all films, by stimulus id; empty where a property is not equalized
+/// or not computed yet.
 struct EqualizedFilms {
   std::map<std::string, double> exposure_stops;
   std::map<std::string, double> figure_px;                    ///< height of the standing figure
@@ -30,7 +31,7 @@ struct EqualizedFilms {
   Equalized of(const std::string& stimulus) const;
 };
 
-/// Those of the tasks "sizes" and "places" (metrics/sizes.csv, metrics/places.csv: film_framing.h)
+/// The tasks among "sizes" and "places" (metrics/sizes.csv, metrics/places.csv: film_framing.h)
 /// and "exposure" (metrics/exposure.csv: film_exposure.h) that `manifest.equalize` asks for. Beside
 /// its table, which is for people, each writes all that has been found so far,
 /// .mien/equalized/<task>.json. They go by durations (clips/finished_motions.h), whose task comes
@@ -42,8 +43,8 @@ std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDetermi
 /// Their names and that of the task of durations, for what waits for them.
 std::vector<std::string> equalizing_task_ids(const Equalize& equalize);
 
-/// What they have recorded in the store's folder; of durations it is the motions that are told.
-/// Throws where there is no such record.
+/// Reads the records of these tasks from the store's folder; the shortest duration is passed to
+/// `motions`. Throws where there is no such record.
 EqualizedFilms equalized_films(const Equalize& equalize, const std::filesystem::path& folder,
                                FinishedMotions& motions);
 

@@ -32,7 +32,7 @@ struct Sampling {
 /// Enough to find what is out of reach by far.
 constexpr Sampling quick_sampling = {.frames = 3, .most_width = 96, .tolerance = 0.05};
 
-/// Of the small frames: a mean over a picture needs few samples of each pixel.
+/// The quality of the small frames: a mean over a picture needs few samples of each pixel.
 render::Quality metering_quality() {
   render::Quality quality = render::draft_quality();
   quality.samples_per_pixel = 4;
@@ -87,11 +87,11 @@ struct Adjustment {
   }
 };
 
-/// By the stimuli's ids.
+/// Samples by stimulus id.
 using SamplesById = std::map<std::string, Samples>;
 using AdjustmentsById = std::map<std::string, Adjustment>;
 
-/// What the luminance of dots hangs on.
+/// What the luminance of dots depends on.
 struct DotsLook {
   std::string scene, background;
   Role role;
@@ -161,7 +161,7 @@ float stops_where(const Mean& mean, double wanted) {
   return 0.5f * (low + high);
 }
 
-/// Those of one group: to the geometric mean of their means.
+/// The exposures of one group, which bring its films to the geometric mean of their means.
 void adjust(const std::vector<const Stimulus*>& group, const SamplesById& samples,
             AdjustmentsById& adjustments) {
   const std::vector<Lit> all = lit_together(group);

@@ -36,7 +36,7 @@ std::array<std::uint8_t, 256> mixed_codes(std::uint8_t background, double share)
   return table;
 }
 
-/// The same picture so many times in a row.
+/// The picture repeated side by side `times` times.
 render::Image8 side_by_side(const render::Image8& one, int times) {
   render::Image8 all(times * one.width, one.height);
   for (int y = 0; y < one.height; ++y) {

@@ -18,7 +18,7 @@ struct PresentationFrames {
   int film = 0;
   int blank_after = 0;
   int fade_in = 0;   ///< of the film's frames
-  int fade_out = 0;  ///< likewise
+  int fade_out = 0;  ///< of the film's frames
 
   int before() const { return card + fixation + blank_before; }
   int all() const { return before() + film + blank_after; }

@@ -44,7 +44,7 @@ struct FilmRecord {
 VideoRecord video_record(const std::string& file, render::VideoKind kind, double fps,
                          const render::VideoCheck& check);
 
-/// As the record of a film has it.
+/// The video's entry in the record of a film.
 nlohmann::ordered_json video_json(const VideoRecord& video);
 
 /// Throws nlohmann::json::exception when it is none.

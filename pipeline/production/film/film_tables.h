@@ -17,7 +17,7 @@ Task films_task(const Manifest& manifest, const SharedDeterminants& shared);
 /// The tables of "films".
 std::vector<TableForm> film_table_forms();
 
-/// Where a film's record lies in the store.
+/// The path of a film's record in the store.
 std::string film_record_path(const std::string& stimulus);
 
 }  // namespace mien::pipeline

@@ -24,14 +24,13 @@ struct FilmSubject {
   std::function<scenes::Shot(const Equalized&)> make_shot;
 };
 
-/// The frames that are kept of a film: those that its output asks for, or those that are needed
-/// only until it is encoded.
+/// The stored frames of a film: those of its output, or temporary ones until it is encoded.
 struct KeptSequence {
   std::string path;  ///< "frames/walk"
   Hash key;
 };
 
-/// Of the task of a film, once the products of its inputs are known.
+/// The stored frames of a film's task, once the products of its inputs are known.
 KeptSequence kept_sequence(const Task& film, const Hash& task_key);
 
 /// Film of a stimulus, or of motions together. All that is passed outlives it. Overlays take no

@@ -40,7 +40,7 @@ void FrameWriter::write_all() {
   }
 }
 
-// As the file has it, where it is kept in one; its picture is used up.
+// The picture as its file has it, if it is written to one; moves the frame's own picture.
 render::Image8 FrameWriter::kept(KeptFrame& frame) {
   if (frame.is_stored || store_ == nullptr)
     return std::move(std::get<render::Image8>(frame.picture));

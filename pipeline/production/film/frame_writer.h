@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// A frame on its way, in the form in which it is kept; or read from the store.
+/// A frame to be written, in its stored form; or one that was read from the store.
 struct KeptFrame {
   int number = 0;
   FramePicture picture;

@@ -12,10 +12,10 @@ namespace mien::pipeline {
 /// first. (A set at 1920 x 1080 has 25 MB.)
 constexpr std::uintmax_t most_kept_light = 512'000'000;
 
-/// Keeps the light of standing sets in the study's folder, .mien/light/<name>, where later runs,
-/// parts of films and other processes find it; a file that is not as it was written is made again.
-/// While another process draws a set, this one waits for it. What is returned must not outlive the
-/// store; it throws Interrupted soon after a stop request, and WriteFailure.
+/// Caches the light of static backgrounds in the study's folder, .mien/light/<name>, where later
+/// runs, parts of films and other processes find it; a file that is not as it was written is made
+/// again. While another process draws a set, this one waits for it. What is returned must not
+/// outlive the store; it throws Interrupted soon after a stop request, and WriteFailure.
 render::LightCache kept_light(Store& store, const std::stop_token& stop,
                               std::uintmax_t most_bytes = most_kept_light);
 

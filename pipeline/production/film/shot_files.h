@@ -16,7 +16,7 @@ struct ShotWork {
   const scenes::Shot& shot;
   const FilmSettings& settings;
   std::stop_token stop;
-  std::function<void(double)> progress;  ///< told the share that is done
+  std::function<void(double)> progress;  ///< called with the share that is done
 };
 
 /// All its frames as the first kind of video of the settings, checked. Returns what the check

@@ -8,7 +8,7 @@
 namespace mien::pipeline {
 
 /// How a study's stimuli were made, for the methods section of a paper: what was used, by which
-/// method, with which numbers. Only what this study does is told.
+/// method, with which numbers. Only what this study uses is stated.
 struct Methods {
   std::string markdown;  ///< paragraphs that cite as pandoc reads it: [@rose1998; @sloan2001]
   std::string bibtex;    ///< the entries of all that is cited

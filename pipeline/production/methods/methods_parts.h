@@ -37,7 +37,7 @@ class MethodsText {
 /// What the motions were made from, and what people thought of it.
 void describe_examples(MethodsText& out);
 
-/// How examples became motions, how near these came to what was asked for, and what was held.
+/// How examples became motions, how near these came to what was requested, and what was held.
 void describe_blends(MethodsText& out);
 
 /// What was done to motions afterwards, and which of them are foils.
@@ -64,7 +64,7 @@ struct MethodWords {
   Names sources;
 };
 
-/// Of that method.
+/// The words and sources of that method.
 MethodWords words_of(motion::InterpolationMethod method);
 
 /// The key of the reference that an older method is from.

@@ -67,7 +67,7 @@ void add_set(const Stimulus& stimulus, StatedSettings& settings) {
   }
 }
 
-/// "13 dots of 8 pixels": those of noise and masks are told by themselves.
+/// "13 dots of 8 pixels": those of noise and masks are stated separately.
 std::string dots_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed) {
   const auto& options = std::get<scenes::PointLightOptions>(stimulus.look.figure);
   const std::size_t all = shot_of(stimulus, motions, seed).actors.front().dots.size();

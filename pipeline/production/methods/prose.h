@@ -29,10 +29,10 @@ struct Range {
   double mean() const { return sum / count; }
 };
 
-/// "from 1.20 to 1.40 s", or "1.20 s" where all are alike.
+/// "from 1.20 to 1.40 s", or "1.20 s" where all are equal.
 std::string told(const Range& range, int digits, const std::string& unit);
 
-/// "from 1.20 to 1.40 s (mean 1.31 s)", or "1.20 s" where all are alike.
+/// "from 1.20 to 1.40 s (mean 1.31 s)", or "1.20 s" where all are equal.
 std::string with_mean(const Range& range, int digits, const std::string& unit);
 
 }  // namespace mien::pipeline

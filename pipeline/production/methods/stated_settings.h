@@ -11,7 +11,7 @@
 namespace mien::pipeline {
 
 /// Options in the words of a methods section, each said once with those that have it: "a fade-in of
-/// 0.3 s; walking on the spot (a and b)". An option that has no words here is told by its own name,
+/// 0.3 s; walking on the spot (a and b)". An option without words here is stated by its own name,
 /// so none is left out.
 class StatedSettings {
  public:
@@ -20,8 +20,8 @@ class StatedSettings {
 
   bool empty() const { return settings_.empty(); }
 
-  /// All of them, in the order in which they were added; `everybody` are all who may have some, and
-  /// are not named.
+  /// All of them, in the order in which they were added; Where a setting holds for
+  /// `everybody`, no ids are listed.
   std::string text(const Names& everybody) const;
 
  private:

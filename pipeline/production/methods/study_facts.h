@@ -19,7 +19,7 @@ std::string ratings_of(const Stimulus* stimulus, Motions& motions);
 /// What a motion is made from: "adjectives", "features", "weights", "clip" or "path".
 std::string_view source_of(const Stimulus& stimulus);
 
-/// Those that are made from it.
+/// The stimuli that are made from that source.
 std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_view source);
 
 /// How the weights were found; empty for a file shown as it is.

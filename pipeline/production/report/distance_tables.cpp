@@ -109,7 +109,7 @@ constexpr auto feature_changes_columns = table_of<ComparedFeature>(
       "not differ",
       [](auto& r) { return r.change.moved() ? std::optional(r.change.agrees()) : std::nullopt; }}});
 
-/// Of a pair: simulated if either motion rests on simulated ratings.
+/// The ratings behind a pair: simulated if either motion is based on simulated ratings.
 std::string ratings_of(const MotionPair& pair, Motions& motions) {
   const std::string target = ratings_of(motions.stimulus(pair.target), motions);
   const std::string created = ratings_of(motions.stimulus(pair.created), motions);

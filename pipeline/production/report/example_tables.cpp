@@ -42,7 +42,7 @@ struct ExpectedExample {
     if (place == 0) return std::nullopt;
     return std::ranges::count(check.violated, place - 1) == 0;
   }
-  /// Of the step from the example before, where people rated both.
+  /// The step from the previous example, by the people who rated both.
   template <class Value>
   std::optional<Value> of_step(Value ExpectedStep::*value) const {
     if (place == 0 || check.steps[place - 1].people == 0) return std::nullopt;

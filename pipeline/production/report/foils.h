@@ -40,7 +40,7 @@ struct Certificate {
   std::vector<CertifiedAspect> aspects;
 };
 
-/// Of every foil among some of a study's stimuli.
+/// The certificates of every foil among some of a study's stimuli.
 std::vector<Certificate> foil_certificates(std::span<const Stimulus> stimuli, Motions& motions);
 
 }  // namespace mien::pipeline

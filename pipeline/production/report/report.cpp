@@ -79,7 +79,7 @@ std::string expectation_list(const Manifest& manifest, const Repertoire& reperto
   return list + "</ul>\n";
 }
 
-/// A cell whose shade tells how far from the middle a mean lies, and to which end.
+/// A cell whose shade shows how far from the middle a mean is, and towards which end.
 std::string cell(const Impressions& impressions, Eigen::Index scale, Eigen::Index example) {
   const double mean = impressions.mean(scale, example);
   const double deviation = impressions.deviation(scale, example);
@@ -165,7 +165,7 @@ std::string links_to_neighbours(const std::vector<ReportPart>& parts, std::size_
   return fmt::format("<nav>{}</nav>\n", fmt::join(links, " · "));
 }
 
-/// Of examples and of stimuli among each other; cards tell those of one stimulus.
+/// Warnings about the examples and about several stimuli; those of one stimulus are on its card.
 std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& motions) {
   std::vector<std::string> warnings;
   if (blends_examples(manifest)) warnings = motions.repertoire().warnings;

@@ -10,7 +10,7 @@ namespace mien::pipeline {
 // Cards of report.html, one a film or sheet. Videos and pictures are linked by paths relative to
 // the study's folder.
 
-/// The film of a stimulus, what lint found, and what was asked for it, in the language; what else
+/// The film of a stimulus, what lint found, and what it requested, in the language; what else
 /// it has is folded.
 std::string stimulus_card(const Stimulus& stimulus, Motions& motions, InterfaceLanguage language);
 

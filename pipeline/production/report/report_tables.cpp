@@ -138,7 +138,7 @@ std::string distance_table(std::span<const Sheet* const> sheets, Motions& motion
       const motion::Example& wanted = motions.of(target).motion;
       const motion::Example& came = motions.of(created).motion;
       const motion::Distance d = motions.distance(target, created);
-      // A gallery sets motions side by side; nobody said that they should be alike.
+      // A gallery shows motions side by side without claiming that they are similar.
       const std::string below = sheet->gallery.empty() ? (d.matches() ? "yes" : "no") : "";
       rows += fmt::format(
           "<tr><th scope=\"row\">{}</th><td>{}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.4f}</td>"

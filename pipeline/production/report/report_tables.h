@@ -13,22 +13,23 @@ namespace mien::pipeline {
 
 // Tables of report.html.
 
-/// What a stimulus asked for and was held at, and what it has of that. Empty when it names no
+/// Requested and held values of a stimulus, and the values reached. Empty when it names no
 /// parameters. Names are in the language.
 std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
                             InterfaceLanguage language);
 
-/// What it has of all that was rated, folded; empty without ratings.
+/// The stimulus's values on all other rated parameters, collapsed; empty without ratings.
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
                              InterfaceLanguage language);
 
 /// The examples that have the most weight in a motion. Empty for a file shown as it is.
 std::string weight_table(const Synthesis& made, Motions& motions);
 
-/// Of every comparison: how far the motions are from each other.
+/// The distance between the motions of every comparison.
 std::string distance_table(std::span<const Sheet* const> sheets, Motions& motions);
 
-/// Of comparisons with a reference: how many features went the target's way. Empty without any.
+/// For comparisons with a reference: how many features changed in the target's direction. Empty
+/// without any.
 std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions);
 
 /// What the foils among some stimuli and those that they are of differ in; empty without foils.

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 
 // Tasks that cover a study as a whole. `motions` and `manifest` outlive them.
 
-/// What all of these depend on: the manifest's own text, as ids, roles and comparisons are told in
+/// What all of these depend on: the manifest's own text, as ids, roles and comparisons appear in
 /// tables and report, and all that motions and films are made of, which are the tasks of `graph`.
 Hash study_key(const Manifest& manifest, const SharedDeterminants& shared, const TaskGraph& graph);
 

@@ -62,7 +62,7 @@ Task design_task(const Manifest& manifest, Motions& motions, const Hash& study,
   return task;
 }
 
-/// "mien run study.yaml --quality draft". One that a provenance.json tells stays as it is.
+/// "mien run study.yaml --quality draft". One taken from a provenance.json stays as it is.
 std::string command_of(const Manifest& manifest, const std::optional<Quality>& quality) {
   if (!quality && !manifest.command.empty()) return manifest.command;
   std::string command = "mien run " + motion::shell_path(manifest.file.filename().string());
@@ -114,7 +114,7 @@ Production::Production(Manifest manifest, ProductionOptions options)
   inputs_ = hashes_of_inputs(manifest_);
 }
 
-/// The motions, and what films need to know of all of them to be alike.
+/// The motions, and the tasks that equalize films across them.
 void Production::add_motions(const SharedDeterminants& shared) {
   for (const Stimulus& stimulus : manifest_.stimuli) {
     graph_.add(motion_task(stimulus, shared, motions_));
@@ -170,8 +170,8 @@ void Production::add_film(const FilmSubject& subject, const SharedDeterminants& 
   add(film_task(subject, settings, shared, motions_), subject.equalize);
 }
 
-/// A task that shows motions. It waits until is known that all can be made alike: else the clips of
-/// a study would be made whose films cannot be.
+/// A task that shows motions. It waits for the equalizing tasks: if these fail, no clip of the
+/// study is made.
 void Production::add(Task task, const Equalize& equalize) {
   task.after = equalizing_task_ids(equalize);
   graph_.add(std::move(task));

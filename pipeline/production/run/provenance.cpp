@@ -67,7 +67,8 @@ OrderedJson film_of(const Stimulus& film) {
 }
 
 /// Every setting of a stimulus or of an overlay's film as it was used, defaults and recipes filled
-/// in: look, output, interpolation, each modification with its seed. Files are told by their names.
+/// in: look, output, interpolation, each modification with its seed. Files are given by their
+/// names.
 OrderedJson resolved_settings(const Stimulus& stimulus) {
   OrderedJson map = film_of(stimulus);
   map.erase("modify");

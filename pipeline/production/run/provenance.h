@@ -15,9 +15,9 @@ namespace mien::pipeline {
 /// beside it (study_inputs.h), `mien run provenance.json` makes the study again.
 std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>& outcomes);
 
-/// What is no longer as a provenance.json tells it, a sentence each: inputs of the manifest that it
-/// was read as, the manifest that is run, and the program's version. Then what is made again may
-/// differ.
+/// What has changed since a provenance.json was written, a sentence each: inputs of the manifest
+/// that it was read as, the manifest that is run, and the program's version. Then what is made
+/// again may differ.
 std::vector<std::string> changes_since(const std::filesystem::path& provenance,
                                        const Manifest& manifest);
 

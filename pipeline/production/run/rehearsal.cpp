@@ -43,8 +43,8 @@ class Rehearsal : public FaultList {
   }
 
  private:
-  /// What is wrong in a file has a place of its own; all else is told where the manifest asks for
-  /// it.
+  /// What is wrong in a file has a place of its own; all else is reported where the manifest asks
+  /// for it.
   template <class Work>
   bool goes(const std::string& path, const Work& work) {
     try {

@@ -10,13 +10,13 @@
 namespace mien::pipeline {
 
 /// What only shows when motions are made and staged, found before a frame is drawn for a film:
-/// examples that cannot be blended, clips that hold no human or not the frames asked for, films
+/// examples that cannot be blended, clips that hold no human or not the requested frames, films
 /// shorter than their fades, figures that no place of the picture suits, and light that no exposure
-/// makes alike. The manifest itself is without faults (checked_manifest.h). Takes as long as the
+/// equalizes. The manifest itself is without faults (checked_manifest.h). Takes as long as the
 /// motions of a run, and a little more where luminance is equalized.
 std::vector<Fault> rehearse(const Manifest& manifest);
 
-/// The same with the manifest's motions, for who needs them afterwards.
+/// Makes the motions in `motions`, so that they can be used afterwards.
 std::vector<Fault> rehearse(const Manifest& manifest, Motions& motions);
 
 /// The same study with at most so many of its stimuli: one of each kind first, then some that are

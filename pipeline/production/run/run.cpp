@@ -29,8 +29,8 @@ void put_provenance(const Production& production, const RunResult& result, Store
       [](const std::filesystem::path&) {});
 }
 
-/// Of motions and films from their records, so that a run that finds everything made tells them
-/// too.
+/// Warnings about motions and films from their records, so that a run that finds everything made
+/// reports them too.
 std::vector<std::string> warnings_in(const Production& production, const RunResult& result,
                                      const Store& store) {
   std::vector<std::pair<std::string, std::string>> said;

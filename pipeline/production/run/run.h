@@ -13,7 +13,7 @@
 
 namespace mien::pipeline {
 
-/// How a run ended.
+/// The result of a run.
 struct RunResult {
   std::vector<TaskOutcome> outcomes;  ///< one a task of the production's graph
   std::vector<Nondeterminism> nondeterminism;

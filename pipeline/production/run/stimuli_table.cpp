@@ -68,7 +68,7 @@ FilmRecord film_record(const fs::path& folder, const std::string& film) {
   return parse_film_record(read_file(folder / film_record_path(film)));
 }
 
-/// A film as it was made; its motion is told of stimuli alone.
+/// A film as it was made; its motion is described for stimuli only.
 struct MadeStimulus {
   const Stimulus& film;
   const fs::path& folder;
@@ -92,7 +92,7 @@ struct MadeStimulus {
   std::string frames() const {
     return film.output.frames == FrameFormat::none ? "" : "frames/" + film.id;
   }
-  /// Of an artifact; empty where it was not made.
+  /// The artifact's hash; empty where it was not made.
   std::string hash_of(const std::string& path) const {
     const auto receipt = path.empty() ? std::nullopt : read_receipt(folder, path);
     return receipt ? receipt->hash : "";

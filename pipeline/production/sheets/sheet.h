@@ -19,8 +19,8 @@ struct SheetMotion {
   std::vector<std::pair<std::string, double>> weights;  ///< example → share; empty for no blend
 };
 
-/// What a motion was asked to have of a parameter, or was to keep, and what it has: shares of its
-/// range, 0 low, 1 high. Empty: not asked for, not held, or not known.
+/// The requested or held value of a parameter of a motion, and the value reached: shares of its
+/// range, 0 low, 1 high. Empty: not requested, not held, or not known.
 struct SheetValue {
   std::optional<double> asked;
   std::optional<double> held;
@@ -43,7 +43,7 @@ struct SheetContent {
   SheetMotion created;
   std::optional<SheetMotion> reference;    ///< shown, not measured
   motion::Distance distance;               ///< between target and created
-  std::vector<SheetParameter> parameters;  ///< those asked for first, then those held
+  std::vector<SheetParameter> parameters;  ///< the requested ones first, then those held
   bool simulated_ratings = false;
   std::vector<std::pair<std::string, std::string>> provenance;  ///< ("seed", "7"), …
 };

@@ -145,11 +145,11 @@ std::optional<double> value_of(const NamedValues& values, const std::string& nam
   return std::nullopt;
 }
 
-/// What a motion was asked to have or to keep, and what it has.
+/// Requested and held values of a motion, and the values reached.
 struct Values {
   NamedValues asked;
   NamedValues held;
-  NamedValues reached;  ///< of what was asked for
+  NamedValues reached;  ///< of the requested parameters
   NamedValues rated;    ///< every rated parameter, of a blend of rated examples
   bool are_features = false;
 
@@ -174,7 +174,7 @@ Values values_of(const std::string& name, Motions& motions) {
           stimulus != nullptr && !stimulus->features.empty()};
 }
 
-/// Parameters that either motion was asked for, the target's first, then those held, then all
+/// Parameters that either motion requests, the target's first, then those held, then all
 /// others with a value.
 class ParameterList {
  public:

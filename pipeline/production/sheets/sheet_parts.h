@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-/// Where the parts of a comparison sheet stand on its A3 landscape page, points.
+/// The layout of a comparison sheet on its A3 landscape page, in points.
 ///
 /// Figures and heat map share their eleven columns, heat map and joint bars their twenty rows, so
 /// that a cell is read upwards to the figure and sideways to the joint.

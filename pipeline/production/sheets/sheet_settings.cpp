@@ -20,7 +20,7 @@ TextStyle number_style(Colour colour, bool is_bold) {
   return {.size = 8.0, .colour = colour, .bold = is_bold, .align = Align::right};
 }
 
-/// Right edges of what stands in a row of parameters: names and sliders, then what was asked for
+/// Right edges of what stands in a row of parameters: names and sliders, then what was requested
 /// and what was reached.
 struct ParameterColumns {
   double sliders, target_asked, target, created_asked, created;
@@ -61,7 +61,7 @@ void draw_parameter_titles(Canvas& canvas, const Box& box, const ParameterColumn
     canvas.text({x, box.y + 12.0}, "reached", small);
 }
 
-/// "0.70" of what was asked for, "held 0.50" of what was not and was to stay there.
+/// "0.70" for a requested value, "held 0.50" for a held one.
 std::string wish_text(const SheetValue& value) {
   if (value.asked) return number(value.asked);
   return value.held ? "held " + number(value.held) : "";
@@ -106,7 +106,7 @@ void draw_names(Canvas& canvas, const SheetParameter& parameter, double left, do
                   half);
 }
 
-/// Discs where the motions are, short strokes across the track where they were asked to be.
+/// Discs where the motions are, short strokes across the track at the requested values.
 void draw_slider(Canvas& canvas, const SheetParameter& parameter, const Box& row,
                  const ParameterColumns& columns) {
   const double right = columns.sliders;
@@ -135,7 +135,7 @@ void draw_slider(Canvas& canvas, const SheetParameter& parameter, const Box& row
   draw_asked_and_reached(canvas, columns, track + 2.8, parameter);
 }
 
-/// What nobody asked for, in one line.
+/// A parameter that neither motion requests, in one line.
 void draw_plain_parameter(Canvas& canvas, const SheetParameter& parameter, const Box& row,
                           const ParameterColumns& columns) {
   draw_names(canvas, parameter, row.x, columns.sliders, row.y + 8.0);
@@ -180,7 +180,7 @@ constexpr double weight_row = 11.5;
 constexpr double slider_row = 21.0;
 constexpr double plain_row = 10.5;
 
-/// Of all parameters, with their heading.
+/// The height of all parameters with their heading, in points.
 double wanted_height(const std::vector<SheetParameter>& parameters) {
   double height = heading_height;
   for (const SheetParameter& parameter : parameters)
@@ -258,7 +258,7 @@ void draw_weights(Canvas& canvas, const SheetContent& content, const Box& box) {
 }
 
 void draw_settings(Canvas& canvas, const SheetContent& content, const Box& box) {
-  // Parameters first: what was asked for matters more than how it was made. Six rows of weights are
+  // Parameters first: what was requested matters more than how it was made. Six rows of weights are
   // kept free for them to be of use.
   const double gap = 10.0;
   const auto weights = std::min<std::size_t>(6, weight_pairs(content).size());

@@ -27,7 +27,7 @@ std::string definition(const motion::Distance& distance) {
       motion::distance_times, motion::distance_joints, alignment);
 }
 
-/// Where D lies between nothing and twice the threshold or more.
+/// Draws the distance D on a track from 0 to twice the threshold or more.
 void draw_gauge(Canvas& canvas, const motion::Distance& distance, const Box& track) {
   const double threshold = motion::distance_threshold_m;
   const double limit = threshold * std::max(2.0, std::ceil(1.05 * distance.mean / threshold));

@@ -21,7 +21,7 @@ constexpr double caption_height = 16.0;
 constexpr double rim = 0.25;
 constexpr double least_width = 220.0;  // of what is printed: the title needs room
 
-/// Where everything stands, points.
+/// The layout of the page, in points.
 class Page {
  public:
   explicit Page(const StillsContent& content)
@@ -52,7 +52,7 @@ class Page {
 
   const render::Image8& picture(std::size_t still) const { return pictures_[still]; }
 
-  /// Of one picture, in the middle of its place but on whole pixels.
+  /// The box of one picture, centred in its cell but on whole pixels.
   Box box(std::size_t still) const {
     const int place = static_cast<int>(still);
     const int above = (tallest_ - pictures_[still].height) / 2;

@@ -78,7 +78,7 @@ motion::Clip at_rate(const motion::Clip& clip, double frames_per_second) {
   return motion::resampled(clip, frames_per_second);
 }
 
-/// Everything at a share of the strengths that were asked for.
+/// Everything at a share of the requested strengths.
 ModifiedMotion at_share(const motion::Example& original, const Steps& steps, double share) {
   ModifiedMotion result{original, share};
   for (std::size_t i = 0; i < steps.modifications.size(); ++i) {

@@ -14,7 +14,7 @@ namespace mien::pipeline {
 /// A motion with a stimulus's modifications done, or with as much of them as faults allow.
 struct ModifiedMotion {
   motion::Example motion;
-  double share = 1.0;                     ///< of the strengths asked for; below 1 when reduced
+  double share = 1.0;                     ///< of the requested strengths; below 1 when reduced
   double planted_drift_m = 0.0;           ///< largest, of the feet that the original plants
   std::vector<motion::Finding> findings;  ///< of the result, against the original
   std::vector<std::string> notes;         ///< what was done on the way, plain sentences

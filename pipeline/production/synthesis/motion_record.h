@@ -18,7 +18,7 @@ struct MotionRecord {
   std::vector<std::string> warnings;  ///< plain sentences
 };
 
-/// Of every number in a clip.
+/// A digest of every number in a clip.
 Hash digest_of(const motion::Clip& clip);
 
 /// `shown` is the clip that the video shows.

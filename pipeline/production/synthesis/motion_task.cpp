@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr double motion_cost_seconds = 0.05;
 constexpr double clip_cost_seconds = 0.01;
 
-/// glTF tells times and no rate: where keys lie far apart it is read at another one, and then lasts
+/// glTF has times and no rate: where keys lie far apart it is read at another one, and then lasts
 /// as long.
 bool lasts_as_long(const motion::Recording& read, const motion::Recording& written) {
   const double seconds = (written.frame_count() - 1) / written.frames_per_second;

@@ -11,7 +11,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Where a step of a stimulus's script stands: of what it does, as far as that is known.
+/// The place of a script's step in the manifest, at its turn if it has one.
 Place place_of_step(const Manifest& manifest, const Stimulus& stimulus, std::size_t step) {
   const std::string path = member_path(stimulus.path, "path");
   const std::string map = member_path(path, "script");

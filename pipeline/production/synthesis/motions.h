@@ -16,7 +16,7 @@
 
 namespace mien::pipeline {
 
-/// The motions of a manifest, each made when it is first asked for and then kept. A run that finds
+/// The motions of a manifest, each made when it is first needed and then kept. A run that finds
 /// everything in its store never reads an example. May be used from several threads.
 class Motions : public FinishedMotions {
  public:
@@ -33,9 +33,9 @@ class Motions : public FinishedMotions {
   /// The motion of a stimulus or, if no stimulus is called so, of an example. Throws Error.
   const Synthesis& of(const std::string& name);
 
-  /// Of two of them (motion/measures/distance/distance.h). Feet of a motion file are settled first
-  /// (settled_feet.h), as those of blends are: captures hang above the floor, and else their height
-  /// would be most of the distance. Throws Error.
+  /// The distance of two motions (motion/measures/distance/distance.h). Feet of a motion file are
+  /// settled first (settled_feet.h), as those of blends are: captures hang above the floor, and
+  /// else their height would be most of the distance. Throws Error.
   motion::Distance distance(const std::string& target, const std::string& created);
 
   const motion::Clip& clip(const std::string& name) override { return of(name).motion.clip; }

@@ -19,13 +19,13 @@ struct ParameterLabel {
   std::string japanese_high;
 };
 
-/// Of a scale or a group of scales; the id itself for what the set does not know.
+/// The label of a scale or a group of scales; the id itself if the set does not have it.
 ParameterLabel rating_label(std::string_view id, const ScaleSet& scales);
 
-/// Of a feature or a group of features.
+/// The label of a feature or a group of features.
 ParameterLabel feature_label(std::string_view id);
 
-/// Of a parameter that a stimulus asks for.
+/// The label of a parameter that a stimulus requests.
 ParameterLabel label_of(std::string_view id, const Stimulus& stimulus,
                         const Repertoire& repertoire);
 

@@ -18,7 +18,7 @@ struct Repertoire {
   motion::ExampleSet examples;
   motion::ExampleSet settled;                  ///< the same with their feet locked (settled_feet.h)
   std::vector<RatedExample> names;             ///< aligned with the examples
-  std::vector<motion::ExampleOrigin> origins;  ///< likewise; none of built-in examples
+  std::vector<motion::ExampleOrigin> origins;  ///< aligned with the examples; none of built-in ones
   ScaleSet scales;
   Answers answers;  ///< that the impressions are means of
   std::optional<Impressions> impressions;

@@ -17,7 +17,7 @@ using motion::SliderInterface;
 const motion::ExampleSet& examples_for(const Interpolation& interpolation,
                                        const Repertoire& repertoire);
 
-/// The last `held` sliders are not asked for, but to be kept where they are set (interpolation.h).
+/// The last `held` sliders are not requested, but held at their settings (interpolation.h).
 /// Throws Error when the examples lack a slider's parameter, or the method cannot take so many.
 FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
                               const Repertoire& repertoire, Eigen::Index held = 0);

@@ -23,8 +23,8 @@ namespace mien::pipeline {
 
 namespace {
 
-/// A wish that is missed by more than this is told to the user: of adjectives, which are summed up,
-/// and of features, which are measured of a motion that was made of a sum.
+/// Deviations from a requested value above these are reported: of adjectives, which are weighted
+/// sums, and of features, which are measured on the synthesized motion.
 constexpr double told_difference = 0.02;
 constexpr double told_feature_difference = 0.1;
 
@@ -147,7 +147,7 @@ Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
       motion::synthesise_from_weights(weights, making_of(interpolation, output, repertoire)));
 }
 
-/// What was asked for and held, and what became of it.
+/// Records requested and held values, the values reached, and warnings about the deviations.
 void tell_wishes(const Stimulus& stimulus, const Wish& wish, const Repertoire& repertoire,
                  NamedValues reached, Synthesis& made) {
   const ParameterTable& table = table_of(stimulus, repertoire);
@@ -191,7 +191,7 @@ motion::Clip excerpt(motion::Clip clip, const ClipSource& source) {
   return clip;
 }
 
-/// Takes of files with several that nobody has chosen. Those of a clip are told by its reader.
+/// Warns of files with several takes where none was chosen. The reader of a clip reports its own.
 void tell_silent_takes(const Stimulus& stimulus, std::vector<std::string>& warnings) {
   for (const NamedMotion& motion : named_motions(stimulus)) {
     if (stimulus.clip && motion.path == member_path(stimulus.path, "clip")) continue;

@@ -25,14 +25,15 @@ struct Synthesis {
   /// The same parameters as the motion has them: adjectives by the blend, Σ weight · value;
   /// features as measured of the motion that was made, on the examples' scale.
   NamedValues reached;
-  NamedValues held;                         ///< what was to stay as it is
-  NamedValues held_reached;                 ///< the same as the blend has it
-  std::vector<FeasibleParameter> feasible;  ///< one asked parameter; none of a statistical model
-  double planted_drift_m = 0.0;             ///< horizontal, largest over all plants of the result
+  NamedValues held;          ///< the values at which parameters were held
+  NamedValues held_reached;  ///< the values that the blend has of these
+  std::vector<FeasibleParameter>
+      feasible;                  ///< one for each requested parameter; none of a statistical model
+  double planted_drift_m = 0.0;  ///< horizontal, largest over all plants of the result
   std::vector<std::string> warnings;
   std::vector<std::string> notes;         ///< plain sentences that call for nothing
   std::string modified;                   ///< what was done to it ("sad × 0.8"); empty for nothing
-  double modified_share = 1.0;            ///< of the strengths asked for (OnFault::reduce)
+  double modified_share = 1.0;            ///< of the requested strengths (OnFault::reduce)
   std::vector<motion::Finding> findings;  ///< of the lint: of a modified motion against what it was
 };
 
@@ -49,7 +50,7 @@ NamedValues rated_values(const Synthesis& synthesis, const Repertoire& repertoir
 /// modifications, and a lint of the result. Throws Error.
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire);
 
-/// An example of the repertoire as if a stimulus had asked for it alone (sheets may name one).
+/// An example of the repertoire as if a stimulus had requested it alone (sheets may name one).
 Synthesis synthesize_example(const std::string& name, const Output& output,
                              const Interpolation& interpolation, const Repertoire& repertoire);
 

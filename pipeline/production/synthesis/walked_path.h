@@ -16,7 +16,7 @@ class UnwalkableStep : public Error {
   UnwalkableStep(std::size_t step, std::string wrong, std::string remedy)
       : Error(wrong, remedy), step_(step), wrong_(std::move(wrong)), remedy_(std::move(remedy)) {}
 
-  /// The same, at a place.
+  /// The error at a place of the manifest.
   Error at(const Place& place) const { return {place, wrong_, remedy_}; }
   std::size_t step() const { return step_; }
 

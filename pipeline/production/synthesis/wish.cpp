@@ -13,7 +13,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// As near to a wish as counts for meeting it.
+/// Largest deviation from a requested value that counts as reaching it.
 constexpr double met = 0.005;  // what two decimals show
 
 /// Others that a sentence names before it only counts them.
@@ -31,7 +31,7 @@ bool is_group(const std::string& name, const ScaleSet& scales) {
   return std::ranges::find(scales.groups, name, &ScaleGroup::id) != scales.groups.end();
 }
 
-/// Groups when a group is asked for, and scales otherwise.
+/// Groups when a group is requested, and scales otherwise.
 std::vector<std::string> others_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   const auto is_a_group = [&](const std::string& name) {
     return is_group(name, repertoire.scales);
@@ -74,7 +74,8 @@ void add(const NamedValues& values, Wish& wish) {
   }
 }
 
-/// Of wish `which` while the other wishes among the first `count` are met as far as they can be.
+/// The feasible range of parameter `which` while the others of the columns of `places` are as
+/// requested, or as near to it as possible.
 FeasibleParameter feasible_among(const Wish& wish, const Eigen::MatrixXd& places,
                                  Eigen::Index which) {
   FeasibleParameter parameter;

@@ -20,10 +20,10 @@ struct ComparedMedia {
   std::string now;
   int frames_before = 0;
   int frames_now = 0;
-  /// What is seen otherwise beside the pixels: frames that are missing or shown at another moment,
+  /// Visible differences besides the pixels: frames that are missing or shown at another moment,
   /// pictures that are mirrored (and are compared after mirroring them back).
   std::vector<std::string> remarks;
-  std::vector<std::string> notes;  ///< how files are kept otherwise, which nobody sees: the codec
+  std::vector<std::string> notes;  ///< invisible differences of the files: the codec
   int frames_compared = 0;
   int frames_differing = 0;
   double least_psnr_db = 0.0;          ///< infinite when nothing differs
@@ -37,8 +37,8 @@ struct ComparedMedia {
 };
 
 /// Videos are compared frame by frame, each with the one that shows the same, so that a frame that
-/// was dropped is told as such. ꟻLIP and SSIM are worked out of the five frames that differ most.
-/// Throws Error for what cannot be read, or compared.
+/// was dropped is reported as such. ꟻLIP and SSIM are worked out of the five frames that differ
+/// most. Throws Error for what cannot be read, or compared.
 ComparedMedia compared_media(const std::filesystem::path& before, const std::filesystem::path& now,
                              double perceptual_limit);
 
@@ -47,7 +47,7 @@ nlohmann::ordered_json as_json(const ComparedMedia& media);
 
 /// What two files of videos say beside their pixels. `seen` gets what people see: frames at other
 /// moments, another duration (both to the unit of time of the two containers: Matroska counts
-/// milliseconds), colours that are shown otherwise. `kept` gets what nobody sees: codec and pixel
+/// milliseconds), colours that are shown differently. `kept` gets what nobody sees: codec and pixel
 /// format.
 void compare_containers(const render::VideoSummary& before, const render::VideoSummary& now,
                         std::vector<std::string>& seen, std::vector<std::string>& kept);

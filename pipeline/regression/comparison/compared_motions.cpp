@@ -25,7 +25,7 @@ motion::PreparedExample prepared_alike(const motion::Clip& clip,
   }
 }
 
-/// As `mien motion features` measures them; both over the same frames where they have as many, so
+/// The features of `mien motion features`; both over the same frames where they have as many, so
 /// that a cycle chosen otherwise is not taken for other walking.
 std::vector<motion::FeatureDifference> features_of(const motion::Clip& before,
                                                    const motion::Clip& now) {

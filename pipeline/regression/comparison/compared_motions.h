@@ -15,7 +15,7 @@ struct ComparedMotions {
   std::string before;  ///< files
   std::string now;
   std::string take_before;  ///< where the file holds several
-  std::string take_now;     ///< likewise
+  std::string take_now;     ///< where the file holds several
   motion::MotionDifference difference;
   motion::MotionTolerance tolerance;
   std::vector<motion::Excess> excesses;

@@ -9,11 +9,11 @@
 
 namespace mien::pipeline {
 
-/// At most, in pixels.
+/// Largest size of a thumbnail, in pixels.
 inline constexpr int thumbnail_width = 32;
 inline constexpr int thumbnail_height = 18;
 
-/// A picture so small that a whole film of them can be held.
+/// A picture so small that those of a whole film fit into memory.
 using Thumbnail = std::vector<std::uint8_t>;
 
 Thumbnail thumbnail_of(const render::Image8& picture);
@@ -45,17 +45,18 @@ struct FrameNames {
 FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
                      const FrameNames& names = {});
 
-/// How a whole picture lies otherwise than another.
+/// How a whole picture is mirrored or turned relative to another.
 enum class Mirroring { none, left_right, upside_down, half_turn };
 
 /// "mirrored: left and right are exchanged"; empty for none.
 std::string_view name_of(Mirroring mirroring);
 
-/// Each is undone by itself.
+/// The picture mirrored or turned. Each operation is its own inverse.
 render::Image8 mirrored(const render::Image8& picture, Mirroring mirroring);
 
-/// How the second sequence lies, of thumbnails of so many pixels: as the first unless its frames
-/// are at most a quarter as far from it when they are mirrored, frame by frame.
+/// How the second sequence is mirrored: not at all unless mirroring brings its frames within a
+/// quarter of their distance to the first. `width` and `height` are those of the thumbnails, in
+/// pixels.
 Mirroring mirroring_of(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
                        int width, int height);
 

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// In pixels.
+/// The size of a picture, in pixels.
 struct PictureSize {
   int width = 0;
   int height = 0;
@@ -24,9 +24,9 @@ struct FrameComparison {
   bool same_size = true;  ///< else nothing below is known but the sizes
   PictureSize size_before, size_now;
   render::PictureDifference difference;
-  render::LibraryDifference second_voice;  ///< what OpenImageIO says of the same
+  render::LibraryDifference second_voice;  ///< OpenImageIO's measures of the same pictures
   render::ErrorSummary perceived;          ///< ꟻLIP, 0 … 1
-  render::PixelMap perceived_map;          ///< only until it is put away
+  render::PixelMap perceived_map;          ///< empty once it is saved
   double similarity = 1.0;                 ///< SSIM
   NoiseTest noise;
   std::vector<BodyShare> shares;  ///< when the motion has changed

@@ -42,7 +42,8 @@ std::vector<double> block_means(const render::Framebuffer& film) {
   return sums;
 }
 
-/// Of one colour of a block: Welch's t with the degrees of freedom of Satterthwaite, two-sided.
+/// The test of one colour of a block: Welch's t with the degrees of freedom of Satterthwaite,
+/// two-sided.
 struct ColourTest {
   std::size_t at = 0;  ///< in the statistics
   double t = 0.0;
@@ -80,7 +81,7 @@ double corrected(double p, double n) {
   return -std::expm1(n * std::log1p(-std::min(p, 1.0 - 1e-16)));
 }
 
-/// Where there is noise, or a difference.
+/// A test for each block and colour with noise, or a difference.
 std::vector<ColourTest> tests_of(const BlockStatistics& before, const BlockStatistics& now) {
   std::vector<ColourTest> tests;
   for (std::size_t i = 0; i < before.count(); ++i) {

@@ -26,7 +26,7 @@ struct BlockStatistics {
   std::size_t count() const { return mean.size(); }
 };
 
-/// Of pictures of the same thing, two at least, which differ in nothing but their noise.
+/// The block statistics of at least two pictures of one scene that differ only in their noise.
 BlockStatistics block_statistics(const std::vector<render::Framebuffer>& patterns);
 
 /// Keeps them as an EXR file, a pixel a block. Both throw render::Error, and reading

@@ -43,7 +43,7 @@ std::string titled_list(const char* title, const std::vector<std::string>& lines
   return fmt::format("<section><h3>{}</h3>\n{}</section>\n", title, html_list("reasons", lines));
 }
 
-/// Where a link finds a stimulus. No other element's name begins so.
+/// The id of a stimulus's element, for links. No other element's id begins so.
 std::string anchor_of(const std::string& id) { return html_escaped("stimulus-" + id); }
 
 std::string lone_picture(const char* words, const std::filesystem::path& file, int most_width) {
@@ -87,7 +87,7 @@ std::string links_to(std::span<const std::string> ids) {
   return links;
 }
 
-/// The first few; the others when they are asked for.
+/// The first few; the others on request.
 std::string group_links(const std::vector<std::string>& ids) {
   constexpr std::size_t few = 12;
   if (ids.size() <= few + 3) return links_to(ids);
@@ -105,7 +105,7 @@ std::string groups_table(std::span<const CauseGroup> groups) {
   return html_table({"cause", "what", "stimuli", ""}, rows);
 }
 
-/// The first few causes, for the stimuli not to lie far below; the others when they are asked for.
+/// The first few causes, for the stimuli not to lie far below; the others on request.
 std::string causes_section(const std::vector<CauseGroup>& groups) {
   constexpr std::size_t few = 12;
   if (groups.empty()) return "";

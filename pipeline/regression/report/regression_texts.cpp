@@ -21,7 +21,8 @@ std::string names_text(const std::vector<std::string>& ids) {
   return text;
 }
 
-/// Of a cause. Noise of the renderer makes a hundredth or so less than nothing, or more than all.
+/// The share of a cause as text. Noise of the renderer makes a hundredth or so less than nothing,
+/// or more than all.
 std::string percent(double share) {
   constexpr double noise = 0.02;
   if (share < 0.0 && share > -noise) share = 0.0;
@@ -67,7 +68,7 @@ std::string repetitions_text(const Repetitions& repetitions) {
 
 namespace {
 
-/// As XML 1.0 takes it.
+/// The text escaped for XML 1.0.
 std::string xml(const std::string& text) { return html_escaped(text); }
 
 std::string details_of(const StimulusComparison& one) {

@@ -35,10 +35,10 @@ std::string repetitions_text(const Repetitions& repetitions);
 /// "adjectives.quickness 0.6 → 0.61 (motion): 3 stimuli" and the like.
 std::string group_text(const CauseGroup& group);
 
-/// What became of a stimulus's motion, in a sentence; empty when it is the same.
+/// How a stimulus's motion changed, in a sentence; empty when it did not.
 std::string motion_text(const StimulusComparison& comparison);
 
-/// The one thing to say of a stimulus: what its motion does otherwise, or the first reason.
+/// The most important difference of a stimulus: that of its motion, or the first reason.
 std::string first_words(const StimulusComparison& comparison);
 
 /// Of which stimuli videos were made and none approved, a line; empty where there are none such.

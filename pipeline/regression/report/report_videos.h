@@ -18,8 +18,8 @@ class ReportVideos {
  public:
   ReportVideos() = default;
 
-  /// Of a study made in the folder `study`; what does not fit into the page goes to the folder
-  /// `report`, which is made.
+  /// The videos of a study in the folder `study`; what does not fit into the page goes to the
+  /// folder `report`, which is made.
   ReportVideos(std::filesystem::path study, std::filesystem::path report,
                std::uintmax_t most_bytes = most_video_bytes)
       : study_(std::move(study)), report_(std::move(report)), bytes_left_(most_bytes) {}

@@ -55,13 +55,13 @@ struct AnswerRow {
   bool counts() const;
 };
 
-/// The columns in their order, as codebooks tell them.
+/// The columns in their order, as described in codebooks.
 extern const TableForm answer_form;
 
 /// Whether a table holds rows of this form: it has columns that no other table of answers has.
 bool holds_answer_rows(const CsvTable& table);
 
-/// As CSV, in the order given.
+/// The rows as CSV, in the order given.
 std::string to_csv(const std::vector<AnswerRow>& rows);
 
 /// The fields of one row as the CSV has them.
@@ -77,13 +77,13 @@ enum class Doubled { refused, allowed };
 /// session, trial, stimulus and item).
 std::vector<AnswerRow> answer_rows(const CsvTable& table, Doubled doubled = Doubled::refused);
 
-/// A fault for every answer that is there twice.
+/// A fault for every answer that occurs twice.
 std::vector<Fault> doubled_answers(const std::vector<AnswerRow>& rows);
 
-/// Who answered, where one name may stand for several people: of a questionnaire without a server
-/// two browsers may have been given the same plan. Sessions of one participant that answer the same
-/// trial are told apart as "p003/<session>"; sessions that go on from each other are one person.
-/// Changes `participant` and returns a sentence about each who was told apart.
+/// Separates people who share a participant id: without a server, two browsers may have been given
+/// the same plan. Where several sessions of a participant answer the same trial, `participant`
+/// becomes "p003/<session>"; sessions that continue each other are one person. Returns a sentence
+/// for each id that was split.
 std::vector<std::string> tell_people_apart(std::vector<AnswerRow>& rows);
 
 }  // namespace mien::pipeline

@@ -76,7 +76,7 @@ struct Attendance {
     on.insert(answer.scale);
   }
 
-  /// Whether everybody was meant to see everything.
+  /// Whether every participant should have rated every stimulus.
   bool complete_design() const {
     size_t complete = 0;
     for (const auto& [participant, seen] : answered) complete += seen.size() == stimuli.size();

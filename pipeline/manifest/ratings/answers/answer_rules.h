@@ -11,7 +11,7 @@
 
 namespace mien::pipeline {
 
-/// What to do about answers that are not as a study wants them. Whatever is chosen is told.
+/// What to do about answers that are not as a study wants them. Whatever is chosen is reported.
 struct AnswerRules {
   enum class Repeated { refuse, first, last, mean };  ///< by `order` where given, else by line
   enum class Unknown { refuse, ignore };              ///< scales and stimuli
@@ -23,7 +23,7 @@ struct AnswerRules {
   Constant constant = Constant::keep;
   Missing missing = Missing::ignore;
 
-  /// As a manifest's ratings are read: by participant, stimulus, scale and value alone; remedies
+  /// For a manifest's ratings: only participant, stimulus, scale and value are read; remedies
   /// name keys of a manifest instead of options of `mien study analyze`.
   bool plain = false;
 

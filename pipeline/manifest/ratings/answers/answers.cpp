@@ -17,7 +17,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// With the name of the file alone: they go into tables, which do not depend on its folder.
+/// The warnings with the file's name only: they go into tables, which do not depend on its folder.
 std::vector<std::string> sentences_of(const std::vector<StudyWarning>& warnings) {
   std::vector<std::string> sentences;
   for (const StudyWarning& warning : warnings) {

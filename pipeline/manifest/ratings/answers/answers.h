@@ -36,7 +36,7 @@ struct RatedExample {
 struct AnswerSubjects {
   std::vector<RatedExample> examples;
   std::set<std::string> left_out;  ///< known, and passed over: files that are no examples
-  bool ignore_unknown = false;     ///< other stimuli and scales are left out, and told
+  bool ignore_unknown = false;     ///< other stimuli and scales are left out, and reported
 };
 
 /// Reads a tidy CSV: columns stimulus, scale, value and, unless the values are means, participant;
@@ -56,7 +56,7 @@ Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales,
 Answers parse_answers(std::string_view csv, const std::string& file, const ScaleSet& scales,
                       const AnswerSubjects& about = {});
 
-/// As CSV with the column `simulated` when they are.
+/// The answers as CSV, with the column `simulated` when they are simulated.
 std::string to_csv(const Answers& answers);
 
 /// Answers out of several files.
@@ -66,7 +66,7 @@ struct AnswersOfFiles {
 };
 
 /// Reads what a questionnaire wrote, in the order of the files. Rows that are the same to the last
-/// field, as when a participant saved the files of a session again, are taken once and told of.
+/// field, as when a participant saved the files of a session again, are taken once and reported.
 ///
 /// Throws Faults as answer_rows; two answers of one session that differ are a fault.
 AnswersOfFiles answers_of_files(const std::vector<std::filesystem::path>& files);

@@ -76,8 +76,8 @@ std::vector<RawAnswer> raw_answers(const std::vector<AnswerRow>& rows, const Sca
   return answers;
 }
 
-/// Nothing where not even half of the answers are of one form: the scales are then others than
-/// those that were asked.
+/// Nothing where not even half of the answers are of one form: the study's scales are then not
+/// those of the questionnaire.
 std::optional<int> form_of_most(const std::vector<RawAnswer>& answers) {
   int best = slider;
   std::ptrdiff_t most = -1;

@@ -28,8 +28,8 @@ struct CountedAnswers {
 CountedAnswers counted_answers(const CsvTable& answer_rows, const ScaleSet& scales);
 
 /// Answers on scales whose value is not what their raw answer gives, turned by the side of the
-/// poles. Whether people answered on a slider or on so many points is told by the rows themselves:
-/// it is what most of them agree with.
+/// poles. Whether people answered on a slider or on so many points follows from the rows
+/// themselves: it is what most of them agree with.
 std::vector<Fault> contradicted_values(const std::vector<AnswerRow>& rows, const ScaleSet& scales);
 
 /// Whose answers are left out for want of attention.
@@ -37,7 +37,7 @@ struct AttentionRule {
   int most_failed = 1;  ///< who fails more checks is left out: one may be missed by an oversight
 };
 
-/// How a participant did.
+/// A participant's attention checks: how many there were and how many were passed.
 struct Attention {
   std::string participant;
   int checks = 0;  ///< those with an expected answer that were answered
@@ -45,7 +45,8 @@ struct Attention {
   bool is_excluded = false;
 };
 
-/// Of every participant, in the order of the rows. Without checks nobody is excluded.
+/// The attention checks of every participant, in the order of the rows. Without checks nobody is
+/// excluded.
 std::vector<Attention> attention_of(const std::vector<AnswerRow>& rows,
                                     const AttentionRule& rule = {});
 

@@ -11,7 +11,7 @@
 
 namespace mien::pipeline {
 
-/// That people should have rated some examples higher than others, by the way they were acted: a
+/// The expectation that some examples are rated higher than others, by how they were acted: a
 /// manipulation check.
 struct Expectation {
   std::string parameter;           ///< a scale or a group

@@ -20,7 +20,7 @@ struct ParticipantRow {
 /// The columns in their order; the last stands for one of each question.
 extern const TableForm participant_form;
 
-/// As CSV, in the order given; `questions` are their ids, as many as each has answers.
+/// The rows as CSV, in the order given; `questions` are their ids, as many as each has answers.
 std::string to_csv(const std::vector<ParticipantRow>& rows,
                    const std::vector<std::string>& questions);
 

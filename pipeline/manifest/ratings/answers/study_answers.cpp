@@ -16,7 +16,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// The same sentence as a fault.
+/// The warning's sentence as a fault.
 Fault fault_of(const Error& error) {
   const std::string place = to_string(error.place());
   return {error.place(), "", std::string(error.what()).substr(place.size() + 2), ""};

@@ -20,7 +20,7 @@ namespace mien::pipeline {
 /// participant with at least three answers, all at the same place of their scales.
 ///
 /// Without `examples`, answers are about whatever they name. Of plain ones (rules.plain) the other
-/// columns are not looked at, and nothing is told to be missing or constant.
+/// columns are not looked at, and missing or constant answers are not reported.
 ///
 /// Throws Faults with every fault at once: a column missing, a value that is no number or outside
 /// the scale's range, and whatever the rules refuse.

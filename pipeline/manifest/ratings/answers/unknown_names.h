@@ -11,8 +11,8 @@
 
 namespace mien::pipeline {
 
-/// Names in a table that mean nothing, each told once, with the number of rows that use it; of many
-/// the first five, and how many more there are.
+/// Names in a table that mean nothing, each reported once, with the number of rows that use it; of
+/// many the first five, and how many more there are.
 class UnknownNames {
  public:
   /// What they should be: "stimulus", "stimuli".

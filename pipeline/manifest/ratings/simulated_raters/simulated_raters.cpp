@@ -118,8 +118,8 @@ constexpr double loadings[style_impression_count][motion_measure_count] = {
     /* stability  */ {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -0.7, 0, -0.5},
 };
 
-// What an onlooker can tell apart: spreads below it count as if they were it, so that nothing is
-// made of differences that cannot be seen.
+// Just noticeable differences: spreads below them count as if they were equal to them, so that
+// nothing is made of differences that cannot be seen.
 constexpr double visible[motion_measure_count] = {0.05, 0.03, 0.05, 0.03,  0.05,  0.03, 0.05, 0.02,
                                                   0.03, 0.03, 0.03, 0.004, 0.004, 0.03, 0.02};
 
@@ -164,7 +164,7 @@ Eigen::MatrixXd impressions_on(const std::vector<StyledStimulus>& stimuli, const
   return impressions;
 }
 
-/// How a rater uses a scale.
+/// A rater's response style on a scale.
 struct Habit {
   double gain;
   double offset;

@@ -46,7 +46,7 @@ struct SimulatedRaters {
 /// of the built-in adjective pair of that id. Throws Error when there are neither.
 StyleProfile loadings_of(const Scale& scale);
 
-/// Answers that nobody gave: each rater answers, on each scale, the loadings' weighted sum of the
+/// Simulated answers: each rater answers, on each scale, the loadings' weighted sum of the
 /// impressions times his own gain plus his own offset plus noise, squashed into the scale's range
 /// and rounded to a whole step where the range has whole ends. Every number depends on (seed,
 /// rater, stimulus, scale) alone. On some of the built-in pairs raters are made to be neutral or of

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// As GLib makes it of `text`.
+/// The text in NFKC, case folded; unchanged where it is not UTF-8.
 std::string unified(std::string_view text) {
   struct Free {
     void operator()(gchar* string) const { g_free(string); }

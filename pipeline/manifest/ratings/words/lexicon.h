@@ -20,7 +20,7 @@ struct WordMeaning {
   bool operator==(const WordMeaning&) const = default;
 };
 
-/// Words that say how much of what follows them is meant.
+/// Words of degree, which modify the word that follows them.
 enum class Grade { strengthened, softened, negated };
 
 /// A language in which participants wrote. All keys are folded phrases.

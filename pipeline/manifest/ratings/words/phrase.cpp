@@ -68,7 +68,7 @@ bool is_misspelling(const std::string& word, const std::string& entry) {
          std::is_permutation(word.begin(), word.end(), entry.begin());
 }
 
-/// The entry that a misspelt word must have meant, if there is no doubt.
+/// The entry of which a word is a misspelling, if it is unambiguous.
 const std::string* respelled(const std::string& word, const Language& language) {
   if (count_characters(word) < shortest_respelled) return nullptr;
   const std::string* found = nullptr;

@@ -9,13 +9,13 @@
 
 namespace mien::pipeline {
 
-/// That a phrase places a motion on a scale.
+/// A phrase's position of a motion on a scale.
 struct Mention {
   std::string scale;   ///< id
   double value = 0.0;  ///< −2 … 2: ±1 as said, ±2 strengthened; softened is ±1 too
 };
 
-/// What was made of a phrase.
+/// The meaning that was read from a phrase.
 struct PhraseReading {
   std::vector<Mention> mentions;
   /// Of a phrase of nothing but words of degree, which say how the verb is meant.

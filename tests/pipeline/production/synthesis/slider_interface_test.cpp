@@ -55,7 +55,7 @@ TEST(SliderInterface, MakesWhatAStimulusOfTheSameSettingsIs) {
     stimulus.id = "set";
     stimulus.output.fps = 48;
     stimulus.interpolation.foot_lock = false;
-    // Features are asked for again until they are met, which sliders leave to the hand on them.
+    // Features are requested again until they are met, which sliders leave to the hand on them.
     if (!stimulus.features.empty())
       stimulus.interpolation.weights.method = motion::InterpolationMethod::cardinal;
     SliderInterface sliders{InterfaceKind::adjectives, {}};

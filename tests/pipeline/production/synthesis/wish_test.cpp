@@ -37,7 +37,7 @@ double value_of(const NamedValues& values, const std::string& name) {
   return NAN;
 }
 
-/// How far the groups that are not asked for wander while quickness goes from low to high.
+/// How far the groups that are not requested wander while quickness goes from low to high.
 double wandering(const std::string& hold) {
   const char* others[] = {"clearness", "activeness", "largeness"};
   double least[] = {1.0, 1.0, 1.0}, most[] = {0.0, 0.0, 0.0};
@@ -191,7 +191,7 @@ TEST(FeasibleParameters, AreThoseThatCanBeMade) {
       << beyond.warnings[0];
 }
 
-// What is asked for goes before what is held: the range is that of what is made.
+// What is requested takes precedence over what is held: the range is that of what is made.
 TEST(FeasibleParameters, GiveUpWhatIsHeldWhereItAloneForbids) {
   const Manifest manifest = parsed("  - {id: a, adjectives: {quickness: 0.6}, hold: others}\n");
   const Synthesis made = synthesize(manifest.stimuli[0], repertoire());

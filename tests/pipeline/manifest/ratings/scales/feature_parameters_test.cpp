@@ -128,7 +128,7 @@ TEST(FeatureParameters, AreNamedInTablesAndOnSheetsAndRestOnNoRatings) {
   const SheetContent content = sheet_content(sheet, manifest, motions);
   EXPECT_TRUE(content.simulated_ratings);
   EXPECT_EQ(content.target.origin, "from features");
-  // What was asked for, and what people would say of both blends.
+  // What was requested, and what people would say of both blends.
   ASSERT_EQ(content.parameters.size(), 3u + 45u);
   EXPECT_FALSE(content.parameters[3].is_asked());
   EXPECT_EQ(content.parameters[0].name, "lateral swing of the upper body");
