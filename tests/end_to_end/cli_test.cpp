@@ -78,7 +78,8 @@ TEST(CommandLine, TellsInOneLineWhatIsMissing) {
   EXPECT_EQ(refusal({"study", "export"}),
             "mien study export: manifest and --folder are missing; write mien study export "
             "<manifest> --folder …; see mien study export --help\n");
-  EXPECT_TRUE(contains(refusal({"regress", "approve", "study.yaml"}), "--why is missing; write"));
+  EXPECT_TRUE(
+      contains(refusal({"regress", "approve", "study.yaml"}), "--reason is missing; write"));
   EXPECT_TRUE(contains(refusal({"regress"}), "mien regress: nothing to compare was given; "));
   EXPECT_TRUE(contains(refusal({"study"}), "mien study: a command is missing; it is one of "));
   EXPECT_TRUE(contains(refusal({"run", "a.yaml", "--jobs"}), "--jobs: value missing"));

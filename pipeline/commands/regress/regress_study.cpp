@@ -257,9 +257,9 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
   ProgressBar bar(console.err, console.err_is_terminal);
   const Baseline baseline =
       approve(now, folder,
-              {.who = arguments.who.empty() ? own_name(manifest) : arguments.who,
+              {.who = arguments.approver.empty() ? own_name(manifest) : arguments.approver,
                .when = now_text(),
-               .why = arguments.why,
+               .why = arguments.reason,
                .only = arguments.production.only},
               made_study.videos, made_study.production->inputs(),
               {.key_frames = arguments.key_frames,

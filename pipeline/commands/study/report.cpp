@@ -40,7 +40,7 @@ struct ReportCommand {
   int most_failed = -1;
   std::string unfinished = "keep";
   std::string frozen;
-  std::string made = "out";  ///< folder that holds the studies that were made
+  std::string studies = "out";  ///< the folder of all studies
 };
 
 /// What the command line names, told apart by what it is.
@@ -98,7 +98,7 @@ void compare_choices(const ReportCommand& options, const nlohmann::json& frozen,
 FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
                          const std::vector<AnswerRow>& rows) {
   if (options.frozen.empty()) return {};
-  const fs::path made = fs::path(options.made) / manifest.study;
+  const fs::path made = fs::path(options.studies) / manifest.study;
   FrozenVerdict verdict;
   verdict.differences =
       frozen_differences(options.frozen, manifest, fs::exists(made) ? made : fs::path());
@@ -235,8 +235,9 @@ Command study_report_command() {
                .with_default(),
            option("--frozen", &options->frozen,
                   "Archive written by mien study design --freeze: report differences from it"),
-           option("--made", &options->made,
-                  "With --frozen: folder in which the study was made, to compare its media")
+           option("--studies", &options->studies,
+                  "With --frozen: folder of all studies, to compare the media of this one")
+               .formerly("--made")
                .with_default()},
       .notes =
           "Examples:\n"
