@@ -97,11 +97,11 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   EXPECT_NE(same.output.find("The study was run as registered in frozen.zip."), std::string::npos)
       << same.output << same.errors;
   const Ended other = report({answers, "--frozen", bundle, "--studies", made, "--correction",
-                              "none", "--most-failed", "5"});
+                              "none", "--max-failed-checks", "5"});
   EXPECT_NE(other.output.find("The study differs from the one registered"), std::string::npos)
       << other.output;
   for (const char* told : {"--correction none instead of the registered holm",
-                           "--most-failed 5 instead of the registered 1"})
+                           "--max-failed-checks 5 instead of the registered 1"})
     EXPECT_NE(other.output.find(told), std::string::npos) << other.output;
 }
 

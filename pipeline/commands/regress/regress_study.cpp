@@ -55,6 +55,7 @@ void make(MadeStudy& study, const StudyArguments& arguments, const Console& cons
 MadeStudy planned(const StudyArguments& arguments, const Console& console) {
   const fs::path file = manifest_meant(arguments.production.manifest, console);
   const Manifest manifest = load_manifest(file, process_environment(), arguments.production.out);
+  tell_warnings(manifest.renamed, console);
   ProductionOptions options = options_of(arguments.production);
   std::erase_if(options.only,
                 [&](const std::string& id) { return find_stimulus(manifest, id) == nullptr; });

@@ -37,7 +37,7 @@ struct ReportCommand {
   std::vector<std::string> participants;
   std::string out;
   std::string correction;
-  int most_failed = -1;
+  int max_failed_checks = -1;
   std::string unfinished = "keep";
   std::string frozen;
   std::string studies = "out";  ///< the folder of all studies
@@ -87,10 +87,11 @@ void compare_choices(const ReportCommand& options, const nlohmann::json& frozen,
   if (!options.correction.empty() && options.correction != correction)
     differences.push_back(fmt::format("analysis: --correction {} instead of the registered {}",
                                       options.correction, correction));
-  const int most_failed = frozen.value("most_failed", 0);
-  if (options.most_failed >= 0 && options.most_failed != most_failed)
-    differences.push_back(fmt::format("analysis: --most-failed {} instead of the registered {}",
-                                      options.most_failed, most_failed));
+  const int max_failed_checks = frozen.value("most_failed", 0);
+  if (options.max_failed_checks >= 0 && options.max_failed_checks != max_failed_checks)
+    differences.push_back(
+        fmt::format("analysis: --max-failed-checks {} instead of the registered {}",
+                    options.max_failed_checks, max_failed_checks));
   if (options.unfinished == leave_out)
     differences.emplace_back("analysis: --unfinished leave-out instead of the registered keep");
 }
@@ -179,7 +180,7 @@ ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
                          const ParticipantTable& people) {
   ReportChoices choices;
   choices.correction = meaning_of(correction_words, options.correction);
-  if (options.most_failed >= 0) choices.most_failed = options.most_failed;
+  if (options.max_failed_checks >= 0) choices.max_failed_checks = options.max_failed_checks;
   choices.planned = planned_trials(manifest);
   choices.finished = people.finished();
   choices.without_unfinished = options.unfinished == leave_out;
@@ -225,10 +226,11 @@ Command study_report_command() {
                   "Correction for multiple comparisons: holm, bh (Benjamini-Hochberg) or none "
                   "(default: as in the manifest)")
                .one_of({"holm", "bh", "none"}),
-           option("--most-failed", &options->most_failed,
+           option("--max-failed-checks", &options->max_failed_checks,
                   "Exclude participants who fail more attention checks than this (default: as in "
                   "the manifest)")
-               .between(0, 1000),
+               .between(0, 1000)
+               .formerly("--most-failed"),
            option("--unfinished", &options->unfinished,
                   "Participants who did not finish: keep (include their answers) or leave-out")
                .one_of({"keep", "leave-out"})
