@@ -77,7 +77,7 @@ constexpr auto method_columns = table_of<GivenOrSimulated<MethodTrial>>(
     {{"method", "", "the method", [](auto& r) { return motion::name_of(r.of.method); }},
      {"settings", "", "settings of the sliders that were tried",
       [](auto& r) { return r.of.settings; }},
-     {"mean_error", "0–1", "|reached − asked| of the parameter that is missed most, mean",
+     {"mean_error", "0–1", "|reached − requested| of the parameter that is missed most, mean",
       [](auto& r) { return shortest_measured(r.of.mean_error); }},
      {"worst_error", "0–1", "the largest of these",
       [](auto& r) { return shortest_measured(r.of.worst_error); }},

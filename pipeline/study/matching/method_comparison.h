@@ -21,7 +21,7 @@ struct MethodTrialOptions {
 struct MethodTrial {
   motion::InterpolationMethod method = motion::InterpolationMethod::reach;
   int settings = 0;
-  double mean_error = 0.0;   ///< |reached − asked|, of the parameter that is missed most
+  double mean_error = 0.0;   ///< |reached − requested|, of the parameter that is missed most
   double worst_error = 0.0;  ///< likewise, the largest over all settings
   double jump = 0.0;  ///< largest change of one weight in one step of the ways between settings
   double mean_examples = 0.0;  ///< effective number of examples mixed, 1 / Σ w²
