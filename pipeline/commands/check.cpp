@@ -9,6 +9,7 @@
 #include "motion/text/file_contents.h"
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/manifest/checks/part_checks.h"
@@ -110,6 +111,7 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
     findings.faults = in_reading_order(std::move(findings.faults));
     return findings;
   }
+  append(findings.warnings, reading.manifest.renamed);
   append(findings.warnings, silent_takes(reading.manifest));
   for (const Repetition& repetition : repetitions_in(reading.manifest))
     findings.warnings.push_back(told_at_its_place(repetition, reading.manifest.places));
@@ -128,8 +130,7 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
 
 void tell(const Findings& findings, const std::string& file, const Console& console) {
   if (!findings.faults.empty()) console.err << fault_lines(findings.faults) << '\n';
-  if (!findings.warnings.empty())
-    console.err << fault_lines(findings.warnings, "warning: ") << '\n';
+  tell_warnings(findings.warnings, console);
   if (findings.faults.empty()) console.out << file << ": no faults\n";
   if (const std::string note = sample_note(findings); !note.empty()) console.out << note << '\n';
   console.out << feasibility_table(findings.requested);

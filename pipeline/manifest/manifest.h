@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/places.h"
 #include "pipeline/manifest/examples.h"
 #include "pipeline/manifest/matching.h"
@@ -91,6 +92,7 @@ struct Manifest {
   std::optional<Questionnaire> questionnaire;
   std::optional<Matching> matching;
   Places places;
+  std::vector<Fault> renamed;  ///< warnings of keys that are written with their former names
 };
 
 /// What a stimulus or an overlay of that manifest is before it says anything itself.

@@ -93,14 +93,14 @@ struct AnalysisPlan {
   TextSource plan;      ///< in words; part of the preregistration
   double alpha = 0.05;  ///< level of every test
   TestCorrection correction = TestCorrection::holm;
-  int most_failed = 1;  ///< a participant who fails more attention checks is excluded
+  int max_failed_checks = 1;  ///< a participant who fails more attention checks is excluded
 };
 
 void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
   field.by("plan", analysis.plan, concerns::nothing, TextForm());
   field("alpha", analysis.alpha, concerns::nothing);
   field("correction", analysis.correction, concerns::nothing, correction_words);
-  field("most_failed", analysis.most_failed, concerns::nothing);
+  field("max_failed_checks", analysis.max_failed_checks, concerns::nothing);
 }
 
 /// The questions to participants about the stimuli of a manifest, in which order, and how it is
@@ -120,8 +120,8 @@ struct Questionnaire {
   std::vector<std::vector<std::string>> pairs;  ///< of forms with two stimuli; empty: all
   AnswerSettings answer;
   TrialOrder order;
-  std::vector<std::string> apart;     ///< factors in which successive trials must differ
-  std::vector<std::string> practice;  ///< stimuli of trials before the main part
+  std::vector<std::string> no_repeats;  ///< factors in which successive trials must differ
+  std::vector<std::string> practice;    ///< stimuli of trials before the main part
   int warm_up = 0;          ///< trials more at the beginning of the main part, not analysed
   int attention_every = 0;  ///< a check after so many trials; 0: none
   int repeated = 0;         ///< catch trials: stimuli that are shown a second time
@@ -152,7 +152,7 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& asked) {
   field("pairs", asked.pairs, concerns::nothing);
   field("answer", asked.answer, concerns::nothing);
   field.by("order", asked.order, concerns::nothing, TrialOrderForm());
-  field("apart", asked.apart, concerns::nothing);
+  field("no_repeats", asked.no_repeats, concerns::nothing);
   field("practice", asked.practice, concerns::nothing);
   field("warm_up", asked.warm_up, concerns::nothing);
   field.group("attention",

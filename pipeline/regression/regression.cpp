@@ -102,9 +102,10 @@ StimulusComparison appeared(const std::string& id, const ComparedStudy& study) {
     comparison.reasons.push_back(
         fmt::format("was renamed from {}: motion and scene are the same", before->id));
   }
-  comparison.reasons.push_back(fmt::format(
-      "is not in the baseline; if it is as intended: mien regress approve {} --only {} --why \"…\"",
-      motion::shell_path(study.now.manifest().file.string()), id));
+  comparison.reasons.push_back(
+      fmt::format("is not in the baseline; if it is as intended: mien regress approve {} --only {} "
+                  "--reason \"…\"",
+                  motion::shell_path(study.now.manifest().file.string()), id));
   show_now(comparison, study);
   return comparison;
 }

@@ -122,7 +122,7 @@ struct TrailOptions {
   int before = 0;                   ///< onion skin: number of poses before the present one
   int after = 0;                    ///< and after it
   double every_s = 0.2;             ///< seconds from one to the next
-  double faintest = 0.15;           ///< opacity of the pose farthest from the present, 0 … 1
+  double min_opacity = 0.15;        ///< opacity of the pose farthest from the present, 0 … 1
   double trace_width_m = 0.018;     ///< of the lines that joints leave behind
   std::vector<std::string> traces;  ///< "feet", "hands", "head", "pelvis", or names of joints
 

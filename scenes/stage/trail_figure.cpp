@@ -14,7 +14,7 @@ using motion::Vec3;
 constexpr double least_trace_step_m = 0.012;
 
 float faded(const TrailOptions& options, double share) {
-  return static_cast<float>(options.faintest + (1.0 - options.faintest) * share);
+  return static_cast<float>(options.min_opacity + (1.0 - options.min_opacity) * share);
 }
 
 /// Joints by the words of a manifest.

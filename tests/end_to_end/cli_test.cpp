@@ -78,7 +78,8 @@ TEST(CommandLine, TellsInOneLineWhatIsMissing) {
   EXPECT_EQ(refusal({"study", "export"}),
             "mien study export: manifest and --folder are missing; write mien study export "
             "<manifest> --folder …; see mien study export --help\n");
-  EXPECT_TRUE(contains(refusal({"regress", "approve", "study.yaml"}), "--why is missing; write"));
+  EXPECT_TRUE(
+      contains(refusal({"regress", "approve", "study.yaml"}), "--reason is missing; write"));
   EXPECT_TRUE(contains(refusal({"regress"}), "mien regress: nothing to compare was given; "));
   EXPECT_TRUE(contains(refusal({"study"}), "mien study: a command is missing; it is one of "));
   EXPECT_TRUE(contains(refusal({"run", "a.yaml", "--jobs"}), "--jobs: value missing"));
@@ -336,6 +337,23 @@ TEST(CommandLine, TellsStimuliThatARaterCannotTellApart) {
                        "b,design,\"looks identical to \"\"a\"\";"));
   EXPECT_TRUE(contains(text_of(scratch.path() / "out/small/report.html"),
                        "<li>b: looks identical to &quot;a&quot;;"));
+}
+
+TEST(CommandLine, WarnsOfFormerNames) {
+  const Scratch scratch;
+  const std::string trail = "look: {figure: {trail: {before: 1, faintest: 0.2}}}\n";
+  const std::string file = scratch.write("m.yaml", small_manifest + trail).string();
+  const std::string told =
+      "warning: " + file + ":8:36: look.figure.trail.faintest: now called min_opacity; rename it\n";
+  const Ended check = run_mien({"check", file, "--quick"});
+  EXPECT_EQ(check.code, 0);
+  EXPECT_EQ(check.errors, told);
+  EXPECT_EQ(run_mien({"plan", file, "--out", (scratch.path() / "out").string()}).errors, told);
+
+  const Ended methods = run_mien({"study", "methods", "--examples", "builtin:walks-10", "--methods",
+                                  "cardinal", "--wishes", "2"});
+  EXPECT_EQ(methods.code, 0) << methods.errors;
+  EXPECT_TRUE(contains(methods.errors, "warning: --wishes is now called --settings\n"));
 }
 
 TEST(CommandLine, CleanRemovesWhatTheManifestNoLongerMakes) {

@@ -55,7 +55,7 @@ class RegressStudy : public testing::Test {
   }
 
   Ended approve() const {
-    return run_mien({"regress", "approve", manifest().string(), "--why", "it is right",
+    return run_mien({"regress", "approve", manifest().string(), "--reason", "it is right",
                      "--without-videos", "--out", out()});
   }
 
@@ -141,7 +141,7 @@ TEST_F(RegressStudy, RefusesWhatHoldsNoBaseline) {
 // Videos and all: in chunks of any number that workers make in any order, by runs that are killed
 // and go on, with one thread or two.
 TEST_F(RegressStudy, HoldsHoweverTheStudyIsMadeAgain) {
-  const Ended approved = run_mien({"regress", "approve", manifest().string(), "--why",
+  const Ended approved = run_mien({"regress", "approve", manifest().string(), "--reason",
                                    "it is right", "--keep-videos", "--out", out()});
   ASSERT_EQ(approved.code, 0) << approved.errors;
   const char* asked = std::getenv("MIEN_UNCHANGED_RERUNS");
@@ -181,7 +181,7 @@ TEST_F(RegressStudy, WritesOverNothingThatIsNotItsOwn) {
   const Ended report = regress({"--report", precious.string()});
   EXPECT_EQ(report.code, 2);
   EXPECT_NE(report.errors.find("--report"), std::string::npos) << report.errors;
-  const Ended baseline = run_mien({"regress", "approve", manifest().string(), "--why", "w",
+  const Ended baseline = run_mien({"regress", "approve", manifest().string(), "--reason", "w",
                                    "--without-videos", "--baseline", precious.string()});
   EXPECT_EQ(baseline.code, 2);
   EXPECT_NE(baseline.errors.find("--baseline"), std::string::npos) << baseline.errors;
@@ -205,8 +205,8 @@ TEST_F(RegressStudy, ReplacesItsOwnReport) {
 TEST_F(RegressStudy, MakesNothingBeforeItKnowsWhatToCompareWith) {
   const Ended none = run_mien({"regress", manifest().string(), "--out", out()});
   EXPECT_EQ(none.code, 2);
-  const Ended unknown = run_mien(
-      {"regress", "approve", manifest().string(), "--why", "w", "--only", "blent", "--out", out()});
+  const Ended unknown = run_mien({"regress", "approve", manifest().string(), "--reason", "w",
+                                  "--only", "blent", "--out", out()});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "small"));
 }
@@ -258,7 +258,7 @@ TEST_F(RegressStudy, ApprovesThatAStimulusIsGone) {
                  "output: {size: [96, 54], fps: 10, cycles: 1, quality: draft, frames: none,"
                  " video: [gif]}\nstimuli:\n  - {id: file, clip: ../walk.bvh}\n");
   EXPECT_EQ(regress({}).code, 1);
-  const Ended end = run_mien({"regress", "approve", manifest().string(), "--why", "not needed",
+  const Ended end = run_mien({"regress", "approve", manifest().string(), "--reason", "not needed",
                               "--only", "blend", "--without-videos", "--out", out()});
   EXPECT_EQ(end.code, 0) << end.errors;
   EXPECT_NE(end.output.find("blend was removed from the baseline"), std::string::npos);
@@ -337,7 +337,7 @@ TEST_F(RegressStudy, SaysWhatGitKnowsOfANameThatIsNone) {
 TEST_F(RegressStudy, KeepsNoBaselineInAFolderCalledLikeACommit) {
   commit();
   git({"tag", "v1"});
-  const Ended refused = run_mien({"regress", "approve", manifest().string(), "--why", "w",
+  const Ended refused = run_mien({"regress", "approve", manifest().string(), "--reason", "w",
                                   "--without-videos", "--baseline", "v1", "--out", out()});
   EXPECT_EQ(refused.code, 2) << refused.output;
   EXPECT_NE(refused.errors.find("v1: is a commit"), std::string::npos) << refused.errors;
@@ -347,7 +347,7 @@ TEST_F(RegressStudy, KeepsNoBaselineInAFolderCalledLikeACommit) {
 TEST_F(RegressStudy, WantsAReason) {
   for (const char* why : {"", "  "}) {
     const Ended refused =
-        run_mien({"regress", "approve", manifest().string(), "--why", why, "--out", out()});
+        run_mien({"regress", "approve", manifest().string(), "--reason", why, "--out", out()});
     EXPECT_EQ(refused.code, 2) << "'" << why << "'";
   }
 }

@@ -35,8 +35,8 @@ void make_report(const fs::path& folder) {
   const fs::path manifest = folder / "study.yaml";
   const std::string out = (folder / "out").string();
   std::ofstream(manifest) << study_start << stimuli_before;
-  must_run(mien_with(
-      {"regress", "approve", manifest.string(), "--why", "first", "--keep-videos", "--out", out}));
+  must_run(mien_with({"regress", "approve", manifest.string(), "--reason", "first", "--keep-videos",
+                      "--out", out}));
   std::ofstream(manifest) << study_start << stimuli_now;
   const std::string report = (folder / "report").string();
   const Ended compared = run_mien({"regress", manifest.string(), "--out", out, "-o", report});
@@ -145,7 +145,7 @@ TEST_F(RegressionPage, ShowsTheSameFrameOfBothVideos) {
 TEST(KeptVideos, AreRefusedWhereNoneAreMade) {
   const Scratch folder;
   const fs::path manifest = folder.write("study.yaml", std::string(study_start) + stimuli_before);
-  const Ended ended = run_mien({"regress", "approve", manifest.string(), "--why", "first",
+  const Ended ended = run_mien({"regress", "approve", manifest.string(), "--reason", "first",
                                 "--keep-videos", "--without-videos"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_NE(ended.errors.find("--keep-videos"), std::string::npos) << ended.errors;

@@ -93,15 +93,15 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   EXPECT_NE(names.find("dummy-report/report.html"), std::string::npos);
   EXPECT_NE(names.find("dummy-report/results/means.csv"), std::string::npos);
 
-  const Ended same = report({answers, "--frozen", bundle, "--made", made});
+  const Ended same = report({answers, "--frozen", bundle, "--studies", made});
   EXPECT_NE(same.output.find("The study was run as registered in frozen.zip."), std::string::npos)
       << same.output << same.errors;
-  const Ended other = report(
-      {answers, "--frozen", bundle, "--made", made, "--correction", "none", "--most-failed", "5"});
+  const Ended other = report({answers, "--frozen", bundle, "--studies", made, "--correction",
+                              "none", "--max-failed-checks", "5"});
   EXPECT_NE(other.output.find("The study differs from the one registered"), std::string::npos)
       << other.output;
   for (const char* told : {"--correction none instead of the registered holm",
-                           "--most-failed 5 instead of the registered 1"})
+                           "--max-failed-checks 5 instead of the registered 1"})
     EXPECT_NE(other.output.find(told), std::string::npos) << other.output;
 }
 

@@ -213,6 +213,14 @@ int require_column(const CsvTable& table, std::string_view name) {
               "the columns are " + motion::listed(names));
 }
 
+std::optional<Fault> rename_column(CsvTable& table, std::string_view former, std::string_view now) {
+  const auto column = std::ranges::find(table.header, former, &CsvField::text);
+  if (column == table.header.end() || find_column(table, now) >= 0) return std::nullopt;
+  column->text = now;
+  return Fault{place_of(table, *column), std::string(former), fmt::format("now called {}", now),
+               "rename the column"};
+}
+
 Place place_of(const CsvTable& table, const CsvField& field) {
   return {table.file, field.line, field.column};
 }

@@ -2,11 +2,12 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "motion/error.h"
+#include "pipeline/base/documents/fault.h"
 
 namespace mien::pipeline {
 
@@ -36,6 +37,10 @@ int find_column(const CsvTable& table, std::string_view name);
 
 /// Index of a column. Throws Error that lists the columns there are.
 int require_column(const CsvTable& table, std::string_view name);
+
+/// Gives a column its present name where it has its former one, of tables written before it was
+/// renamed. Returns a warning then. Where there is a column of the present name, nothing is done.
+std::optional<Fault> rename_column(CsvTable& table, std::string_view former, std::string_view now);
 
 /// Where a field is, for messages.
 Place place_of(const CsvTable& table, const CsvField& field);

@@ -60,6 +60,12 @@ SchemaNode element_schema(SchemaNode node) {
   return node ? with(node, find(*node.node, "items")) : node;
 }
 
+std::optional<std::string> name_now(SchemaNode node, const std::string& former) {
+  const SchemaNode member = member_schema(node, former);
+  const json* now = member ? find(*member.node, "x-now") : nullptr;
+  return now == nullptr ? std::nullopt : std::optional(now->get<std::string>());
+}
+
 bool takes_text(SchemaNode node) {
   node = narrowed(node, json(""));
   return node && has_type_of(*node.node, json(""));

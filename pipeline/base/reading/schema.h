@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,10 @@ SchemaNode narrowed(SchemaNode node, const nlohmann::json& value);
 /// The schema of a member of an object, or of the elements of an array. `node` must be narrowed.
 SchemaNode member_schema(SchemaNode node, const std::string& key);
 SchemaNode element_schema(SchemaNode node);
+
+/// What a member is called now whose schema says so of its former name:
+/// "faintest": {"deprecated": true, "x-now": "min_opacity"}. `node` must be narrowed.
+std::optional<std::string> name_now(SchemaNode node, const std::string& former);
 
 /// Whether a text may stand here.
 bool takes_text(SchemaNode node);

@@ -64,9 +64,11 @@ std::string example_of(const json& node) {
   return "for example " + as_yaml(node["examples"][0]);
 }
 
-std::vector<std::string> keys_of(const json& object) {
+/// The names that properties have now.
+std::vector<std::string> keys_of(const json& properties) {
   std::vector<std::string> keys;
-  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  for (const auto& [key, property] : properties.items())
+    if (!property.contains("x-now")) keys.push_back(key);
   return keys;
 }
 

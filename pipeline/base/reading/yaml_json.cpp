@@ -57,8 +57,12 @@ class Converter {
   Converter(const Environment& environment, std::vector<Fault>& faults)
       : environment_(environment), faults_(faults) {}
 
-  Places take_places() { return std::move(places_); }
+  JsonReading read(const YamlNode& root, const json& schema) {
+    json document = convert(root, root_of(schema), "");
+    return {std::move(document), std::move(places_), std::move(renamed_)};
+  }
 
+ private:
   json convert(const YamlNode& node, SchemaNode schema, const std::string& path) {
     if (is_too_long(node, path)) return {};
     places_.values.emplace(path, node.place);
@@ -75,7 +79,6 @@ class Converter {
     return {};
   }
 
- private:
   /// The paths of all values are kept: many values below long names would take more memory than
   /// the machine has.
   bool is_too_long(const YamlNode& node, const std::string& path) {
@@ -99,12 +102,28 @@ class Converter {
   json map(const YamlNode& node, SchemaNode schema, const std::string& path) {
     json object = json::object();
     for (std::size_t i = 0; i < node.children.size(); ++i) {
-      const std::string& key = node.keys[i].text;
+      const std::string key = name_of_member(node, i, schema, path);
       const std::string member = member_path(path, key);
       places_.keys.emplace(member, node.keys[i].place);
       object[key] = convert(node.children[i], member_schema(schema, key), member);
     }
     return object;
+  }
+
+  /// The name that the member has now. It is a fault to give it by its former name, too.
+  std::string name_of_member(const YamlNode& map, std::size_t index, SchemaNode schema,
+                             const std::string& path) {
+    const YamlNode& key = map.keys[index];
+    const std::optional<std::string> now = name_now(schema, key.text);
+    if (!now) return key.text;
+    const bool has_both = std::ranges::find(map.keys, *now, &YamlNode::text) != map.keys.end();
+    const std::string member = member_path(path, key.text);
+    if (has_both)
+      faults_.push_back(
+          {key.place, member, "now called " + *now + ", which is given too", "remove it"});
+    else
+      renamed_.push_back({key.place, member, "now called " + *now, "rename it"});
+    return has_both ? key.text : *now;
   }
 
   json scalar(const YamlNode& node, SchemaNode schema, const std::string& path) {
@@ -123,14 +142,13 @@ class Converter {
   const Environment& environment_;
   std::vector<Fault>& faults_;
   Places places_;
+  std::vector<Fault> renamed_;
   std::size_t path_bytes_ = 0;
 };
 
 JsonReading converted(const YamlNode& root, const json& schema, const Environment& environment,
                       std::vector<Fault>& faults) {
-  Converter converter(environment, faults);
-  json document = converter.convert(root, root_of(schema), "");
-  return {std::move(document), converter.take_places()};
+  return Converter(environment, faults).read(root, schema);
 }
 
 }  // namespace

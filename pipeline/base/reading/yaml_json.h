@@ -14,14 +14,16 @@ namespace mien::pipeline {
 
 /// A YAML document as JSON, by the core schema of YAML 1.2: plain scalars become null, booleans
 /// (true, false), numbers or text. Variables of the environment are expanded first; an expanded
-/// scalar becomes text where the schema takes text, even if it looks like a number.
+/// scalar becomes text where the schema takes text, even if it looks like a number. Members have
+/// the names that they have now, whatever they are called in the text.
 struct JsonReading {
   nlohmann::json document;
   Places places;
+  std::vector<Fault> renamed;  ///< warnings of former names
 };
 
 /// Reads a document that is to have that schema, which is not checked. Faults are added: those of
-/// read_yaml, infinities and NaN, variables that are not set.
+/// read_yaml, infinities and NaN, variables that are not set, a former name beside its new one.
 JsonReading read_json(std::string_view yaml, const std::string& file, const nlohmann::json& schema,
                       const Environment& environment, std::vector<Fault>& faults);
 

@@ -133,6 +133,10 @@ CommandOption CommandOption::in_group(std::string heading) const {
   return but(*this, [&](CommandOption& it) { it.group = std::move(heading); });
 }
 
+CommandOption CommandOption::formerly(std::string name) const {
+  return but(*this, [&](CommandOption& it) { it.former = std::move(name); });
+}
+
 CommandOption option(const std::string& names, BoundVariable variable, std::string help) {
   CommandOption option = made(std::move(variable), std::move(help));
   option.names = split_names(names);

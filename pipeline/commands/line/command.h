@@ -25,6 +25,7 @@ using BoundVariable =
 /// What may stand behind a command: an option or a flag (with names), or an argument (without).
 struct CommandOption {
   std::vector<std::string> names;    ///< "-o", "--output"; empty for an argument
+  std::string former;                ///< name it had: understood, with a warning; not shown
   std::string argument;              ///< "files"; empty for an option
   std::string value;                 ///< what it takes: "TEXT", "INT", …; empty for a flag
   std::vector<std::string> choices;  ///< all that it takes; empty when it takes other things
@@ -61,6 +62,7 @@ struct CommandOption {
   CommandOption excludes(std::string option) const;
   CommandOption needs(std::string option) const;
   CommandOption in_group(std::string heading) const;
+  CommandOption formerly(std::string name) const;  ///< takes its old name too
 };
 
 /// `names`: "--out,-o".

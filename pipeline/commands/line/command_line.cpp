@@ -2,6 +2,7 @@
 #include <cmath>
 #include <exception>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -79,7 +80,28 @@ std::string fault_of_empty(const std::string& given) {
   return given.empty() ? "empty; give a value, or omit it" : "";
 }
 
-void add_option(CLI::App& app, const CommandOption& option) {
+/// Understands the old name of an option: its values are the option's, and so are their faults.
+void add_former_name(CLI::App& app, const CommandOption& option, CLI::Option* now,
+                     std::ostream& err) {
+  const std::string name = option.names.back();
+  CLI::callback_t pass_on = [former = option.former, name, now,
+                             &err](const CLI::results_t& values) {
+    if (now->count() > 0)
+      throw CLI::ValidationError(former, "now called " + name + ", which is given too; omit it");
+    err << "warning: " << former << " is now called " << name << '\n';
+    now->add_result(values);
+    now->run_callback();
+    return true;
+  };
+  app.add_option(option.former, std::move(pass_on))
+      ->expected(now->get_expected_min(), now->get_expected_max())
+      ->allow_extra_args(now->get_allow_extra_args())
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->default_str("true")  // of a flag
+      ->group("");           // hidden
+}
+
+void add_option(CLI::App& app, const CommandOption& option, std::ostream& err) {
   CLI::Option* added = std::visit(AddedOption{app, option}, option.variable);
   if (option.is_required) added->required();
   if (option.has_commas) added->delimiter(',');
@@ -95,12 +117,13 @@ void add_option(CLI::App& app, const CommandOption& option) {
   if (!option.value.empty()) added->check(fault_of_empty);
   if (!option.usual.empty()) added->default_str(option.usual);
   if (!option.group.empty()) added->group(option.group);
+  if (!option.former.empty()) add_former_name(app, option, added, err);
 }
 
-/// Makes CLI11's form of a command, which parses and prints --help.
-void fill(CLI::App& app, const Command& command) {
+/// Makes CLI11's form of a command, which parses and prints --help. Warns on `err` of old names.
+void fill(CLI::App& app, const Command& command, std::ostream& err) {
   if (!command.notes.empty()) app.footer("\n" + command.notes);
-  for (const CommandOption& option : command.options) add_option(app, option);
+  for (const CommandOption& option : command.options) add_option(app, option, err);
   for (const CommandOption& option : command.options) {
     if (!option.excluded.empty())
       app.get_option(option.names.back())->excludes(app.get_option(option.excluded));
@@ -110,7 +133,7 @@ void fill(CLI::App& app, const Command& command) {
   // One at most: the word after it is its own, whatever it is (mien sets studio).
   if (!command.commands.empty()) app.require_subcommand(command.run ? 0 : 1, 1);
   for (const Command& below : command.commands)
-    fill(*app.add_subcommand(below.name, below.summary), below);
+    fill(*app.add_subcommand(below.name, below.summary), below, err);
 }
 
 /// The command that was typed; each of its options that was used is noted where it asks for it.
@@ -199,7 +222,7 @@ int run_command_line(const Command& program, int argc, const char* const* argv,
     return exit_done;
   }
   CLI::App app(program.summary, program.name);
-  fill(app, program);
+  fill(app, program, console.err);
   const std::optional<int> code = parse(app, program, words_of(argc, argv), console);
   return code ? *code : perform(typed_command(app, program), console);
 }

@@ -70,10 +70,11 @@ std::string missing_fault(const CLI::App& command, const std::vector<std::string
                      missing.size() == 1 ? "is" : "are", least_line(command), help_line(command));
 }
 
-/// Short and long flags of a command.
+/// Short and long flags of a command, those of --help.
 std::vector<std::string> flags_of(const CLI::App& command) {
   std::vector<std::string> flags;
   for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group().empty()) continue;
     for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
     for (const std::string& name : option->get_snames()) flags.push_back("-" + name);
   }
@@ -105,7 +106,8 @@ std::string told_by_parser(const CLI::App& command, const CLI::ParseError& fault
 std::string valueless_fault(const CLI::App& command, const CLI::ParseError& fault) {
   const std::string wrong = fault.what();
   if (fault.get_name() != "ArgumentMismatch" || !wrong.ends_with(" missing")) return "";
-  return fmt::format("{}: value missing; {}", wrong.substr(0, wrong.find(':')), help_line(command));
+  const std::string name = wrong.substr(0, wrong.find(':'));  // none of a former name
+  return fmt::format("{}value missing; {}", name.empty() ? "" : name + ": ", help_line(command));
 }
 
 std::string no_command_fault(const CLI::App& command) {

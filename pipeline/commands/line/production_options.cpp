@@ -49,6 +49,10 @@ ProductionOptions options_of(const ProductionArguments& arguments) {
   return options;
 }
 
+void tell_warnings(const std::vector<Fault>& warnings, const Console& console) {
+  if (!warnings.empty()) console.err << fault_lines(warnings, "warning: ") << '\n';
+}
+
 void tell_stale(const std::vector<std::string>& stale, const ProductionArguments& arguments,
                 const Console& console) {
   if (stale.empty()) return;

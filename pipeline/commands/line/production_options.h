@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/commands/line/console.h"
 #include "pipeline/production/run/production.h"
 
@@ -30,6 +31,9 @@ std::vector<CommandOption> manifest_options(ProductionArguments& arguments);
 
 int jobs_of(const ProductionArguments& arguments);
 ProductionOptions options_of(const ProductionArguments& arguments);
+
+/// Warnings of a manifest, a line each; nothing when there are none.
+void tell_warnings(const std::vector<Fault>& warnings, const Console& console);
 
 /// What is left of earlier runs, and how to be rid of it; nothing when there is none.
 void tell_stale(const std::vector<std::string>& stale, const ProductionArguments& arguments,

@@ -125,8 +125,10 @@ int regress(RegressOptions options, StudyArguments study, const Console& console
 }
 
 /// Somebody will want to know in a year.
-CommandOption why_option(std::string& why) {
-  CommandOption made = option("--why", &why, "Reason for approving the present state").required();
+CommandOption reason_option(std::string& reason) {
+  CommandOption made = option("--reason", &reason, "Reason for approving the present state")
+                           .required()
+                           .formerly("--why");
   made.fault = [](const std::string& text) -> std::string {
     const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string::npos;
     return is_blank ? "give the reason for approving in one sentence" : "";
@@ -193,8 +195,8 @@ constexpr char approve_footer[] =
     "files it names, motions, a few key frames, and hashes; with --keep-videos also the videos. It "
     "is meant to be kept in git. Look at the study before approving it.\n\n"
     "Examples:\n"
-    "  mien regress approve study.yaml --why \"first version\"\n"
-    "  mien regress approve study.yaml --only sad-walk --why \"arms swing less, as asked\"";
+    "  mien regress approve study.yaml --reason \"first version\"\n"
+    "  mien regress approve study.yaml --only sad-walk --reason \"arms swing less, as asked\"";
 
 std::vector<CommandOption> study_options(StudyArguments& arguments, const char* baseline) {
   return {option("--baseline", &arguments.baseline,
@@ -214,8 +216,9 @@ Command approve_command() {
       .summary = "Approve the present state of a study and store it as a baseline",
       .options = all_of(
           argument("manifest", &arguments->production.manifest, "Manifest (YAML) of the study"),
-          why_option(arguments->why),
-          option("--who", &arguments->who, "Who approves (default: git's user.name)"),
+          reason_option(arguments->reason),
+          option("--approver", &arguments->approver, "Who approves (default: git's user.name)")
+              .formerly("--who"),
           option("--only", &arguments->production.only,
                  "Approve these stimuli only; the others keep their approved state")
               .with_commas(),

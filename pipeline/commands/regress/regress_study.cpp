@@ -55,6 +55,7 @@ void make(MadeStudy& study, const StudyArguments& arguments, const Console& cons
 MadeStudy planned(const StudyArguments& arguments, const Console& console) {
   const fs::path file = manifest_meant(arguments.production.manifest, console);
   const Manifest manifest = load_manifest(file, process_environment(), arguments.production.out);
+  tell_warnings(manifest.renamed, console);
   ProductionOptions options = options_of(arguments.production);
   std::erase_if(options.only,
                 [&](const std::string& id) { return find_stimulus(manifest, id) == nullptr; });
@@ -257,9 +258,9 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
   ProgressBar bar(console.err, console.err_is_terminal);
   const Baseline baseline =
       approve(now, folder,
-              {.who = arguments.who.empty() ? own_name(manifest) : arguments.who,
+              {.who = arguments.approver.empty() ? own_name(manifest) : arguments.approver,
                .when = now_text(),
-               .why = arguments.why,
+               .why = arguments.reason,
                .only = arguments.production.only},
               made_study.videos, made_study.production->inputs(),
               {.key_frames = arguments.key_frames,

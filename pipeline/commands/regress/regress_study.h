@@ -16,8 +16,8 @@ struct StudyArguments {
   bool without_videos = false;
   int repeat = 1;
   double audits = 0.02;
-  std::string who;
-  std::string why;
+  std::string approver;
+  std::string reason;
   int key_frames = 4;
   bool keep_videos = false;
   std::vector<std::string> given;  ///< options that are of studies alone

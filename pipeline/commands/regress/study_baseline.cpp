@@ -116,7 +116,7 @@ FoundBaseline find_baseline(const std::string& given, const Manifest& manifest) 
   if (!given.empty() && !fs::exists(folder)) throw_unknown(given, manifest);
   throw Error({folder.string()}, "holds no baseline",
               "look at the study, and if it is as intended, run mien regress approve " +
-                  motion::shell_path(manifest.file.string()) + " --why \"…\"");
+                  motion::shell_path(manifest.file.string()) + " --reason \"…\"");
 }
 
 }  // namespace mien::pipeline

@@ -12,6 +12,7 @@
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/base/documents/table.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
@@ -169,7 +170,9 @@ ScaleSet scales_of_answers(const AnalyzeOptions& options, const Console& console
 /// Answers about stimuli that were made for a study.
 int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
   const ScaleSet scales = scales_of_answers(options, console);
-  const std::vector<MadeParameter> made = read_made_parameters(options.stimuli);
+  std::vector<Fault> warnings;
+  const std::vector<MadeParameter> made = read_made_parameters(options.stimuli, warnings);
+  tell_warnings(warnings, console);
   AnswerRules rules = options.rules;
   rules.left_out = other_stimuli(options.stimuli, made);
   const StudyAnswers answers = read_study_answers(options.answers, scales, stimuli_of(made), rules);

@@ -9,6 +9,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/places.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
@@ -183,8 +184,7 @@ int design(const DesignCommand& command, const Console& console) {
   std::ostream& out = command.plans.empty() ? console.err : console.out;
   if (command.plans.empty()) console.out << tables[0].csv;
   tell_design(manifest, plans, balance, console, out);
-  for (const Fault& warning : questionnaire_warnings(manifest))
-    console.err << "warning: " << to_string(warning) << '\n';
+  tell_warnings(questionnaire_warnings(manifest), console);
   if (command.power) tell_power(command, manifest, console, out);
   if (archive) {
     warn_of_no_plan(manifest, console);

@@ -37,10 +37,10 @@ struct ReportCommand {
   std::vector<std::string> participants;
   std::string out;
   std::string correction;
-  int most_failed = -1;
+  int max_failed_checks = -1;
   std::string unfinished = "keep";
   std::string frozen;
-  std::string made = "out";  ///< folder that holds the studies that were made
+  std::string studies = "out";  ///< the folder of all studies
 };
 
 /// What the command line names, by kind.
@@ -87,10 +87,11 @@ void compare_choices(const ReportCommand& options, const nlohmann::json& frozen,
   if (!options.correction.empty() && options.correction != correction)
     differences.push_back(fmt::format("analysis: --correction {} instead of the registered {}",
                                       options.correction, correction));
-  const int most_failed = frozen.value("most_failed", 0);
-  if (options.most_failed >= 0 && options.most_failed != most_failed)
-    differences.push_back(fmt::format("analysis: --most-failed {} instead of the registered {}",
-                                      options.most_failed, most_failed));
+  const int max_failed_checks = frozen.value("most_failed", 0);
+  if (options.max_failed_checks >= 0 && options.max_failed_checks != max_failed_checks)
+    differences.push_back(
+        fmt::format("analysis: --max-failed-checks {} instead of the registered {}",
+                    options.max_failed_checks, max_failed_checks));
   if (options.unfinished == leave_out)
     differences.emplace_back("analysis: --unfinished leave-out instead of the registered keep");
 }
@@ -98,7 +99,7 @@ void compare_choices(const ReportCommand& options, const nlohmann::json& frozen,
 FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
                          const std::vector<AnswerRow>& rows) {
   if (options.frozen.empty()) return {};
-  const fs::path made = fs::path(options.made) / manifest.study;
+  const fs::path made = fs::path(options.studies) / manifest.study;
   FrozenVerdict verdict;
   verdict.differences =
       frozen_differences(options.frozen, manifest, fs::exists(made) ? made : fs::path());
@@ -179,7 +180,7 @@ ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
                          const ParticipantTable& people) {
   ReportChoices choices;
   choices.correction = meaning_of(correction_words, options.correction);
-  if (options.most_failed >= 0) choices.most_failed = options.most_failed;
+  if (options.max_failed_checks >= 0) choices.max_failed_checks = options.max_failed_checks;
   choices.planned = planned_trials(manifest);
   choices.finished = people.finished();
   choices.without_unfinished = options.unfinished == leave_out;
@@ -225,18 +226,20 @@ Command study_report_command() {
                   "Correction for multiple comparisons: holm, bh (Benjamini-Hochberg) or none "
                   "(default: as in the manifest)")
                .one_of({"holm", "bh", "none"}),
-           option("--most-failed", &options->most_failed,
+           option("--max-failed-checks", &options->max_failed_checks,
                   "Exclude participants who fail more attention checks than this (default: as in "
                   "the manifest)")
-               .between(0, 1000),
+               .between(0, 1000)
+               .formerly("--most-failed"),
            option("--unfinished", &options->unfinished,
                   "Participants who did not finish: keep (include their answers) or leave-out")
                .one_of({"keep", "leave-out"})
                .with_default(),
            option("--frozen", &options->frozen,
                   "Archive written by mien study design --freeze: report differences from it"),
-           option("--made", &options->made,
-                  "With --frozen: folder in which the study was made, to compare its media")
+           option("--studies", &options->studies,
+                  "With --frozen: folder of all studies, to compare the media of this one")
+               .formerly("--made")
                .with_default()},
       .notes =
           "Examples:\n"

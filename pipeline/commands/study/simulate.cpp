@@ -114,12 +114,14 @@ std::vector<CommandOption> people_options(SimulateCommand& options) {
           option("--participants", &options.participants,
                  "Number of participants (default: as in the manifest)")
               .between(1, 10000),
-          option("--lean", &options.people.spread.participant,
+          option("--participant-sd", &options.people.spread.participant,
                  "Standard deviation of participants' response bias, in scale points")
+              .formerly("--lean")
               .between(0.0, 1000.0)
               .with_default(),
-          option("--residual", &options.people.spread.residual,
+          option("--residual-sd", &options.people.spread.residual,
                  "Residual standard deviation of an answer, in scale points")
+              .formerly("--residual")
               .between(0.0, 1000.0)
               .with_default(),
           option("--attentive", &options.people.attentive, "Proportion of attention checks passed")

@@ -5,6 +5,7 @@
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/commands/line/program.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
@@ -47,12 +48,14 @@ CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
 Manifest asked_manifest(const std::string& name, const Console& console) {
   Manifest manifest = load_manifest(manifest_meant(name, console), process_environment());
   questionnaire_of(manifest);
+  tell_warnings(manifest.renamed, console);
   return manifest;
 }
 
 Manifest participants_manifest(const std::string& name, const Console& console) {
   Manifest manifest = load_manifest(manifest_meant(name, console), process_environment());
   if (!manifest.matching) questionnaire_of(manifest);
+  tell_warnings(manifest.renamed, console);
   return manifest;
 }
 

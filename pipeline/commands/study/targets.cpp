@@ -110,8 +110,9 @@ Command study_targets_command() {
           option("--practice", &options->sampling.practice, "Practice targets")
               .between(0, 100)
               .with_default(),
-          option("--farthest", &options->sampling.farthest_from_example,
+          option("--max-distance", &options->sampling.max_distance,
                  "Largest distance of a target from its nearest example, in parameter units")
+              .formerly("--farthest")
               .positive()
               .with_default(),
           choice("--unreachable", options->sampling.unreachable,

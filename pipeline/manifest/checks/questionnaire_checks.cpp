@@ -155,21 +155,22 @@ class QuestionnaireCheck {
   }
 
   void check_order() {
-    for (std::size_t i = 0; i < asked_.apart.size(); ++i)
-      check_factor(element_path(at("apart"), i), asked_.apart[i]);
+    for (std::size_t i = 0; i < asked_.no_repeats.size(); ++i)
+      check_factor(element_path(at("no_repeats"), i), asked_.no_repeats[i]);
     const TrialOrder& order = asked_.order;
     if (order.kind == TrialOrder::Kind::blocked) {
       check_factor(member_path(at("order"), "blocked"), order.factor);
-      for (std::size_t i = 0; i < asked_.apart.size(); ++i) {
-        if (asked_.apart[i] == order.factor)
-          list_.add(element_path(at("apart"), i), "blocks contain only one level of this factor",
+      for (std::size_t i = 0; i < asked_.no_repeats.size(); ++i) {
+        if (asked_.no_repeats[i] == order.factor)
+          list_.add(element_path(at("no_repeats"), i),
+                    "blocks contain only one level of this factor",
                     "omit it, or do not block by it");
       }
     }
     const bool is_given =
         order.kind == TrialOrder::Kind::fixed || order.kind == TrialOrder::Kind::latin;
-    if (!asked_.apart.empty() && is_given) {
-      list_.add_at_key(at("apart"), "this order already determines the sequence",
+    if (!asked_.no_repeats.empty() && is_given) {
+      list_.add_at_key(at("no_repeats"), "this order already determines the sequence",
                        "omit it, or use order: full");
     }
   }

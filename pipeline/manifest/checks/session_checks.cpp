@@ -51,7 +51,7 @@ std::vector<Fault> questionnaire_warnings(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
   const int trials = main_trials(manifest);
   const int checks = (trials - 1) / asked.attention_every;  // none comes after the last trial
-  const int failed = asked.analysis.most_failed;
+  const int failed = asked.analysis.max_failed_checks;
   if (checks > failed) return {};
   FaultList list(manifest.places);
   const std::string path = "questionnaire.attention.every";
@@ -61,9 +61,9 @@ std::vector<Fault> questionnaire_warnings(const Manifest& manifest) {
   } else {
     list.add(path,
              fmt::format("attention checks exclude nobody: a session of {} trials has {}, and "
-                         "analysis.most_failed allows {} failures",
+                         "analysis.max_failed_checks allows {} failures",
                          trials, checks, failed),
-             "use a smaller number, or analysis: {most_failed: 0}");
+             "use a smaller number, or analysis: {max_failed_checks: 0}");
   }
   return list.take();
 }

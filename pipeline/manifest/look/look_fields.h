@@ -71,7 +71,7 @@ void fields_of(auto&& field, MaybeConst<scenes::TrailOptions> auto& trail) {
   field("before", trail.before, concerns::picture);
   field("after", trail.after, concerns::picture);
   field("every", trail.every_s, concerns::picture);
-  field("faintest", trail.faintest, concerns::picture);
+  field("min_opacity", trail.min_opacity, concerns::picture);
   field("traces", trail.traces, concerns::picture);
   field("trace_width", trail.trace_width_m, concerns::picture);
   field.inside(trail, concerns::picture | concerns::required, PosesForm());

@@ -148,6 +148,7 @@ Manifest build_manifest(
   Manifest manifest;
   manifest.file = file;
   manifest.places = std::move(reading.places);
+  manifest.renamed = std::move(reading.renamed);
   const auto resolve = [&names, folder = file.parent_path()](const std::string& path) {
     std::filesystem::path resolved = (folder / path).lexically_normal();
     if (names) names(path, resolved);

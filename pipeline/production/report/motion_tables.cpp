@@ -43,7 +43,7 @@ struct MadeClip {
 /// Unset where nothing is known.
 struct ParameterRow {
   std::string name;
-  std::optional<double> asked;
+  std::optional<double> requested;
   std::optional<double> held;
   double reached = 0.0;
   std::optional<motion::ParameterRange> possible = std::nullopt;
@@ -108,7 +108,7 @@ constexpr auto parameters_columns = table_of<ParameterRow>(
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      ratings_column,
      {"parameter", "", "scale, group of scales or motion feature", [](auto& r) { return r.name; }},
-     {"asked", "0–1", "requested value; empty if none", [](auto& r) { return r.asked; }},
+     {"requested", "0–1", "requested value; empty if none", [](auto& r) { return r.requested; }},
      {"held", "0–1", "value at which the parameter is held; empty if it is not held",
       [](auto& r) { return r.held; }},
      {"reached", "0–1",
@@ -193,10 +193,10 @@ std::vector<ParameterRow> parameters_of_stimuli(const Manifest& manifest, Motion
     const Repertoire& repertoire = motions.repertoire();
     for (ParameterRow& row : parameters_of(made, repertoire)) {
       row.stimulus = stimulus.id;
-      row.ratings = row.asked ? ratings_of(&stimulus, motions)
-                              : given_or_simulated(repertoire.parameters.simulated);
-      row.label = row.asked ? label_of(row.name, stimulus, repertoire)
-                            : rating_label(row.name, repertoire.scales);
+      row.ratings = row.requested ? ratings_of(&stimulus, motions)
+                                  : given_or_simulated(repertoire.parameters.simulated);
+      row.label = row.requested ? label_of(row.name, stimulus, repertoire)
+                                : rating_label(row.name, repertoire.scales);
       rows.push_back(std::move(row));
     }
   }

@@ -32,7 +32,7 @@ std::string listed(const NamedValues& values) {
   return text;
 }
 
-std::string asked_of(const Stimulus& stimulus) {
+std::string requested_of(const Stimulus& stimulus) {
   if (stimulus.walk) return described(*stimulus.walk);
   if (!stimulus.clip)
     return listed(stimulus.adjectives) + listed(stimulus.features) + listed(stimulus.weights);
@@ -74,7 +74,7 @@ struct MadeStimulus {
   const fs::path& folder;
   FilmRecord record;
   std::vector<std::string> levels;
-  std::string asked;
+  std::string requested;
   const Synthesis* made = nullptr;  ///< null of an overlay
   std::string ratings = {};
   std::string method = {};
@@ -113,8 +113,8 @@ constexpr auto stimuli_columns = table_of<MadeStimulus>(
      {"source", "",
       "source of the motion: adjectives, features, weights or clip; motions for an overlay",
       [](auto& r) { return r.made ? source_of(r.film) : "motions"; }},
-     {"asked", "", "requested values (name=value), file, or motions of an overlay",
-      [](auto& r) { return r.asked; }},
+     {"requested", "", "requested values (name=value), file, or motions of an overlay",
+      [](auto& r) { return r.requested; }},
      {"ratings", "",
       "ratings on which the motion is based: given (by people), simulated or none (features, "
       "weights, files)",
@@ -197,8 +197,8 @@ std::string stimuli_csv(const Manifest& manifest, Motions& motions, const fs::pa
     std::vector<std::string> levels;
     for (const std::string& factor : factors) levels.push_back(level_of(stimulus, factor));
     rows.push_back({stimulus, folder, film_record(folder, stimulus.id), std::move(levels),
-                    asked_of(stimulus), &motions.of(stimulus.id), ratings_of(&stimulus, motions),
-                    method_of(stimulus)});
+                    requested_of(stimulus), &motions.of(stimulus.id),
+                    ratings_of(&stimulus, motions), method_of(stimulus)});
   }
   for (const Overlay& overlay : manifest.overlays)
     rows.push_back({overlay.film, folder, film_record(folder, overlay.film.id),

@@ -37,7 +37,7 @@ PerceivedParameter perceived(const MadeParameter& made,
 
 /// Sums of squares and products about the means.
 struct Moments {
-  double asked = 0.0;  ///< means
+  double requested = 0.0;  ///< means
   double perceived = 0.0;
   double xx = 0.0;
   double xy = 0.0;
@@ -48,11 +48,11 @@ Moments moments_of(const std::vector<const PerceivedParameter*>& stimuli) {
   Moments m;
   const auto n = static_cast<double>(stimuli.size());
   for (const PerceivedParameter* s : stimuli) {
-    m.asked += s->made.asked / n;
+    m.requested += s->made.requested / n;
     m.perceived += s->perceived / n;
   }
   for (const PerceivedParameter* s : stimuli) {
-    const double x = s->made.asked - m.asked;
+    const double x = s->made.requested - m.requested;
     const double y = s->perceived - m.perceived;
     m.xx += x * x;
     m.xy += x * y;
@@ -70,7 +70,7 @@ Correction correction_of(const std::string& parameter,
   // Shares of a scale; the mean of equal ones may be off by a rounding.
   if (m.xx < 1e-12 * correction.stimuli) return correction;
   correction.slope = m.xy / m.xx;
-  correction.intercept = m.perceived - correction.slope * m.asked;
+  correction.intercept = m.perceived - correction.slope * m.requested;
   const double left = std::max(0.0, m.yy - correction.slope * m.xy);
   if (m.yy > 0.0) correction.r_squared = 1.0 - left / m.yy;
   if (correction.stimuli > 2)
@@ -83,7 +83,7 @@ constexpr auto calibration_columns = table_of<GivenOrSimulated<PerceivedParamete
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.of.made.stimulus; }},
      {"parameter", "", "scale or group of scales", [](auto& r) { return r.of.made.parameter; }},
      whose_ratings_column,
-     {"asked", "0–1", "requested value", [](auto& r) { return r.of.made.asked; }},
+     {"requested", "0–1", "requested value", [](auto& r) { return r.of.made.requested; }},
      {"reached", "0–1", "value of the blended motion", [](auto& r) { return r.of.made.reached; }},
      {"perceived", "0–1", "mean of the participants' ratings",
       [](auto& r) { return r.of.perceived; }},
@@ -96,7 +96,7 @@ constexpr auto calibration_columns = table_of<GivenOrSimulated<PerceivedParamete
       [](auto& r) { return r.of.next; }}});
 
 constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
-    "corrections.csv", "parameter: perceived = intercept + slope · asked",
+    "corrections.csv", "parameter: perceived = intercept + slope · requested",
     {{"parameter", "", "scale or group of scales", [](auto& r) { return r.of.parameter; }},
      whose_ratings_column,
      {"stimuli", "", "number of stimuli to which the line is fitted",
@@ -116,20 +116,23 @@ constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
 
 }  // namespace
 
-std::vector<MadeParameter> read_made_parameters(const fs::path& study) {
+std::vector<MadeParameter> read_made_parameters(const fs::path& study,
+                                                std::vector<Fault>& warnings) {
   if (!fs::exists(study))
     throw Error("there is no study in " + study.string(),
                 "name the folder of a finished study, such as out/my-study");
-  const CsvTable table = read_csv(parameters_file(study));
+  CsvTable table = read_csv(parameters_file(study));
+  if (auto warning = rename_column(table, "asked", "requested"))
+    warnings.push_back(*std::move(warning));
   const auto column = [&](const char* name) {
     return static_cast<std::size_t>(require_column(table, name));
   };
-  const std::size_t asked = column("asked");
+  const std::size_t requested = column("requested");
   std::vector<MadeParameter> made;
   for (const auto& row : table.rows) {
-    if (row[asked].text.empty()) continue;
+    if (row[requested].text.empty()) continue;
     made.push_back({row[column("stimulus")].text, row[column("parameter")].text,
-                    number_in(table, row[asked]), number_in(table, row[column("reached")])});
+                    number_in(table, row[requested]), number_in(table, row[column("reached")])});
   }
   if (made.empty())
     throw Error(fmt::format("{}: no stimulus has requested parameters", table.file),
@@ -177,7 +180,7 @@ Calibration calibrate(const std::vector<MadeParameter>& made, const Answers& ans
     const auto correction =
         std::ranges::find(calibration.corrections, seen.made.parameter, &Correction::parameter);
     if (correction->is_usable())
-      seen.next = std::clamp(correction->ask_for(seen.made.asked), 0.0, 1.0);
+      seen.next = std::clamp(correction->ask_for(seen.made.requested), 0.0, 1.0);
   }
   return calibration;
 }

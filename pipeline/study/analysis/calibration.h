@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/table.h"
 #include "pipeline/base/drawing/plot.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
@@ -21,13 +22,14 @@ namespace mien::pipeline {
 struct MadeParameter {
   std::string stimulus;
   std::string parameter;
-  double asked = 0.0;    ///< 0 low end, 1 high end
-  double reached = 0.0;  ///< by the blend
+  double requested = 0.0;  ///< 0 low end, 1 high end
+  double reached = 0.0;    ///< by the blend
 };
 
 /// What was asked for in a study, from its metrics/parameters.csv, or from that file in the study's
-/// folder. Throws Error.
-std::vector<MadeParameter> read_made_parameters(const std::filesystem::path& study);
+/// folder. Warns of columns with former names. Throws Error.
+std::vector<MadeParameter> read_made_parameters(const std::filesystem::path& study,
+                                                std::vector<Fault>& warnings);
 
 /// The study's other stimuli, of which nothing was asked.
 std::set<std::string> other_stimuli(const std::filesystem::path& study,
@@ -46,7 +48,7 @@ struct PerceivedParameter {
   std::optional<double> next;
 };
 
-/// perceived = intercept + slope · asked, by least squares over the stimuli of a parameter.
+/// perceived = intercept + slope · requested, by least squares over the stimuli of a parameter.
 struct Correction {
   std::string parameter;
   int stimuli = 0;
@@ -78,7 +80,7 @@ WrittenTable calibration_table(const Calibration& calibration);
 WrittenTable corrections_table(const Calibration& calibration);
 
 /// A panel a parameter: what people saw (with the standard deviation) over what was asked for, what
-/// the blend has, the line of the correction, and the diagonal on which asked is seen.
+/// the blend has, the line of the correction, and the diagonal on which what was requested is seen.
 Plot calibration_chart(const Calibration& calibration);
 
 }  // namespace mien::pipeline

@@ -22,8 +22,9 @@ constexpr Colour blend_colour = from_hex(0x8a8f98);
 struct Square {
   Box plot;
 
-  Point at(double asked, double seen) const {
-    return {plot.x + plot.width * asked, plot.bottom() - plot.height * std::clamp(seen, 0.0, 1.0)};
+  Point at(double requested, double seen) const {
+    return {plot.x + plot.width * requested,
+            plot.bottom() - plot.height * std::clamp(seen, 0.0, 1.0)};
   }
 };
 
@@ -56,7 +57,9 @@ void draw_correction(Canvas& canvas, const Square& square, const Correction& cor
   if (!correction.is_usable()) return;
   const double from = std::clamp(correction.ask_for(0.0), 0.0, 1.0);
   const double to = std::clamp(correction.ask_for(1.0), 0.0, 1.0);
-  const auto seen = [&](double asked) { return correction.intercept + correction.slope * asked; };
+  const auto seen = [&](double requested) {
+    return correction.intercept + correction.slope * requested;
+  };
   canvas.line(square.at(from, seen(from)), square.at(to, seen(to)),
               {.width = 1.6, .colour = seen_colour});
   canvas.text({square.plot.x, square.plot.bottom() + 25.0},
@@ -66,13 +69,13 @@ void draw_correction(Canvas& canvas, const Square& square, const Correction& cor
 }
 
 void draw_stimulus(Canvas& canvas, const Square& square, const PerceivedParameter& seen) {
-  const double asked = seen.made.asked;
+  const double requested = seen.made.requested;
   if (!std::isnan(seen.deviation))
-    canvas.line(square.at(asked, seen.perceived - seen.deviation),
-                square.at(asked, seen.perceived + seen.deviation),
+    canvas.line(square.at(requested, seen.perceived - seen.deviation),
+                square.at(requested, seen.perceived + seen.deviation),
                 {.width = 0.8, .colour = seen_colour});
-  canvas.ring(square.at(asked, seen.made.reached), 3.0, {.width = 1.2, .colour = blend_colour});
-  canvas.disc(square.at(asked, seen.perceived), 2.6, seen_colour);
+  canvas.ring(square.at(requested, seen.made.reached), 3.0, {.width = 1.2, .colour = blend_colour});
+  canvas.disc(square.at(requested, seen.perceived), 2.6, seen_colour);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace mien::pipeline {
 namespace {
 
 /// What the sliders are set to, and a motion that has it.
-struct TrialWish {
-  Eigen::RowVectorXd settings;
+struct TriedSetting {
+  Eigen::RowVectorXd values;
   motion::Example motion;
 };
 
@@ -42,13 +42,13 @@ struct Trial {
   }
 };
 
-void add_errors(const Trial& trial, const std::vector<TrialWish>& wishes, MethodTrial& result) {
-  const auto count = static_cast<double>(wishes.size());
+void add_errors(const Trial& trial, const std::vector<TriedSetting>& tried, MethodTrial& result) {
+  const auto count = static_cast<double>(tried.size());
   const auto begun = std::chrono::steady_clock::now();
-  for (const TrialWish& wish : wishes) {
-    const Eigen::VectorXd weights = trial.weights(wish.settings);
+  for (const TriedSetting& setting : tried) {
+    const Eigen::VectorXd weights = trial.weights(setting.values);
     const double error =
-        (weights.transpose() * trial.places - wish.settings).lpNorm<Eigen::Infinity>();
+        (weights.transpose() * trial.places - setting.values).lpNorm<Eigen::Infinity>();
     result.mean_error += error / count;
     result.worst_error = std::max(result.worst_error, error);
     result.mean_examples += motion::effective_examples(weights) / count;
@@ -57,14 +57,14 @@ void add_errors(const Trial& trial, const std::vector<TrialWish>& wishes, Method
   result.seconds = spent.count() / count;
 }
 
-double largest_jump(const Trial& trial, const std::vector<TrialWish>& wishes, int steps) {
+double largest_jump(const Trial& trial, const std::vector<TriedSetting>& tried, int steps) {
   double largest = 0.0;
-  for (std::size_t i = 0; i + 1 < wishes.size(); ++i) {
-    Eigen::VectorXd last = trial.weights(wishes[i].settings);
+  for (std::size_t i = 0; i + 1 < tried.size(); ++i) {
+    Eigen::VectorXd last = trial.weights(tried[i].values);
     for (int step = 1; step <= steps; ++step) {
       const double share = static_cast<double>(step) / steps;
       const Eigen::VectorXd now =
-          trial.weights((1.0 - share) * wishes[i].settings + share * wishes[i + 1].settings);
+          trial.weights((1.0 - share) * tried[i].values + share * tried[i + 1].values);
       largest = std::max(largest, (now - last).lpNorm<Eigen::Infinity>());
       last = now;
     }
@@ -75,8 +75,9 @@ double largest_jump(const Trial& trial, const std::vector<TrialWish>& wishes, in
 constexpr auto method_columns = table_of<GivenOrSimulated<MethodTrial>>(
     "methods.csv", "method of interpolation",
     {{"method", "", "the method", [](auto& r) { return motion::name_of(r.of.method); }},
-     {"wishes", "", "number of slider settings tried", [](auto& r) { return r.of.wishes; }},
-     {"mean_error", "0–1", "mean over the settings of the largest |reached − asked| of a parameter",
+     {"settings", "", "number of slider settings tried", [](auto& r) { return r.of.settings; }},
+     {"mean_error", "0–1",
+      "mean over the settings of the largest |reached − requested| of a parameter",
       [](auto& r) { return shortest_measured(r.of.mean_error); }},
      {"worst_error", "0–1", "largest of these errors",
       [](auto& r) { return shortest_measured(r.of.worst_error); }},
@@ -99,10 +100,10 @@ std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
   const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
   const motion::BlendOptions as_blends{.rotations = interpolation.rotations,
                                        .warp = interpolation.time_warp};
-  std::vector<TrialWish> wishes;
-  for (int draw = 0; draw < options.wishes; ++draw) {
+  std::vector<TriedSetting> tried;
+  for (int draw = 0; draw < options.settings; ++draw) {
     const Eigen::VectorXd weights = drawn_blend(options.seed, draw, places.rows());
-    wishes.push_back({weights.transpose() * places, motion::blend(examples, weights, as_blends)});
+    tried.push_back({weights.transpose() * places, motion::blend(examples, weights, as_blends)});
   }
   std::vector<MethodTrial> results;
   for (const motion::InterpolationMethod method : methods) {
@@ -111,12 +112,12 @@ std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
     const FittedInterface sliders =
         fit_interface({InterfaceKind::adjectives, parameters}, how, repertoire);
     const Trial trial{sliders, places};
-    MethodTrial result{.method = method, .wishes = options.wishes};
-    add_errors(trial, wishes, result);
-    result.jump = largest_jump(trial, wishes, options.steps);
-    for (const TrialWish& wish : wishes) {
-      const motion::Example made = motion_of(sliders, wish.settings, how, repertoire);
-      result.mean_distance += motion::distance(wish.motion, made).mean / options.wishes;
+    MethodTrial result{.method = method, .settings = options.settings};
+    add_errors(trial, tried, result);
+    result.jump = largest_jump(trial, tried, options.steps);
+    for (const TriedSetting& setting : tried) {
+      const motion::Example made = motion_of(sliders, setting.values, how, repertoire);
+      result.mean_distance += motion::distance(setting.motion, made).mean / options.settings;
     }
     results.push_back(result);
   }

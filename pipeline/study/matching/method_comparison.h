@@ -11,27 +11,27 @@
 namespace mien::pipeline {
 
 struct MethodTrialOptions {
-  int wishes = 50;  ///< settings of the sliders that are tried
-  int steps = 100;  ///< of the way from each wish to the next
+  int settings = 50;  ///< of the sliders: how many are tried
+  int steps = 100;    ///< of the way from each setting to the next
   std::uint64_t seed = 0;
 };
 
-/// What a method of interpolation does with wishes that the examples allow: the measures of Feng,
+/// What a method of interpolation does with settings that the examples allow: the measures of Feng,
 /// Huang, Kallmann and Shapiro (2012), and D.
 struct MethodTrial {
   motion::InterpolationMethod method = motion::InterpolationMethod::reach;
-  int wishes = 0;
-  double mean_error = 0.0;   ///< |reached − asked|, of the parameter that is missed most
-  double worst_error = 0.0;  ///< likewise, the largest over all wishes
-  double jump = 0.0;  ///< largest change of one weight in one step of the ways between wishes
+  int settings = 0;
+  double mean_error = 0.0;   ///< |reached − requested|, of the parameter that is missed most
+  double worst_error = 0.0;  ///< likewise, the largest over all settings
+  double jump = 0.0;  ///< largest change of one weight in one step of the ways between settings
   double mean_examples = 0.0;  ///< effective number of examples mixed, 1 / Σ w²
   double mean_distance = 0.0;  ///< D to the motion that has what is asked for, metres
-  double seconds = 0.0;        ///< to find the weights, one wish; of this machine
+  double seconds = 0.0;        ///< to find the weights of one setting; of this machine
 };
 
-/// Tries every method with sliders for `parameters` (rows of the ratings). Wishes are what random
-/// blends of three examples have, so that each can be met; D is measured to that blend. Throws
-/// Error when a method cannot take so many parameters.
+/// Tries every method with sliders for `parameters` (rows of the ratings). Settings are what
+/// random blends of three examples have, so that each can be met; D is measured to that blend.
+/// Throws Error when a method cannot take so many parameters.
 std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
                                          const std::vector<std::string>& parameters,
                                          const std::vector<motion::InterpolationMethod>& methods,

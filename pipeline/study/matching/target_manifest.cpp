@@ -49,7 +49,7 @@ constexpr auto targets_columns = table_of<TargetParameter>(
       [](auto& r) { return r.target.practice ? "practice" : "target"; }},
      {"parameter", "", "adjective or motion feature",
       [](auto& r) { return r.set.parameters[r.parameter]; }},
-     {"asked", "0–1", "where it was sampled", [](auto& r) { return r.at(r.target.place); }},
+     {"requested", "0–1", "where it was sampled", [](auto& r) { return r.at(r.target.place); }},
      {"reached", "0–1", "what the blend has", [](auto& r) { return r.at(r.target.reached); }},
      {"source", "", "adjectives or features",
       [](auto& r) { return r.set.are_features ? "features" : "adjectives"; }},

@@ -57,7 +57,7 @@ class TargetPool {
   bool is_near(SampledTarget& target) const {
     const Eigen::VectorXd distances = (examples_.rowwise() - target.place).rowwise().norm();
     target.distance = distances.minCoeff(&target.nearest_example);
-    return target.distance <= options_.farthest_from_example;
+    return target.distance <= options_.max_distance;
   }
 
   /// Whether the target can be made; it is moved to where it can when that is wanted.
@@ -116,7 +116,7 @@ std::vector<SampledTarget> sample_targets(const ParameterTable& table,
   const auto wanted = static_cast<std::size_t>(options.targets + options.practice);
   if (pool.size() < wanted)
     throw Error(fmt::format("only {} of {} random samples are within {:g} of an example{}",
-                            pool.size(), most_draws, options.farthest_from_example,
+                            pool.size(), most_draws, options.max_distance,
                             options.unreachable == Unreachable::reject
                                 ? " and can be made by a blend of the examples"
                                 : ""),

@@ -37,14 +37,14 @@ enum class TargetSpread {
 struct TargetOptions {
   int targets = 5;
   int practice = 3;
-  double farthest_from_example = 0.35;  ///< beyond it there is nothing to blend
+  double max_distance = 0.35;  ///< beyond it there is nothing to blend
   Unreachable unreachable = Unreachable::reject;
   TargetSpread spread = TargetSpread::parameters;
   std::uint64_t seed = 0;
 };
 
 /// Targets for a matching experiment, after the second study of the adjective paper: places drawn
-/// evenly from [0, 1]^M (to a thousandth), those farther than `farthest_from_example` (Euclidean)
+/// evenly from [0, 1]^M (to a thousandth), those farther than `max_distance` (Euclidean)
 /// from every example rejected, those that no blend has rejected or moved, and of the 400 that
 /// remain the chosen number spread by farthest points (Gonzalez 1985), the first being the one
 /// farthest from their mean. Practice targets are further draws that were not chosen, in the order

@@ -90,7 +90,7 @@ std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>
       {"analysis",
        {{"alpha", analysis.alpha},
         {"correction", word_of(correction_words, analysis.correction)},
-        {"most_failed", analysis.most_failed}}}};
+        {"most_failed", analysis.max_failed_checks}}}};
   return design.dump(2) + "\n";
 }
 

@@ -89,9 +89,10 @@ class MainPart {
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw Error(
-        place_of(manifest_.places, "questionnaire.apart"),
-        fmt::format("questionnaire.apart: no order of {} separates stimuli with the same {} ({})",
-                    participant_name(index_), fmt::join(asked_.apart, " or "), why),
+        place_of(manifest_.places, "questionnaire.no_repeats"),
+        fmt::format(
+            "questionnaire.no_repeats: no order of {} separates stimuli with the same {} ({})",
+            participant_name(index_), fmt::join(asked_.no_repeats, " or "), why),
         "use fewer factors, or other stimuli");
   }
 

@@ -31,7 +31,7 @@ inline constexpr double usual_video_seconds = 4.0;
 /// function of (manifest, its index): more participants change none of the earlier plans. The
 /// manifest must have a questionnaire without faults.
 ///
-/// Throws Error when no order keeps the factors of `apart` apart.
+/// Throws Error when no order keeps the factors of `no_repeats` apart.
 std::vector<SessionPlan> plan_sessions(const Manifest& manifest, const VideoSeconds& seconds = {},
                                        int count = 0);
 

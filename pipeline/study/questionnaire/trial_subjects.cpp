@@ -22,7 +22,7 @@ std::string level_of_all(const Manifest& manifest, const std::vector<std::string
 }
 
 /// Kinds of subjects of which each participant should see as many as any other: levels of the
-/// factors of order and `apart`.
+/// factors of order and `no_repeats`.
 std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
   std::map<std::string, std::size_t> numbers;
   std::vector<std::vector<std::size_t>> kinds(subjects.size());
@@ -44,10 +44,10 @@ std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
 TrialSubjects trial_subjects(const Manifest& manifest) {
   const Questionnaire& asked = questionnaire_of(manifest);
   TrialSubjects subjects{.stimuli = asked_subjects(manifest)};
-  subjects.likeness.factors = asked.apart;
+  subjects.likeness.factors = asked.no_repeats;
   for (const std::vector<std::string>& stimuli : subjects.stimuli) {
     std::vector<std::string> levels;
-    for (const std::string& factor : asked.apart)
+    for (const std::string& factor : asked.no_repeats)
       levels.push_back(level_of_all(manifest, stimuli, factor));
     subjects.likeness.levels.push_back(std::move(levels));
     const std::string& factor = asked.order.factor;

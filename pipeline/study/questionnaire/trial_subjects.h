@@ -12,7 +12,7 @@ namespace mien::pipeline {
 /// a pair.
 struct TrialSubjects {
   std::vector<std::vector<std::string>> stimuli;  ///< one or two ids
-  Likeness likeness;                              ///< in the factors of `apart`
+  Likeness likeness;                              ///< in the factors of `no_repeats`
   std::vector<std::string> blocks;  ///< level of the blocking factor of each; else "main"
 
   std::size_t size() const { return stimuli.size(); }

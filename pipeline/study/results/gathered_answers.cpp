@@ -252,7 +252,8 @@ Gathered gather(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.scales = asked_scales(manifest).scales;
   result.choices = asked_choices(manifest);
   result.points = asked.answer.slider ? 11 : asked.answer.points;
-  result.rule.most_failed = choices.most_failed.value_or(asked.analysis.most_failed);
+  result.rule.max_failed_checks =
+      choices.max_failed_checks.value_or(asked.analysis.max_failed_checks);
   result.correction = choices.correction.value_or(asked.analysis.correction);
   result.alpha = asked.analysis.alpha;
   result.notes = tell_people_apart(rows);

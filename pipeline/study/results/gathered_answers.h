@@ -64,7 +64,7 @@ struct Remark {
 /// How the answers are looked at, where that is not as the manifest says.
 struct ReportChoices {
   std::optional<TestCorrection> correction;
-  std::optional<int> most_failed;
+  std::optional<int> max_failed_checks;
   std::map<std::uint64_t, int> planned;  ///< trials of a session, by the seed of its order
   std::set<std::string> finished;        ///< participants whose tables say that they were done
   bool without_unfinished = false;       ///< who did not finish is left out

@@ -30,12 +30,15 @@ struct Market {
         .name = "sell",
         .summary = "Sell fruits",
         .options = {argument("place", &place, "Where"),
-                    option("--count,-c", &count, "How many").between(1, 9).with_default(),
+                    option("--count,-c", &count, "How many")
+                        .between(1, 9)
+                        .with_default()
+                        .formerly("--amount"),
                     option("--weight", &weight, "Of one").positive().needs("--count"),
-                    option("--names", &names, "Names").with_commas(),
+                    option("--names", &names, "Names").with_commas().formerly("--titles"),
                     choice("--fruit", fruit, fruits, "Which"),
                     choice("--basket", basket, fruits, "Several"), share_option,
-                    flag("--open", &is_open, "Now").excludes("--names")},
+                    flag("--open", &is_open, "Now").excludes("--names").formerly("--ajar")},
         .notes = "Example:\n  mien sell here",
         .run = [this](const Console&) { return ++runs, exit_done; }};
     const Command close = {.name = "close", .run = [](const Console&) { return exit_failed; }};
@@ -105,6 +108,62 @@ TEST(CommandValues, TakeWordsThatAreNamesOfOtherCommandsToo) {
   const auto [code, told] = ended(market, {"sell", "close"});
   EXPECT_EQ(code, exit_done) << told;
   EXPECT_EQ(market.place, "close");
+}
+
+TEST(FormerNames, AreUnderstoodWithAWarning) {
+  Market market;
+  const auto [code, told] = ended(market, {"sell", "--titles", "a,b", "--amount=7", "here",
+                                           "--weight", "0.25", "--titles", "c"});
+  EXPECT_EQ(code, exit_done);
+  EXPECT_EQ(market.count, 7);
+  EXPECT_EQ(market.weight, 0.25);  // which needs --count
+  EXPECT_EQ(market.place, "here");
+  EXPECT_EQ(market.names, (std::vector<std::string>{"a", "b", "c"}));
+  EXPECT_EQ(told,
+            "warning: --amount is now called --count\nwarning: --titles is now called --names\n");
+
+  Market shut;
+  EXPECT_EQ(ended(shut, {"sell", "here", "--ajar"}),
+            std::pair(exit_done, std::string("warning: --ajar is now called --open\n")));
+  EXPECT_TRUE(shut.is_open);
+}
+
+TEST(FormerNames, AreRefusedBesideTheNewOnesAndWithTheirFaults) {
+  const std::pair<std::vector<const char*>, std::string> cases[] = {
+      {{"sell", "a", "--amount", "3", "--count", "4"},
+       "mien sell: --amount: now called --count, which is given too; omit it; see mien sell"},
+      {{"sell", "a", "--count", "4", "--amount", "3"}, "--amount: now called --count"},
+      {{"sell", "a", "--amount", "10"}, "--count: 10 is not a whole number from 1 to 9;"},
+      {{"sell", "a", "--titles", "b", "--open"}, "excludes"},
+      {{"sell", "a", "--amount"}, "mien sell: value missing; see mien sell --help"},
+      {{"sell", "a", "--amoun", "1"}, "unknown option --amoun; "}};
+  for (const auto& [words, fault] : cases) {
+    Market market;
+    const auto [code, told] = ended(market, words);
+    EXPECT_EQ(code, exit_bad_input) << fault;
+    EXPECT_NE(told.find(fault), std::string::npos) << told;
+    EXPECT_EQ(told.find("did you mean --amount"), std::string::npos) << told;
+    EXPECT_EQ(market.runs, 0);
+  }
+}
+
+TEST(FormerNames, AreRequiredNoMoreThanTheNewOnes) {
+  std::string reason;
+  const Command program = {
+      .name = "mien",
+      .options = {option("--reason", &reason, "Why").required().formerly("--why")},
+      .run = [](const Console&) { return exit_done; }};
+  std::ostringstream out;
+  const char* const words[] = {"mien", "--why", "agreed"};
+  EXPECT_EQ(run_command_line(program, 3, words, {out, out, false, {}}), exit_done) << out.str();
+  EXPECT_EQ(reason, "agreed");
+}
+
+TEST(FormerNames, AreNotInHelp) {
+  Market market;
+  const std::string help = ended(market, {"sell", "--help"}).second;
+  for (const char* former : {"--amount", "--titles", "--ajar"})
+    EXPECT_EQ(help.find(former), std::string::npos) << help;
 }
 
 TEST(CommandValues, AreWhatHelpTells) {

@@ -18,6 +18,7 @@ class SchemaWalk {
     const std::string inside = path.empty() ? "" : path + ".";
     const json properties = node.value("properties", json::object());
     for (const auto& [key, property] : properties.items()) {
+      if (property.contains("x-now")) continue;
       found_.emplace(inside + key, followed(property));
       walk(property, inside + key);
     }

@@ -28,7 +28,7 @@ TEST(TrailFigure, LeavesPosesBehindAndShowsThemAllAtTheEnd) {
     EXPECT_EQ(all[i].frame - all[i - 1].frame, 10);
     EXPECT_GT(all[i].opacity, all[i - 1].opacity);
   }
-  EXPECT_NEAR(all.front().opacity, options.faintest, 1e-6);
+  EXPECT_NEAR(all.front().opacity, options.min_opacity, 1e-6);
 }
 
 TEST(TrailFigure, OnionSkinEndsWithTheClip) {

@@ -157,17 +157,17 @@ std::vector<Attention> attention_of(const std::vector<AnswerRow>& rows, const At
     ++own.checks;
     own.passed += *row.passed ? 1 : 0;
   }
-  for (Attention& own : all) own.is_excluded = own.checks - own.passed > rule.most_failed;
+  for (Attention& own : all) own.is_excluded = own.checks - own.passed > rule.max_failed_checks;
   return all;
 }
 
 std::string to_sentence(const AttentionRule& rule) {
-  if (rule.most_failed == 0)
+  if (rule.max_failed_checks == 0)
     return "Participants who failed any attention check were excluded with all of their answers.";
   return fmt::format(
       "Participants who failed more than {} attention check{} were excluded with all of their "
       "answers.",
-      rule.most_failed, rule.most_failed == 1 ? "" : "s");
+      rule.max_failed_checks, rule.max_failed_checks == 1 ? "" : "s");
 }
 
 }  // namespace mien::pipeline

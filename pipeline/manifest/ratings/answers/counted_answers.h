@@ -34,7 +34,8 @@ std::vector<Fault> contradicted_values(const std::vector<AnswerRow>& rows, const
 
 /// Whose answers are left out for want of attention.
 struct AttentionRule {
-  int most_failed = 1;  ///< who fails more checks is left out: one may be missed by an oversight
+  int max_failed_checks =
+      1;  ///< who fails more checks is left out: one may be missed by an oversight
 };
 
 /// A participant's attention checks: how many there were and how many were passed.

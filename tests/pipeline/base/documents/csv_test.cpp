@@ -124,6 +124,21 @@ TEST(Csv, ListsTheColumnsThereAre) {
   }
 }
 
+TEST(Csv, GivesColumnsTheirPresentNames) {
+  CsvTable old = parse_csv("a,asked\n1,2\n", "t.csv");
+  const std::optional<Fault> warning = rename_column(old, "asked", "requested");
+  ASSERT_TRUE(warning);
+  EXPECT_EQ(to_string(*warning), "t.csv:1:3: asked: now called requested; rename the column");
+  EXPECT_EQ(require_column(old, "requested"), 1);
+  EXPECT_FALSE(rename_column(old, "asked", "requested"));
+
+  CsvTable both = parse_csv("asked,requested\n1,2\n", "t.csv");
+  EXPECT_FALSE(rename_column(both, "asked", "requested"));
+  EXPECT_EQ(require_column(both, "requested"), 1);
+  CsvTable neither = parse_csv("a\n1\n", "t.csv");
+  EXPECT_FALSE(rename_column(neither, "asked", "requested"));
+}
+
 TEST(Csv, ReadsBackWhateverItWrites) {
   std::mt19937 random(5);
   const std::string letters = "ab ,\"\n\r;速";

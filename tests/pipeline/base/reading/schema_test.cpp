@@ -1,6 +1,7 @@
 #include "pipeline/base/reading/schema.h"
 
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 
@@ -55,6 +56,24 @@ TEST(Schema, TellsEditorsWhatEveryPropertyMeans) {
     });
     EXPECT_GT(count, 8);
   }
+}
+
+TEST(Schema, ItsFormerNamesStandBesideTheNewOnes) {
+  int count = 0;
+  const std::function<void(const json&)> look = [&](const json& node) {
+    for (const auto& [key, child] : node.items()) {
+      if (child.is_structured()) look(child);
+      if (key != "properties") continue;
+      for (const auto& [name, property] : child.items()) {
+        if (!property.contains("x-now")) continue;
+        ++count;
+        EXPECT_TRUE(child.contains(property["x-now"].get<std::string>())) << name;
+        EXPECT_EQ(property.value("deprecated", false), true) << name;  // as editors show it
+      }
+    }
+  };
+  look(manifest_schema());
+  EXPECT_GT(count, 0);
 }
 
 TEST(Schema, ItsDefaultsAndExamplesAreValid) {

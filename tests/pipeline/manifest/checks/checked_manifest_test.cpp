@@ -9,6 +9,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/document_checks.h"
+#include "pipeline/temporary_folder.h"
 
 #include "real_data.h"
 
@@ -40,12 +41,30 @@ TEST(ShippedManifests, HaveNoFaults) {
     const std::string text = read_file(file);
     if (kind_of_document(text, file.filename().string()) != DocumentKind::manifest) continue;
     if (names_recordings(text) && !data) continue;
-    for (const Fault& fault : check_manifest(file, environment).faults)
-      ADD_FAILURE() << to_string(fault);
+    const ManifestReading reading = check_manifest(file, environment);
+    for (const Fault& fault : reading.faults) ADD_FAILURE() << to_string(fault);
+    for (const Fault& warning : reading.manifest.renamed) ADD_FAILURE() << to_string(warning);
     ++checked;
   }
   EXPECT_GE(checked, 5);
   if (!data) GTEST_SKIP() << "the real motion capture is not here; manifests on it were excluded";
+}
+
+TEST(CheckedManifest, IsReadFromTheRecordOfAStudyMadeWithFormerNames) {
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "provenance.json",
+             R"({"mien": "0.2.0", "manifest": {"as_run": "as_run.yaml", "copy": "as_run.yaml"}})");
+  write_file(folder.path() / "as_run.yaml", R"(mien: 1
+study: s
+examples: {set: builtin:walks-10}
+look: {figure: {trail: {before: 2, faintest: 0.3}}}
+stimuli: [{id: a, weights: {sad: 1}}]
+)");
+  const ManifestReading reading =
+      check_manifest(folder.path() / "provenance.json", process_environment());
+  for (const Fault& fault : reading.faults) ADD_FAILURE() << to_string(fault);
+  EXPECT_EQ(reading.manifest.renamed.size(), 1u);
+  EXPECT_EQ(std::get<scenes::TrailOptions>(reading.manifest.look.figure).min_opacity, 0.3);
 }
 
 }  // namespace

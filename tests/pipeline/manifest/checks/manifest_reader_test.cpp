@@ -49,6 +49,42 @@ class ManifestReaderTest : public testing::Test {
   test::TemporaryFolder folder;
 };
 
+const std::string asked =
+    "stimuli: [{id: a, weights: {sad: 1}, factors: {actor: k}}, "
+    "{id: b, weights: {normal: 1}, factors: {actor: l}}]\n"
+    "questionnaire: {participants: 4, scales: all, ";
+
+TEST_F(ManifestReaderTest, UnderstandsFormerNamesOfKeysAndWarns) {
+  const ManifestReading reading =
+      parse(head + "look: {figure: {trail: {before: 2, faintest: 0.3}}}\n" + asked +
+            "apart: [actor], analysis: {most_failed: 3}}\n");
+  EXPECT_EQ(told(reading.faults), "");
+  EXPECT_EQ(told(reading.manifest.renamed),
+            "m.yaml:4:36: look.figure.trail.faintest: now called min_opacity; rename it\n"
+            "m.yaml:6:47: questionnaire.apart: now called no_repeats; rename it\n"
+            "m.yaml:6:74: questionnaire.analysis.most_failed: now called max_failed_checks; "
+            "rename it\n");
+  EXPECT_EQ(std::get<scenes::TrailOptions>(reading.manifest.look.figure).min_opacity, 0.3);
+  EXPECT_EQ(reading.manifest.questionnaire->no_repeats, std::vector<std::string>{"actor"});
+  EXPECT_EQ(reading.manifest.questionnaire->analysis.max_failed_checks, 3);
+}
+
+TEST_F(ManifestReaderTest, RefusesAFormerNameBesideTheNewOne) {
+  EXPECT_EQ(faults_after_head(asked + "apart: [actor], no_repeats: [actor]}\n"),
+            "m.yaml:5:47: questionnaire.apart: now called no_repeats, which is given too; "
+            "remove it\n");
+}
+
+TEST_F(ManifestReaderTest, ChecksValuesOfFormerNamesAndProposesTheNewOnes) {
+  EXPECT_TRUE(
+      faults_after_head(asked + "apart: [mood]}\n")
+          .starts_with("m.yaml:5:55: questionnaire.no_repeats[0]: unknown factor \"mood\""));
+  EXPECT_EQ(faults_after_head("look: {figure: {trail: {faintes: 0.3}}}\nstimuli: [{id: a, "
+                              "weights: {sad: 1}}]\n")
+                .find("did you mean \"faintest\""),
+            std::string::npos);
+}
+
 TEST_F(ManifestReaderTest, ReadsEveryKindOfValue) {
   const ManifestReading reading = parse(R"(mien: 1
 study: all

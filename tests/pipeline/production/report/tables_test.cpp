@@ -138,17 +138,17 @@ TEST_F(Tables, ParametersAreThoseAskedForAndThenAllOthers) {
   const ParameterTable& values = motions.repertoire().parameters;
   const Eigen::VectorXd& weights = motions.of("target").weights;
   for (std::size_t r = 2; r < 45; ++r) {
-    EXPECT_EQ(text(parameters, r, "asked"), "");
+    EXPECT_EQ(text(parameters, r, "requested"), "");
     const int row = values.find(text(parameters, r, "parameter"));
     ASSERT_GE(row, 0);
     EXPECT_NEAR(number(parameters, r, "reached"), values.values.row(row).dot(weights), 1e-12);
   }
   EXPECT_EQ(text(parameters, 45, "stimulus"), "mix, quoted");
-  EXPECT_EQ(text(parameters, 45, "asked"), "");
+  EXPECT_EQ(text(parameters, 45, "requested"), "");
   EXPECT_EQ(text(parameters, 0, "parameter"), "quickness");
-  EXPECT_EQ(number(parameters, 0, "asked"), 0.6);
+  EXPECT_EQ(number(parameters, 0, "requested"), 0.6);
   EXPECT_EQ(text(parameters, 1, "parameter"), "largeness");
-  EXPECT_EQ(number(parameters, 1, "asked"), 0.5);
+  EXPECT_EQ(number(parameters, 1, "requested"), 0.5);
 }
 
 TEST_F(Tables, ImpressionsAreThoseOfEveryExampleOnEveryScale) {

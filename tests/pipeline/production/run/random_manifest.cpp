@@ -107,6 +107,7 @@ class Generator {
     const json required = node.value("required", json::array());
     const json properties = node.value("properties", json::object());
     for (const auto& [key, property] : properties.items()) {
+      if (property.contains("x-now")) continue;  // a former name
       const bool is_required =
           std::find(required.begin(), required.end(), json(key)) != required.end();
       if (is_required || chance(depth == 0 ? 0.35 : 0.25)) map[key] = value(property, depth + 1);

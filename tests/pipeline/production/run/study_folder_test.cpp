@@ -153,7 +153,7 @@ TEST_F(StudyFolder, HasATableOfStimuliThatAllOthersJoin) {
   EXPECT_EQ(cell(stimuli, 1, "factor_actor"), "");
   EXPECT_EQ(cell(stimuli, 1, "factor_example"), "sad");
   EXPECT_EQ(cell(stimuli, 2, "factor_emotion"), "heavy");
-  EXPECT_EQ(cell(stimuli, 0, "asked"), "slow-fast=0.6");
+  EXPECT_EQ(cell(stimuli, 0, "requested"), "slow-fast=0.6");
   EXPECT_EQ(cell(stimuli, 2, "figure_options"), R"({"sex":0.2})");
   EXPECT_EQ(cell(stimuli, 1, "scene"), "my.set.yaml");
   EXPECT_EQ(cell(stimuli, 2, "modified"), "heavy × 0.5");

@@ -34,7 +34,7 @@ Answers answers_by(const std::vector<MadeParameter>& made, int people, double er
     for (const MadeParameter& parameter : made) {
       const std::string person = "p" + std::to_string(p);
       const double share =
-          seen(parameter.asked) + error * normal(3, person + " " + parameter.stimulus);
+          seen(parameter.requested) + error * normal(3, person + " " + parameter.stimulus);
       answers.answers.push_back({person, parameter.stimulus, "slow-fast", 4.0 * share - 2.0});
     }
   }
@@ -58,7 +58,7 @@ TEST(Calibration, CorrectsTheNextRound) {
   const Calibration calibration = calibrate(made, answers_by(made, 4, 0.0, seen), pairs());
   for (const PerceivedParameter& stimulus : calibration.stimuli) {
     ASSERT_TRUE(stimulus.next);
-    const double wanted = stimulus.made.asked;
+    const double wanted = stimulus.made.requested;
     if (wanted > 0.1 && wanted < 0.8) {
       EXPECT_NEAR(seen(*stimulus.next), wanted, 1e-9);
     }
@@ -76,7 +76,7 @@ TEST(Calibration, TellsHowSureTheSlopeIs) {
     for (const MadeParameter& parameter : made) {
       const double error = 0.05 * normal(9, "study " + std::to_string(study) + parameter.stimulus);
       answers.answers.push_back(
-          {"p", parameter.stimulus, "slow-fast", 4.0 * (parameter.asked + error) - 2.0});
+          {"p", parameter.stimulus, "slow-fast", 4.0 * (parameter.requested + error) - 2.0});
     }
     const Correction correction = calibrate(made, answers, pairs()).corrections[0];
     within += std::abs(correction.slope - 1.0) < 1.895 * correction.slope_error ? 1 : 0;
@@ -96,7 +96,7 @@ TEST(Calibration, CorrectsNothingWherePeopleSeeNothing) {
 TEST(Calibration, FitsNoLineWhereAllAskForTheSame) {
   for (const double asked : {0.8, 0.1, 0.3}) {
     auto made = asked_for(6);
-    for (MadeParameter& parameter : made) parameter.asked = asked;
+    for (MadeParameter& parameter : made) parameter.requested = asked;
     const Calibration calibration =
         calibrate(made, answers_by(made, 4, 0.1, [](double) { return 0.5; }), pairs());
     EXPECT_FALSE(calibration.corrections[0].is_usable()) << asked;
@@ -108,17 +108,30 @@ TEST(Calibration, ReadsAStudysTableAndRefusesOneWithoutWishes) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "parameters.csv";
   write_file(file,
-             "stimulus,ratings,parameter,asked,reached,name,name_ja\n"
+             "stimulus,ratings,parameter,requested,reached,name,name_ja\n"
              "a,given,slow-fast,0.4,0.41,x,y\na,given,sad-happy,,0.5,x,y\n");
-  const auto made = read_made_parameters(file);
+  std::vector<Fault> warnings;
+  const auto made = read_made_parameters(file, warnings);
   ASSERT_EQ(made.size(), 1u);
-  EXPECT_EQ(made[0].asked, 0.4);
+  EXPECT_EQ(made[0].requested, 0.4);
   EXPECT_EQ(made[0].reached, 0.41);
   EXPECT_TRUE(other_stimuli(file, made).empty());
   write_file(folder.path() / "stimuli.csv", "stimulus,kind\na,stimulus\nmix,stimulus\n");
   EXPECT_EQ(other_stimuli(file, made), std::set<std::string>{"mix"});
-  write_file(file, "stimulus,parameter,asked,reached\na,slow-fast,,0.41\n");
-  EXPECT_THROW(read_made_parameters(file), Error);
+  write_file(file, "stimulus,parameter,requested,reached\na,slow-fast,,0.41\n");
+  EXPECT_THROW(read_made_parameters(file, warnings), Error);
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(Calibration, ReadsTablesOfEarlierVersionsAndWarns) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "parameters.csv";
+  write_file(file, "stimulus,parameter,asked,reached\na,slow-fast,0.4,0.41\n");
+  std::vector<Fault> warnings;
+  EXPECT_EQ(read_made_parameters(file, warnings).at(0).requested, 0.4);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(to_string(warnings[0]),
+            file.string() + ":1:20: asked: now called requested; rename the column");
 }
 
 TEST(Calibration, RefusesAnswersAboutOtherThings) {

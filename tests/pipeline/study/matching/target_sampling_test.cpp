@@ -99,7 +99,7 @@ TEST(TargetSampling, NoTwoTargetsAreTheSame) {
 
 TEST(TargetSampling, ExamplesThatLeaveNoRoomAreRefused) {
   try {
-    sample_targets(random_table(2), names, {.farthest_from_example = 0.001});
+    sample_targets(random_table(2), names, {.max_distance = 0.001});
     FAIL() << "was not refused";
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(),

@@ -32,7 +32,7 @@ std::vector<std::string> analysed(const SessionPlan& plan) {
 TEST(SessionPlan, IsTheSameWithMoreParticipants) {
   const Manifest manifest = asked_study(
       20,
-      "participants: 7, scales: [sad-happy, slow-fast], per_participant: 9, apart: [actor], "
+      "participants: 7, scales: [sad-happy, slow-fast], per_participant: 9, no_repeats: [actor], "
       "attention: {every: 4}, catch: {repeat: 2}, warm_up: 2");
   const auto few = plan_sessions(manifest);
   const auto many = plan_sessions(manifest, {}, 40);
@@ -57,7 +57,7 @@ void expect_sound(const Manifest& manifest, const std::vector<SessionPlan>& plan
       if (trial.is_attention_check()) continue;
       if (before != nullptr && !before->practice) {
         EXPECT_NE(before->stimuli, trial.stimuli);
-        for (const std::string& factor : asked.apart) {
+        for (const std::string& factor : asked.no_repeats) {
           EXPECT_NE(level_of(manifest, before->stimuli[0], factor),
                     level_of(manifest, trial.stimuli[0], factor))
               << plan.participant << " " << trial.number;
@@ -89,7 +89,7 @@ TEST(SessionPlan, KeepsWhatItPromisesOverManyRandomDesigns) {
         ", warm_up: " + std::to_string(drawn(design, "warm", 3)) +
         ", catch: {repeat: " + std::to_string(drawn(design, "repeat", 3)) +
         "}, attention: {every: " + std::to_string(drawn(design, "every", 9)) +
-        "}, practice: [a1, b2]" + (design % 3 != 1 ? ", apart: [actor]" : "");
+        "}, practice: [a1, b2]" + (design % 3 != 1 ? ", no_repeats: [actor]" : "");
     SCOPED_TRACE(std::to_string(stimuli) + ": " + members);
     const Manifest manifest = asked_study(stimuli, members);
     expect_sound(manifest, plan_sessions(manifest));
@@ -98,7 +98,7 @@ TEST(SessionPlan, KeepsWhatItPromisesOverManyRandomDesigns) {
 
 TEST(SessionPlan, SaysWhenNoOrderKeepsApartWhatHasToBe) {
   const Manifest manifest = asked_study(
-      6, "participants: 2, scales: [sad-happy], stimuli: [a1, b2, c3, b5], apart: [emotion]");
+      6, "participants: 2, scales: [sad-happy], stimuli: [a1, b2, c3, b5], no_repeats: [emotion]");
   try {
     plan_sessions(manifest);
     FAIL() << "three of four are sad";

@@ -87,7 +87,7 @@ TEST(CatchTrials, OfWhoIsLeftOutAreToldButNotCounted) {
   std::vector<AnswerRow> rows = answers_to(manifest);
   for (AnswerRow& row : rows)
     if (row.participant == "p003" && row.kind == "attention") row.passed = false;
-  const Gathered gathered = gather(manifest, rows, {.most_failed = 0});
+  const Gathered gathered = gather(manifest, rows, {.max_failed_checks = 0});
   const std::vector<CatchSummary> all = catch_summaries_of(catch_answers_of(gathered, rows));
   EXPECT_EQ(all[0].answers, 5 * 2);
   const auto own = std::ranges::find(all, "p003", &CatchSummary::participant);

@@ -95,7 +95,7 @@ TEST(Gathered, LeavesOutWhoFailsChecksAndSaysSo) {
     }
   ASSERT_GE(failed, 2);
   EXPECT_EQ(gather(manifest, rows).people.size(), 5u);
-  EXPECT_EQ(gather(manifest, rows, {.most_failed = failed}).people.size(), 6u);
+  EXPECT_EQ(gather(manifest, rows, {.max_failed_checks = failed}).people.size(), 6u);
   const Gathered gathered = gather(manifest, rows);
   EXPECT_TRUE(gathered.attention[2].is_excluded);
   EXPECT_EQ(std::count(gathered.people.begin(), gathered.people.end(), "p003"), 0);

@@ -32,8 +32,9 @@ TEST(Attention, LeavesOutWhoFailsMoreThanOneCheck) {
   EXPECT_FALSE(all[3].is_excluded);
   EXPECT_EQ(all[2].passed, 1);
   EXPECT_EQ(all[2].checks, 3);
-  EXPECT_TRUE(attention_of(rows, {.most_failed = 0})[1].is_excluded);
-  for (const Attention& own : attention_of(rows, {.most_failed = 3})) EXPECT_FALSE(own.is_excluded);
+  EXPECT_TRUE(attention_of(rows, {.max_failed_checks = 0})[1].is_excluded);
+  for (const Attention& own : attention_of(rows, {.max_failed_checks = 3}))
+    EXPECT_FALSE(own.is_excluded);
 }
 
 TEST(Attention, ForgivesPractice) {
