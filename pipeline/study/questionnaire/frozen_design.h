@@ -11,29 +11,28 @@
 
 namespace mien::pipeline {
 
-/// A file that participants are shown, or may be.
+/// A media file of the questionnaire.
 struct ShownMedia {
   std::string stimulus;
   std::string path;  ///< in the study's folder: "videos/walk.mp4", "clips/walk.glb"
 };
 
-/// Of all stimuli that a questionnaire shows (shown_stimuli): their videos or, where they may be
-/// turned, their motions in 3-D as well.
+/// The media of all stimuli that a questionnaire shows (shown_stimuli): videos, and 3-D motions
+/// where participants may turn the view.
 std::vector<ShownMedia> shown_media(const Manifest& manifest);
 
-/// What a questionnaire is at one moment, to be kept where nobody can change it before the answers
-/// are there:
+/// A snapshot of a questionnaire's design for preregistration:
 ///
 ///     README.txt           what this is
 ///     design.json          study, hash of the design, participants, expected duration, analysis
 ///     plans.csv            every trial of every participant
-///     balance.csv          how evenly
-///     scales.csv           what is asked, with both ends
+///     balance.csv          counts of its balance
+///     scales.csv           scales, with both ends
 ///     analysis-plan.txt    in the words of the manifest
-///     stimuli.csv          stimulus,media,sha256 of all that is shown
+///     stimuli.csv          stimulus,media,sha256 of all media
 ///     inputs/…             the manifest and the texts, scales, recipes and sets it names
 ///     inputs.csv           hashes of these and of the motions that they name
-///     dummy-report/…       what the report makes of simulated answers
+///     dummy-report/…       the report of simulated answers
 ///     manifest-sha256.txt  of all of these
 ///
 /// No dates: the same study gives the same bytes. `made` is the folder that the study was made in;
