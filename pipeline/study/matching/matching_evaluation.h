@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-/// What is measured of a trial.
+/// A dependent measure of a matching trial.
 enum class MatchingMeasure {
   first_guess_d,  ///< metres
   time_s,         ///< seconds, the limit for trials without success
@@ -18,8 +18,8 @@ enum class MatchingMeasure {
 /// "first_guess_d" or "time_s".
 const char* name_of(MatchingMeasure measure);
 
-/// A mean with its spread. Of all targets the values are means of each participant; of one target
-/// they are trials.
+/// Mean and standard deviation of a measure. Over all targets, values are participants' means; of
+/// one target, trials.
 struct MatchingMean {
   MatchingMeasure measure = MatchingMeasure::first_guess_d;
   std::string interface;
@@ -29,7 +29,7 @@ struct MatchingMean {
   double sd = 0.0;  ///< divided by n − 1; NaN for one value
 };
 
-/// How often a first guess was near enough and how often no match was found.
+/// Success of first guesses, and failures.
 struct MatchingShare {
   std::string interface;
   std::string target;    ///< empty: all trials

@@ -10,7 +10,8 @@
 
 namespace mien::pipeline {
 
-/// Somebody who looks at target and created motion and moves one slider at a time.
+/// A model of a participant who compares the target with the created motion and moves one slider at
+/// a time.
 struct SimulatedUser {
   std::uint64_t seed = 0;
   std::string name;             ///< part of the names of the random numbers
@@ -24,7 +25,7 @@ struct SimulatedTrial {
   Eigen::RowVectorXd first_guess;  ///< slider settings
   double first_distance = 0.0;     ///< D of it, metres
   double distance = 0.0;           ///< D of the motion left when the user stopped
-  int looks = 0;                   ///< motions made and looked at
+  int looks = 0;                   ///< motions viewed
   bool matched = false;            ///< the distance is below the threshold
 };
 

@@ -47,6 +47,7 @@ struct PowerEstimate {
   int needed_high = 0;  ///< from the lower limit; 0: more than most_participants
 };
 
+/// Estimates the power of the test by simulation, and the number of participants needed.
 /// Deterministic in the seed. All numbers of participants use the same simulated participants.
 /// Throws Error for a factor or level that the stimuli do not have, and for designs in which no
 /// participant sees two stimuli.
