@@ -63,7 +63,7 @@ PageRecord read_record(const nlohmann::json& text);
 std::vector<std::string> record_names(const SessionPlan& plan, const AskedFacts& facts);
 
 /// One row for each response of a trial, in their order. The record must have been checked
-/// (record_check.h). Control characters in texts become spaces.
+/// (record_check.h). Control characters in texts, except line breaks and tabs, become spaces.
 std::vector<AnswerRow> rows_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                                const PageRecord& record);
 
