@@ -31,12 +31,12 @@ struct ScaleCluster {
 
 /// From answers to primary parameters: the adjective paper, sections 3.1 to 3.3 and 3.5.
 struct Analysis {
-  Impressions impressions;              ///< A, of every scale with answers
-  std::vector<Quantity> quantities;     ///< one a row of A
-  std::vector<Agreement> agreements;    ///< one a row of A
-  std::vector<int> clustered;           ///< rows of A that the tree is of: its leaves
-  bool none_kept = false;               ///< the thresholds remove every scale, so all are clustered
-  std::optional<Thresholds> suggested;  ///< when none is kept
+  Impressions impressions;            ///< A, of every scale with answers
+  std::vector<Quantity> quantities;   ///< one a row of A
+  std::vector<Agreement> agreements;  ///< one a row of A
+  std::vector<int> clustered;         ///< rows of A that the tree is of: its leaves
+  bool none_kept = false;  ///< whether the thresholds exclude every scale; then all are clustered
+  std::optional<Thresholds> suggested;  ///< when no scale is retained
   Linkage linkage;
   Partition partition;                 ///< of the leaves
   int suggested_clusters = 1;          ///< by the largest gap

@@ -15,8 +15,8 @@ struct PublishedComparison {
   int kept_in_both = 0;
   int kept_only_here = 0;
   int kept_only_there = 0;
-  double kept_agreement = 0.0;  ///< share of the rated pairs that both keep or both remove
-  double rand = 0.0;            ///< over the pairs kept in both
+  double kept_agreement = 0.0;  ///< share of the rated pairs that both retain or both exclude
+  double rand = 0.0;            ///< over the pairs retained in both
   double adjusted_rand = 0.0;
 };
 

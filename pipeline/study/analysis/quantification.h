@@ -51,9 +51,9 @@ struct KeptAt {
 std::vector<KeptAt> threshold_curve(const std::vector<Quantity>& quantities,
                                     const Thresholds& thresholds, const ScaleSet& scales);
 
-/// Thresholds that keep at least half of the scales: both loosened by the same, least factor
+/// Thresholds that retain at least half of the scales: both relaxed by the same, least factor
 /// (the one divided by it, the other multiplied), rounded to the loose side to 0.01. A threshold
-/// that no scale misses stays. Those given when they keep so many already.
+/// that no scale misses is unchanged. Returns `thresholds` when they retain that many already.
 Thresholds loosened(const std::vector<Quantity>& quantities, const Thresholds& thresholds,
                     const ScaleSet& scales);
 

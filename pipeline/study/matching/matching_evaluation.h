@@ -39,9 +39,9 @@ struct MatchingShare {
   int failures = 0;
 };
 
-/// The first interface less the second, a value a participant: of one target the difference, of all
-/// the mean over the targets that were tried with both, in exact arithmetic where the numbers have
-/// few decimals, so that ties are ties. Of times it is what the second interface saves.
+/// A comparison of two interfaces by participants' differences, first − second: of one target, or
+/// the mean over the targets matched with both. Arithmetic is exact for numbers with few decimals,
+/// so that ties are detected. A difference of times is the time that the second interface saves.
 struct MatchingComparison {
   MatchingMeasure measure = MatchingMeasure::first_guess_d;
   std::string target;  ///< empty: all

@@ -21,11 +21,11 @@ struct MatchingTrial {
 };
 
 struct MatchingResults {
-  std::vector<MatchingTrial> trials;  ///< in the order of the file
+  std::vector<MatchingTrial> trials;  ///< in the order of the files
   /// weights, features, adjectives, as far as they occur, then others in order of occurrence. The
   /// sign of differences thus does not depend on the order of rows.
   std::vector<std::string> interfaces;
-  std::vector<std::string> targets;  ///< likewise
+  std::vector<std::string> targets;  ///< in order of occurrence
   double limit_s = 300.0;
   double threshold_m = 0.06;  ///< D below which motions matched, metres
   bool simulated = false;

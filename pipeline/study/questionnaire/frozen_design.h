@@ -35,29 +35,30 @@ std::vector<ShownMedia> shown_media(const Manifest& manifest);
 ///     dummy-report/…       the report of simulated answers
 ///     manifest-sha256.txt  of all of these
 ///
-/// No dates: the same study gives the same bytes. `made` is the folder that the study was made in;
-/// throws Error when a stimulus's media is not there.
+/// No dates: the same study gives the same bytes. `made` is the output folder of the study. Throws
+/// Error when the media of a stimulus is missing.
 ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                        const std::filesystem::path& made);
 
-/// Adds all files below a folder, as `prefix`/…, to what is frozen; the list of hashes is made
-/// anew. Throws Error for what is no file or folder.
+/// Adds all files below a folder to `frozen`, as `prefix`/…, and updates the list of hashes. Throws
+/// Error for entries that are neither file nor folder.
 void add_folder(ZipFiles& frozen, const std::filesystem::path& folder, const std::string& prefix);
 
-/// Answers that nobody gave, in truth all alike, of people who pass every check.
+/// Simulated answers without differences between stimuli, of participants who pass every attention
+/// check.
 std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
                                      const std::vector<SessionPlan>& plans);
 
-/// Adds the dummy answers (dummy-report/answers.csv), so that what will be done with answers can be
-/// tried before there are any.
+/// Adds the dummy answers (dummy-report/answers.csv), so that the analysis can be tested before
+/// data collection.
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans);
 
-/// The same study as it is now against a bundle: a sentence for each difference, that begins with
-/// what differs (design, texts, scales, analysis, stimuli, inputs). Empty when what was run is what
-/// was frozen. Without a folder `made`, the media are not looked at, and a sentence says so.
+/// Compares a study with a frozen bundle: a sentence for each difference, which begins with its
+/// subject (design, texts, scales, analysis, stimuli, inputs). Empty without differences. Without a
+/// folder `made`, media are not compared, and a sentence says so.
 ///
-/// Throws Error for what is no such bundle, or one that was changed by hand.
+/// Throws Error for a folder or archive that is not such a bundle, or whose hashes do not match.
 std::vector<std::string> frozen_differences(const std::filesystem::path& bundle,
                                             const Manifest& manifest,
                                             const std::filesystem::path& made = {});

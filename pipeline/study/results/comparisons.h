@@ -11,7 +11,7 @@
 
 namespace mien::pipeline {
 
-/// Families of comparisons, within which p values are corrected: comparisons on the scale of the
+/// Families of comparisons, within which p values are adjusted: comparisons on the scale of the
 /// intended emotion and those on other scales separately, those of best_seen together.
 enum class ComparisonFamily {
   best_seen,         ///< a video and all videos of the same setting
@@ -85,7 +85,7 @@ struct Comparison {
   /// the mean of the participant's other videos of the setting.
   WithinPersons within;
 
-  double welch_adjusted = 1.0;  ///< p corrected for the number of comparisons of the family
+  double welch_adjusted = 1.0;  ///< p adjusted for the number of comparisons of the family
   double paired_adjusted = 1.0;
   double wilcoxon_adjusted = 1.0;
 };
@@ -115,7 +115,7 @@ std::vector<OverallComparison> compare_overall(const Gathered& gathered);
 /// +1 where `emotion` is the name of the scale's high end, −1 of its low end, else 0.
 int end_of(const Scale& scale, const std::string& emotion);
 
-/// The p values corrected for multiple comparisons.
+/// The p values adjusted for multiple comparisons.
 std::vector<double> corrected(const std::vector<double>& p_values, TestCorrection correction);
 
 /// The name of a correction: "Holm".
@@ -127,7 +127,7 @@ struct BestSeen {
   std::string end;       ///< "sad"
   bool is_high = false;  ///< of its scale
   Comparison comparison;
-  bool is_found = false;  ///< significant: towards the end, and the corrected paired p below alpha
+  bool is_found = false;  ///< significant: towards the end, and the adjusted paired p below alpha
 };
 
 /// By setting and end: the video with the largest mean difference towards the end from the

@@ -90,7 +90,7 @@ SessionStore::SessionStore(const std::filesystem::path& file)
 SessionStore::~SessionStore() {
   try {
     database_.run("DELETE FROM facts WHERE name = 'open'");
-  } catch (const std::exception&) {  // a full disk: the file stays marked as having a log
+  } catch (const std::exception&) {  // a full disk: the file remains marked as having a log
     database_.keep_log();
   }
 }

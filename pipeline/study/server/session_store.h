@@ -32,7 +32,7 @@ struct StoredRecord {
 enum class Keeping {
   kept,         ///< stored; it is on the disk
   same,         ///< the same record was stored before
-  other,        ///< another record was stored at that position, and stays
+  other,        ///< another record was stored at that position, and remains
   out_of_order  ///< an earlier record of the session is missing
 };
 

@@ -73,8 +73,8 @@ struct StartingDistance {
   double metres = 0.0;  ///< D
 };
 
-/// Of every target that is matched, practice aside, with every interface, sliders standing where
-/// the page lets them begin: the examples' average, or shares of none.
+/// Starting distances of each target except practice with each interface. Sliders are at their
+/// initial positions on the page: the examples' mean, or weights of 0.
 std::vector<StartingDistance> starting_distances(const Manifest& manifest,
                                                  const MatchingStudy& study);
 

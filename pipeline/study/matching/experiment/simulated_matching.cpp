@@ -59,7 +59,7 @@ class SimulatedMatch {
     return {interface_.sliders, {settings.begin(), settings.end()}};
   }
 
-  /// What is looked at differs from what was before in one slider, or is taken back first.
+  /// Successive views differ in one slider; a rejected move is undone first.
   double look(const Eigen::RowVectorXd& settings) {
     const SliderSetting now = setting(settings);
     const double d =

@@ -16,7 +16,7 @@ struct DatasetFile {
   std::string bytes;
 };
 
-/// Paths of the data.
+/// Paths of the data files in the dataset.
 struct DatasetPaths {
   std::string answers;       ///< "data/study-emotionstudy_description-answers_data.csv"
   std::string stimuli;       ///< likewise -stimuli_
