@@ -36,9 +36,9 @@ void take_given(Analysis& analysis, const ScaleSet& scales, const std::vector<st
   }
 }
 
-/// How much a group and a cluster have in common.
+/// Similarity of a group and a cluster.
 struct Likeness {
-  double share;  ///< of both together that both have (Jaccard 1901)
+  double share;  ///< Jaccard index (Jaccard 1901)
   size_t group;
   size_t cluster;
 };
@@ -67,7 +67,7 @@ std::vector<Likeness> likenesses(const Analysis& analysis, const ScaleSet& scale
 
 using AnswersByScale = std::map<std::string, std::vector<const StudyAnswer*>>;
 
-/// Of participants; means of several people tell nothing about their agreement.
+/// Answers of single participants; means of several say nothing about agreement.
 AnswersByScale answers_by_scale(const StudyAnswers& study) {
   AnswersByScale by_scale;
   for (const StudyAnswer& answer : study.answers)

@@ -20,23 +20,23 @@ struct AnalysisOptions {
   std::vector<std::string> names;   ///< of the clusters along the dendrogram; may be empty
 };
 
-/// Scales that people use alike: a primary parameter.
+/// A cluster of scales that are used similarly: a primary parameter.
 struct ScaleCluster {
   std::string name;
   std::string japanese;             ///< may be empty
   std::vector<int> members;         ///< rows of the impressions, nearest to the centroid first
-  std::vector<double> to_centroid;  ///< distance of each member, of the impressions' unit
+  std::vector<double> to_centroid;  ///< distance of each member, in units of the impressions
   Eigen::RowVectorXd mean;          ///< of the members' rows: a row of A′
 };
 
 /// From answers to primary parameters: the adjective paper, sections 3.1 to 3.3 and 3.5.
 struct Analysis {
-  Impressions impressions;              ///< A, of every scale with answers
-  std::vector<Quantity> quantities;     ///< one a row of A
-  std::vector<Agreement> agreements;    ///< one a row of A
-  std::vector<int> clustered;           ///< rows of A that the tree is of: its leaves
-  bool none_kept = false;               ///< the thresholds remove every scale, so all are clustered
-  std::optional<Thresholds> suggested;  ///< when none is kept
+  Impressions impressions;            ///< A, of every scale with answers
+  std::vector<Quantity> quantities;   ///< one a row of A
+  std::vector<Agreement> agreements;  ///< one a row of A
+  std::vector<int> clustered;         ///< rows of A that the tree is of: its leaves
+  bool none_kept = false;  ///< whether the thresholds exclude every scale; then all are clustered
+  std::optional<Thresholds> suggested;  ///< when no scale is retained
   Linkage linkage;
   Partition partition;                 ///< of the leaves
   int suggested_clusters = 1;          ///< by the largest gap
@@ -44,11 +44,12 @@ struct Analysis {
   std::vector<StudyWarning> warnings;  ///< of the answers, then of the analysis
 };
 
-/// Without given names a cluster is called like the group of the scales file that it has most in
-/// common with (each group once, the likest first), and "cluster-2" where there is none.
+/// Analyses answers. Without given names a cluster gets the name of the most similar group of the
+/// scales file (Jaccard; each group once, the most similar first), or "cluster-2" where there is
+/// none.
 ///
-/// Throws Error: an example that nobody rated on some scale, more or fewer names than clusters, a
-/// name that is empty, there twice or a scale's.
+/// Throws Error for an example without ratings on some scale, a number of names other than that of
+/// clusters, and a name that is empty, repeated or that of a scale.
 Analysis analyse(const StudyAnswers& answers, const ScaleSet& scales,
                  const std::vector<RatedExample>& examples, const AnalysisOptions& options);
 
@@ -56,7 +57,7 @@ Analysis analyse(const StudyAnswers& answers, const ScaleSet& scales,
 void name_clusters(Analysis& analysis, const ScaleSet& scales,
                    const std::vector<std::string>& given);
 
-/// The ends of a cluster's most central scales, for a person who looks for a name: "fast, quick".
+/// The high ends of a cluster's most central scales, as suggestions for its name: "fast, quick".
 std::string central_words(const Analysis& analysis, const ScaleCluster& cluster,
                           const ScaleSet& scales, int words = 3);
 

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// The tree of an analysis with its cut.
+/// The dendrogram of an analysis, with the cut into clusters.
 Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales);
 
 /// Writes every table, the clusters as a scales file and the dendrogram, replacing what is there:

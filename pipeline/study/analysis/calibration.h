@@ -15,36 +15,36 @@
 
 namespace mien::pipeline {
 
-// How people saw the stimuli that were made for them: what was asked for, what the blend has by the
-// ratings of its examples, and what people said of the result.
+// Calibration of stimuli by ratings: the requested parameters, those of the blend by the ratings of
+// its examples, and those perceived by participants.
 
-/// A parameter of a stimulus as it was made.
+/// A parameter of a synthesised stimulus.
 struct MadeParameter {
   std::string stimulus;
   std::string parameter;
   double requested = 0.0;  ///< 0 low end, 1 high end
-  double reached = 0.0;    ///< by the blend
+  double reached = 0.0;    ///< of the blend
 };
 
-/// What was asked for in a study, from its metrics/parameters.csv, or from that file in the study's
+/// Reads the parameters of a study's stimuli. `study` is its metrics/parameters.csv, or the study's
 /// folder. Warns of columns with former names. Throws Error.
 std::vector<MadeParameter> read_made_parameters(const std::filesystem::path& study,
                                                 std::vector<Fault>& warnings);
 
-/// The study's other stimuli, of which nothing was asked.
+/// The study's stimuli without requested parameters.
 std::set<std::string> other_stimuli(const std::filesystem::path& study,
                                     const std::vector<MadeParameter>& made);
 
-/// The stimuli as answers name them.
+/// The stimuli, by the names in answers.
 std::vector<RatedExample> stimuli_of(const std::vector<MadeParameter>& made);
 
-/// The same parameter as people saw it.
+/// A requested parameter with its perceived value.
 struct PerceivedParameter {
   MadeParameter made;
   int people = 0;
   double perceived = 0.0;  ///< mean over people, share of the range
   double deviation = 0.0;  ///< SD over people (n − 1); NaN for fewer than two
-  /// What to ask for in the next round, so that people see what was asked for now; within 0…1.
+  /// The value to request in the next round for `requested` to be perceived; within 0…1.
   std::optional<double> next;
 };
 
@@ -57,9 +57,10 @@ struct Correction {
   double slope_error = 0.0;  ///< standard error; NaN for two stimuli
   double r_squared = 0.0;
 
-  /// What to ask for so that people see `wanted`.
+  /// The value to request for `wanted` to be perceived.
   double ask_for(double wanted) const { return (wanted - intercept) / slope; }
-  /// People saw more of it where more was asked for: otherwise there is nothing to correct by.
+  /// Whether the perceived value increases with the requested one; otherwise there is no
+  /// correction.
   bool is_usable() const { return stimuli >= 2 && slope > 0.0; }
 };
 
@@ -69,18 +70,18 @@ struct Calibration {
   bool simulated = false;
 };
 
-/// Throws Error when nobody rated any of the parameters that were asked for.
+/// Fits the corrections. Throws Error when none of the requested parameters was rated.
 Calibration calibrate(const std::vector<MadeParameter>& made, const Answers& answers,
                       const ScaleSet& scales);
 
-/// A row a stimulus and parameter.
+/// A row for each stimulus and parameter.
 WrittenTable calibration_table(const Calibration& calibration);
 
-/// A row a parameter.
+/// A row for each parameter.
 WrittenTable corrections_table(const Calibration& calibration);
 
-/// A panel a parameter: what people saw (with the standard deviation) over what was asked for, what
-/// the blend has, the line of the correction, and the diagonal on which what was requested is seen.
+/// A panel for each parameter: perceived (with standard deviation) over requested values, the
+/// values of the blend, the regression line, and the diagonal of perfect agreement.
 Plot calibration_chart(const Calibration& calibration);
 
 }  // namespace mien::pipeline

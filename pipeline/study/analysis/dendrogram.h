@@ -15,7 +15,7 @@ struct BilingualName {
   std::string japanese;
 };
 
-/// What a dendrogram shows.
+/// The contents of a dendrogram.
 struct Dendrogram {
   std::string title;
   std::string subtitle;
@@ -26,7 +26,7 @@ struct Dendrogram {
   bool simulated = false;
 };
 
-/// The tree lying on its side: leaves in rows at the left, heights √(2ΔE) to the right, the cut as
+/// A horizontal tree: leaves in rows at the left, heights √(2ΔE) to the right, the cut as
 /// a broken line, each cluster in a colour of its own with its name beside a bracket. As wide as an
 /// A4 page's text, as high as it has leaves.
 Plot dendrogram_plot(const Dendrogram& dendrogram);

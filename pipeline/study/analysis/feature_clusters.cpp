@@ -25,7 +25,7 @@ Partition published_partition(const std::vector<std::string>& features) {
   return partition;
 }
 
-/// Members that a cluster and a published group have in common, as a share of both together.
+/// Jaccard index of a cluster and a published group.
 double likeness(const Partition& found, int cluster, const Partition& published, int group) {
   int both = 0;
   int either = 0;

@@ -9,14 +9,13 @@
 
 namespace mien::pipeline {
 
-/// How well the ratings of one parameter follow from the features, found by predicting examples
-/// that had no part in the fit.
+/// Cross-validated prediction error of one parameter's ratings.
 struct PredictionCheck {
   std::string parameter;
   std::string left_out;  ///< "example", or "style": all takes of a style together
   CrossValidation predictions;
   double rmse = 0.0;       ///< share of the scale
-  double mean_rmse = 0.0;  ///< of predicting the mean of the others
+  double mean_rmse = 0.0;  ///< RMSE of predicting the mean of the others
   double r_squared = 0.0;  ///< 1 − (rmse / mean_rmse)²; below 0: worse than the mean
 };
 
@@ -31,7 +30,7 @@ struct ParameterRegression {
   double largest_leverage = 0.0;  ///< of the examples
 };
 
-/// Predicts ratings of motions that nobody rated (future work of the adjective paper).
+/// Regressions that predict ratings of unrated motions (future work of the adjective paper).
 struct FeatureRegression {
   std::vector<std::string> features;  ///< ids of those that all examples have
   std::vector<int> feature_indices;
@@ -49,7 +48,7 @@ std::string style_of(const std::string& example);
 /// ratings or fewer than four examples.
 FeatureRegression fit_feature_regression(const Repertoire& repertoire);
 
-/// What people would probably say of a motion, and how sure that is.
+/// Predicted rating of a motion, with its uncertainty.
 struct Prediction {
   std::string parameter;
   double value = 0.0;  ///< share of the scale; not clipped
@@ -64,10 +63,10 @@ struct Prediction {
 std::vector<Prediction> predict(const FeatureRegression& regression,
                                 const motion::FeatureValues& features);
 
-/// A row a parameter and kind of check.
+/// A row for each parameter and kind of check.
 WrittenTable checks_table(const FeatureRegression& regression, const ScaleSet& scales);
 
-/// A row a parameter, kind of check and example.
+/// A row for each parameter, kind of check and example.
 WrittenTable left_out_table(const FeatureRegression& regression);
 
 }  // namespace mien::pipeline

@@ -8,22 +8,22 @@
 
 namespace mien::pipeline {
 
-/// How an analysis of the adjective pairs compares with the published clusters of the adjective
+/// Agreement of an analysis of the adjective pairs with the clusters published in the adjective
 /// paper.
 struct PublishedComparison {
   std::string table;  ///< "Table 2" or "Table 3"
   int kept_in_both = 0;
   int kept_only_here = 0;
   int kept_only_there = 0;
-  double kept_agreement = 0.0;  ///< share of the rated pairs that both keep or both remove
-  double rand = 0.0;            ///< over the pairs kept in both
+  double kept_agreement = 0.0;  ///< share of the rated pairs that both retain or both exclude
+  double rand = 0.0;            ///< over the pairs retained in both
   double adjusted_rand = 0.0;
 };
 
-/// Against Tables 2 and 3; nothing unless every scale is an adjective pair of the paper.
+/// Compares with Tables 2 and 3; empty unless every scale is an adjective pair of the paper.
 std::vector<PublishedComparison> compare_with_published(const Analysis& analysis);
 
-/// A row a table.
+/// A row for each table.
 WrittenTable published_table(const std::vector<PublishedComparison>& comparisons, bool simulated);
 
 }  // namespace mien::pipeline

@@ -32,7 +32,7 @@ std::vector<Normal> normalised(const std::vector<Quantity>& quantities, const Sc
   return result;
 }
 
-/// Factor by which the thresholds must be loosened for this scale to be kept.
+/// Factor by which the thresholds must be relaxed to retain this scale.
 double factor_for(const Normal& q, const Thresholds& thresholds) {
   double factor = 1.0;
   if (!q.passes_mean(thresholds.largest_mean))

@@ -19,11 +19,11 @@ struct Thresholds {
 /// Divisor of the variance of the answers about one example: n, or n − 1.
 enum class Deviation { population, sample };
 
-/// What the answers on one scale look like, in the scale's own units.
+/// Statistics of the answers on one scale, in the scale's own units.
 struct Quantity {
   std::string scale;
   double largest_mean = 0.0;    ///< max over examples of the mean's distance from the middle
-  int at_example = 0;           ///< the example that has it (the first such)
+  int at_example = 0;           ///< the first example with that distance
   double mean_deviation = 0.0;  ///< mean over examples of the SD over raters; NaN for given means
   Thresholds thresholds;        ///< restated for this scale
   bool neutral = false;         ///< largest_mean < threshold
@@ -37,29 +37,29 @@ std::vector<Quantity> quantify(const Impressions& impressions, const ScaleSet& s
                                const Thresholds& thresholds = {},
                                Deviation deviation = Deviation::population);
 
-/// How many scales would be kept at other thresholds.
+/// The number of scales that other thresholds would retain.
 struct KeptAt {
   enum class Condition { largest_mean, mean_deviation };
 
   Condition condition = Condition::largest_mean;  ///< whose threshold is varied
   double threshold = 0.0;                         ///< for answers from −2 to 2
-  int by_condition = 0;                           ///< kept by this condition alone
-  int by_both = 0;                                ///< kept with the other threshold where it is
+  int by_condition = 0;                           ///< scales retained by this condition alone
+  int by_both = 0;                                ///< retained with the other threshold unchanged
 };
 
 /// Both thresholds from 0 to 2 in steps of 0.05.
 std::vector<KeptAt> threshold_curve(const std::vector<Quantity>& quantities,
                                     const Thresholds& thresholds, const ScaleSet& scales);
 
-/// Thresholds that keep at least half of the scales: both loosened by the same, least factor
+/// Thresholds that retain at least half of the scales: both relaxed by the same, least factor
 /// (the one divided by it, the other multiplied), rounded to the loose side to 0.01. A threshold
-/// that no scale misses stays. Those given when they keep so many already.
+/// that no scale misses is unchanged. Returns `thresholds` when they retain that many already.
 Thresholds loosened(const std::vector<Quantity>& quantities, const Thresholds& thresholds,
                     const ScaleSet& scales);
 
-/// How many scales each threshold keeps: a panel a condition, the fine line by the condition alone,
-/// the broad one with the other threshold where it is, the threshold in use as a broken line.
-/// `scales`: how many were rated.
+/// The number of scales that each threshold retains: a panel for each condition; thin line by the
+/// condition alone, thick line with the other threshold unchanged, dashed line at the threshold in
+/// use. `scales`: how many were rated.
 Plot threshold_chart(const std::vector<KeptAt>& curve, const Thresholds& thresholds, int scales,
                      bool simulated);
 

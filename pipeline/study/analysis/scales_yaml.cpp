@@ -17,7 +17,7 @@ namespace {
 /// JSON strings are YAML strings. UTF-8 stays as it is.
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
-/// Bare where YAML cannot take it for anything else.
+/// A YAML key, unquoted where that is unambiguous.
 std::string key_of(const std::string& id) {
   const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
   const auto plain = [&](char c) { return letter(c) || c == '-' || c == '_'; };

@@ -12,9 +12,9 @@
 
 namespace mien::pipeline {
 
-/// What of a study's motions is live.
+/// Which of a study's motions a live bundle contains.
 struct LiveChoice {
-  std::vector<std::string> targets;  ///< stimulus ids; what they are of is not looked at
+  std::vector<std::string> targets;  ///< stimulus ids
   Interpolation interpolation;       ///< of what sliders make
   Output output;                     ///< its frame rate, and how often and where a clip shows it
   std::vector<std::string>

@@ -30,7 +30,7 @@ HttpResponse bytes_answer(std::string bytes) {
   return response;
 }
 
-/// Of a request whose body is not what it should be.
+/// Thrown for a request with an invalid body.
 struct BadRequest {
   std::string wrong;
 };
@@ -68,7 +68,7 @@ motion::LiveSetting setting_in(const json& body) {
   return setting;
 }
 
-/// Nested so deep at the most: nothing that is asked for is deeper.
+/// Parses JSON up to a nesting depth that valid requests do not exceed.
 json parsed(const std::string& body) {
   constexpr std::size_t deepest = 5;
   if (motion::is_nested_deeper(body, deepest)) throw BadRequest{"the JSON is nested too deep"};

@@ -38,11 +38,11 @@ class LiveMotions {
 
   HttpResponse answer(const HttpRequest& request, std::span<const std::string> rest);
 
-  /// D of what sliders make, for who keeps records on the server's side. Throws Error.
+  /// D between a target and the motion of a slider setting. Throws Error.
   motion::Distance distance(const std::string& target, const motion::LiveSetting& setting);
 
  private:
-  /// A core that nobody else uses meanwhile.
+  /// Calls `ask` with a core that no other thread uses meanwhile.
   template <class Result>
   Result with_core(const std::function<Result(motion::LiveCore&)>& ask);
   HttpResponse posted(const std::string& what, const std::string& body);

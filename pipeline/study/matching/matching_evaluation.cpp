@@ -99,7 +99,7 @@ MatchingComparison comparison_of(const std::vector<double>& differences) {
   comparison.paper = wilcoxon(differences, WilcoxonMode::published);
   comparison.exact = wilcoxon(differences);
   comparison.d_z = cohens_dz(differences);
-  // Where nothing varies there is a difference, but nothing to hold it against.
+  // Without variance, t and p are undefined.
   if (all_alike(differences))
     comparison.difference.standard_error = comparison.difference.t = comparison.difference.p =
         comparison.d_z = std::numeric_limits<double>::quiet_NaN();

@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-/// What is measured of a trial.
+/// A dependent measure of a matching trial.
 enum class MatchingMeasure {
   first_guess_d,  ///< metres
   time_s,         ///< seconds, the limit for trials without success
@@ -18,8 +18,8 @@ enum class MatchingMeasure {
 /// "first_guess_d" or "time_s".
 const char* name_of(MatchingMeasure measure);
 
-/// A mean with its spread. Of all targets the values are means of each participant; of one target
-/// they are trials.
+/// Mean and standard deviation of a measure. Over all targets, values are participants' means; of
+/// one target, trials.
 struct MatchingMean {
   MatchingMeasure measure = MatchingMeasure::first_guess_d;
   std::string interface;
@@ -29,7 +29,7 @@ struct MatchingMean {
   double sd = 0.0;  ///< divided by n − 1; NaN for one value
 };
 
-/// How often a first guess was near enough and how often no match was found.
+/// Success of first guesses, and failures.
 struct MatchingShare {
   std::string interface;
   std::string target;    ///< empty: all trials
@@ -39,9 +39,9 @@ struct MatchingShare {
   int failures = 0;
 };
 
-/// The first interface less the second, a value a participant: of one target the difference, of all
-/// the mean over the targets that were tried with both, in exact arithmetic where the numbers have
-/// few decimals, so that ties are ties. Of times it is what the second interface saves.
+/// A comparison of two interfaces by participants' differences, first − second: of one target, or
+/// the mean over the targets matched with both. Arithmetic is exact for numbers with few decimals,
+/// so that ties are detected. A difference of times is the time that the second interface saves.
 struct MatchingComparison {
   MatchingMeasure measure = MatchingMeasure::first_guess_d;
   std::string target;  ///< empty: all

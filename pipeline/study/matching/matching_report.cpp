@@ -16,7 +16,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// More targets than these are in the tables alone: nobody could read the bars.
+/// With more targets, charts would be unreadable; they are in the tables only.
 constexpr std::size_t most_targets = 12;
 
 /// The targets, one after the other, then all.
@@ -32,7 +32,7 @@ std::string group_name(const MatchingEvaluation& evaluation, const std::string& 
   return target.empty() ? "all targets" : target;
 }
 
-/// For each group the bars that `bar` makes of what belongs to its target.
+/// For each group, the bars that `bar` makes of the results of its target.
 std::vector<Bar> grouped_bars(const MatchingEvaluation& evaluation, const auto& results,
                               const auto& make) {
   std::vector<Bar> bars;

@@ -14,7 +14,7 @@ void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResult
                       const std::filesystem::path& folder);
 
 // Figures 7 to 11 of the adjective paper: bars of the interfaces, target by target, then over all.
-// Of more than twelve targets over all alone.
+// With more than twelve targets, only over all.
 
 /// D of the first guess, mean over participants ± 1 SD, with the threshold.
 BarChart first_guess_chart(const MatchingEvaluation& evaluation, bool simulated);

@@ -16,7 +16,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// What has been read of all tables so far.
+/// The trials read so far.
 struct ReadTrials {
   MatchingResults results;
   std::vector<Fault> faults;
@@ -109,8 +109,8 @@ class TrialReader {
   ReadTrials& read_;
 };
 
-/// What all rows of all tables say alike in a column, where there is one. Throws Error at the first
-/// that says something else.
+/// The common value of all rows of a column; nullopt without one. Throws Error at the first other
+/// value.
 std::optional<std::string> common_value(const std::vector<CsvTable>& tables,
                                         const std::string& column, const std::string& remedy) {
   std::optional<std::string> common;
@@ -130,7 +130,7 @@ std::optional<std::string> common_value(const std::vector<CsvTable>& tables,
   return common;
 }
 
-/// What all rows say of a term of the experiment, where they say something.
+/// The common number in a column for a setting of the experiment, if any.
 std::optional<double> told_term(const std::vector<CsvTable>& tables, const std::string& column) {
   if (!common_value(tables, column, "evaluate the sessions of each experiment separately"))
     return std::nullopt;
@@ -145,14 +145,13 @@ std::optional<double> told_term(const std::vector<CsvTable>& tables, const std::
   return std::nullopt;
 }
 
-/// What a paper would hold its own interface against comes first, so that differences and times are
-/// what the later one saves.
+/// Baseline interfaces come first, so that differences are what the later one saves.
 int place_of_interface(const std::string& interface) {
   constexpr std::array<std::string_view, 3> order = {"weights", "features", "adjectives"};
   return static_cast<int>(std::ranges::find(order, interface) - order.begin());
 }
 
-/// The limit decides what failures count as: another than the sessions had would falsify them.
+/// Failures count with the limit, so that it must be the one that the sessions had.
 double limit_of(const std::vector<CsvTable>& tables, const MatchingTerms& terms, double usual) {
   const std::optional<double> told = told_term(tables, "limit_s");
   if (told && terms.limit_s && *told != *terms.limit_s)

@@ -9,29 +9,29 @@
 
 namespace mien::pipeline {
 
-/// One trial of a matching session: a person brings a motion as near to a target as he can.
+/// A matching trial: a participant adjusts a motion to match a target.
 struct MatchingTrial {
   std::string participant;
   std::string target;
   std::string interface;                ///< "weights", "adjectives", "features", …
-  std::optional<double> first_guess_d;  ///< D of the guess made blind, metres
+  std::optional<double> first_guess_d;  ///< D of the guess made without seeing the motion, metres
   std::optional<double>
       time_s;            ///< until the match; the limit when there was none; empty if unknown
   bool success = false;  ///< matched within the limit
 };
 
 struct MatchingResults {
-  std::vector<MatchingTrial> trials;  ///< in the order of the file
-  /// weights, features, adjectives, as far as they occur, then others in the order in which they
-  /// do: which is taken from which must not hang on who came first.
+  std::vector<MatchingTrial> trials;  ///< in the order of the files
+  /// weights, features, adjectives, as far as they occur, then others in order of occurrence. The
+  /// sign of differences thus does not depend on the order of rows.
   std::vector<std::string> interfaces;
-  std::vector<std::string> targets;  ///< likewise
+  std::vector<std::string> targets;  ///< in order of occurrence
   double limit_s = 300.0;
   double threshold_m = 0.06;  ///< D below which motions matched, metres
   bool simulated = false;
 };
 
-/// What the sessions were run by, where it is known better than from their tables.
+/// Settings of the experiment where known from elsewhere than the tables.
 struct MatchingTerms {
   std::optional<double> limit_s;      ///< seconds allowed for a match
   std::optional<double> threshold_m;  ///< D below which motions match, metres

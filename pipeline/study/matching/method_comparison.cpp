@@ -20,7 +20,7 @@ struct TriedSetting {
   motion::Example motion;
 };
 
-/// Three examples, drawn without regard to each other, in random shares.
+/// Random weights of three independently drawn examples.
 Eigen::VectorXd drawn_blend(std::uint64_t seed, int draw, Eigen::Index count) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(count);
   for (int part = 0; part < 3; ++part) {
@@ -32,7 +32,7 @@ Eigen::VectorXd drawn_blend(std::uint64_t seed, int draw, Eigen::Index count) {
   return weights / weights.sum();
 }
 
-/// One method on the sliders, and where its examples lie.
+/// A method with its fitted weights, and the parameters of its examples.
 struct Trial {
   const FittedInterface& sliders;
   const Eigen::MatrixXd& places;

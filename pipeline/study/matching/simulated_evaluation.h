@@ -12,8 +12,8 @@
 namespace mien::pipeline {
 
 struct EvaluationOptions {
-  /// Of interpolation, tried one after the other; each makes the targets its own way, at the same
-  /// places. Empty: the one that the interpolation names.
+  /// Methods of interpolation to evaluate; each synthesises the targets itself, at the same
+  /// parameters. Empty: the method of `interpolation`.
   std::vector<motion::InterpolationMethod> methods;
   std::vector<double> steps = {0.1, 0.25};  ///< slider grids whose nearest settings are tried
   int users = 10;                           ///< simulated, per target and interface
@@ -21,7 +21,7 @@ struct EvaluationOptions {
   double threshold = motion::distance_threshold_m;  ///< D below which motions match, metres
 };
 
-/// One way to a target.
+/// The result of one interface for one target.
 struct InterfaceResult {
   motion::InterpolationMethod method = motion::InterpolationMethod::cardinal;
   std::string target;
@@ -30,7 +30,7 @@ struct InterfaceResult {
   int user = 0;                 ///< from 1; 0: the nearest setting of the grid
   double first_distance = 0.0;  ///< D, metres: the nearest setting, or the user's first guess
   double distance = 0.0;        ///< D in the end, metres
-  int looks = 1;                ///< motions made
+  int looks = 1;                ///< motions synthesised and viewed
   bool first_matches = false;
   bool matches = false;  ///< in the end
 };
@@ -39,14 +39,14 @@ struct InterfaceResult {
 /// out when nobody rated the examples.
 std::vector<SliderInterface> interfaces_of(const Repertoire& repertoire);
 
-/// Tries every interface on every target: targets are places of the primary adjectives,
-/// or of the primary features without ratings. No person is involved.
+/// Evaluates each interface on each target by simulation. Targets are points in the primary
+/// adjectives, or in the primary features without ratings.
 std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
                                                  const std::vector<SampledTarget>& targets,
                                                  const Interpolation& interpolation,
                                                  const EvaluationOptions& options);
 
-/// What the results of one interface have in common.
+/// Summary statistics of an interface.
 struct InterfaceSummary {
   motion::InterpolationMethod method = motion::InterpolationMethod::cardinal;
   InterfaceKind kind = InterfaceKind::adjectives;
@@ -61,7 +61,7 @@ struct InterfaceSummary {
   double mean_looks = 0.0;
 };
 
-/// In the order of the results: an entry an interface and way.
+/// An entry for each method, interface and way, in the order of the results.
 std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& results);
 
 WrittenTable results_table(const std::vector<InterfaceResult>& results);

@@ -74,7 +74,7 @@ class Search {
     return true;
   }
 
-  /// Sliders in an order of this round's own.
+  /// The sliders in a random order for this round.
   std::vector<Eigen::Index> order() {
     std::vector<std::pair<double, Eigen::Index>> drawn;
     ++rounds_;
@@ -87,7 +87,7 @@ class Search {
     return sliders;
   }
 
-  /// Whether anything got better.
+  /// Whether any move was an improvement.
   bool round(double step) {
     bool improved = false;
     for (const Eigen::Index slider : order()) {

@@ -10,7 +10,8 @@
 
 namespace mien::pipeline {
 
-/// Somebody who looks at target and created motion and moves one slider at a time.
+/// A model of a participant who compares the target with the created motion and moves one slider at
+/// a time.
 struct SimulatedUser {
   std::uint64_t seed = 0;
   std::string name;             ///< part of the names of the random numbers
@@ -24,7 +25,7 @@ struct SimulatedTrial {
   Eigen::RowVectorXd first_guess;  ///< slider settings
   double first_distance = 0.0;     ///< D of it, metres
   double distance = 0.0;           ///< D of the motion left when the user stopped
-  int looks = 0;                   ///< motions made and looked at
+  int looks = 0;                   ///< motions viewed
   bool matched = false;            ///< the distance is below the threshold
 };
 
@@ -32,10 +33,11 @@ struct SimulatedTrial {
 using SliderDistance = std::function<double(const Eigen::RowVectorXd&)>;
 
 /// First guess: the ideal settings with the reading error, to the nearest 0.1. Then coordinate-wise
-/// search: in rounds, over the sliders in a random order, each is moved up and, if that looks no
-/// better, down by the step; a move that looks better (seen distance = true one × (1 + error),
+/// search: in rounds, over the sliders in a random order, each is moved up and, if that seems no
+/// better, down by the step; a move that seems better (seen distance = true one × (1 + error),
 /// drawn anew at each look) is kept. A round without any improvement halves the step, from 0.2;
-/// below 0.02 the user stops. So they do when the motion matches, which the experiment tells them.
+/// below 0.02 the user stops. The user also stops when the motion matches, which the experiment
+/// signals.
 SimulatedTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
                              const SliderDistance& distance_at);
 

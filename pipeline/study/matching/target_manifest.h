@@ -27,7 +27,7 @@ Manifest target_manifest(const Manifest& source, const TargetSet& set);
 std::string target_manifest_yaml(const Manifest& targets, const TargetSet& set,
                                  const std::filesystem::path& folder);
 
-/// A row a target and parameter.
+/// A row for each target and parameter.
 WrittenTable targets_table(const TargetSet& set, const std::vector<std::string>& examples,
                            const std::string& ratings);
 

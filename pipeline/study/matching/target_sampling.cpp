@@ -17,7 +17,7 @@ namespace {
 constexpr int most_draws = 200'000;
 constexpr std::size_t pool_size = 400;
 
-/// A place that a blend misses by less than this, on one parameter, counts as reached.
+/// Largest error of a parameter for a point to count as reached.
 constexpr double reached_within = 1e-3;
 
 Eigen::RowVectorXd drawn(std::uint64_t seed, int draw, const std::vector<std::string>& names) {
@@ -29,7 +29,7 @@ Eigen::RowVectorXd drawn(std::uint64_t seed, int draw, const std::vector<std::st
   return place;
 }
 
-/// Draws targets and finds out what the examples make of them.
+/// Samples targets and finds the blends that approximate them.
 class TargetPool {
  public:
   TargetPool(const ParameterTable& table, const std::vector<std::string>& names,

@@ -11,24 +11,25 @@
 
 namespace mien::pipeline {
 
-/// A motion that participants of a matching experiment are asked to make again.
+/// A target motion of a matching experiment, to be recreated by participants.
 struct SampledTarget {
   std::string id;  ///< "target-1", "practice-1", …
   bool practice = false;
-  Eigen::RowVectorXd place;    ///< asked for: one value a parameter, in [0, 1]
-  Eigen::RowVectorXd reached;  ///< the same as the blend has it that is made (reach.h)
-  Eigen::RowVectorXd seen;     ///< what targets are spread in (TargetSpread), of that blend
-  int nearest_example = 0;     ///< column of the table
-  double distance = 0.0;       ///< to it
+  Eigen::RowVectorXd place;    ///< target parameters, each in [0, 1]
+  Eigen::RowVectorXd reached;  ///< parameters of the blend that approximates them (reach.h)
+  Eigen::RowVectorXd
+      seen;  ///< coordinates of that blend in which targets are spread (TargetSpread)
+  int nearest_example = 0;  ///< column of the table
+  double distance = 0.0;    ///< to it
 };
 
-/// What becomes of a place that no blend of the examples has.
+/// Handling of sampled parameters that no blend of the examples reaches.
 enum class Unreachable {
-  reject,   ///< another is drawn
-  project,  ///< the nearest place that one has takes its place
+  reject,   ///< another is sampled
+  project,  ///< replaced by the nearest reachable parameters
 };
 
-/// What targets are as different in as can be.
+/// Coordinates in which targets are spread as far as possible.
 enum class TargetSpread {
   parameters,  ///< those that they are places of
   everything,  ///< all rows of the table: all that raters were asked about, or all features

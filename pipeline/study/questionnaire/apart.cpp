@@ -16,7 +16,7 @@ using Things = std::vector<std::size_t>;
 using MaybeThing = std::optional<std::size_t>;
 
 constexpr int most_attempts = 400;
-constexpr long most_steps = 200'000;  // of the search that tries everything
+constexpr long most_steps = 200'000;  // of the exhaustive search
 
 using LevelCounts = std::vector<std::map<std::string, std::size_t>>;
 
@@ -31,8 +31,8 @@ LevelCounts counts_of(const Likeness& likeness, const Things& things) {
   return counts;
 }
 
-/// Puts one thing after the other. What is left of a level may fill at most every second place of
-/// those left, so a level that does so has to come next.
+/// A greedy random attempt. The remaining things of a level may fill at most every second remaining
+/// place, so a level that does has to come next.
 class Attempt {
  public:
   Attempt(const Likeness& likeness, Things shuffled, MaybeThing before)
@@ -41,7 +41,7 @@ class Attempt {
         last_(before),
         counts_(counts_of(likeness, left_)) {}
 
-  /// The order, or nothing where it came to a dead end.
+  /// The order; nullopt at a dead end.
   std::optional<Things> run() {
     Things order;
     while (!left_.empty()) {
@@ -76,7 +76,7 @@ class Attempt {
   LevelCounts counts_;
 };
 
-/// Tries everything, in the order given, until it has taken too many steps.
+/// An exhaustive depth-first search in the given order, up to a number of steps.
 class Search {
  public:
   Search(const Likeness& likeness, Things things, MaybeThing before)

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// How often something comes, of what comes least and most often.
+/// The least and greatest of a set of counts.
 struct CountRange {
   int least = 0;
   int most = 0;
@@ -18,24 +18,25 @@ struct CountRange {
   bool is_even() const { return least == most; }
 };
 
-/// How evenly sessions are laid out, of the trials that are analysed. What they are about is a
-/// stimulus, or two as "a/b" whichever is left.
+/// Counts that show how balanced the session plans are, over the analysed trials. A subject is a
+/// stimulus, or a pair as "a/b" in alphabetical order.
 struct Balance {
   using PairCounts = std::map<std::pair<std::string, std::string>, int>;
 
-  std::vector<std::string> subjects;   ///< in alphabetical order
-  std::map<std::string, int> seen;     ///< how many participants see each subject
-  PairCounts at_place;                 ///< subject and place among the analysed trials, from "1"
-  PairCounts follows;                  ///< subject and the one right after it
-  PairCounts together;                 ///< two subjects of one participant, the lesser name first
-  std::map<std::string, int> flipped;  ///< item → participants with the high end at the left
-  std::map<std::string, int> left;     ///< of pairs: how often the lesser name is left
-  int most_places = 0;                 ///< analysed trials of the longest session
+  std::vector<std::string> subjects;  ///< in alphabetical order
+  std::map<std::string, int> seen;    ///< number of participants who see each subject
+  PairCounts at_place;                ///< subject and place among the analysed trials, from "1"
+  PairCounts follows;                 ///< subject and its immediate successor
+  PairCounts together;  ///< two subjects seen by one participant, in alphabetical order
+  std::map<std::string, int>
+      flipped;  ///< item → number of participants with the high end at the left
+  std::map<std::string, int> left;  ///< of pairs: how often the alphabetically first is at the left
+  int most_places = 0;              ///< analysed trials of the longest session
 };
 
 Balance balance_of(const Manifest& manifest, const std::vector<SessionPlan>& plans);
 
-/// Least and most over all that could have come, those that never did included.
+/// Ranges over all possible combinations, including those that never occur.
 CountRange seen_range(const Balance& balance);
 CountRange place_range(const Balance& balance);
 CountRange follows_range(const Balance& balance);
@@ -43,18 +44,18 @@ CountRange together_range(const Balance& balance);
 CountRange flipped_range(const Balance& balance);
 CountRange left_range(const Balance& balance);
 
-/// What is balanced and what cannot be with so many participants, a sentence each.
+/// Sentences on what is balanced, and on what cannot be with that number of participants.
 std::vector<std::string> balance_sentences(const Manifest& manifest, const Balance& balance,
                                            int participants);
 
-/// The columns of the two tables.
+/// The columns of balance.csv and plans.csv.
 extern const TableForm balance_form;
 extern const TableForm plans_form;
 
-/// All counts.
+/// All counts of a balance as CSV.
 std::string balance_csv(const Balance& balance);
 
-/// Every trial of every plan, one a row.
+/// CSV with a row for each trial of each plan.
 std::string plans_csv(const std::vector<SessionPlan>& plans);
 
 }  // namespace mien::pipeline

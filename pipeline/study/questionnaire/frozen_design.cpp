@@ -132,7 +132,7 @@ std::string stimuli_csv(const Manifest& manifest, const fs::path& made) {
   return media_columns.of(rows).csv;
 }
 
-/// All but the media, which may not be made.
+/// All files but the hashes of the media, which may not exist yet.
 ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   ZipFiles files;
   files["README.txt"] = readme;
@@ -149,7 +149,7 @@ ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& pla
 
 ZipFiles read_frozen(const fs::path& bundle) {
   ZipFiles frozen = read_zip(bundle);
-  constexpr std::size_t deepest = 16;  // more than a design has
+  constexpr std::size_t deepest = 16;  // nesting of design.json
   const bool is_complete = frozen.contains("design.json") && frozen.contains(hashes_path);
   if (!is_complete || motion::is_nested_deeper(frozen["design.json"], deepest) ||
       !ordered_json::accept(frozen["design.json"]))
@@ -160,7 +160,7 @@ ZipFiles read_frozen(const fs::path& bundle) {
   return frozen;
 }
 
-/// Rows of a table by their first field.
+/// The rows of a CSV table, by their first field.
 std::map<std::string, std::string> rows_of_table(const std::string& csv) {
   std::map<std::string, std::string> rows;
   const CsvTable table = parse_csv(csv, "frozen");
@@ -169,7 +169,7 @@ std::map<std::string, std::string> rows_of_table(const std::string& csv) {
   return rows;
 }
 
-/// "stimuli: a and b": names whose rows are not the same, or only in one of them.
+/// Adds "stimuli: a and b", the names whose rows differ or are in one table alone.
 void compare_tables(const std::string& what, const std::string& then, const std::string& now,
                     std::vector<std::string>& differences) {
   if (then == now) return;

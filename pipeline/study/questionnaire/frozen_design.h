@@ -11,54 +11,54 @@
 
 namespace mien::pipeline {
 
-/// A file that participants are shown, or may be.
+/// A media file of the questionnaire.
 struct ShownMedia {
   std::string stimulus;
   std::string path;  ///< in the study's folder: "videos/walk.mp4", "clips/walk.glb"
 };
 
-/// Of all stimuli that a questionnaire shows (shown_stimuli): their videos or, where they may be
-/// turned, their motions in 3-D as well.
+/// The media of all stimuli that a questionnaire shows (shown_stimuli): videos, and 3-D motions
+/// where participants may turn the view.
 std::vector<ShownMedia> shown_media(const Manifest& manifest);
 
-/// What a questionnaire is at one moment, to be kept where nobody can change it before the answers
-/// are there:
+/// A snapshot of a questionnaire's design for preregistration:
 ///
 ///     README.txt           what this is
 ///     design.json          study, hash of the design, participants, expected duration, analysis
 ///     plans.csv            every trial of every participant
-///     balance.csv          how evenly
-///     scales.csv           what is asked, with both ends
+///     balance.csv          counts of its balance
+///     scales.csv           scales, with both ends
 ///     analysis-plan.txt    in the words of the manifest
-///     stimuli.csv          stimulus,media,sha256 of all that is shown
+///     stimuli.csv          stimulus,media,sha256 of all media
 ///     inputs/…             the manifest and the texts, scales, recipes and sets it names
 ///     inputs.csv           hashes of these and of the motions that they name
-///     dummy-report/…       what the report makes of simulated answers
+///     dummy-report/…       the report of simulated answers
 ///     manifest-sha256.txt  of all of these
 ///
-/// No dates: the same study gives the same bytes. `made` is the folder that the study was made in;
-/// throws Error when a stimulus's media is not there.
+/// No dates: the same study gives the same bytes. `made` is the output folder of the study. Throws
+/// Error when the media of a stimulus is missing.
 ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                        const std::filesystem::path& made);
 
-/// Adds all files below a folder, as `prefix`/…, to what is frozen; the list of hashes is made
-/// anew. Throws Error for what is no file or folder.
+/// Adds all files below a folder to `frozen`, as `prefix`/…, and updates the list of hashes. Throws
+/// Error for entries that are neither file nor folder.
 void add_folder(ZipFiles& frozen, const std::filesystem::path& folder, const std::string& prefix);
 
-/// Answers that nobody gave, in truth all alike, of people who pass every check.
+/// Simulated answers without differences between stimuli, of participants who pass every attention
+/// check.
 std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
                                      const std::vector<SessionPlan>& plans);
 
-/// Adds the dummy answers (dummy-report/answers.csv), so that what will be done with answers can be
-/// tried before there are any.
+/// Adds the dummy answers (dummy-report/answers.csv), so that the analysis can be tested before
+/// data collection.
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans);
 
-/// The same study as it is now against a bundle: a sentence for each difference, that begins with
-/// what differs (design, texts, scales, analysis, stimuli, inputs). Empty when what was run is what
-/// was frozen. Without a folder `made`, the media are not looked at, and a sentence says so.
+/// Compares a study with a frozen bundle: a sentence for each difference, which begins with its
+/// subject (design, texts, scales, analysis, stimuli, inputs). Empty without differences. Without a
+/// folder `made`, media are not compared, and a sentence says so.
 ///
-/// Throws Error for what is no such bundle, or one that was changed by hand.
+/// Throws Error for a folder or archive that is not such a bundle, or whose hashes do not match.
 std::vector<std::string> frozen_differences(const std::filesystem::path& bundle,
                                             const Manifest& manifest,
                                             const std::filesystem::path& made = {});

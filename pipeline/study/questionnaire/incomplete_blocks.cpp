@@ -46,7 +46,7 @@ class Dealer {
   }
 
  private:
-  /// What joining the chosen ones adds to the sum of squares of how often two were dealt together.
+  /// The increase of the sum of squared pair counts when the thing joins the chosen ones.
   long long cost(std::size_t thing, const Things& chosen) const {
     long long sum = 0;
     for (const std::size_t other : chosen)
@@ -54,7 +54,7 @@ class Dealer {
     return sum;
   }
 
-  /// How much of its kinds a block would have with the thing: the largest share of one.
+  /// The largest share of one of its kinds in a block with the thing.
   double fullness(std::size_t thing, const std::vector<std::size_t>& chosen_of_kind) const {
     double most = 0.0;
     for (const std::size_t kind : kinds_[thing])
@@ -63,8 +63,8 @@ class Dealer {
     return most;
   }
 
-  /// One by one the thing that was dealt least often, of the kinds that are scarce in the block,
-  /// and dealt least with those before it; among equals chance decides.
+  /// Chooses greedily: the thing assigned least often, then of the kinds that are scarcest in the
+  /// block, then least often together with those chosen; ties are broken at random.
   Things first_choice() const {
     const Things order = random_order(things_, seed_, "block/" + std::to_string(block_));
     Things chosen;
@@ -87,8 +87,7 @@ class Dealer {
     return chosen;
   }
 
-  /// Exchanges things of the same kinds that were dealt equally often for as long as pairs become
-  /// more even.
+  /// Exchanges things of the same kinds and equal counts while that makes pair counts more even.
   void improve(Things& chosen) const {
     const Things order = random_order(things_, seed_, "exchange/" + std::to_string(block_));
     std::vector<bool> is_in(things_);
@@ -113,7 +112,7 @@ class Dealer {
   std::size_t size_;
   std::uint64_t seed_;
   std::vector<Things> kinds_;
-  std::vector<std::size_t> of_kind_;  ///< how many things are of each
+  std::vector<std::size_t> of_kind_;  ///< number of things of each kind
   std::size_t block_ = 0;
   std::vector<int> dealt_;
   std::vector<std::uint16_t> together_;  ///< things × things; large where there are thousands

@@ -15,8 +15,8 @@ namespace {
 
 using Subjects = std::vector<std::size_t>;
 
-/// Row of Williams' square for a participant: all rows of a square, in an order of chance, before
-/// those of its mirror or of the next round.
+/// The row of Williams' square for a participant. All rows of a square are used, in random order,
+/// before those of its mirror image or of the next round.
 Subjects square_row(std::size_t count, int index, std::uint64_t seed) {
   const auto round = static_cast<std::size_t>(index) / count;
   const Subjects rows = random_order(count, seed, fmt::format("rows/{}", round));
@@ -37,7 +37,7 @@ class MainPart {
         subjects_(subjects),
         share_(share),
         index_(index),
-        // Where all see the same order, so they do what chance adds to it.
+        // Where all see the same order, random additions are the same for all too.
         own_seed_(seed_of(manifest.seed, asked_.order.kind == TrialOrder::Kind::fixed
                                              ? "everybody"
                                              : participant_name(index))) {}
@@ -104,7 +104,7 @@ class MainPart {
     return subjects_.blocks[trials_[place].subject];
   }
 
-  /// Shows one a second time: in its own block, half of it later where that can be.
+  /// Inserts a repetition in the same block, half a block later where possible.
   void repeat_one(int number) {
     const std::string name = fmt::format("repeat/{}", number);
     const Subjects order = random_order(trials_.size(), own_seed_, name);
@@ -140,7 +140,7 @@ class MainPart {
     });
   }
 
-  /// Whether what is shown first at `first` may be shown again before what is at `place`.
+  /// Whether the trial at `first` may be repeated before the trial at `place`.
   bool takes(std::size_t place, std::size_t first) const {
     const std::size_t subject = trials_[first].subject;
     if (block_of(place - 1) != block_of(first)) return false;
@@ -148,7 +148,8 @@ class MainPart {
     return place == trials_.size() || !are_alike(trials_[place].subject, subject);
   }
 
-  /// Those that the participant does not rate, else those that he rates last; of the first block.
+  /// Subjects for the warm-up, of the first block: those that the participant does not rate,
+  /// otherwise those rated last.
   Subjects warm_up_candidates() const {
     Subjects candidates;
     const std::string& block = block_of(0);

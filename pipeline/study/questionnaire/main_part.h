@@ -8,15 +8,15 @@
 
 namespace mien::pipeline {
 
-/// A place in the main part of a session.
+/// A trial of the main part of a session.
 struct MainTrial {
   std::size_t subject = 0;
   bool warm_up = false;
-  bool repeated = false;  ///< shown the second time
+  bool repeated = false;  ///< a repetition of an earlier trial
 };
 
-/// The order in which participant `index` sees his share, with the warm-up before and the repeated
-/// ones within. Throws Error when no order keeps apart what has to be apart.
+/// The main part for participant `index`: warm-up trials, then the subjects of `share` in order,
+/// with repetitions inserted. Throws Error when no order satisfies `questionnaire.apart`.
 std::vector<MainTrial> main_part(const Manifest& manifest, const TrialSubjects& subjects,
                                  const std::vector<std::size_t>& share, int index);
 

@@ -18,7 +18,7 @@ std::uint64_t seed_of(std::uint64_t seed, std::string_view name) {
 std::size_t random_choice(std::size_t count, std::uint64_t seed, std::string_view name,
                           std::uint64_t index) {
   assert(count > 0);
-  // The high part of the product (Lemire 2019); what it prefers some numbers by is below 2⁻³².
+  // The high part of the product (Lemire 2019); its bias is below 2⁻³².
   const std::uint64_t bits = motion::random_bits(seed_of(seed, name), index) >> 32U;
   return static_cast<std::size_t>((bits * count) >> 32U);
 }

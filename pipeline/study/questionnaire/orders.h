@@ -7,24 +7,25 @@
 
 namespace mien::pipeline {
 
-/// 0 … count − 1 in an order that depends on seed and name alone; every order is equally likely.
+/// A uniformly random permutation of 0 … count − 1, deterministic in seed and name.
 std::vector<std::size_t> random_order(std::size_t count, std::uint64_t seed, std::string_view name);
 
-/// A number 0 … count − 1 of seed, name and index alone; count must not be 0.
+/// A uniformly random number 0 … count − 1, deterministic in seed, name and index; count must not
+/// be 0.
 std::size_t random_choice(std::size_t count, std::uint64_t seed, std::string_view name,
                           std::uint64_t index = 0);
 
-/// The seed of somebody's own: of the study's and a name.
+/// A seed derived from the study's seed and a name.
 std::uint64_t seed_of(std::uint64_t seed, std::string_view name);
 
-/// A row of Williams' Latin square of 0 … count − 1 (Williams 1949), after which all is said that
-/// can be said in so few rows: in `count` rows everything comes once in every place. For an even
-/// count, everything follows everything else once in these `count` rows; for an odd one twice in
-/// 2·count rows, of which the second half are the first in reverse. `row` may be any number: they
-/// go round.
+/// A row of Williams' Latin square of 0 … count − 1 (Williams 1949), balanced for carry-over. In
+/// `count` rows each number occurs once in each place. For an even count, each follows each other
+/// number once in these rows; for an odd count, twice in 2·count rows, the second half being the
+/// first reversed. `row` may be any number; rows repeat cyclically.
 std::vector<std::size_t> williams_row(std::size_t count, std::size_t row);
 
-/// Rows after which everything has followed everything else equally often: count, or 2·count.
+/// The number of rows after which each number has followed each other equally often: count if even,
+/// otherwise 2·count.
 std::size_t williams_rows(std::size_t count);
 
 }  // namespace mien::pipeline

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647692;
 
-/// The n-th normal number of a stream (Box and Muller 1958).
+/// The n-th standard normal number of a stream (Box and Muller 1958).
 double normal_number(std::uint64_t stream, std::uint64_t n) {
   const double radius = motion::open_unit_number(motion::random_bits(stream, 2 * n));
   const double angle = motion::open_unit_number(motion::random_bits(stream, 2 * n + 1));
@@ -31,7 +31,7 @@ double critical_t(std::size_t pairs, double alpha) {
   return quantile(complement(boost::math::students_t(static_cast<double>(pairs - 1)), alpha / 2.0));
 }
 
-/// Sums over the differences of a study's participants so far.
+/// Running sums over the differences of a study's participants.
 struct RunningTest {
   std::size_t count = 0;
   double sum = 0.0;
@@ -43,7 +43,7 @@ struct RunningTest {
     squares += difference * difference;
   }
 
-  /// Whether the test tells the mean from −shift.
+  /// Whether the t test finds the mean different from −shift.
   bool is_found(double shift, const std::vector<double>& critical) const {
     if (count < 2) return false;
     const auto n = static_cast<double>(count);
@@ -52,7 +52,8 @@ struct RunningTest {
   }
 };
 
-/// Simulates studies of up to so many participants; each number of them is a study too.
+/// Simulates studies with up to a number of participants; each of their first n participants are a
+/// study too.
 class PowerSimulation {
  public:
   PowerSimulation(const Manifest& manifest, const PowerQuestion& question, int participants)
@@ -74,7 +75,7 @@ class PowerSimulation {
     for (int study = 0; study < question_.studies; ++study) run_study(study);
   }
 
-  // Of studies of so many participants.
+  // Counts over the simulated studies, by number of participants.
   std::vector<int> found;
   std::vector<int> alarms;
   std::vector<double> usable;  ///< participants who saw both, summed over the studies
@@ -108,8 +109,8 @@ class PowerSimulation {
     side_[other + (other >= one)] = -1;
   }
 
-  /// The difference without the true one, if the participant saw both. What he adds to all of his
-  /// answers is no part of it.
+  /// The participant's difference under the null hypothesis; nullopt unless the participant saw
+  /// both. The participant effect cancels out.
   void add_person(std::size_t person, RunningTest& test) const {
     double sums[2] = {0.0, 0.0};
     int counts[2] = {0, 0};

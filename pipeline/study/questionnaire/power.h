@@ -9,19 +9,20 @@
 
 namespace mien::pipeline {
 
-/// What a power estimate simulates: ratings that are sums of a participant's, a stimulus's and a
-/// residual part, by the shares that the design deals out, and a paired t test over the
-/// participants of two things they saw.
+/// Settings of a power estimate. Simulated ratings are sums of a participant, a stimulus and a
+/// residual effect, for the stimuli that the design assigns to each participant; a paired t test
+/// over participants compares two stimuli or two levels.
 struct PowerQuestion {
   RatingSpread spread;
-  double difference = 0.5;  ///< true, in points of the scale
+  double difference = 0.5;  ///< true difference, in points of the scale
   double wanted = 0.8;      ///< power
   double alpha = 0.05;      ///< of the two-sided test
   int studies = 4000;       ///< simulated for each number of participants
   int most_participants = 1000;
   std::uint64_t seed = 0;
-  /// Compared are two stimuli, any two of the design; or, with a factor, two of its levels: each
-  /// participant's mean over what he saw of them, stimuli being drawn anew for every study.
+  /// Without a factor, any two stimuli of the design are compared. With one, two of its levels:
+  /// each participant's mean over the stimuli seen at each level, with stimulus effects drawn anew
+  /// for each simulated study.
   std::string factor;
   std::string level, other_level;
 };
@@ -37,26 +38,27 @@ struct SimulatedShare {
 SimulatedShare simulated_share(int successes, int trials);
 
 struct PowerEstimate {
-  int participants = 0;         ///< planned
-  SimulatedShare power;         ///< with so many
-  SimulatedShare false_alarms;  ///< found where there is no difference, with so many
-  double usable = 0.0;          ///< participants who saw both, on the average
-  int needed = 0;       ///< least number that finds it as often as wanted; 0: more than the most
-  int needed_low = 0;   ///< by the upper end of the simulation's interval
-  int needed_high = 0;  ///< by the lower end; 0: more than the most
+  int participants = 0;         ///< planned number
+  SimulatedShare power;         ///< at the planned number
+  SimulatedShare false_alarms;  ///< false positives at the planned number
+  double usable = 0.0;          ///< mean number of participants who saw both
+  int needed = 0;       ///< least number with the wanted power; 0: more than most_participants
+  int needed_low = 0;   ///< from the upper limit of the Monte-Carlo interval
+  int needed_high = 0;  ///< from the lower limit; 0: more than most_participants
 };
 
-/// Deterministic in the seed. Every number of participants is tried with the same simulated people.
-/// Throws Error for a factor or level that the stimuli do not have, and for designs in which nobody
-/// sees two stimuli.
+/// Estimates the power of the test by simulation, and the number of participants needed.
+/// Deterministic in the seed. All numbers of participants use the same simulated participants.
+/// Throws Error for a factor or level that the stimuli do not have, and for designs in which no
+/// participant sees two stimuli.
 PowerEstimate estimate_power(const Manifest& manifest, const PowerQuestion& question);
 
-/// Whether differences among stimuli of the same level make the test find what is not there more
-/// often than its level allows, beyond the simulation's error. Its power is no power then.
+/// Whether differences among stimuli of the same level raise the false-positive rate of the test
+/// above alpha, beyond the Monte-Carlo error. Its power is meaningless then.
 bool is_test_misled(const PowerQuestion& question, const PowerEstimate& estimate);
 
-/// Plain sentences: what was simulated, what came out, with which error. A test that is misled is
-/// told no number of participants.
+/// Sentences on what was simulated and the result with its error. For a test with an inflated
+/// false-positive rate no number of participants is given.
 std::vector<std::string> power_sentences(const PowerQuestion& question,
                                          const PowerEstimate& estimate);
 

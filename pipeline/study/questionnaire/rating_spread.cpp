@@ -20,7 +20,7 @@ struct Total {
 
 using Totals = std::map<int, Total>;
 
-/// Sum of squares of totals, each over its count.
+/// Sum of total² / count.
 double squares(const Totals& totals) {
   double sum = 0.0;
   for (const auto& [key, total] : totals) sum += total.sum * total.sum / total.count;

@@ -6,29 +6,29 @@
 
 namespace mien::pipeline {
 
-/// Standard deviations of ratings, in points of the scale: of participants who lean to one end, of
-/// stimuli that differ, and of what is left.
+/// Standard deviations of the variance components of ratings, in points of the scale: participants
+/// (response bias), stimuli, and the residual.
 struct RatingSpread {
   double participant = 0.5;
   double stimulus = 0.5;
   double residual = 0.8;
 };
 
-/// One rating, by the numbers of who gave it and of what it is about.
+/// A rating with the indices of its participant and stimulus.
 struct CrossedRating {
   int participant = 0;
   int stimulus = 0;
   double value = 0.0;
 };
 
-/// From ratings on one scale, by the analysis of variance of two crossed random factors without
-/// repetition; participants may have rated a part of the stimuli each (method 1 of Henderson 1953).
-/// A part that comes out below 0 is 0. Throws Error with fewer than two participants or stimuli, or
-/// where what participants and stimuli do cannot be told apart.
+/// Estimates variance components from ratings on one scale, by the analysis of variance of two
+/// crossed random factors without repetition; data may be unbalanced (method 1 of Henderson 1953).
+/// Negative estimates become 0. Throws Error with fewer than two participants or stimuli, or where
+/// participant and stimulus effects are confounded.
 RatingSpread spread_of(const std::vector<CrossedRating>& ratings);
 
-/// The same over all scales: the mean of the variances, scale by scale. Ratings that somebody gave
-/// twice count with their mean.
+/// The same over several scales, as the mean of the variances of each. Repeated ratings by a
+/// participant are averaged first.
 RatingSpread spread_of(const Answers& answers);
 
 }  // namespace mien::pipeline

@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char letter) { return letter == ' ' || letter == '\n' || letter == '\t'; }
 
-/// Letters from U+3000 on are written without blanks.
+/// Characters from U+3000 on are of scripts written without spaces.
 bool is_wide(std::string_view word) {
   return std::ranges::any_of(word,
                              [](char byte) { return static_cast<unsigned char>(byte) >= 0xE3U; });

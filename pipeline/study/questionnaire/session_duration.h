@@ -7,20 +7,21 @@
 
 namespace mien::pipeline {
 
-/// Sessions that are expected to take longer are warned about: the participants of the emotion
-/// thesis found 40 videos too long.
+/// Longer expected sessions cause a warning; participants of the emotion thesis found 40 videos too
+/// long.
 inline constexpr double longest_good_session_seconds = 20.0 * 60.0;
 
-/// What a session is expected to take: its texts read, its questions answered, every video seen
-/// once (those beside each other at the same time), every item answered (Pace).
+/// Expected duration of a session, seconds: reading texts, answering questions about the
+/// participant, watching each video once (those side by side at the same time) and answering each
+/// item (Pace).
 double session_seconds(const Manifest& manifest, const SessionPlan& plan,
                        const VideoSeconds& seconds);
 
-/// Words to read in a text. Of writing without blanks, two characters count as a word.
+/// Number of words in a text. In scripts written without spaces, two characters count as a word.
 double words_in(std::string_view text);
 
-/// Seconds of the videos of these stimuli as they are shown, card, cross and blanks included. Makes
-/// their motions. Throws Error.
+/// Duration of the video of each stimulus in seconds, including title card, fixation cross and
+/// blanks. Synthesises the motions. Throws Error.
 VideoSeconds video_seconds(const Manifest& manifest);
 
 }  // namespace mien::pipeline

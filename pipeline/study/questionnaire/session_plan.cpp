@@ -16,7 +16,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Lays out one session after the other.
+/// Plans the sessions one after the other.
 class Planner {
  public:
   explicit Planner(const Manifest& manifest)
@@ -36,7 +36,7 @@ class Planner {
     plan_ = {};
     plan_.index = index_;
     plan_.participant = participant_name(index_);
-    // So that a page keeps it whole in a double.
+    // So that a double of JavaScript represents it exactly.
     plan_.seed = seed_of(manifest_.seed, plan_.participant) >> 11U;
     lay_choices();
     lay_items();
@@ -51,7 +51,7 @@ class Planner {
  private:
   bool are_sides_random() const { return asked_.answer.side == PoleSide::random; }
 
-  /// Of two participants in a row one has it this way and one that way.
+  /// Alternates between successive participants.
   bool is_flipped(const std::string& what, int index) const {
     const bool first = random_choice(2, manifest_.seed, fmt::format("side/{}/{}", what, index / 2));
     return are_sides_random() && first != (index % 2 == 1);
@@ -106,13 +106,13 @@ class Planner {
     }
   }
 
-  /// Which of a pair is left: one way and the other in turn, of two that begin by chance.
+  /// Which of a pair is at the left: alternates between showings, starting at random.
   void turn(Trial& trial, std::size_t times) const {
     const std::string name = trial.stimuli[0] + "/" + trial.stimuli[1];
     if (is_flipped(name, static_cast<int>(times))) std::swap(trial.stimuli[0], trial.stimuli[1]);
   }
 
-  /// Trials of the main part after which a check comes; none after the last.
+  /// The trials of the main part that attention checks follow; none after the last.
   std::vector<std::size_t> attention_places(std::size_t trials) const {
     std::vector<std::size_t> places;
     const auto every = static_cast<std::size_t>(asked_.attention_every);
@@ -151,7 +151,7 @@ class Planner {
   std::vector<std::string> scales_;
   AskedScales asked_scales_;
   std::vector<std::size_t> shown_;  ///< how often each subject is analysed so far
-  std::vector<AskedItem> items_;    ///< of the session in the making
+  std::vector<AskedItem> items_;    ///< of the session being planned
   SessionPlan plan_;
   int index_ = 0;
 };
@@ -182,7 +182,7 @@ std::size_t least_filled(const std::vector<SessionPlan>& plans, const std::vecto
       for (const std::string& stimulus : trial.stimuli) seen[stimulus] += finished[i];
     }
   }
-  // Mean over a plan's stimuli of how often they were seen to the end.
+  // Mean over a plan's stimuli of their number of finished sessions.
   const auto fill = [&](std::size_t i) {
     double sum = 0.0, count = 0.0;
     for (const Trial& trial : plans[i].trials) {

@@ -11,37 +11,39 @@
 
 namespace mien::pipeline {
 
-/// All that one participant is shown.
+/// The session of one participant: its trials in order.
 struct SessionPlan {
   int index = 0;            ///< from 0
   std::string participant;  ///< "p001"
-  std::uint64_t seed = 0;   ///< of this participant, from the study's and the index
+  std::uint64_t seed = 0;   ///< derived from the study's seed and the index
   std::vector<Trial> trials;
-  std::vector<std::string> choices;  ///< ids of what emotion trials offer, as they stand there
-  double expected_seconds = 0.0;     ///< with the texts and the questions about the participant
+  std::vector<std::string>
+      choices;  ///< ids of the choices in emotion trials, in the order on the page
+  double expected_seconds = 0.0;  ///< including texts and questions about the participant
 
   friend bool operator==(const SessionPlan&, const SessionPlan&) = default;
 };
 
-/// Seconds that the videos last, by stimulus. A stimulus that is not there counts as `usual_video`.
+/// Duration of videos in seconds, by stimulus. Missing stimuli count as usual_video_seconds.
 using VideoSeconds = std::map<std::string, double>;
 inline constexpr double usual_video_seconds = 4.0;
 
-/// The sessions of all planned participants, or of `count` when that is not 0. Every plan is a pure
-/// function of (manifest, its index): more participants change none of the earlier plans. The
-/// manifest must have a questionnaire without faults.
+/// The session plans of all planned participants, or of `count` unless it is 0. Each plan is a pure
+/// function of (manifest, index), so further participants do not change earlier plans. The manifest
+/// must have a valid questionnaire.
 ///
-/// Throws Error when no order keeps the factors of `no_repeats` apart.
+/// Throws Error when no order satisfies `questionnaire.no_repeats`.
 std::vector<SessionPlan> plan_sessions(const Manifest& manifest, const VideoSeconds& seconds = {},
                                        int count = 0);
 
-/// Which plan the next participant should get, when plan i was given to `given[i]` people and
-/// finished by `finished[i]` of them: of those given out least often the first whose stimuli have
-/// been seen least often to the end. As many numbers as plans, which must not be empty.
+/// Index of the plan for the next participant, when plan i was assigned to `given[i]` participants
+/// and finished by `finished[i]` of them: among the plans assigned least often, the first whose
+/// stimuli were rated least often in finished sessions. Both have the size of `plans`, which must
+/// not be empty.
 std::size_t least_filled(const std::vector<SessionPlan>& plans, const std::vector<int>& given,
                          const std::vector<int>& finished);
 
-/// "p001", "p040"; from 0.
+/// "p001" for index 0, "p040" for 39.
 std::string participant_name(int index);
 
 }  // namespace mien::pipeline

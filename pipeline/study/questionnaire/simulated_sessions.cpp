@@ -16,7 +16,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// One participant who is not there.
+/// The session of a simulated participant.
 class SimulatedSession {
  public:
   SimulatedSession(const Manifest& manifest, const SessionPlan& plan, const StatedTruth& truth,
@@ -71,7 +71,7 @@ class SimulatedSession {
             .chance = uniform(plan_.seed, name("chosen", trial, item))};
   }
 
-  /// What the participant thinks of a stimulus in this trial.
+  /// The participant's opinion of a stimulus of the trial, in the scale's own range.
   double opinion(const Question& question, std::size_t which) const {
     const auto& [trial, item, scale, choices] = question;
     const std::string& stimulus = trial.stimuli[which];
@@ -83,7 +83,7 @@ class SimulatedSession {
     return mean + lean + rest;
   }
 
-  /// Some other answer than the one that a check asks for.
+  /// A wrong answer to an attention check.
   static std::string missed(const Question& question) {
     for (const std::string& answer : question.trial.kind->checkable(question))
       if (answer != question.trial.expected) return answer;
@@ -103,8 +103,8 @@ std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth, const SimulatedPeople& people) {
   const AskedScales scales = asked_scales_by_item(manifest);
-  // Of the study as it is planned, however many plans are answered: further participants change
-  // nothing for the earlier ones.
+  // The hash of the study as planned, whatever the number of plans: further participants change
+  // nothing for earlier ones.
   const std::string design = design_hash(manifest, plan_sessions(manifest));
   std::vector<AnswerRow> rows;
   for (const SessionPlan& plan : plans)
@@ -115,7 +115,7 @@ std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
 
 std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   Questionnaire asked = questionnaire_of(manifest);
-  // Neither shows in a session; and a text is itself, not the file that it was read from.
+  // Neither affects a session. Texts count by content, not by the file that they were read from.
   asked.pace = {};
   asked.analysis = {};
   for (TextSource* text : {&asked.consent, &asked.instructions, &asked.ending}) text->file.clear();

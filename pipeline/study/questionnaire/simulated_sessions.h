@@ -12,36 +12,38 @@
 
 namespace mien::pipeline {
 
-/// What is true of stimuli: (stimulus, scale) → the mean of what people would answer, in the
-/// scale's own range. What is not there is the middle.
+/// The assumed true ratings: (stimulus, scale) → population mean, in the scale's own range. Missing
+/// entries mean the middle of the scale.
 using StatedTruth = std::map<std::pair<std::string, std::string>, double>;
 
 /// Reads a CSV with the columns stimulus, scale and value. Throws Faults: stimuli and scales that
 /// the questionnaire does not ask about, values outside the scale.
 StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& file);
 
-/// What simulated raters (simulated_raters.h) see in the motions, measured against each other.
-/// Makes the motions. Throws Error, also for scales that they do not know.
+/// Ratings by the model of simulated raters (simulated_raters.h) from features of the motions,
+/// which are synthesised. Throws Error, also for scales that the model does not know.
 StatedTruth measured_truth(const Manifest& manifest);
 
-/// How people answer who are not there.
+/// How simulated participants respond.
 struct SimulatedPeople {
-  RatingSpread spread = {.participant = 0.3, .stimulus = 0.0, .residual = 0.7};  ///< stimulus: none
-  double attentive = 0.98;      ///< share of attention checks that are passed
-  double seen = 0.6;            ///< share of emotion trials in which the stimulus's own is chosen
-  double answer_seconds = 2.5;  ///< median of an item's
+  RatingSpread spread = {.participant = 0.3,
+                         .stimulus = 0.0,
+                         .residual = 0.7};  ///< no stimulus effect beyond the truth
+  double attentive = 0.98;                  ///< probability of passing an attention check
+  double seen = 0.6;  ///< probability of choosing the stimulus's own emotion in an emotion trial
+  double answer_seconds = 2.5;  ///< median response time of an item, seconds
 };
 
-/// Answers to all trials of all plans: the truth, the participant's lean to one end of each scale
-/// and a residual part, put onto the points that the questionnaire offers. Of a pair the one whose
-/// answer would be higher. Each number depends on the plan's seed and the names alone; every row is
-/// marked as simulated.
+/// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the
+/// participant on each scale plus a residual, rounded to the points of the questionnaire; in a pair
+/// the stimulus with the higher rating is chosen. Deterministic in the seed of each plan; each row
+/// is marked as simulated.
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,
                                           const SimulatedPeople& people = {});
 
-/// Hash of all that the participants see: the plans, the texts and the settings.
+/// Hash of everything that participants see: plans, texts and settings.
 std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>& plans);
 
 }  // namespace mien::pipeline

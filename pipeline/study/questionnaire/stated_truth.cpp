@@ -27,7 +27,7 @@ std::vector<std::string> rated_stimuli(const Manifest& manifest) {
   return ids;
 }
 
-/// Collects what is wrong with a table of truths.
+/// Reads a table of assumed ratings and collects its faults.
 class TruthReader {
  public:
   TruthReader(const Manifest& manifest, const CsvTable& table)
@@ -106,7 +106,7 @@ StatedTruth measured_truth(const Manifest& manifest) {
       double impression = 0.0;
       for (std::size_t i = 0; i < loadings.size(); ++i)
         impression += loadings[i] * stimulus.profile[i];
-      // As simulated raters answer on the average (simulated_raters.cpp).
+      // The mean answer of simulated raters (simulated_raters.cpp).
       truth[{stimulus.name, scale.id}] =
           0.5 * (scale.least + scale.most) +
           0.5 * (scale.most - scale.least) * std::tanh(1.2 * impression);

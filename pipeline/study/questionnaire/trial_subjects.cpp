@@ -21,8 +21,8 @@ std::string level_of_all(const Manifest& manifest, const std::vector<std::string
   return levels.front() == levels.back() ? levels.front() : levels.front() + "+" + levels.back();
 }
 
-/// Kinds of subjects of which each participant should see as many as any other: levels of the
-/// factors of order and `no_repeats`.
+/// Kinds of subjects to be balanced between participants: levels of the factors of order and
+/// `no_repeats`.
 std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
   std::map<std::string, std::size_t> numbers;
   std::vector<std::vector<std::size_t>> kinds(subjects.size());

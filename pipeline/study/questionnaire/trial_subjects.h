@@ -8,23 +8,23 @@
 
 namespace mien::pipeline {
 
-/// What the trials of a questionnaire are about, in the order of the manifest: a stimulus each, or
-/// a pair.
+/// The subjects of a questionnaire's trials, each a stimulus or a pair, in the order of the
+/// manifest.
 struct TrialSubjects {
   std::vector<std::vector<std::string>> stimuli;  ///< one or two ids
-  Likeness likeness;                              ///< in the factors of `no_repeats`
+  Likeness likeness;                ///< levels of the factors in questionnaire.no_repeats
   std::vector<std::string> blocks;  ///< level of the blocking factor of each; else "main"
 
   std::size_t size() const { return stimuli.size(); }
 };
 
-/// A pair has a level where its stimuli have it both, and else one of its own made of the two.
+/// The subjects of a manifest. A pair has the level that its stimuli share, or else a combined one.
 TrialSubjects trial_subjects(const Manifest& manifest);
 
-/// How many of them one participant sees that are analysed.
+/// Number of analysed subjects of each participant.
 std::size_t subjects_per_participant(const Manifest& manifest, const TrialSubjects& subjects);
 
-/// Which subjects the first `count` participants see.
+/// The subjects of each of the first `count` participants.
 std::vector<std::vector<std::size_t>> shares(const Manifest& manifest,
                                              const TrialSubjects& subjects, std::size_t count);
 

@@ -39,7 +39,7 @@ std::vector<fs::path> tables_below(const fs::path& folder) {
               "name the folder that contains answers.csv or the saved *answers_data.csv files");
 }
 
-/// Empty where there is none.
+/// The table of participants of a table of answers; empty where there is none.
 fs::path participants_beside(const fs::path& answers) {
   const std::string name = answers.filename().string();
   const auto at = name.find(saved_answers);

@@ -14,7 +14,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Who was asked what about what; of a pair either may stand at the left.
+/// Identifies a question: participant, item and stimuli, whichever side they are on.
 using CatchKey = std::tuple<std::string, std::string, std::string, std::string, std::string>;
 
 CatchKey catch_key(const AnswerRow& row) {
@@ -26,7 +26,7 @@ CatchKey catch_key(const AnswerRow& row) {
 
 bool is_answered(const AnswerRow& row) { return !row.value.empty() && row.value != "NA"; }
 
-/// A stimulus that is shown again: the columns of checks and of repetitions are one.
+/// Whether a row is of a repetition: repetitions and attention checks share a column.
 bool is_shown_again(const AnswerRow& row) { return row.is_catch && row.kind != attention_kind; }
 
 CatchAnswer catch_answer(const Gathered& gathered, const AnswerRow& first,
@@ -48,7 +48,7 @@ CatchAnswer catch_answer(const Gathered& gathered, const AnswerRow& first,
   return answer;
 }
 
-/// Of those among `answers` that `is_asked` takes.
+/// The summary of the answers for which `is_asked` holds.
 CatchSummary catch_summary(const std::vector<CatchAnswer>& answers, auto is_asked) {
   CatchSummary summary;
   std::vector<double> first, second;

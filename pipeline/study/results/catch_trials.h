@@ -9,40 +9,40 @@
 
 namespace mien::pipeline {
 
-/// One question that a participant answered twice about the same, because the stimulus was shown a
-/// second time (`questionnaire.catch`). Attention checks, which expect a certain answer, are none.
+/// A participant's two answers to a question about a stimulus that was shown twice
+/// (`questionnaire.catch`). Attention checks are not included.
 struct CatchAnswer {
   std::string participant;
-  bool is_excluded = false;  ///< by the rule of the report: told, but in no summary of all
+  bool is_excluded = false;  ///< by the attention rule: listed, but left out of summaries
   std::string stimulus;
-  std::string against;  ///< the other one of a pair, or the reference beside; or empty
+  std::string against;  ///< the second of a pair, or the reference; or empty
   std::string item;
   int first_trial = 0;
   int second_trial = 0;
   std::string first;  ///< value in the scale's own range, chosen word, or chosen stimulus
   std::string second;
-  std::optional<double> difference;  ///< second less first, on the scale; none of choices and words
+  std::optional<double> difference;  ///< second − first, scale points; none for choices and words
 
   bool is_equal() const;
 };
 
-/// How alike the first and second answers of some are.
+/// Test-retest agreement of a set of repeated answers.
 struct CatchSummary {
-  std::string participant;  ///< empty: all who count
+  std::string participant;  ///< empty: all included participants
   std::string item;         ///< empty: all
   bool is_excluded = false;
-  int answers = 0;  ///< that were given twice
+  int answers = 0;  ///< questions answered twice
   int equal = 0;
   double mean_difference = 0.0;  ///< mean of |second − first|, scale points; NaN without ratings
   Correlation retest;            ///< of first with second ratings; NaN where there are too few
 };
 
-/// By participant, then in the order of the second answers. A rating is paired with the one that
-/// counts in its stead; what was not answered both times is passed over.
+/// Repeated answers by participant, then in the order of the second answers. Questions not answered
+/// both times are left out.
 std::vector<CatchAnswer> catch_answers_of(const Gathered& gathered, std::vector<AnswerRow> rows);
 
-/// Of all who count, of these by item where there are several, then of each participant; none
-/// without answers.
+/// Summaries of all included participants, of these by item where there are several, then of each
+/// participant. Those without answers are left out.
 std::vector<CatchSummary> catch_summaries_of(const std::vector<CatchAnswer>& answers);
 
 }  // namespace mien::pipeline

@@ -40,7 +40,7 @@ std::vector<double> differences_of(const PersonSums& one, const PersonSums& othe
   return differences;
 }
 
-/// Where nothing varies there is a difference, but nothing to hold it against.
+/// Without variance, t and p are undefined.
 TTest without_spread(TTest test) {
   test.standard_error = test.t = test.p = std::numeric_limits<double>::quiet_NaN();
   return test;
@@ -63,7 +63,7 @@ void set_tests(Comparison& result, const std::vector<double>& own,
   result.within = within_persons(differences);
 }
 
-/// What comparisons on one scale are made from.
+/// Makes the comparisons on one scale.
 class ScaleComparisons {
  public:
   ScaleComparisons(const Gathered& gathered, std::size_t scale)
@@ -131,12 +131,12 @@ class ScaleComparisons {
   std::vector<std::vector<CountedRating>> ratings_;
 };
 
-/// What a hypothesis is about (the scale of the emotion that was meant) is corrected by itself.
+/// Whether a comparison tests a hypothesis: it is on the scale of the intended emotion.
 bool is_of_hypothesis(const Comparison& comparison) {
   return comparison.family != ComparisonFamily::best_seen && comparison.own_end != 0;
 }
 
-/// NaN where there is nobody to rank.
+/// p of the signed-rank test; NaN without differences.
 double p_of_ranks(const WithinPersons& within) {
   return within.people == 0 ? within.t.p : within.wilcoxon.p;
 }
@@ -276,7 +276,7 @@ std::vector<BestSeen> best_seen(const Gathered& gathered,
           const bool is_here = c.family == ComparisonFamily::best_seen && c.scale == scale &&
                                gathered.stimuli[c.stimulus].setting == setting &&
                                c.within.people >= 2;
-          // Of equal ones the first; sums in another order must not decide.
+          // The first of equal ones; rounding must not decide.
           if (is_here &&
               (best == nullptr || sign * (c.within.t.mean - best->within.t.mean) > 1e-12))
             best = &c;

@@ -11,17 +11,17 @@
 
 namespace mien::pipeline {
 
-/// What is compared with what; p values are corrected within a family: comparisons on the scale of
-/// the emotion that was meant by themselves, those on other scales by themselves, and those of
-/// best_seen all together.
+/// Families of comparisons, within which p values are adjusted: comparisons on the scale of the
+/// intended emotion and those on other scales separately, those of best_seen together.
 enum class ComparisonFamily {
-  best_seen,         ///< a video with the videos of the same setting
-  modified_acted,    ///< a modified motion with the acted one of the same emotion and setting
-  modified_neutral,  ///< a modified motion with the neutral one of its setting
-  acted_neutral,     ///< an acted motion with it
-  modified_best,   ///< a modified motion with the video of its setting, itself no modified one, in
-                   ///< which the emotion is seen most
-  between_levels,  ///< what differs in the level of one factor alone, not in making: two actors
+  best_seen,         ///< a video and all videos of the same setting
+  modified_acted,    ///< a modified and the acted motion of the same emotion and setting
+  modified_neutral,  ///< a modified and the neutral motion of the same setting
+  acted_neutral,     ///< an acted and the neutral motion of the same setting
+  modified_best,     ///< a modified motion and the unmodified video of its setting rated highest on
+                     ///< the emotion
+  between_levels,  ///< stimuli that differ in the level of a single factor other than making, such
+                   ///< as the actor
 };
 
 inline constexpr Words<ComparisonFamily> family_words = {
@@ -32,21 +32,21 @@ inline constexpr Words<ComparisonFamily> family_words = {
     {"modified-best", ComparisonFamily::modified_best},
     {"between-levels", ComparisonFamily::between_levels}};
 
-/// How two stimuli of one setting are compared, if at all.
+/// The family of a comparison of two stimuli of one setting; nullopt where they are not compared.
 std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
                                           const ReportedStimulus& other);
 
-/// The factor in whose level alone two stimuli of one making, emotion and strength differ; none
-/// where they differ in several, or in what only one of them has.
+/// The single factor in whose level two stimuli of the same making, emotion and strength differ;
+/// nullopt where they differ in several or one of them lacks it.
 std::optional<std::string> differing_factor(const ReportedStimulus& one,
                                             const ReportedStimulus& other);
 
-/// Tests of paired differences, each a person's.
+/// Tests of paired differences, one for each participant.
 struct WithinPersons {
   int people = 0;
-  bool all_alike = false;  ///< the differences of two people or more are all the same
-  /// t and p are NaN where all differences are alike: few people on few points say the same by
-  /// chance.
+  bool all_alike = false;  ///< at least two participants, and all differences are equal
+  /// t and p are NaN where all differences are equal, which may be chance with few participants and
+  /// points.
   TTest t;
   double dz = 0.0;               ///< Cohen's
   double gz = 0.0;               ///< Hedges'
@@ -60,14 +60,14 @@ struct WithinPersons {
 
 WithinPersons within_persons(const std::vector<double>& differences);
 
-/// Tests of one difference on one scale.
+/// Tests of a difference between stimuli on one scale.
 struct Comparison {
   ComparisonFamily family = ComparisonFamily::best_seen;
   std::size_t stimulus = 0;
-  std::optional<std::size_t> against;  ///< none: the videos of the setting
+  std::optional<std::size_t> against;  ///< nullopt: all videos of the setting
   std::size_t scale = 0;
-  std::string factor;  ///< of between_levels: the one in which they differ
-  /// Which end the emotion of the stimulus is of this scale: +1 high, −1 low, 0 neither.
+  std::string factor;  ///< in between_levels, the factor in which they differ
+  /// Whether the stimulus's emotion is an end of this scale: +1 high, −1 low, 0 neither.
   int own_end = 0;
 
   int answers = 0;  ///< about the stimulus
@@ -75,63 +75,63 @@ struct Comparison {
   int answers_against = 0;
   double mean_against = 0.0;
 
-  /// Welch's test of all answers as if they were independent. Of best_seen it is the thesis' test:
-  /// the video against all videos of the setting, itself among them.
+  /// Welch's test of all answers as if independent. In best_seen it is the test of the emotion
+  /// thesis: the video against all videos of the setting, including itself.
   TTest welch;
   double d = 0.0;  ///< Cohen's d_s of the same two samples
   double g = 0.0;  ///< Hedges' g
 
-  /// Within persons: of each who saw both, the difference; of best_seen that between the video and
-  /// the mean of the person's other videos of the setting.
+  /// Tests within participants who saw both. In best_seen the difference is between the video and
+  /// the mean of the participant's other videos of the setting.
   WithinPersons within;
 
-  double welch_adjusted = 1.0;  ///< p corrected for the number of comparisons of the family
+  double welch_adjusted = 1.0;  ///< p adjusted for the number of comparisons of the family
   double paired_adjusted = 1.0;
   double wilcoxon_adjusted = 1.0;
 };
 
-/// All comparisons that the stimuli's factors make possible, family by family. Those without two
-/// persons or answers are left out.
+/// All comparisons that the stimuli's factors allow, family by family. Those with fewer than two
+/// participants or answers are left out.
 std::vector<Comparison> compare(const Gathered& gathered);
 
-/// How far stimuli of one making are seen towards the emotion that was meant, against those of
-/// another making, over all settings, like with like: of each person the mean over those settings
-/// and emotions of which the person judged both sides, turned so that the emotion is positive. What
-/// somebody saw one side of alone counts in neither.
+/// A comparison of two makings over all settings, of ratings towards the intended emotion
+/// (positive). Each participant contributes the mean over those settings and emotions of which both
+/// sides were rated; cells with one side alone are excluded.
 struct OverallComparison {
   ComparisonFamily family = ComparisonFamily::modified_acted;
   std::string emotion;  ///< empty: all
-  int matched = 0;      ///< settings and emotions of all people, both sides seen
-  int unmatched = 0;    ///< people who judged both sides, but never of one setting and emotion
-  double mean = 0.0;    ///< of the people's means
+  int matched = 0;      ///< cells (setting and emotion of a participant) with both sides
+  int unmatched = 0;    ///< participants who rated both makings, but never in the same cell
+  double mean = 0.0;    ///< of the participants' means
   double mean_against = 0.0;
   WithinPersons within;
   double paired_adjusted = 1.0;  ///< within the family, the row of all emotions by itself
   double wilcoxon_adjusted = 1.0;
 };
 
-/// Of each family but best_seen: over all emotions, then emotion by emotion.
+/// For each family except best_seen: over all emotions, then by emotion.
 std::vector<OverallComparison> compare_overall(const Gathered& gathered);
 
 /// +1 where `emotion` is the name of the scale's high end, −1 of its low end, else 0.
 int end_of(const Scale& scale, const std::string& emotion);
 
-/// The p values after the correction.
+/// The p values adjusted for multiple comparisons.
 std::vector<double> corrected(const std::vector<double>& p_values, TestCorrection correction);
 
-/// Its name in plain words: "Holm".
+/// The name of a correction: "Holm".
 std::string name_of(TestCorrection correction);
 
-/// The video in which an end of a scale is seen most, among those of a setting.
+/// The video of a setting with the highest ratings towards an end of a scale.
 struct BestSeen {
   std::string setting;
   std::string end;       ///< "sad"
   bool is_high = false;  ///< of its scale
   Comparison comparison;
-  bool is_found = false;  ///< towards the end, and its paired test below alpha after the correction
+  bool is_found = false;  ///< significant: towards the end, and the adjusted paired p below alpha
 };
 
-/// By setting and end: whose answers lie farthest towards the end from the persons' other videos.
+/// By setting and end: the video with the largest mean difference towards the end from the
+/// participants' other videos.
 std::vector<BestSeen> best_seen(const Gathered& gathered,
                                 const std::vector<Comparison>& comparisons);
 

@@ -15,7 +15,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// What one person saw in one stimulus, by column.
+/// Points of a participant's answers to a stimulus, by column.
 using Showings = std::map<std::pair<std::size_t, std::size_t>, std::vector<double>>;
 
 Showings rated_showings(const Gathered& gathered, std::size_t columns) {
@@ -104,7 +104,7 @@ Confusion confusion_of(const Gathered& gathered, const std::string& of,
   return confusion;
 }
 
-/// Levels of made that show emotions.
+/// Levels of the factor `made` whose stimuli show emotions.
 std::set<std::string> ways_of_making(const Gathered& gathered) {
   std::set<std::string> ways;
   for (const ReportedStimulus& stimulus : gathered.stimuli)
@@ -129,7 +129,7 @@ void add_confusions(const Gathered& gathered, const std::vector<std::string>& co
   add("all", [](const ReportedStimulus&) { return true; });
 }
 
-/// Of each end, the points of every showing; NaN where its scale was not answered.
+/// For each end, the points of every presentation; NaN where its scale was not answered.
 std::vector<std::vector<double>> points_by_end(const Gathered& gathered) {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> showings;
   for (const CountedRating& rating : gathered.ratings)

@@ -17,7 +17,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Factors that say what was done to a stimulus, and not of whom or of what it is.
+/// Whether a factor describes how a stimulus was made, and not its actor or content.
 bool is_of_making(const std::string& factor) {
   constexpr std::array<std::string_view, 5> making = {"made", "emotion", "strength", "example",
                                                       "clip"};
@@ -37,7 +37,7 @@ ReportedStimulus reported(const Stimulus& stimulus) {
   return result;
 }
 
-/// The stimuli that a questionnaire asks about, practice and warm-up among them.
+/// The stimuli of a questionnaire, including practice and warm-up.
 std::vector<ReportedStimulus> reported_stimuli(const Manifest& manifest) {
   const std::vector<std::string> asked = asked_stimuli(manifest);
   const Questionnaire& questionnaire = questionnaire_of(manifest);
@@ -49,7 +49,7 @@ std::vector<ReportedStimulus> reported_stimuli(const Manifest& manifest) {
   return stimuli;
 }
 
-/// Sorts rows and keeps what is wrong with them.
+/// Validates rows and collects their faults.
 class AnswerSorter {
  public:
   AnswerSorter(const Manifest& manifest, Gathered& result)
@@ -143,7 +143,7 @@ class AnswerSorter {
       result_.ratings.push_back({people_.at(row.participant), stimulus, *scale, *value});
   }
 
-  /// The raw answer, turned by the side of the poles, must give the value.
+  /// Checks that the raw answer and the side of the poles give the value.
   void check_orientation(const AnswerRow& row, const Scale& scale, double value) {
     const auto raw = motion::as_finite_number(row.value_raw);
     if (!raw || row.pole_left.empty()) return;
@@ -205,7 +205,7 @@ void check_designs(const std::vector<AnswerRow>& rows, Gathered& result,
   }
 }
 
-/// Trials are counted by what was answered; who is told to be done is believed.
+/// Counts answered trials; participants listed as finished are trusted.
 std::vector<Unfinished> unfinished_of(const std::vector<AnswerRow>& rows,
                                       const ReportChoices& choices) {
   std::map<std::string, std::set<int>> trials;

@@ -16,21 +16,21 @@
 
 namespace mien::pipeline {
 
-/// A stimulus as results are told about it.
+/// A stimulus with its factors, as results refer to it.
 struct ReportedStimulus {
   std::string id;
-  std::string made;     ///< level of the factor made: acted, modified, as-is …; may be empty
+  std::string made;     ///< level of the factor `made`: acted, modified, as-is …; may be empty
   std::string emotion;  ///< level of the factor emotion; may be empty
-  /// Levels of all other factors that the manifest states: "woman, walk". Stimuli are compared
-  /// within a setting.
+  /// Levels of all other factors of the manifest: "woman, walk". Stimuli are compared within a
+  /// setting.
   std::string setting;
   Factors factors;
 
-  /// Whether it is what others are modified from: neutral or normal in its emotion, or as it is.
+  /// Whether it is the unmodified base of others: its emotion is neutral or normal, or it is as-is.
   bool is_neutral() const;
 };
 
-/// One rating that counts. Indices are those of Gathered.
+/// A rating included in the analysis. Indices refer to Gathered.
 struct CountedRating {
   std::size_t person = 0;
   std::size_t stimulus = 0;
@@ -38,14 +38,14 @@ struct CountedRating {
   double value = 0.0;  ///< in the scale's own range
 };
 
-/// Which of a list somebody saw in a stimulus.
+/// A forced choice of the emotion of a stimulus.
 struct CountedChoice {
   std::size_t person = 0;
   std::size_t stimulus = 0;
   std::string chosen;
 };
 
-/// Which of two stimuli somebody chose.
+/// A choice between two stimuli.
 struct CountedPreference {
   std::size_t person = 0;
   std::size_t chosen = 0;
@@ -53,7 +53,7 @@ struct CountedPreference {
   std::string item;
 };
 
-/// What somebody wrote: a comment, or an answer in words (then with the scale as its item).
+/// A free text: a comment, or an answer to the scale `item`.
 struct Remark {
   std::string participant;
   std::string stimulus;
@@ -61,64 +61,64 @@ struct Remark {
   std::string text;
 };
 
-/// How the answers are looked at, where that is not as the manifest says.
+/// Options of the analysis that override the manifest.
 struct ReportChoices {
   std::optional<TestCorrection> correction;
   std::optional<int> max_failed_checks;
   std::map<std::uint64_t, int> planned;  ///< trials of a session, by the seed of its order
-  std::set<std::string> finished;        ///< participants whose tables say that they were done
-  bool without_unfinished = false;       ///< who did not finish is left out
+  std::set<std::string> finished;        ///< participants who finished, by their tables
+  bool without_unfinished = false;       ///< exclude participants who did not finish
 };
 
-/// Who gave fewer answers than were planned.
+/// A participant who answered fewer trials than planned.
 struct Unfinished {
   std::string participant;
-  int trials = 0;   ///< that were done
-  int planned = 0;  ///< that there were to do
+  int trials = 0;   ///< answered
+  int planned = 0;  ///< in the session plan
 };
 
-/// The answers of a questionnaire, sorted for all that is reckoned with them.
+/// The validated answers of a questionnaire, as all statistics use them.
 struct Gathered {
   std::string study;
   std::string title;
-  std::vector<std::string> people;  ///< those who count
+  std::vector<std::string> people;  ///< included participants
   std::vector<ReportedStimulus> stimuli;
   std::vector<Scale> scales;
   std::vector<std::pair<std::string, std::string>> choices;  ///< of emotion trials
-  int points = 5;  ///< of a scale, from one end to the other; 11 places of a slider
+  int points = 5;  ///< of a scale; a slider is divided into 11 points
   std::vector<CountedRating> ratings;
   std::vector<CountedChoice> chosen;
   std::vector<CountedPreference> preferences;
   std::vector<Remark> remarks;
   std::vector<Remark> words;
-  std::vector<Attention> attention;  ///< of everybody
+  std::vector<Attention> attention;  ///< of all participants
   AttentionRule rule;
   std::vector<Unfinished> unfinished;
   bool without_unfinished = false;
-  std::set<std::string> worded_questions;  ///< about participants, whose answers are no numbers
+  std::set<std::string> worded_questions;  ///< questions about participants with answers in words
   TestCorrection correction = TestCorrection::holm;
   double alpha = 0.05;
   bool simulated = false;
-  std::string design;              ///< hash of the questionnaire that was run; may be empty
-  std::vector<std::string> notes;  ///< sentences on what was left out or told apart
+  std::string design;              ///< design hash of the answers; may be empty
+  std::vector<std::string> notes;  ///< sentences on what was left out or separated
 };
 
-/// Checks answers against the manifest's questionnaire and sorts them.
+/// Validates answers against the manifest's questionnaire and collects them for analysis.
 ///
-/// Throws Faults with every fault at once: stimuli and items that the questionnaire does not ask
-/// about, answers of another kind than it asks for, values outside the scale's range or that
-/// contradict the raw answer, choices that were not offered, and rows of several designs. Throws
-/// Error where the manifest has no questionnaire, or nothing is left that counts.
+/// Throws Faults with all faults: stimuli and items not in the questionnaire, answers of another
+/// kind, values out of range or in contradiction to the raw answer, choices that were not offered,
+/// and rows of several designs. Throws Error where the manifest has no questionnaire, or no answers
+/// are left.
 Gathered gather(const Manifest& manifest, std::vector<AnswerRow> rows,
                 const ReportChoices& choices = {});
 
 /// A number and its noun: "1 person", "2 people".
 std::string counted(std::size_t count, const std::string& one, const std::string& several);
 
-/// "5 of 6 people count"
+/// A sentence on included participants: "5 of 6 people count".
 std::string people_sentence(const Gathered& gathered);
 
-/// One about each who did not finish, and what became of the answers.
+/// A sentence about each participant who did not finish, and whether the answers are included.
 std::vector<std::string> unfinished_sentences(const Gathered& gathered);
 
 }  // namespace mien::pipeline

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 7> word_separators = {",",  ";",  "\n", "\r",
                                                              "、", "，", "；"};
 
-/// Small letters of ASCII alone: others depend on the language.
+/// Trims and lower-cases ASCII letters; case of others depends on the language.
 std::string trimmed_small(std::string_view text) {
   constexpr std::string_view space = " \t";
   const std::size_t first = text.find_first_not_of(space);

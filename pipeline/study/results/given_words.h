@@ -7,18 +7,18 @@
 
 namespace mien::pipeline {
 
-/// How often a word was given for a stimulus.
+/// The frequency of a word among free-text answers about a stimulus.
 struct GivenWord {
   std::string stimulus;
   std::string item;
-  std::string word;  ///< in small letters, without spaces about it
-  int people = 0;    ///< who gave it
-  int asked = 0;     ///< who gave any word for this stimulus and item
+  std::string word;  ///< in lower case, trimmed
+  int people = 0;    ///< number of participants who used it
+  int asked = 0;     ///< number of participants with any word for this stimulus and item
 };
 
-/// Answers in words, divided at commas, semicolons and ends of lines (, ; 、 ， ； ), each word
-/// once a person and stimulus. In the order of the manifest's stimuli, then of items, then the most
-/// frequent first, then by the alphabet.
+/// Splits free-text answers at commas, semicolons and line breaks (, ; 、 ， ； ) and counts each
+/// word once per participant and stimulus. Sorted by stimulus in the order of the manifest, item,
+/// falling frequency, then alphabetically.
 std::vector<GivenWord> given_words_of(const Gathered& gathered);
 
 }  // namespace mien::pipeline

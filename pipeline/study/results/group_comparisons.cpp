@@ -15,7 +15,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Who of those who count gave which answer.
+/// Included participants by their answer.
 std::map<std::string, std::vector<std::size_t>> people_by_answer(const CsvTable& table,
                                                                  std::size_t column,
                                                                  const Gathered& gathered) {
@@ -25,7 +25,7 @@ std::map<std::string, std::vector<std::size_t>> people_by_answer(const CsvTable&
   for (const auto& row : table.rows) {
     if (row[column].text.empty()) continue;
     for (std::size_t person = 0; person < gathered.people.size(); ++person) {
-      // Of people told apart by their sessions, the participant is the beginning of the name.
+      // Where people are identified by "participant/session", the participant is before the slash.
       const std::string& known = gathered.people[person];
       if (known != row[name].text && !known.starts_with(row[name].text + "/")) continue;
       if (!met.insert(person).second) doubtful.insert(person);

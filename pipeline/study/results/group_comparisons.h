@@ -9,21 +9,21 @@
 
 namespace mien::pipeline {
 
-/// Two groups of participants, told apart by what they answered to a question about themselves
-/// (gender), and who is in either: indices of Gathered::people.
+/// Two groups of participants by their answers to a demographic question (gender); members are
+/// indices of Gathered::people.
 struct ParticipantGroups {
   std::string question;
-  std::string one;    ///< the answer that most gave; of equally many, the first by the alphabet
-  std::string other;  ///< the second
+  std::string one;    ///< the most frequent answer; ties alphabetically
+  std::string other;  ///< the second most frequent
   std::vector<std::size_t> people_one, people_other;
 };
 
-/// Of every question that is answered in words, where at least two people each gave two answers or
-/// more; the two that most gave.
+/// The two most frequent answers to each demographic question with answers in words, where at least
+/// two participants gave each.
 std::vector<ParticipantGroups> participant_groups(const ParticipantTable& participants,
                                                   const Gathered& gathered);
 
-/// How differently two groups see a stimulus on a scale: Welch's test of the people's own means.
+/// The difference between two groups on a stimulus and scale: Welch's test of participants' means.
 struct GroupComparison {
   std::string question, one, other;
   std::size_t stimulus = 0;
@@ -37,7 +37,7 @@ struct GroupComparison {
   double adjusted = 1.0;  ///< p corrected over all of the question
 };
 
-/// All that two people or more of either group judged.
+/// Comparisons on all stimuli and scales with at least two participants of each group.
 std::vector<GroupComparison> compare_groups(const ParticipantTable& participants,
                                             const Gathered& gathered);
 

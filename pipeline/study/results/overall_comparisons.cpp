@@ -11,7 +11,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// What is like and like: one setting, one emotion, and the scale on which it lies.
+/// A cell within which makings are compared: setting, emotion, and the emotion's scale.
 struct MatchedCell {
   std::string setting;
   std::string emotion;
@@ -20,7 +20,7 @@ struct MatchedCell {
   auto operator<=>(const MatchedCell&) const = default;
 };
 
-/// Of a cell, the stimuli of both sides, and which end of the scale is meant.
+/// The stimuli of both makings in a cell, and the intended end of the scale.
 struct CellSides {
   int end = 0;
   std::set<std::size_t> one;

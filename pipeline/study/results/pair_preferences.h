@@ -8,7 +8,7 @@
 
 namespace mien::pipeline {
 
-/// How two stimuli fared against each other.
+/// Counts of choices between two stimuli.
 struct PreferenceCount {
   std::string item;
   std::size_t one = 0;  ///< the earlier one in the manifest
@@ -21,10 +21,10 @@ struct PreferenceCount {
   double adjusted = 1.0;
 };
 
-/// What is asked of two: the page asks which is more of the scale's high end.
+/// The question about a pair: which is closer to the scale's high end.
 std::string asked_of_two(const Gathered& gathered, const std::string& item);
 
-/// Of all pairs that were shown.
+/// Preferences of all pairs that were shown.
 std::vector<PreferenceCount> preferences_of(const Gathered& gathered);
 
 }  // namespace mien::pipeline

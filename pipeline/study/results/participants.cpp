@@ -12,7 +12,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Counts once a trial what is told on each of its rows.
+/// Sums measurements that are repeated in each row of a trial, once for each trial.
 void add_trials(ParticipantSummary& summary, const std::vector<const AnswerRow*>& rows) {
   std::set<std::pair<std::string, int>> met;
   std::set<std::string> values;
@@ -133,7 +133,7 @@ std::vector<DemographicSummary> demographics_of(const ParticipantTable& particip
     std::map<std::string, int> words;
     int people = 0;
     for (const auto& row : table.rows) {
-      // Of people told apart by their sessions, the participant is the beginning of the name.
+      // Where people are identified by "participant/session", the participant is before the slash.
       const bool is_there = std::ranges::any_of(gathered.people, [&](const std::string& person) {
         return person == row[name].text || person.starts_with(row[name].text + "/");
       });

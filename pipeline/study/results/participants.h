@@ -10,49 +10,51 @@
 
 namespace mien::pipeline {
 
-/// What is told about the session of one participant.
+/// Summary of a participant's session.
 struct ParticipantSummary {
   std::string participant;
-  int trials = 0;  ///< practice, warm-up and checks among them
+  int trials = 0;  ///< including practice, warm-up and checks
   bool is_unfinished = false;
-  int answers = 0;  ///< that count
+  int answers = 0;  ///< included in the analysis
   int checks = 0;
   int passed = 0;
   bool is_excluded = false;
-  double median_rt_ms = 0.0;  ///< of the answers that count; NaN where nobody measured
+  double median_rt_ms = 0.0;  ///< of included answers; NaN where not measured
   int stalls = 0;
   int dropped_frames = 0;
   int blurs = 0;
-  bool is_constant = false;  ///< at least three answers that count, all at one place: told, kept
+  bool is_constant = false;  ///< straight-lining: at least three included answers, all equal;
+                             ///< reported, not excluded
 };
 
-/// Of everybody, by name.
+/// Summaries of all participants, by name.
 std::vector<ParticipantSummary> participant_summaries(const Gathered& gathered,
                                                       std::vector<AnswerRow> rows);
 
-/// What participants said about themselves, one row a person.
+/// Answers to the demographic questions, a row for each participant.
 struct ParticipantTable {
   CsvTable table;
 
   bool empty() const { return table.rows.empty(); }
-  /// The questions: all columns that participant_form does not name.
+  /// The demographic questions: all columns that participant_form does not name.
   std::vector<std::string> questions() const;
-  /// Those whose column finished is 1, also as "participant/session" where there are sessions.
+  /// Participants whose column `finished` is 1, also as "participant/session" where there are
+  /// sessions.
   std::set<std::string> finished() const;
 };
 
 /// Reads participants.csv. Throws Error where it has no column participant.
 ParticipantTable read_participants(const std::filesystem::path& file);
 
-/// One table of several; rows that are there again are taken once. Throws Error where their columns
-/// differ.
+/// Merges tables, dropping duplicate rows. Throws Error where their columns differ.
 ParticipantTable joined(const std::vector<ParticipantTable>& tables);
 
-/// How a question was answered by those who count: numbers by their mean, words by how often.
+/// A row of the summary of a demographic question over included participants: a statistic of
+/// numbers, or the frequency of a word.
 struct DemographicSummary {
   std::string question;
   std::string answer;  ///< "mean", "standard deviation", "least", "most", or a word
-  double value = 0.0;  ///< number, or how many gave it
+  double value = 0.0;  ///< the statistic, or the frequency
   int people = 0;      ///< who answered
   bool is_count = false;
 };

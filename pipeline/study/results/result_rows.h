@@ -21,7 +21,7 @@ struct ResultRow {
   const Scale& scale() const { return in.scales[of.scale]; }
 };
 
-/// As ColumnOf; numbers are rounded as measured ones are (field_of).
+/// A ColumnOf whose numbers are rounded by field_of.
 template <class Row>
 struct ResultColumn : ColumnOf<Row> {
   constexpr ResultColumn() = default;
@@ -96,9 +96,9 @@ inline constexpr SharedColumn adjusted_column = {
     "p_adjusted", "", "p corrected for multiple comparisons over the rows of the same kind",
     [](auto& r) { return p_of_table(r.of.adjusted); }};
 
-/// Of comparisons.
+/// Adds the tables of comparisons.
 void add_comparisons(const Results& results, std::vector<WrittenTable>& tables);
-/// Of participants, what they wrote, and catch trials.
+/// Adds the tables of participants, free texts and repeated trials.
 void add_participants(const Results& results, std::vector<WrittenTable>& tables);
 
 }  // namespace mien::pipeline

@@ -13,7 +13,7 @@ using CorrelationRow = ResultRow<EndCorrelation>;
 using AgreementRow = ResultRow<Reliability>;
 using PreferenceRow = ResultRow<PreferenceCount>;
 
-/// A place on a scale, and how many answers there are.
+/// A bin of a scale's histogram.
 struct HistogramBar {
   MeanRow summary;
   double value;

@@ -8,11 +8,11 @@
 
 namespace mien::pipeline {
 
-/// All tables that the answers make possible: those without rows are left out. Each has a last
-/// column simulated where the answers are.
+/// All tables of results that have rows. A last column `simulated` is added where the answers are
+/// simulated.
 std::vector<WrittenTable> result_tables(const Results& results);
 
-/// A number for a table: nothing where it is not known, or without end.
+/// A number as text for a table; empty for NaN and infinity.
 std::string field_of(double value);
 
 }  // namespace mien::pipeline

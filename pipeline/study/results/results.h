@@ -15,7 +15,7 @@
 
 namespace mien::pipeline {
 
-/// All that is reckoned from the answers of a questionnaire.
+/// All statistics of a questionnaire's answers.
 struct Results {
   Gathered gathered;
   std::vector<RatingSummary> summaries;
@@ -27,9 +27,9 @@ struct Results {
   std::vector<PreferenceCount> preferences;
   std::vector<GivenWord> words;
   std::vector<ParticipantSummary> participants;
-  std::vector<CatchAnswer> catch_answers;  ///< of everybody
+  std::vector<CatchAnswer> catch_answers;  ///< of all participants
   std::vector<CatchSummary> catch_summaries;
-  std::vector<GroupComparison> groups;  ///< of participants, by what they say of themselves
+  std::vector<GroupComparison> groups;  ///< by demographic answers
   ParticipantTable demographics;        ///< empty where no table of participants was given
 };
 

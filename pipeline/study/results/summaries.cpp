@@ -38,7 +38,7 @@ RatingSummary summary_of(const std::vector<CountedRating>& ratings, const Scale&
   return summary;
 }
 
-/// Stimuli that were rated on the scale × people; NaN without an answer.
+/// Ratings on a scale, rated stimuli × participants; NaN where missing.
 Eigen::MatrixXd table_on(const Gathered& gathered, std::size_t scale) {
   const auto people = static_cast<Eigen::Index>(gathered.people.size());
   Eigen::MatrixXd table(0, people);

@@ -9,13 +9,13 @@ namespace mien::pipeline {
 
 namespace {
 
-/// What was wrong with the system's call, if it was one.
+/// The error of the failed system call, if any.
 std::error_code system_code(sqlite3* database) {
   const int code = sqlite3_system_errno(database);
   return code == 0 ? std::error_code() : std::error_code(code, std::generic_category());
 }
 
-/// Without links among its folders, so that none is followed but those that the user has made.
+/// The path with the links among its folders resolved, so that SQLite can be told to follow none.
 std::string true_place(const std::filesystem::path& file) {
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder))
@@ -37,7 +37,7 @@ Database::Database(const std::filesystem::path& file) : file_(file) {
     throw Error({file.string()}, "cannot be opened: " + reason, "name another file with --store");
   }
   try {
-    // Nobody else's business; the log beside it gets the same rights.
+    // Readable by the owner alone; SQLite gives the log the same permissions.
     if (is_new)
       std::filesystem::permissions(
           file, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
@@ -143,7 +143,7 @@ Transaction::Transaction(Database& database) : database_(database) {
 }
 
 Transaction::~Transaction() {
-  // A disk that is full may have undone it already.
+  // A full disk may have rolled it back already.
   if (is_open_ && sqlite3_get_autocommit(database_.handle()) == 0)
     sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
 }

@@ -10,34 +10,34 @@ struct sqlite3_stmt;
 
 namespace mien::pipeline {
 
-/// Version of the library that keeps answers: "3.40.1".
+/// Version of the SQLite library that stores answers: "3.40.1".
 std::string database_library();
 
-/// A SQLite file that this process has to itself until it ends, however it ends. What a transaction
-/// has committed is on the disk (write-ahead log, synchronised at every commit). For one thread at
-/// a time.
+/// A SQLite file, locked exclusively by this process until it exits or is killed. A committed
+/// transaction is on the disk (write-ahead log, synchronised at every commit). Not thread-safe.
 class Database {
  public:
-  /// Makes the file unless it is there. Throws Error when it is no SQLite file or another process
-  /// has it, and WriteFailure when it cannot be written.
+  /// Opens the file, or creates it. Throws Error when it is not a SQLite file or another process
+  /// has locked it, and WriteFailure when it cannot be written.
   explicit Database(const std::filesystem::path& file);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
-  /// Statements without values, one after the other. Throws WriteFailure.
+  /// Executes statements without bound values, separated by semicolons. Throws WriteFailure.
   void run(const char* statements);
 
-  /// A number that the file keeps about itself: "user_version".
+  /// The integer value of a SQLite pragma, such as "user_version".
   std::int64_t pragma(const std::string& name);
 
-  /// Leaves the log beside the file when this ends, as a kill would.
+  /// Keeps the write-ahead log beside the file when this is destroyed, as a killed process would.
   void keep_log();
 
   const std::filesystem::path& file() const { return file_; }
   sqlite3* handle() const { return database_; }
 
-  /// Throws what the last fault was: WriteFailure for a full or failing disk, or Error.
+  /// Throws the last failure of the library: WriteFailure for a full or failing disk, otherwise
+  /// Error.
   [[noreturn]] void fail() const;
 
  private:
@@ -47,7 +47,7 @@ class Database {
   sqlite3* database_ = nullptr;
 };
 
-/// A prepared statement: values are bound, never written into it.
+/// A prepared statement; values are bound as parameters, never inserted into the text.
 class Statement {
  public:
   Statement(Database& database, std::string_view text);
@@ -55,7 +55,7 @@ class Statement {
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  /// Values for "?1", "?2", … in their order.
+  /// Resets the statement and binds values to "?1", "?2", … in order.
   template <class... Values>
   Statement& with(const Values&... values) {
     start();
@@ -67,7 +67,7 @@ class Statement {
   /// Goes to the next row; false after the last. Throws WriteFailure.
   bool step();
 
-  /// Steps to the end; the number of rows that were changed.
+  /// Steps to the end. Returns the number of rows that were changed. Throws WriteFailure.
   int finish();
 
   std::int64_t number(int column) const;
@@ -84,7 +84,7 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-/// Undoes what was done in it unless it was committed.
+/// A database transaction, rolled back by the destructor unless it was committed.
 class Transaction {
  public:
   explicit Transaction(Database& database);
@@ -92,7 +92,7 @@ class Transaction {
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
-  /// It is on the disk when this returns. Throws WriteFailure.
+  /// Commits; the changes are on the disk when this returns. Throws WriteFailure.
   void commit();
 
  private:

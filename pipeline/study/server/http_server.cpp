@@ -32,7 +32,7 @@ using net::ip::tcp;
 
 constexpr int requests_a_connection = 1000;
 
-/// What a page may load and run.
+/// Content-Security-Policy: what a page may load and run.
 std::string content_policy(bool webassembly) {
   return std::string("default-src 'none'; script-src 'self'") +
          (webassembly ? " 'wasm-unsafe-eval'" : "") +
@@ -41,7 +41,7 @@ std::string content_policy(bool webassembly) {
          "form-action 'none'; frame-ancestors 'none'";
 }
 
-/// What every answer says to the browser beside its policy.
+/// Security headers of every response, beside its policy.
 constexpr std::array<std::pair<const char*, const char*>, 7> guarding_headers = {{
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"},
@@ -120,8 +120,8 @@ bool send_response(TimedStream& client, const HttpResponse& response, bool stays
   return !error;
 }
 
-/// Closes the way out and takes for a moment what still comes: a client that is refused while it
-/// sends would not get to read why.
+/// Shuts down sending and drains the input for a moment. Otherwise a client that is refused while
+/// it still sends would get a connection reset instead of the response.
 void take_the_rest(TimedStream& client) {
   TimedStream::ErrorCode error;
   client.socket().shutdown(tcp::socket::shutdown_send, error);
@@ -130,7 +130,7 @@ void take_the_rest(TimedStream& client) {
   net::read(client, net::buffer(rest), error);
 }
 
-/// Children of this program do not inherit it.
+/// Keeps child processes from inheriting a socket.
 void keep_from_children(int socket) { fcntl(socket, F_SETFD, FD_CLOEXEC); }
 
 }  // namespace
@@ -179,7 +179,7 @@ class HttpServer::Listener {
                 "choose another port with --port (0: any that is free) or address with --listen");
   }
 
-  /// A thread a connection, as many as there may be; more are refused.
+  /// Accepts connections, each served by a thread of its own; beyond the limit they are refused.
   void accept_connections() {
     while (!is_stopping_) {
       TimedStream::ErrorCode error;
@@ -249,7 +249,7 @@ class HttpServer::Listener {
     return head;
   }
 
-  /// The status with which it is refused; 0: it is not.
+  /// Reads the body. Returns the status with which the request is refused, or 0.
   int read_body(TimedStream& client, const RequestHead& head, std::string& received,
                 std::string& body) {
     TimedStream::ErrorCode error;

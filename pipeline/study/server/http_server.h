@@ -10,32 +10,32 @@
 
 namespace mien::pipeline {
 
-/// Version of the library (Boost) that listens: "1.74.0".
+/// Version of Boost, whose Asio and Beast the server uses: "1.74.0".
 std::string http_library();
 
 struct HttpSettings {
-  std::string listen = "127.0.0.1";  ///< address of this machine
-  int port = 0;                      ///< 0: any that is free
-  int connections = 192;             ///< at once; more are refused with 503
+  std::string listen = "127.0.0.1";  ///< local address to bind to
+  int port = 0;                      ///< 0: any free port
+  int connections = 192;             ///< simultaneous; further ones are refused with 503
   RequestLimits limits;
-  /// Of one address: all of a laboratory's participants may share one, and load their videos.
+  /// For each client address. All participants in a laboratory may share one while loading videos.
   Rate requests{.burst = 4000, .per_second = 400};
 };
 
 /// Called from several threads at once.
 using HttpAnswer = std::function<HttpResponse(const HttpRequest&)>;
 
-/// Told what an answer failed with; the client is told only that it did.
+/// Receives the message of an exception from a handler; the client gets a 500 without it.
 using HttpFailure = std::function<void(const std::string&)>;
 
-/// A web server. Every request is read whole, within limits, before anything of it is answered;
-/// only plain paths come through. Every answer carries headers that keep browsers from running or
-/// framing anything that is not from here, and from keeping copies.
+/// A web server. Each request is read whole, within limits, before it is handled; paths that
+/// plain_path rejects are refused. Each response carries headers that keep browsers from running or
+/// framing content of other origins and from caching.
 class HttpServer {
  public:
-  /// Answers from now on. Throws Error when the address cannot be listened at.
+  /// Starts to listen. Throws Error when the address cannot be bound.
   HttpServer(const HttpSettings& settings, HttpAnswer answer, HttpFailure failure = {});
-  /// Ends the answers that are under way first.
+  /// Stops listening, and finishes the responses in progress.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;

@@ -6,7 +6,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// More than a laboratory has; those who are not counted any longer are forgotten then.
+/// More clients than a laboratory has; beyond this, full buckets are removed.
 constexpr std::size_t most_buckets = 10000;
 
 }  // namespace

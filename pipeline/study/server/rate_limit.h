@@ -7,20 +7,20 @@
 
 namespace mien::pipeline {
 
-/// How often something may be done: `burst` times at once, then `per_second` times.
+/// A permitted rate: `burst` times at once, then `per_second` times a second.
 struct Rate {
   double burst = 100;
   double per_second = 10;
 };
 
-/// Counts how often each of many does it (token buckets). For several threads.
+/// Limits the rate of each client by a token bucket. Thread-safe.
 class RateLimit {
  public:
   using Clock = std::chrono::steady_clock;
 
   explicit RateLimit(Rate rate) : rate_(rate) {}
 
-  /// Whether it may be done once more; if so, it is counted.
+  /// Takes a token from the client's bucket; false when it is empty.
   bool allows(const std::string& who, Clock::time_point now = Clock::now());
 
  private:

@@ -16,7 +16,7 @@ namespace http = boost::beast::http;
 
 using HeadParser = http::request_parser<http::empty_body>;
 
-/// Beast tells no number that is too long from what is no number.
+/// Beast reports the same error for a number that is too large as for text that is not a number.
 bool is_huge_length(std::string_view text) {
   constexpr std::string_view name = "\r\ncontent-length:";
   const std::string lower = boost::algorithm::to_lower_copy(std::string(text));
@@ -29,8 +29,8 @@ bool is_visible(char character) { return character > 0x20 && character < 0x7f; }
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
-/// What the parser has to say, and what it lets pass: lines that go on, lengths told twice,
-/// requests of a proxy.
+/// The HTTP status for what the parser refuses, or for what it accepts and this server does not:
+/// folded lines, repeated lengths, requests to a proxy. 0: accepted.
 int refused_lines(std::string_view text, const RequestLimits& limits, HeadParser& parser) {
   boost::beast::error_code error;
   parser.header_limit(static_cast<std::uint32_t>(limits.head_bytes));
@@ -61,7 +61,7 @@ RequestHead parse_request_head(std::string_view text, const RequestLimits& limit
   RequestHead head{.refused = refused_lines(text, limits, parser)};
   if (head.refused != 0) return head;
   const auto& lines = parser.get();
-  // RFC 9112 §3.2; without it nobody knows by which name this server was called.
+  // RFC 9112 §3.2. Without it the host name that the client used is unknown.
   head.lacks_host = lines.count(http::field::host) != 1 || lines[http::field::host].empty();
   if (head.lacks_host) head.refused = 400;
   head.method = std::string(lines.method_string());

@@ -7,8 +7,8 @@
 
 namespace mien::pipeline {
 
-/// How much a client may send, and how long it may take. Times are of the whole, not of a piece: a
-/// byte now and then holds nobody up.
+/// How much a client may send, and how long it may take. Each time limits a whole part of the
+/// exchange, so that a client sending a byte now and then cannot keep a connection open.
 struct RequestLimits {
   std::size_t head_bytes = 16 * 1024;  ///< request line and headers
   std::size_t header_lines = 100;
@@ -23,16 +23,18 @@ struct RequestLimits {
 struct RequestHead {
   int refused = 0;  ///< HTTP status with which it is refused; 0: it is not
   std::string method;
-  std::string target;        ///< visible ASCII, from '/'
-  bool stays = true;         ///< the client may ask more over the same connection
-  bool awaits_word = false;  ///< sends its body only when told to
-  bool lacks_host = false;   ///< and is refused because of that
+  std::string target;  ///< visible ASCII, from '/'
+  bool stays = true;   ///< persistent connection: further requests may follow
+  bool awaits_word =
+      false;  ///< "Expect: 100-continue": the body is sent only after an interim response
+  bool lacks_host = false;  ///< the request is refused because it has no Host header
   std::size_t body_length = 0;
-  std::map<std::string, std::string> headers;  ///< names in lower case; of twins, the first
+  std::map<std::string, std::string>
+      headers;  ///< names in lower case; the first of repeated headers
 };
 
-/// Refuses malformed lines, a request that does not say whom it is for (Host), a body whose length
-/// is not told plainly once, a compressed or too long one. `text` ends with the empty line.
+/// Refuses malformed lines, a request without Host, a body without exactly one valid
+/// Content-Length, and a compressed or too long body. `text` ends with the empty line.
 RequestHead parse_request_head(std::string_view text, const RequestLimits& limits);
 
 }  // namespace mien::pipeline

@@ -11,7 +11,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// "mien" and the version of the tables below, as SQLite files say what they are.
+/// application_id ("mien") and user_version, the version of the tables below.
 constexpr std::int64_t store_mark = 0x6d69656e;
 constexpr std::int64_t store_version = 1;
 
@@ -51,7 +51,7 @@ std::vector<StoredRecord> read_records(Statement& statement) {
   return records;
 }
 
-/// Whether something was written to a file before, and no log lies beside it.
+/// Whether a file has content and no write-ahead log beside it.
 bool is_without_log(const std::filesystem::path& file) {
   std::error_code unknown;
   const auto size = std::filesystem::file_size(file, unknown);
@@ -81,7 +81,8 @@ void insert_record(Database& database, const StoredRecord& record) {
 SessionStore::SessionStore(const std::filesystem::path& file)
     : lacks_log_(is_without_log(file)), database_(file) {
   prepare();
-  // In the file itself and not in its log alone, so that a copy of the file knows of the log.
+  // Written to the file itself and not to its log alone, so that a copy without the log is
+  // recognised.
   database_.run("INSERT OR REPLACE INTO facts(name, value) VALUES('open', '1')");
   database_.run("PRAGMA wal_checkpoint(TRUNCATE)");
 }
@@ -89,7 +90,7 @@ SessionStore::SessionStore(const std::filesystem::path& file)
 SessionStore::~SessionStore() {
   try {
     database_.run("DELETE FROM facts WHERE name = 'open'");
-  } catch (const std::exception&) {  // a full disk: the file still says that it has a log
+  } catch (const std::exception&) {  // a full disk: the file remains marked as having a log
     database_.keep_log();
   }
 }
@@ -192,7 +193,7 @@ Keeping SessionStore::keep(const StoredRecord& record) {
   count.with(record.session).step();
   if (count.number(0) != record.position) return Keeping::out_of_order;
   insert_record(database_, record);
-  // Reading statements that are still open would keep the commit waiting.
+  // A read statement that is still open would block the commit.
   count.with();
   transaction.commit();
   return Keeping::kept;

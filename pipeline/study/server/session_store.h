@@ -10,40 +10,40 @@
 
 namespace mien::pipeline {
 
-/// A participant's place in a study.
+/// A session of a study, for one participant.
 struct StoredSession {
   int index = 0;            ///< from 0
-  int plan = 0;             ///< which of the study's plans it follows
+  int plan = 0;             ///< index of the session plan that it follows
   std::string participant;  ///< "p001"
-  std::string link;         ///< that nobody can guess
-  std::string begun_at;     ///< ISO time; empty: nobody has come yet
-  std::string came_by;      ///< "link" or "join"; empty: nobody has come yet
+  std::string link;         ///< secret part of its address (random_link)
+  std::string begun_at;     ///< ISO 8601 time of the first visit; empty: not begun
+  std::string came_by;      ///< "link" or "join"; empty: not begun
 };
 
-/// What a participant gave.
+/// A record that the page of a participant has sent.
 struct StoredRecord {
   int session = 0;      ///< index
   int position = 0;     ///< 0, 1, … in the order of the session
   std::string name;     ///< "trial-7"
-  std::string content;  ///< text that is kept as it is
-  std::string kept_at;  ///< ISO time
+  std::string content;  ///< stored without change
+  std::string kept_at;  ///< ISO 8601 time of storing
 };
 
 enum class Keeping {
-  kept,         ///< it is on the disk
-  same,         ///< it was there already
-  other,        ///< something else was there, and stays
-  out_of_order  ///< what goes before is not there
+  kept,         ///< stored; it is on the disk
+  same,         ///< the same record was stored before
+  other,        ///< another record was stored at that position, and remains
+  out_of_order  ///< an earlier record of the session is missing
 };
 
-/// Sessions of a study and what was given in them, in a file that outlives the server however it
-/// ends. For several threads. What is said to be kept is on the disk; with a disk that is full,
-/// WriteFailure is thrown, nothing is kept, and the same may be tried again.
+/// The sessions of a study and their records, in a database file that survives a crash of the
+/// server. Thread-safe. What a call reports as stored is on the disk. On a full disk a call throws
+/// WriteFailure and stores nothing; it may be repeated.
 class SessionStore {
  public:
-  /// Opens a file, or makes it. Throws Error when it is something else, was written by a later
-  /// version, is open in another process, or is a copy that was made while a server had it and
-  /// that lacks the log beside it (FILE-wal), in which the latest records are.
+  /// Opens a file, or creates it. Throws Error when it is not a session store, was written by a
+  /// later version, is open in another process, or was copied from a running server without its
+  /// write-ahead log (FILE-wal), which has the latest records.
   explicit SessionStore(const std::filesystem::path& file);
   ~SessionStore();
   SessionStore(const SessionStore&) = delete;
@@ -51,17 +51,17 @@ class SessionStore {
 
   const std::filesystem::path& file() const { return database_.file(); }
 
-  /// What is told once of the whole study: "design". Nothing if it was not.
+  /// A property of the whole study, such as "design"; nullopt when it was not stored.
   std::optional<std::string> fact(const std::string& name);
-  /// Facts and sessions of a new store, all or none of them.
+  /// Stores the properties and sessions of a new study in one transaction.
   void begin(const std::vector<std::pair<std::string, std::string>>& facts,
              const std::vector<StoredSession>& sessions);
 
   std::vector<StoredSession> sessions();
-  /// A session and what is given in it first, both or neither.
+  /// Stores a further session and its first record in one transaction.
   void add(const StoredSession& session, const StoredRecord& first);
 
-  /// Notes that somebody has come; false when somebody had before.
+  /// Marks a session as begun at `now`; false when it had begun before.
   bool come(int session, const std::string& came_by, const std::string& now);
 
   Keeping keep(const StoredRecord& record);
@@ -74,11 +74,12 @@ class SessionStore {
   void refuse_lack_of_log(bool is_new);
 
   std::mutex mutex_;
-  bool lacks_log_ = false;  ///< there was a file, and no log beside it
+  bool lacks_log_ = false;  ///< the file existed without its log
   Database database_;
 };
 
-/// 128 random bits of the system as 32 hexadecimal digits. Throws std::runtime_error without any.
+/// 128 bits from the system's random generator, as 32 hexadecimal digits. Throws std::runtime_error
+/// when it fails.
 std::string random_link();
 
 }  // namespace mien::pipeline

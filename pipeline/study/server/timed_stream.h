@@ -10,8 +10,8 @@
 
 namespace mien::pipeline {
 
-/// A client's socket for Boost.Asio, at which nothing waits beyond a deadline, and no reading once
-/// the server ends. What is cut short fails with timed_out or operation_aborted.
+/// A client's socket as a synchronous stream for Boost.Asio, with a deadline. Operations fail with
+/// timed_out after the deadline, and reading with operation_aborted once the server stops.
 class TimedStream {
  public:
   using ErrorCode = boost::system::error_code;
@@ -21,7 +21,7 @@ class TimedStream {
     socket_.non_blocking(true);
   }
 
-  /// For all that comes until it is called again: a byte now and then holds nobody up.
+  /// Sets the deadline for all operations until the next call.
   void expires_after(std::chrono::milliseconds time) { deadline_ = Clock::now() + time; }
 
   std::size_t read_some(const auto& buffers, ErrorCode& error) {
@@ -43,7 +43,8 @@ class TimedStream {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Waits for a moment; false, with the reason, when it may not.
+  /// Waits briefly until the socket is ready; false, with the reason in `error`, when waiting must
+  /// end.
   bool wait(short event, ErrorCode& error) {
     constexpr std::chrono::milliseconds glance{200};
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());

@@ -33,8 +33,8 @@ ordered_json in_written_order(const json& value, const std::string& path, const 
   return array;
 }
 
-/// What a manifest's text says, members in the order in which they are written. Throws Faults for
-/// what is no YAML; what the schema says of it is not looked at.
+/// Parses a manifest's text, with members in the order of the text. Throws Faults for invalid YAML;
+/// the schema is not checked.
 ordered_json document_of(const std::string& text, const std::string& file,
                          const Environment& environment) {
   std::vector<Fault> faults;
@@ -43,7 +43,7 @@ ordered_json document_of(const std::string& text, const std::string& file,
   return in_written_order(reading.document, "", reading.places);
 }
 
-/// Behind a link lies what is written.
+/// Resolves symbolic links, so that their target is written.
 fs::path real_place(const fs::path& file) {
   std::error_code unknown;
   fs::path real = fs::canonical(file, unknown);
@@ -66,7 +66,7 @@ ManifestFile::ManifestFile(fs::path file, Environment environment,
     state_ = state_of(std::move(*begun_from), false);
     return;
   }
-  // What is no manifest at all is told as `mien check` tells it.
+  // Reports an unreadable manifest as `mien check` does.
   load_manifest(file_, environment_);
   reload();
 }

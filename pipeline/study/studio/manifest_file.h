@@ -11,50 +11,50 @@
 
 namespace mien::pipeline {
 
-/// A manifest as it was read: its text, and what it says.
+/// A manifest's text and its parsed document.
 struct ManifestState {
   std::string text;
-  std::string version;  ///< of the file: a digest of its text; empty where there is no file
+  std::string version;  ///< digest of the file's text; empty without a file
   nlohmann::ordered_json document;
 };
 
-/// What a wish to save comes to.
+/// The result of saving.
 struct Saving {
   enum class Outcome {
     saved,
     unchanged,  ///< there was nothing to write
-    elsewhere   ///< the file has been changed since it was opened; nothing was written
+    elsewhere  ///< the file was changed by another program since it was opened; nothing was written
   };
 
   Outcome outcome = Outcome::saved;
-  ManifestState state;  ///< of the file now
+  ManifestState state;  ///< of the file afterwards
 };
 
-/// A manifest that is opened to be edited. For several threads.
+/// A manifest file being edited. Thread-safe.
 class ManifestFile {
  public:
-  /// Opens a file. With `begun_from`, the file is not there yet and begins with that text: it is
-  /// made when it is saved first. Throws Faults for what `mien check` refuses.
+  /// Opens a file. With `begun_from`, a new manifest with that text, whose file is created when it
+  /// is first saved. Throws Faults for a manifest that `mien check` refuses.
   ManifestFile(std::filesystem::path file, Environment environment,
                std::optional<std::string> begun_from = std::nullopt);
 
   const std::filesystem::path& file() const { return file_; }
   const Environment& environment() const { return environment_; }
 
-  /// As it was opened, or saved last.
+  /// The manifest as last read or saved.
   ManifestState state() const;
 
-  /// Whether there is a file of it.
+  /// Whether the file exists.
   bool is_on_disk() const;
 
-  /// Writes a text at once: a reader sees the old one or the new one. `document` is what it is
-  /// meant to say, `version` that of the file it was made from; where that is another by now,
-  /// nothing is written. Throws Faults for what `mien check` would refuse, Error for a text that
-  /// says something else, and WriteFailure; nothing is written then.
+  /// Replaces the file's text atomically. `document` is the content that the text must have,
+  /// `version` the version of the file that was edited; when the file has another version, nothing
+  /// is written. Throws Faults for a manifest that `mien check` refuses, Error for a text whose
+  /// content is not `document`, and WriteFailure; nothing is written then.
   Saving save(const std::string& text, const nlohmann::ordered_json& document,
               const std::string& version);
 
-  /// What is in the file now. Throws Faults for what `mien check` refuses.
+  /// Reads the file again. Throws Faults for a manifest that `mien check` refuses.
   ManifestState reload();
 
  private:

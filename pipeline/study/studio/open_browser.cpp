@@ -25,7 +25,7 @@ bool is_set(const char* variable) {
   return value != nullptr && *value != '\0';
 }
 
-/// Sends its reader on to the link.
+/// A page that redirects to the link.
 std::string sending_page(const std::string& link) {
   const std::string escaped = html_escaped(link);
   return "<!doctype html><meta charset=\"utf-8\"><title>mien studio</title>"
@@ -42,7 +42,7 @@ bool write_private(const fs::path& file, std::string_view text) {
   return is_whole;
 }
 
-/// Without waiting for what it opens; its words go nowhere.
+/// Starts xdg-open without waiting, its output discarded.
 bool open_by_desktop(const fs::path& file) {
   posix_spawn_file_actions_t quiet;
   posix_spawn_file_actions_init(&quiet);

@@ -5,9 +5,9 @@
 
 namespace mien::pipeline {
 
-/// A browser that was asked to open a link, where there is a screen and a program that does
-/// (xdg-open). The link goes through a file that only its owner may read: what stands on a command
-/// line can be read by everybody on the machine. The file is removed at the end.
+/// Opens a link in a browser by xdg-open, where there is a display. The secret link is passed in a
+/// file that only its owner can read, since command lines are visible to all users of the machine.
+/// The destructor removes the file.
 class OpenedBrowser {
  public:
   explicit OpenedBrowser(const std::string& link);

@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t most_vocabularies = 8;
 
-/// A document's texts, and where they stand.
+/// Visits all texts of a document with their paths.
 void each_text(const ordered_json& value, const std::string& path, const auto& visit) {
   if (value.is_string()) visit(value.get_ref<const std::string&>(), path);
   if (!value.is_structured()) return;
@@ -26,13 +26,13 @@ void each_text(const ordered_json& value, const std::string& path, const auto& v
     each_text(one, value.is_object() ? member_path(path, key) : element_path(path, index++), visit);
 }
 
-/// Stands in the place of a stimulus that is not needed: what is random about a modification goes
-/// by the place of its stimulus, and so do faults.
+/// A placeholder for a stimulus that is not needed. It keeps the index of others, on which the
+/// random numbers of modifications and the paths of faults depend.
 ordered_json filler(std::size_t place) {
   return {{"id", "filler-" + std::to_string(place)}, {"path", {{{"walk", 1}}}}};
 }
 
-/// What was expanded is not expanded again.
+/// Escapes "$", so that expanded variables are not expanded again.
 void keep_dollars(ordered_json& value) {
   if (value.is_string()) {
     std::string& text = value.get_ref<std::string&>();
@@ -49,7 +49,7 @@ std::string manifest_text(ordered_json document) {
   return document.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-/// Where a document has that text; empty where it says it in another form.
+/// Path of the first occurrence of a text in a document; empty without one.
 std::string first_place_of(const std::string& text, const ordered_json& document) {
   std::string place;
   each_text(document, "", [&](const std::string& one, const std::string& path) {
@@ -141,12 +141,12 @@ ordered_json document_about(const ordered_json& document, const std::vector<std:
                        [&](const auto& id) { return stimulus["id"] == id; });
   };
   const ordered_json& all = document["stimuli"];
-  // A foil is made of another stimulus, whose name it tells.
+  // A foil depends on the stimulus that it names.
   const bool needs_others = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
     return is_wanted(stimulus) && stimulus.contains("foil");
   });
   if (needs_others) return about;
-  // A hold goes by a reference, which resolve_holds finds among all that may be one.
+  // A hold depends on a reference, which resolve_holds chooses from all candidates.
   const bool holds = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
     return is_wanted(stimulus) && stimulus.contains("hold");
   });

@@ -15,7 +15,7 @@
 
 namespace mien::pipeline {
 
-/// What a page asks for is wrong; the page shows the list.
+/// Thrown for an invalid document or request of a page; the page lists the faults.
 class DraftFaults : public std::exception {
  public:
   explicit DraftFaults(std::vector<Fault> faults) : faults_(std::move(faults)) {}
@@ -27,26 +27,27 @@ class DraftFaults : public std::exception {
   std::vector<Fault> faults_;
 };
 
-/// [{"path": …, "wrong": …, "remedy": …}]
+/// Faults as [{"path": …, "wrong": …, "remedy": …}].
 nlohmann::ordered_json faults_json(const std::vector<Fault>& faults);
 
-/// Reads what a page would have made, by all rules of manifests. For several threads.
+/// Reads the documents of a page with the checks of manifests. Thread-safe.
 ///
-/// Documents come to it through one door, `admit`, whatever is to be done with them.
+/// Every document must first pass `admit`.
 class DraftReader {
  public:
   DraftReader(std::filesystem::path file, Environment environment)
       : file_(std::move(file)), environment_(std::move(environment)) {}
 
-  /// A page names no file but those that the manifest names as it was opened or saved (`known`),
-  /// and motions, folders and characters in its places (studio_places.h). Opens none. Throws
-  /// DraftFaults.
+  /// Checks the file names in a document: allowed are those in the manifest as opened or saved
+  /// (`known`), and motions, folders and characters in its places (studio_places.h). Opens no file.
+  /// Throws DraftFaults.
   void admit(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known) const;
 
   /// The manifest of a document that was admitted. Throws DraftFaults.
   Manifest read(const nlohmann::ordered_json& document);
 
-  /// Likewise, but for the stimuli, in whose place stands one that is not to be made.
+  /// Reads the manifest without its stimuli, which are replaced by a placeholder. Throws
+  /// DraftFaults.
   Manifest read_examples(const nlohmann::ordered_json& document);
 
  private:
@@ -56,15 +57,15 @@ class DraftReader {
   std::filesystem::path file_;
   Environment environment_;
   std::mutex mutex_;
-  std::map<std::string, Vocabulary> vocabularies_;  ///< by what tells the examples
+  std::map<std::string, Vocabulary> vocabularies_;  ///< by examples_key
 };
 
-/// Of a document, what tells which examples there are and what is thought of them.
+/// A key of the parts of a document that determine the examples and their ratings.
 std::string examples_key(const nlohmann::ordered_json& document);
 
-/// Only what motions and films of those stimuli are made of: no sheets, overlays or questionnaire.
-/// Stimuli whose motion is made from another's come with it: what a foil is of, and the references
-/// where a hold keeps the others. All keep their places; other stimuli stand in between.
+/// The parts of a document that determine the motions and films of those stimuli, without sheets,
+/// overlays and questionnaire. Stimuli that they depend on are included: the source of a foil, and
+/// the references of a hold. Other stimuli are replaced by placeholders, so that indices stay.
 nlohmann::ordered_json document_about(const nlohmann::ordered_json& document,
                                       const std::vector<std::string>& ids);
 

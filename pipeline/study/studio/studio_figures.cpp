@@ -28,7 +28,7 @@ const scenes::MannequinOptions* mannequin_in(const scenes::Figure& figure) {
   return std::get_if<scenes::MannequinOptions>(&figure);
 }
 
-/// Lengths to a hundredth of a millimetre: a mannequin of a body that is nearer is the same.
+/// Rounds lengths to 0.01 mm, below which bodies share a mannequin.
 std::string key_of(const motion::Skeleton& body) {
   std::string key;
   for (const motion::Joint& joint : body.joints) {
@@ -39,7 +39,7 @@ std::string key_of(const motion::Skeleton& body) {
   return key;
 }
 
-/// A file that is written anew is another.
+/// Includes the modification time, so that a rewritten file gets another key.
 std::string key_of(const fs::path& file, const motion::Skeleton& body) {
   std::error_code unknown;
   const auto written = fs::last_write_time(file, unknown).time_since_epoch().count();
@@ -55,7 +55,7 @@ std::string key_of(const scenes::Figure& figure, scenes::Role role, const motion
   return file == nullptr ? "" : "character " + key_of(*file, body);
 }
 
-/// A name for it that may be sent around and tells no path.
+/// A digest of the key that reveals no path.
 std::string digest_of(const std::string& key) {
   std::uint64_t digest = 14695981039346656037ull;  // FNV-1a
   for (const char c : key) digest = (digest ^ static_cast<unsigned char>(c)) * 1099511628211ull;

@@ -13,28 +13,28 @@
 
 namespace mien::pipeline {
 
-/// What the studio shows a motion on.
+/// The figure on which the studio shows a motion.
 struct StudioFigure {
-  /// Tells the GLB file apart from others; empty: the page draws a figure of its own.
+  /// Identifies the GLB file; empty: the page draws its own figure.
   std::string key;
 
-  int joints = 0;  ///< of the file, if not the body's own
+  int joints = 0;  ///< joints of the GLB file, if other than the body's
 
-  /// Where these are: f32 positions (frames × joints × 3, metres), then rotations (× 4: x, y, z,
-  /// w), world space, little endian; what a film's figure does in these frames.
+  /// World-space poses of these joints as in the film: f32 positions (frames × joints × 3, metres),
+  /// then rotations (frames × joints × 4: x, y, z, w), little endian.
   std::string poses;
 };
 
-/// Mannequins and characters for pages, made as films have them. Characters and the last files are
-/// kept. Not for several threads at once.
+/// Makes the mannequins and characters of films as GLB files. Caches characters and the last files.
+/// Not thread-safe.
 class StudioFigures {
  public:
-  /// How a clip is worn; no file for point lights and sticks, nor for what is no human body. A
-  /// trail's figure is its body's. Throws Error when a character cannot be read.
+  /// The figure of a clip, with its poses. Point lights, sticks and non-human bodies have no file.
+  /// A trail has the figure of its body. Throws Error when a character cannot be read.
   StudioFigure worn(const scenes::Figure& figure, scenes::Role role, const motion::Clip& clip);
 
-  /// The file of that key (skinned_glb.h); empty where the figure has another or none. Throws
-  /// Error.
+  /// The GLB file with that key (skinned_glb.h); empty where the figure has another key or no file.
+  /// Throws Error.
   const std::string& file(const std::string& key, const scenes::Figure& figure, scenes::Role role,
                           const motion::Skeleton& body);
 
@@ -43,8 +43,8 @@ class StudioFigures {
 
   Kept character(const std::filesystem::path& file, const motion::Skeleton& body);
 
-  std::deque<std::pair<std::string, Kept>> characters_;    ///< the last asked for first
-  std::deque<std::pair<std::string, std::string>> files_;  ///< likewise, by their keys
+  std::deque<std::pair<std::string, Kept>> characters_;    ///< most recently used first
+  std::deque<std::pair<std::string, std::string>> files_;  ///< by key, most recently used first
 };
 
 }  // namespace mien::pipeline

@@ -13,7 +13,7 @@ bool is_this_machine(const std::string& host, int port) {
       names, [&](const std::string& name) { return host == name + ":" + std::to_string(port); });
 }
 
-/// A link that somebody follows, to look at what is there.
+/// Whether a request is a navigation by a link.
 bool is_followed_link(const HttpRequest& request) {
   return request.method == "GET" && header_of(request, "sec-fetch-mode") == "navigate" &&
          header_of(request, "sec-fetch-dest") == "document";

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The film alone, as browsers play it.
+/// The manifest with the film of one stimulus alone, in a format for browsers.
 Manifest to_be_shown(Manifest manifest, const std::string& id,
                      const std::optional<Quality>& quality) {
   for (Stimulus& stimulus : manifest.stimuli) {
@@ -33,7 +33,7 @@ Manifest to_be_shown(Manifest manifest, const std::string& id,
   return manifest;
 }
 
-/// The share of a run's work that is done, by the tasks' estimates.
+/// Progress of a run, by the estimated costs of its tasks.
 class RunShare {
  public:
   RunShare(const TaskGraph& graph, std::atomic<double>& share) : share_(share) {
@@ -68,7 +68,7 @@ std::string first_error(const RunResult& result) {
 }  // namespace
 
 std::optional<int> StudioJobs::begin(StudioJob job) {
-  std::jthread ended;  // joined when nothing is locked any more
+  std::jthread ended;  // joined after the mutex is released
   const std::lock_guard lock(mutex_);
   if (state_ == "running") return std::nullopt;
   ended = std::move(thread_);

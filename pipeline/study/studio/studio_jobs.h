@@ -13,44 +13,45 @@
 
 namespace mien::pipeline {
 
-/// A picture or film by the real renderer.
+/// A still or video to be rendered.
 struct StudioJob {
   enum class Kind { still, video };
 
   Kind kind = Kind::still;
-  Manifest manifest;               ///< of the stimulus and what it is made from
+  Manifest manifest;               ///< with the stimulus and all that it depends on
   std::string stimulus;            ///< id
-  double seconds = 0.0;            ///< of a still: when in the film; cut to its length
+  double seconds = 0.0;            ///< time of a still in the film; clamped to its duration
   std::optional<Quality> quality;  ///< instead of the manifest's
 };
 
-/// Makes pictures and films in the background, one at a time. For several threads.
+/// Renders stills and videos in the background, one at a time. Thread-safe.
 class StudioJobs {
  public:
-  /// `folder` is where they are put, beside what `mien run` makes: drafts are no part of a study.
+  /// `folder` is for the results, apart from the output of `mien run`: drafts are not part of a
+  /// study.
   StudioJobs(std::filesystem::path folder, int threads)
       : folder_(std::move(folder)), threads_(threads) {}
 
-  /// Ends what is under way.
+  /// Cancels the running job.
   ~StudioJobs() { cancel(); }
   StudioJobs(const StudioJobs&) = delete;
   StudioJobs& operator=(const StudioJobs&) = delete;
 
-  /// Its number; nothing while another is under way.
+  /// Starts a job and returns its number; nullopt while another is running.
   std::optional<int> begin(StudioJob job);
 
   /// {"job": 3, "kind": "still", "stimulus": …, "state": "running", "done", "failed" or
-  /// "cancelled", "share": 0 … 1, "told": what went wrong, or where it lies}; null for one that is
-  /// not the last.
+  /// "cancelled", "share": 0 … 1, "told": error message, or path of the result}; null unless `job`
+  /// is the last one.
   nlohmann::ordered_json told(int job) const;
 
-  /// The same about the last one; null before the first.
+  /// The status of the last job; null before the first.
   nlohmann::ordered_json last() const;
 
-  /// Stops what is under way, soon.
+  /// Requests the running job to stop.
   void cancel();
 
-  /// What was made by the last job, when it is done.
+  /// The result of the last job, when it is done.
   std::optional<std::filesystem::path> result(int job) const;
 
  private:

@@ -40,7 +40,7 @@ ordered_json values_json(const NamedValues& values) {
   return map;
 }
 
-/// Shares of the examples that take part.
+/// Weights of the examples with non-zero weight.
 ordered_json weights_json(const Synthesis& synthesis, const Repertoire& repertoire) {
   ordered_json map = ordered_json::object();
   for (Eigen::Index i = 0; i < synthesis.weights.size(); ++i)
@@ -56,7 +56,7 @@ ordered_json distance_json(const motion::Distance& distance) {
           {"by_time", distance.by_time()}};
 }
 
-/// The head's length, the head, the motion.
+/// A message: length of the head, head, motion.
 std::string framed(const ordered_json& head, const std::string& bytes) {
   std::string text = head.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   while ((text.size() + 4) % 8 != 0) text += ' ';
@@ -78,7 +78,7 @@ bool has_stimuli(const ordered_json& about) {
   return about.contains("stimuli") && !about["stimuli"].empty();
 }
 
-/// What motions are shown on takes longer to check than they take to be made.
+/// Figures take longer to check than motions take to synthesise.
 ordered_json without_looks(ordered_json document) {
   document.erase("look");
   if (!document.contains("stimuli") || !document["stimuli"].is_array()) return document;
@@ -87,7 +87,7 @@ ordered_json without_looks(ordered_json document) {
   return document;
 }
 
-/// Only the looks of a document, of its stimuli with their roles.
+/// A key of the looks of a document, and of its stimuli with their roles.
 std::string looks_of(const ordered_json& about) {
   ordered_json looks = {about.value("look", ordered_json())};
   for (const ordered_json& stimulus : about.value("stimuli", ordered_json::array())) {
@@ -131,7 +131,7 @@ StudioMotions::Kept StudioMotions::made(const ordered_json& document, const std:
   const Stimulus* stimulus = find_stimulus(manifest, name);
   auto motion = std::make_shared<StudioMotion>();
   motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
-  // As in a run: a file or a path needs no examples, and there may be none.
+  // As in a run: stimuli from a file or a path need no examples.
   if (stimulus != nullptr && !is_blend(*stimulus) && !names_examples(*stimulus)) {
     motion->synthesis = synthesize(*stimulus, Repertoire{});
   } else {

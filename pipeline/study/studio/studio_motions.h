@@ -17,17 +17,17 @@
 
 namespace mien::pipeline {
 
-/// A motion as the studio keeps it.
+/// A cached motion.
 struct StudioMotion {
   Synthesis synthesis;
   Output output;
 
-  /// As its clip file would be compared (compared_example.h); once it has been asked for.
+  /// As its clip file is compared (compared_example.h); computed on first use.
   std::optional<motion::Example> compared;
 };
 
-/// Motions of drafts, made natively and by all rules of manifests. Examples are read once for each
-/// choice of them, and the last motions are kept. For several threads; one makes at a time.
+/// Synthesises motions of drafts as a run does. Caches examples and the last motions. Thread-safe;
+/// one motion is made at a time.
 class StudioMotions {
  public:
   explicit StudioMotions(DraftReader& reader) : reader_(reader) {}
@@ -51,7 +51,7 @@ class StudioMotions {
   std::string motion(const nlohmann::ordered_json& document, const std::string& show,
                      const std::string& against);
 
-  /// The figure of that key that `show` is shown on, as a GLB file; empty where it is another.
+  /// The GLB file of the figure of `show`; empty where its key is not `key`.
   /// Throws DraftFaults.
   std::string figure(const nlohmann::ordered_json& document, const std::string& show,
                      const std::string& key);
@@ -59,7 +59,7 @@ class StudioMotions {
  private:
   using Kept = std::shared_ptr<StudioMotion>;
 
-  /// What a motion is shown on.
+  /// The figure of a motion.
   struct Shown {
     scenes::Figure figure;
     scenes::Role role = scenes::Role::neutral;
@@ -69,18 +69,18 @@ class StudioMotions {
   Kept made(const nlohmann::ordered_json& document, const std::string& name);
   Shown shown(const nlohmann::ordered_json& document, const std::string& name);
 
-  /// Examples and what was thought of them; the motions of no stimulus.
+  /// Examples and their ratings, without motions of stimuli.
   struct Study {
     std::string key;
-    std::unique_ptr<const Manifest> manifest;  ///< stays where it is
+    std::unique_ptr<const Manifest> manifest;  ///< at a stable address
     std::unique_ptr<Motions> motions;
   };
 
   DraftReader& reader_;
   std::mutex mutex_;
-  std::deque<Study> studies_;                        ///< the last asked for first
-  std::deque<std::pair<std::string, Kept>> made_;    ///< likewise, by what was asked for
-  std::deque<std::pair<std::string, Shown>> shown_;  ///< likewise, by what the looks say
+  std::deque<Study> studies_;                        ///< most recently used first
+  std::deque<std::pair<std::string, Kept>> made_;    ///< by request, most recently used first
+  std::deque<std::pair<std::string, Shown>> shown_;  ///< by looks, most recently used first
   StudioFigures figures_;
 };
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr int deepest_folder = 6;
-constexpr int most_entries = 20000;  // looked at
+constexpr int most_entries = 20000;  // entries visited at most
 constexpr std::size_t most_names = 400;
 
 fs::path without_links(const fs::path& path) {
@@ -39,7 +39,7 @@ bool is_left_out(const fs::path& folder) {
   return folder.filename().string().starts_with(".") || fs::exists(folder / ".mien", unknown);
 }
 
-/// What lies below a place, by folders.
+/// The files below a place, by folder.
 struct Found {
   std::map<std::string, std::vector<std::string>> motions;
   std::vector<std::string> characters;

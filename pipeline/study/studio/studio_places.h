@@ -8,30 +8,31 @@
 
 namespace mien::pipeline {
 
-/// Where a page may choose captures and characters: below the manifest's folder, and below the
-/// folder of examples that the manifest names, wherever that lies.
+/// The folders below which a page may choose captures and characters: the manifest's folder, and
+/// the folder of examples that the manifest names.
 class StudioPlaces {
  public:
-  /// `manifest` is its file, there or not; `known` is what it says.
+  /// `manifest` is the path of the manifest, which may not exist yet; `known` is its document.
   StudioPlaces(const std::filesystem::path& manifest, const nlohmann::ordered_json& known);
 
   /// {"folders": [{"folder": "captures", "motions": ["walk.bvh", …]}, …],
   ///  "characters": ["robot.glb", …], "all": whether that is all there is}
   ///
-  /// Names are as the manifest would have them. Left out are links to folders, hidden folders, what
-  /// mien has made, and all beyond some depth and number.
+  /// Names are as a manifest refers to them. Left out are links to folders, hidden folders, output
+  /// of mien, and entries beyond limits of depth and number.
   nlohmann::ordered_json listed() const;
 
-  /// Whether a text names a folder, a motion file or a character that is there, links followed.
+  /// Whether a text names an existing folder, motion file or character in these places, with links
+  /// resolved.
   bool hold(const std::string& name) const;
 
  private:
   struct Place {
-    std::filesystem::path folder;  ///< links followed
-    std::string name;              ///< before names in it; empty: the manifest's own folder
+    std::filesystem::path folder;  ///< with links resolved
+    std::string name;              ///< prefix of names in it; empty: the manifest's own folder
   };
 
-  std::filesystem::path beside_;  ///< what relative names are taken from
+  std::filesystem::path beside_;  ///< base of relative names
   std::vector<Place> places_;
 };
 

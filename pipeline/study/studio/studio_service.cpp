@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A body that is not as this server's page sends it.
+/// Thrown for a body that the studio's page cannot have sent.
 struct MalformedBody {};
 
 HttpResponse faults_answer(const std::vector<Fault>& faults) {
@@ -88,7 +88,7 @@ ordered_json posture() {
   return units;
 }
 
-/// All that a step of a modification may say, as the schema has it.
+/// The members of a step of a modification, from the schema.
 ordered_json modification() {
   return ordered_json::parse(manifest_schema_text())
       .at("definitions")
@@ -96,9 +96,9 @@ ordered_json modification() {
       .at("properties");
 }
 
-/// What a page offers beside examples and sliders: "sets" of examples, "recipes" (of the manifest,
-/// and what they do), "posture" (units and what they turn), "scenes", "cameras", "figures"
-/// and, of these, "bodies", which have a surface.
+/// The options of a page beside examples and sliders: "sets" of examples, "recipes" (of the
+/// manifest, and what they do), "posture" (units and what they turn), "scenes", "cameras",
+/// "figures" and, of these, "bodies", which have a surface.
 ordered_json studio_words(const ManifestFile& file) {
   return {{"sets", example_sets()},
           {"recipes", recipes_of(file)},
@@ -129,7 +129,7 @@ HttpResponse StudioService::answer(const HttpRequest& request) {
   return http_wrong_method("GET, HEAD, POST");
 }
 
-/// Of those that ask for much that is not there, somebody is guessing.
+/// Many requests for unknown links suggest guessing, and are limited.
 HttpResponse StudioService::unknown(const HttpRequest& request) {
   if (!wrong_rate_.allows(request.address)) return http_too_often();
   return http_refusal(404, "unknown", "page not found", "use the link as printed");
@@ -175,7 +175,7 @@ HttpResponse StudioService::take(const HttpRequest& request) {
   }
 }
 
-/// The one door: whatever is done with a page's document, its files are looked at first.
+/// The document of a request, after the check of its file names, without which none is used.
 StudioService::Body StudioService::document_in(const Body& body) const {
   Body document = member<Body>(body, "document");
   if (!document.is_object()) throw MalformedBody{};

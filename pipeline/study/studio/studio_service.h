@@ -20,7 +20,7 @@ namespace mien::pipeline {
 /// The walker's page among the studio's, where there is one.
 inline constexpr char walker_page[] = "walk.html";
 
-/// What the studio's server answers, to who knows the link:
+/// Handles the requests to the studio; the link is secret:
 ///
 ///     GET  /<link>/               the page, and the files of it
 ///     GET  /<link>/walk.html      the walker's page, if the motion core is compiled for browsers
@@ -29,17 +29,17 @@ inline constexpr char walker_page[] = "walk.html";
 ///     POST /<link>/motion         a motion, as bytes (studio_motions.h)
 ///     POST /<link>/figure         {"document", "show", "key"}: the figure of a motion, as GLB
 ///     POST /<link>/places         folders of captures, and characters (studio_places.h)
-///     POST /<link>/save           {"document", "text", "version"}: writes it (manifest_file.h)
-///     POST /<link>/reload         opens the file again
-///     POST /<link>/jobs           {"document", "kind", "stimulus", "seconds", "quality"}: a still
+///     POST /<link>/save           {"document", "text", "version"}: saves the manifest
+///     (manifest_file.h) POST /<link>/reload         opens the file again POST /<link>/jobs
+///     {"document", "kind", "stimulus", "seconds", "quality"}: a still
 ///                                 or a video is begun
 ///     GET  /<link>/jobs/<n>       how far it is
 ///     POST /<link>/jobs/<n>/cancel
 ///     GET  /<link>/jobs/<n>/result
 ///
-/// Bodies are JSON. What is wrong with a document is answered with 422 and
-/// {"faults": [{"path", "wrong", "remedy"}]}. Nothing of a request names a file. For several
-/// threads.
+/// Bodies are JSON. Faults of a document are answered with 422 and
+/// {"faults": [{"path", "wrong", "remedy"}]}. File names in documents are checked (DraftReader).
+/// Thread-safe.
 class StudioService {
  public:
   /// `file` outlives this. `page`: the files that browsers are given.
@@ -49,7 +49,7 @@ class StudioService {
   /// The secret part of the link.
   const std::string& link() const { return link_; }
 
-  /// The port that is listened at; before it is known, nothing is answered.
+  /// Sets the port of the server, which requests are checked against; before this, all are refused.
   void listens_at(int port) { port_ = port; }
 
   HttpResponse answer(const HttpRequest& request);

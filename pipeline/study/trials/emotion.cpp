@@ -1,4 +1,4 @@
-// Which of a list one stimulus shows. Scales that are asked too are answered as in a rating.
+// Forced choice of the emotion that a stimulus shows. Additional scales are answered as in ratings.
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ std::string emotion_fault(const Question& question, const GivenResponse& respons
 }
 
 void complete_emotion(const Question& question, AnswerRow& row) {
-  rating_trials.complete(question, row);  // what was chosen is on no scale
+  rating_trials.complete(question, row);  // a choice has no value on a scale
 }
 
 std::string simulated_emotion(const Question& question, const SimulatedView& view) {

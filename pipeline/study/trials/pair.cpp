@@ -1,4 +1,4 @@
-// Which of two stimuli has more of the high end of each scale.
+// Paired comparison: which of two stimuli is closer to the high end of each scale.
 
 #include "pipeline/study/trials/trial_kind.h"
 

@@ -1,4 +1,4 @@
-// One stimulus, on scales: points, a slider, or words.
+// Ratings of one stimulus on scales: points, a slider, or free text.
 
 #include <cmath>
 #include <cstdlib>
@@ -19,7 +19,7 @@ std::vector<std::string> checkable_ratings(const Question& question) {
 }
 
 std::string rating_fault(const Question& question, const GivenResponse& response) {
-  // A check may be of no scale; pages then offer the usual one.
+  // An attention check may have no scale; pages then show the default one.
   const AskedScale scale = question.scale == nullptr ? AskedScale() : *question.scale;
   if (scale.words) return response.is_number ? "an answer in words is a number" : "";
   const double least = least_raw(scale), most = most_raw(scale);

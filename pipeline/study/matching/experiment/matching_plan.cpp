@@ -65,8 +65,8 @@ void add_target_blocks(SessionPlan& plan, const Matching& matching, const String
   for (std::size_t i = 0; i < ordered.size(); ++i) add_block(ordered[i], ordered[i], i);
 }
 
-/// What a session is reckoned to take: its texts read, for each trial a guess (30 s), half of the
-/// limit to match, and a pause (15 s).
+/// Expected duration of a session, seconds: reading texts, and for each trial a guess (30 s), half
+/// of the time limit and a pause (15 s).
 double matching_seconds(const Manifest& manifest, const SessionPlan& plan) {
   const Matching& matching = matching_of(manifest);
   double seconds = question_seconds * static_cast<double>(matching.demographics.size());
@@ -80,7 +80,7 @@ SessionPlan plan_of(const Manifest& manifest, int index) {
   const Matching& matching = *manifest.matching;
   const Strings targets = matching_targets(manifest);
   SessionPlan plan{.index = index, .participant = participant_name(index)};
-  // As numbers of JavaScript hold it.
+  // So that a number of JavaScript represents it exactly.
   plan.seed = seed_of(manifest.seed, plan.participant) >> 11U;
   const auto participant = static_cast<std::size_t>(index);
   if (matching.order == MatchingOrder::guesses_first)

@@ -88,7 +88,8 @@ ordered_json sessions_of(const std::vector<SessionPlan>& plans) {
   return sessions;
 }
 
-/// What experiments had before there was a choice stays as it was: they are the same design.
+/// Settings that were added later are written only where they are not the default, so that earlier
+/// experiments keep their design hash.
 ordered_json settings_of(const Manifest& manifest, const motion::LiveBundle& bundle) {
   const Matching& matching = *manifest.matching;
   ordered_json settings = {{"limit_s", matching.limit_s},
@@ -147,7 +148,7 @@ ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pa
                      .plans = std::move(study.plans),
                      .page = served_page(pages)};
   served.facts = asked_facts(served.experiment);
-  // Of other motions it is another study.
+  // The motions are part of the study's identity.
   served.facts.sha256["motions"] = hash_of(to_bytes(study.bundle));
   served.live = std::make_unique<LiveMotions>(std::move(study.bundle));
   return served;

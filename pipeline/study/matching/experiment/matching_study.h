@@ -59,30 +59,30 @@ std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count = 0);
 ZipFiles exported_matching(const Manifest& manifest, const MatchingStudy& study,
                            const std::filesystem::path& pages, const std::filesystem::path& module);
 
-/// Trials that nobody went through: of each plan without its practice, a simulated user
+/// Simulated trials. In each plan, practice excluded, a simulated user
 /// (simulated_trial.h) before each target, who takes 20 s to guess and 3 s for each look after it,
 /// and gives up at the limit. Sliders are those that are shown at once. Every trial is marked as
 /// simulated. Where a target is no blend, its sliders are read as being in the middle.
 std::vector<MatchedTrial> simulated_matching(const Manifest& manifest, Motions& motions,
                                              const MatchingStudy& study);
 
-/// How far a participant who moves nothing is from a target.
+/// Distance between a target and the motion at the initial slider settings.
 struct StartingDistance {
   std::string target;
   std::string interface;
   double metres = 0.0;  ///< D
 };
 
-/// Of every target that is matched, practice aside, with every interface, sliders standing where
-/// the page lets them begin: the examples' average, or shares of none.
+/// Starting distances of each target except practice with each interface. Sliders are at their
+/// initial positions on the page: the examples' mean, or weights of 0.
 std::vector<StartingDistance> starting_distances(const Manifest& manifest,
                                                  const MatchingStudy& study);
 
-/// A threshold by which something has to be done, metres: the paper's 0.06, or half of the median
-/// starting distance, to the millimetre below, where that is less.
+/// A threshold below the usual starting distances, metres: the paper's 0.06, or half of the median
+/// starting distance, rounded down to a millimetre, where that is less.
 double fitting_threshold(const std::vector<StartingDistance>& distances);
 
-/// What to tell of trials that are matched before anything is moved; empty where there are none.
+/// A warning about trials that match before any slider is moved; empty where there are none.
 std::string matched_at_start(const Manifest& manifest, const MatchingStudy& study);
 
 }  // namespace mien::pipeline

@@ -14,7 +14,7 @@ namespace {
 constexpr double first_look_seconds = 20.0;
 constexpr double look_seconds = 3.0;
 
-/// One trial of somebody who is not there.
+/// A simulated matching trial.
 class SimulatedMatch {
  public:
   SimulatedMatch(const Manifest& manifest, Motions& motions, const MatchingStudy& study,
@@ -37,7 +37,7 @@ class SimulatedMatch {
     record_.guess_s = first_look_seconds;
     record_.d = trial.distance;
     record_.success = trial.matched;
-    // Who stops without a match waits for the end.
+    // A user who stops without a match waits for the time limit.
     record_.time_s = trial.matched ? look_seconds * (trial.looks - 1) : matching.limit_s;
     record_.changes.push_back({.seconds = first_look_seconds + record_.time_s,
                                .step = "adjust",
@@ -59,7 +59,7 @@ class SimulatedMatch {
     return {interface_.sliders, {settings.begin(), settings.end()}};
   }
 
-  /// What is looked at differs from what was before in one slider, or is taken back first.
+  /// Successive views differ in one slider; a rejected move is undone first.
   double look(const Eigen::RowVectorXd& settings) {
     const SliderSetting now = setting(settings);
     const double d =

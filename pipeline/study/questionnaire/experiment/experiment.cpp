@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// In the language of the questionnaire, if the scale has words in it.
+/// The label of an end in the language of the questionnaire, or in English where there is none.
 const std::string& shown_end(const std::string& english, const std::string& japanese,
                              InterfaceLanguage language) {
   return language == InterfaceLanguage::japanese && !japanese.empty() ? japanese : english;
@@ -76,7 +76,7 @@ ordered_json trial_json(const Manifest& manifest, const Trial& trial) {
           {"expected", trial.expected}};
 }
 
-/// Seeds are written in digits: JavaScript's numbers hold fewer.
+/// Seeds are written as strings: 64 bits do not fit JavaScript's numbers.
 ordered_json sessions_json(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   ordered_json sessions = ordered_json::array();
   for (const SessionPlan& plan : plans) {
@@ -90,7 +90,7 @@ ordered_json sessions_json(const Manifest& manifest, const std::vector<SessionPl
   return sessions;
 }
 
-/// Sorted by token, so that their order tells nothing.
+/// Sorted by token, so that their order does not reveal the stimuli.
 void add_media(ordered_json& experiment, const MediaFiles& media) {
   std::map<std::string, std::pair<std::string, const MediaFile*>> by_token;
   for (const auto& [stimulus, file] : media) by_token[file.token] = {stimulus, &file};
@@ -129,7 +129,7 @@ std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage 
       put();
       continue;
     }
-    // Japanese is written without blanks.
+    // Japanese is written without spaces.
     if (!current.empty() && language != InterfaceLanguage::japanese) current += ' ';
     current += line;
   }

@@ -14,16 +14,16 @@ namespace mien::pipeline {
 /// scales in the questionnaire's language, media by their tokens, and all sessions. `media` holds
 /// every stimulus of the plans; their files are named "media/<token><ending>".
 ///
-/// "stimuli" tells which stimulus a token stands for: a server keeps it to itself. "design" is the
+/// "stimuli" maps tokens to stimuli; a server does not send it to participants. "design" is the
 /// design_hash.
 nlohmann::ordered_json experiment_json(const Manifest& manifest,
                                        const std::vector<SessionPlan>& plans,
                                        const MediaFiles& media);
 
-/// A text as its paragraphs, which blank lines part; lines within a paragraph are joined.
+/// The paragraphs of a text, separated by blank lines; lines within a paragraph are joined.
 std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage language);
 
-/// The questions about participants, as pages ask them.
+/// The questions about participants, as the page reads them.
 nlohmann::ordered_json demographics_json(const std::vector<Demographic>& demographics);
 
 }  // namespace mien::pipeline

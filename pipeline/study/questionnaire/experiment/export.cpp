@@ -136,7 +136,7 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
     if (file.ending == ".glb") files["media/" + file.token + ".js"] = as_script(file, bytes);
     files["media/" + file.token + file.ending] = std::move(bytes);
   }
-  // What participants need is all that JATOS is given.
+  // JATOS gets only the files that participants need.
   ZipFiles assets = files;
   assets["index.html"] = page_of_jatos(std::move(assets["index.html"]), "questionnaire.js");
   const std::string title = title_of(manifest);
@@ -194,7 +194,7 @@ void write_export(const ZipFiles& files, const fs::path& folder) {
     for (const std::string& path : ours) mark += path + "\n";
     write_file(folder / export_mark, mark);
   };
-  // Should this be interrupted, the next export knows the files of both.
+  // If this is interrupted, the list covers the files of both exports.
   for (const auto& [path, bytes] : files) ours.insert(path);
   put_mark();
   for (const std::string& path : ours)

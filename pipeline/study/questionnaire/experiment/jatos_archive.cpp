@@ -23,7 +23,7 @@ ordered_json component_json(const JatosStudy& study) {
           {"jsonData", nullptr}};
 }
 
-/// All ways in which JATOS lets people in, but those of Mechanical Turk.
+/// A batch that allows all worker types of JATOS except those of Mechanical Turk.
 ordered_json batch_json(const JatosStudy& study) {
   return {{"uuid", named_uuid(study.key + "/batch")},
           {"title", "Default"},

@@ -6,12 +6,12 @@
 
 namespace mien::pipeline {
 
-/// What JATOS is told of a study.
+/// Properties of a study for JATOS.
 struct JatosStudy {
   std::string title;
   std::string description;
-  std::string folder;  ///< of its assets: letters, digits, - and _
-  std::string key;     ///< the same for each export of a study, which JATOS then replaces
+  std::string folder;  ///< folder of its assets: letters, digits, - and _
+  std::string key;  ///< the same for each export of a study, so that JATOS replaces the earlier one
 };
 
 /// A study as JATOS imports it (.jzip): a zip archive of "<folder>.jas", which describes a study of
@@ -22,11 +22,12 @@ struct JatosStudy {
 /// the same bytes.
 std::string jatos_archive(const JatosStudy& study, const ZipFiles& assets);
 
-/// The page of an export as JATOS shows it: with its script before the page's own (`script`,
-/// "questionnaire.js"), and without a policy that would keep it from talking to its server.
+/// The page of an export adapted for JATOS: loads JATOS's script before the page's own (`script`,
+/// "questionnaire.js"), and lacks the content security policy that would block requests to its
+/// server.
 std::string page_of_jatos(std::string page, const std::string& script);
 
-/// A UUID of version 8 (RFC 9562), which follows from the name.
+/// A UUID of version 8 (RFC 9562), derived from the name.
 std::string named_uuid(const std::string& name);
 
 }  // namespace mien::pipeline

@@ -24,13 +24,13 @@ namespace {
 namespace fs = std::filesystem;
 using render::VideoKind;
 
-/// A kind of video that all browsers of today play.
+/// A video format that all current browsers play.
 struct WebVideo {
   VideoKind kind;
   const char* type;
 };
 
-/// The one that most browsers play first.
+/// In order of preference, the most widely supported first.
 constexpr std::array web_videos = {WebVideo{VideoKind::mp4, "video/mp4"},
                                    WebVideo{VideoKind::webm, "video/webm"},
                                    WebVideo{VideoKind::webm_av1, "video/webm"}};

@@ -10,32 +10,31 @@
 
 namespace mien::pipeline {
 
-/// What participants are shown of a stimulus.
+/// The media file of a stimulus.
 struct MediaFile {
   std::filesystem::path file;  ///< in the study's folder
-  std::string token;           ///< what it is called in public; tells nothing of the stimulus
+  std::string token;           ///< public name, which does not reveal the stimulus
   std::string ending;          ///< ".mp4"
   std::string type;            ///< "video/mp4"
   std::string sha256;
   double seconds = 0.0;
-  int width = 0;  ///< pixels; 0 of a motion that is turned
+  int width = 0;  ///< pixels; 0 for a 3-D motion
   int height = 0;
 };
 
-/// By the ids of stimuli.
+/// Media files by stimulus id.
 using MediaFiles = std::map<std::string, MediaFile>;
 
-/// The manifest with the motion files that its questionnaire shows among what is made. Throws Error
-/// where stimuli that are shown have no video that browsers play.
+/// The manifest with output of the motion files that its questionnaire shows. Throws Error where
+/// shown stimuli have no video that browsers play.
 Manifest with_media(Manifest manifest);
 
-/// The media of all stimuli in the plans, found in the folder of the study, which has been made.
-/// Throws Error for what is not there.
+/// The media of all stimuli in the plans, in the output folder of the study. Throws Error for
+/// missing files.
 MediaFiles media_of(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                     const std::filesystem::path& folder);
 
-/// How a stimulus is called where participants might see it: letters and digits that follow from
-/// the study's seed.
+/// Public name of a stimulus: letters and digits derived from the study's seed.
 std::string media_token(const Manifest& manifest, const std::string& stimulus);
 
 }  // namespace mien::pipeline

@@ -26,7 +26,7 @@ PageRecord parsed(const StoredRecord& stored) {
   return read_record(nlohmann::json::parse(stored.content));
 }
 
-/// Gives `take` every record of a trial, with its plan and its trial.
+/// Calls `take` with each record of a trial, its plan and its trial.
 void for_each_trial(const StudySessions& sessions, const auto& take) {
   std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
   for (const SessionState& state : sessions.states()) {

@@ -8,28 +8,28 @@
 
 namespace mien::pipeline {
 
-// What a served study has collected, from its store.
+// Exports of a served study's records.
 
-/// One row an answer (answer_row.h), by participant and trial.
+/// CSV with a row for each answer (answer_row.h), by participant and trial.
 std::string answers_csv(const ServedStudy& study, const StudySessions& sessions);
 
-/// Trials of a matching experiment, and what was done in them (matching_rows.h).
+/// CSV of the trials of a matching experiment, and of the changes made in them (matching_rows.h).
 std::string trials_csv(const ServedStudy& study, const StudySessions& sessions);
 std::string changes_csv(const ServedStudy& study, const StudySessions& sessions);
 
-/// One row a participant who has agreed to take part (participant_row.h).
+/// CSV with a row for each participant who gave consent (participant_row.h).
 std::string participants_csv(const ServedStudy& study, const StudySessions& sessions);
 
-/// Everything, with the plans, the records as they were given and when each was kept.
+/// All plans and records as JSON, with the time of storing each.
 std::string answers_json(const ServedStudy& study, const StudySessions& sessions);
 
-/// Participants and their links below `base`: "http://127.0.0.1:8080".
+/// CSV of participants and their links; `base` is like "http://127.0.0.1:8080".
 std::string links_csv(const StudySessions& sessions, const std::string& base);
 
-/// What the experimenter's page and its exports are: the page itself (""), its parts, status.json
-/// (with what troubles the server), answers.csv (of a matching
-/// experiment trials.csv and changes.csv), answers.json, participants.csv and links.csv.
-/// Nothing for other names. The path has three parts, the last of which is the name.
+/// The response to a request for the experimenter's page (""), its files, status.json (with
+/// `trouble`, the server's last storage failure), answers.csv (in a matching experiment trials.csv
+/// and changes.csv), answers.json, participants.csv or links.csv. Nullopt for other names. The path
+/// has three segments, the last of which is the name.
 std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedStudy& study,
                                        const StudySessions& sessions, const std::string& trouble,
                                        std::int64_t now);

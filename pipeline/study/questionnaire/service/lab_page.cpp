@@ -60,7 +60,7 @@ HttpResponse saved_as(const std::string& name, const std::string& type, std::str
   return response;
 }
 
-/// Where the browser has found the server.
+/// The server's origin as the browser addressed it.
 std::string base_of(const HttpRequest& request) {
   const std::string host = header_of(request, "host");
   const bool is_plain = std::ranges::all_of(host, [](unsigned char one) {

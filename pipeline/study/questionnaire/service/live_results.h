@@ -11,8 +11,8 @@
 
 namespace mien::pipeline {
 
-/// Counts of the answers that have come so far, for the experimenter to look at. What is not
-/// analysed (practice, warm-up, checks) is not counted.
+/// Running counts of answers for the experimenter's page, over analysed trials (no practice,
+/// warm-up or checks).
 class LiveResults {
  public:
   explicit LiveResults(const AskedFacts& facts) : facts_(facts) {}
@@ -35,7 +35,7 @@ class LiveResults {
     std::vector<int> counts;
   };
 
-  /// The scale that a row lies on, or nullptr.
+  /// The scale of a row's item, or nullptr.
   const AskedScale* scale_of(const AnswerRow& row) const;
   Tally& tally_of(const AnswerRow& row);
   static void count(Tally& tally, const std::string& label);

@@ -12,55 +12,56 @@
 
 namespace mien::pipeline {
 
-/// Why a record is not taken.
+/// Why a record is refused.
 class RecordFault : public std::runtime_error {
  public:
   explicit RecordFault(const std::string& wrong) : runtime_error(wrong) {}
 };
 
-/// What must be known of a matching experiment to understand what is given in it.
+/// The properties of a matching experiment by which its records are checked.
 struct MatchingFacts {
   double limit_s = 300.0;
   double threshold_m = 0.06;
-  std::map<std::string, std::vector<std::string>> sliders;  ///< by interface: all there can be
+  std::map<std::string, std::vector<std::string>> sliders;  ///< all sliders of each interface
 };
 
-/// As experiment.json tells it in "matching".
+/// Reads them from the member "matching" of experiment.json.
 MatchingFacts matching_facts(const nlohmann::ordered_json& matching);
 
-/// Where sliders stand, 0 to 1.
+/// Slider positions, 0 to 1.
 struct SliderSetting {
   std::vector<std::string> sliders;
   std::vector<double> values;  ///< as many
 };
 
-/// Something that a participant did.
+/// An action of a participant in a matching trial.
 struct MatchingChange {
   double seconds = 0.0;  ///< since the trial began
   std::string step;      ///< "guess" or "adjust"
   std::string action;    ///< "move", "add", "remove", "guess", "match", "limit"
-  std::string slider;    ///< of the first three
+  std::string slider;    ///< of "move", "add" and "remove"
   std::optional<double> value;
-  std::optional<double> d;  ///< of the motion that came of it, metres; none of what was not seen
+  std::optional<double> d;  ///< D of the resulting motion, metres; none where it was not displayed
 };
 
-/// A trial of matching as its page gives it.
+/// The record of a matching trial.
 struct MatchingRecord {
   SliderSetting first, last;
   double first_guess_d = 0.0;  ///< metres
-  double guess_s = 0.0;        ///< that the guess took
-  double d = 0.0;              ///< of the last setting, metres
-  double time_s = 0.0;         ///< from the guess to the match, or to the limit
+  double guess_s = 0.0;        ///< duration of the guess, seconds
+  double d = 0.0;              ///< D of the last setting, metres
+  double time_s = 0.0;         ///< from the guess to the match or the time limit, seconds
   bool success = false;
-  int attempt = 1;  ///< more than 1: the page was loaded again meanwhile, and the trial begun anew
+  int attempt = 1;  ///< more than 1: the page was reloaded and the trial restarted
   std::vector<MatchingChange> changes;
 };
 
-/// Throws RecordFault as read_record does.
+/// Throws RecordFault for missing, unknown or malformed members.
 MatchingRecord read_matching_record(const nlohmann::json& text);
 
-/// Throws RecordFault when that cannot have come of the trial: sliders that its interface does not
-/// have, times that go back, a success beyond the limit or the threshold, a failure before.
+/// Throws RecordFault when a record is impossible for the trial: sliders that its interface does
+/// not have, decreasing times, a success beyond the time limit or threshold, a failure before the
+/// limit.
 void check_matching_record(const MatchingFacts& facts, const Trial& trial,
                            const MatchingRecord& record);
 

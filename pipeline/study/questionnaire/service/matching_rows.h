@@ -8,7 +8,7 @@
 
 namespace mien::pipeline {
 
-/// A trial of matching that somebody, or nobody, has gone through.
+/// A completed matching trial, real or simulated.
 struct MatchedTrial {
   std::string participant;
   std::string session;  ///< browser session; empty of simulated ones
@@ -20,14 +20,14 @@ struct MatchedTrial {
   bool simulated = false;
 };
 
-/// The columns of the two tables.
+/// The columns of trials.csv and changes.csv.
 extern const TableForm matching_trials_form;
 extern const TableForm matching_changes_form;
 
-/// A row a trial, as `mien study evaluate` reads it, without practice.
+/// A row for each trial without practice, as `mien study evaluate` reads it.
 std::string matching_trials_csv(const std::vector<MatchedTrial>& trials);
 
-/// A row a change, practice included.
+/// A row for each change, including practice.
 std::string matching_changes_csv(const std::vector<MatchedTrial>& trials);
 
 }  // namespace mien::pipeline

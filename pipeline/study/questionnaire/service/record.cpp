@@ -42,7 +42,7 @@ std::vector<std::string> read_hashes(const nlohmann::json* list) {
   return hashes;
 }
 
-/// What a table cannot hold is a space there.
+/// Replaces control characters other than line breaks and tabs by spaces.
 std::string table_text(std::string text) {
   for (char& character : text) {
     const auto code = static_cast<unsigned char>(character);

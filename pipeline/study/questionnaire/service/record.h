@@ -22,7 +22,8 @@ struct AskedQuestion {
   bool required = false;
 };
 
-/// What must be known of a questionnaire, beside its plans, to understand what is given in it.
+/// The properties of a questionnaire, beside its plans, by which records are checked and written as
+/// rows.
 struct AskedFacts {
   std::string design;  ///< hash
   bool simulated = false;
@@ -33,36 +34,36 @@ struct AskedFacts {
   std::optional<MatchingFacts> matching;      ///< of a matching experiment
 };
 
-/// An item of a trial, asked or answered.
+/// An item of a trial with its scale and choices.
 Question question_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                      const AskedItem& item);
 
-/// As experiment.json tells it, of all its sessions. Throws nlohmann::json::exception when that is
-/// something else.
+/// Reads them from experiment.json with all sessions. Throws nlohmann::json::exception for other
+/// JSON.
 AskedFacts asked_facts(const nlohmann::ordered_json& experiment);
 
-/// What a page gave: of the consent, the demographics, a trial or the ending.
+/// A record sent by a participant's page: consent, demographics, a trial or the ending.
 struct PageRecord {
   std::string name;     ///< "trial-7"
   std::string session;  ///< random name of the browser session
   std::vector<GivenResponse> responses;
   std::string comment;
-  std::string started_at;  ///< ISO time by the participant's clock
-  AnswerRow measured;      ///< of a row of the trial what the browser counts and times, and no more
-  std::vector<std::string> media_sha256;   ///< of what was shown, then of the reference
-  std::optional<MatchingRecord> matching;  ///< of a trial of matching
+  std::string started_at;                  ///< ISO time by the participant's clock
+  AnswerRow measured;                      ///< only the columns that the browser counts or times
+  std::vector<std::string> media_sha256;   ///< of the stimuli shown, then of the reference
+  std::optional<MatchingRecord> matching;  ///< of a matching trial
 };
 
-/// Throws RecordFault: members that are unknown, missing or of another kind, numbers out of any
-/// sense, texts that are too long.
+/// Throws RecordFault for members that are unknown, missing or of another type, numbers out of
+/// range, and texts that are too long.
 PageRecord read_record(const nlohmann::json& text);
 
-/// Names of a session's records in the order in which they are given: "consent", "demographics"
-/// (where something is asked), "trial-1", …, "ending".
+/// Names of a session's records in order: "consent", "demographics" (where there are such
+/// questions), "trial-1", …, "ending".
 std::vector<std::string> record_names(const SessionPlan& plan, const AskedFacts& facts);
 
-/// One row a response of a trial, in the order of the responses. The record must have been checked
-/// (record_check.h). What would break lines or end texts in a table is a space there.
+/// One row for each response of a trial, in their order. The record must have been checked
+/// (record_check.h). Control characters in texts, except line breaks and tabs, become spaces.
 std::vector<AnswerRow> rows_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                                const PageRecord& record);
 

@@ -17,7 +17,7 @@ void refuse(const std::string& fault) {
   if (!fault.empty()) throw RecordFault(fault);
 }
 
-/// The one response that there may be to each of these items, in any order.
+/// Refuses a record without exactly one response to each of these items, in any order.
 void check_items(const PageRecord& record, const std::vector<std::string>& items) {
   std::set<std::string> left(items.begin(), items.end());
   for (const GivenResponse& response : record.responses)
@@ -85,7 +85,7 @@ void check_consent(const PageRecord& record) {
   check_word(record.responses.front(), {"agreed", consent_refused});
 }
 
-/// Of what is the same number, found in a browser or here; metres.
+/// Tolerance between the browser's and the server's distance, metres.
 constexpr double distance_slack_m = 1e-9;
 
 void check_distance(LiveMotions& live, const Trial& trial, const SliderSetting& setting,

@@ -6,22 +6,22 @@
 
 namespace mien::pipeline {
 
-/// Throws RecordFault when a record is not what its page in this session can give: another's items,
-/// items left out or given twice, values that cannot be chosen, media that was not shown.
+/// Throws RecordFault when the page of this session cannot have sent the record: unknown, missing
+/// or repeated items, invalid values, media that was not shown.
 void check_record(const AskedFacts& facts, const SessionPlan& plan, const PageRecord& record);
 
-/// The trial of "trial-7", or nullptr.
+/// The trial of a record such as "trial-7", or nullptr.
 const Trial* trial_of(const SessionPlan& plan, const std::string& record_name);
 
 inline constexpr char consent_record[] = "consent";
 inline constexpr char demographics_record[] = "demographics";
 inline constexpr char ending_record[] = "ending";
 
-/// Whether a record of the consent says no.
+/// Whether a record refuses consent.
 bool is_refusal(const PageRecord& record);
 
-/// Throws RecordFault when a distance that the record tells, of the guess or of the last setting,
-/// is not the one that these sliders have: nobody can send a better match than was made.
+/// Recomputes D of the guess and of the last setting on the server. Throws RecordFault when the
+/// record states another, so that a page cannot claim a better match.
 void check_distances(LiveMotions& live, const Trial& trial, const MatchingRecord& record);
 
 }  // namespace mien::pipeline

@@ -21,8 +21,7 @@ inline constexpr std::size_t longest_comment = 10'000;  // characters
 inline constexpr double longest_ms = 7.0 * 24 * 3600 * 1000;
 inline constexpr double most_counted = 1e6;
 
-/// Takes the members of a part of a record one after the other; what is wrong with one throws
-/// RecordFault.
+/// Reads the members of a JSON object with type and range checks, which throw RecordFault.
 class RecordReader {
  public:
   explicit RecordReader(const nlohmann::json& text, const char* what) : text_(text), what_(what) {
@@ -86,7 +85,7 @@ class RecordReader {
     return value.get<bool>();
   }
 
-  /// Throws where there is more than was asked for.
+  /// Throws RecordFault when there are members that were not read.
   void finish() const {
     for (const auto& [member, value] : text_.items())
       if (!taken_.contains(member))

@@ -17,44 +17,44 @@
 
 namespace mien::pipeline {
 
-/// A video, or a clip that is turned.
+/// A video or a 3-D clip.
 struct ServedMedia {
   std::filesystem::path file;
   std::string type;
 };
 
-/// All that is served of a study. Requests name media by tokens and pages by names; no file is
-/// sought by what a request says.
+/// Everything that is served of a study. Requests name media by tokens and pages by names, which
+/// are looked up in these maps, never in the file system.
 struct ServedStudy {
   nlohmann::ordered_json experiment;         ///< experiment.json, with all sessions
   std::vector<SessionPlan> plans;            ///< of the same sessions, in the same order
   std::map<std::string, ServedMedia> media;  ///< by token
   std::map<std::string, ServedFile> page;    ///< by name; "index.html" is the page itself
-  std::map<std::string, ServedFile> lab;     ///< the laboratory's page, likewise
+  std::map<std::string, ServedFile> lab;     ///< the experimenter's page, by name
   AskedFacts facts;                          ///< of `experiment`
   std::unique_ptr<LiveMotions> live;         ///< of a matching experiment: what its sliders make
 };
 
-/// A study that has been made, to be served with the pages of that folder (page_bundle).
+/// A study with its media, to be served with the pages in the folder `pages` (page_bundle).
 ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                          const MediaFiles& media, const std::filesystem::path& pages);
 
-/// A hash of what participants are shown: other videos are another study.
+/// A hash of the media, by which a store detects that other videos are served.
 Hash media_hash(const ServedStudy& study);
 
-/// What was given in a session already.
+/// The progress of a session.
 struct GivenAlready {
-  std::vector<std::string> kept;  ///< names of records
-  std::string browser;            ///< that gave them
+  std::vector<std::string> kept;  ///< names of the stored records
+  std::string browser;            ///< the browser session that sent them
   bool has_refused = false;
 };
 
-/// What one participant's page is given: experiment.json of one session, without what tells the
-/// conditions or belongs to others.
+/// experiment.json for one participant's page: one session, without data that reveals conditions or
+/// belongs to others.
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
                          const GivenAlready& given);
 
-/// What a page is given that asks for consent before there is a session: the texts alone.
+/// experiment.json for the page that asks for consent before there is a session: the texts alone.
 std::string joining_json(const ServedStudy& study);
 
 }  // namespace mien::pipeline

@@ -24,7 +24,7 @@ HttpResponse redirect(int status, const std::string& where) {
   return response;
 }
 
-/// For people who open a link.
+/// A page for participants.
 HttpResponse message_page(int status, const std::string& english, const std::string& japanese) {
   return {.status = status,
           .type = "text/html; charset=utf-8",
@@ -33,13 +33,14 @@ HttpResponse message_page(int status, const std::string& english, const std::str
                                 html_escaped(japanese) + "</p>")};
 }
 
-/// Answers what `take` makes of the record that is posted under its name.
+/// Parses the posted record, checks that its name is that in the path, and returns the response of
+/// `take`.
 HttpResponse with_record(
     const HttpRequest& request,
     const std::function<HttpResponse(const PageRecord&, const std::string&)>& take) {
   if (!is_json(request))
     return http_refusal(415, "type", "this is not JSON", "send Content-Type: application/json");
-  constexpr std::size_t deepest = 16;  // more than any record has
+  constexpr std::size_t deepest = 16;  // nesting of JSON
   const nlohmann::json text = motion::is_nested_deeper(request.body, deepest)
                                   ? nlohmann::json(nlohmann::json::value_t::discarded)
                                   : nlohmann::json::parse(request.body, nullptr, false);
@@ -96,7 +97,7 @@ HttpResponse QuestionnaireService::answer_kind(const HttpRequest& request) {
   return unknown(request);
 }
 
-/// Of those that ask for much that is not there, somebody is guessing.
+/// Many requests for unknown links suggest guessing, and are limited.
 HttpResponse QuestionnaireService::unknown(const HttpRequest& request) {
   if (!wrong_rate_.allows(request.address)) return http_too_often();
   if (is_reading(request) && request.path.size() <= 3 && request.path.back().empty())
@@ -209,7 +210,7 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
   return file ? *file : unknown(request);
 }
 
-/// Nothing is kept of whoever refuses here, nor of those who only look.
+/// Nothing is stored about visitors who refuse or leave.
 HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
   if (!joining_rate_.allows(request.address)) return http_too_often();
   return with_record(request, [&](const PageRecord& consent, const std::string& content) {

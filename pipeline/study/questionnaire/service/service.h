@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-/// How often things may be asked for.
+/// Rate limits of requests.
 struct ServiceRates {
   Rate link{.burst = 300, .per_second = 10};    ///< by one participant's link
   Rate live{.burst = 600, .per_second = 120};   ///< motions, by one participant's link
@@ -17,29 +17,30 @@ struct ServiceRates {
   Rate joining{.burst = 100, .per_second = 1};  ///< new sessions, by one address
 };
 
-/// What a web server answers for a study:
+/// Handles the requests of a served study:
 ///
 ///   /s/<link>/                    a participant's page, and the files of it
-///   /s/<link>/session.json        what it shows, and what was given already
-///   /s/<link>/records/<name>      POST: something is given
+///   /s/<link>/session.json        what it shows, and the progress
+///   /s/<link>/records/<name>      POST: a record
 ///   /s/<link>/live/…              motions of a matching experiment (live_motions.h)
 ///   /media/<token>                a video
-///   /join/<link>/                 the page for somebody who has no session: it asks for consent
-///   /join/<link>/records/consent  POST: who agrees is given a session
+///   /join/<link>/                 the page that asks for consent before there is a session
+///   /join/<link>/records/consent  POST: consent, answered with a session
 ///   /lab/<link>/                  the experimenter's page and exports (lab_answer)
 ///
-/// A link opens one session and nothing else. Nothing of a request names a file. For several
-/// threads.
+/// A link gives access to one session only. No part of a request is used as a file path.
+/// Thread-safe.
 class QuestionnaireService {
  public:
-  /// Throws Error as StudySessions does. Both must outlive this.
+  /// Throws Error as StudySessions does. `study` and `store` must outlive this.
   QuestionnaireService(const ServedStudy& study, SessionStore& store, ServiceRates rates = {},
                        ClockSeconds clock = system_seconds);
 
-  /// What could not be kept is answered with 507 and told to the laboratory (`trouble`).
+  /// A record that could not be stored is answered with 507 and shown on the experimenter's page
+  /// (trouble()).
   HttpResponse answer(const HttpRequest& request);
 
-  /// What the machine failed at last; empty when nothing has failed since something was kept.
+  /// The last storage failure; empty once a record has been stored since.
   std::string trouble() const;
 
   const StudySessions& sessions() const { return sessions_; }

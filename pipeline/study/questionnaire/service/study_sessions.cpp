@@ -13,7 +13,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Sessions for each planned one: what may come by the link of all.
+/// Limit of sessions by the shared link, for each planned session.
 constexpr std::size_t most_sessions_a_plan = 4;
 
 constexpr char study_fact[] = "study";

@@ -20,60 +20,60 @@ std::int64_t system_seconds();
 /// "2026-01-31T09:00:00Z"
 std::string iso_time(std::int64_t seconds);
 
-/// How far a participant is.
+/// The progress of a participant.
 struct SessionState {
   StoredSession session;
   std::vector<std::string> names;  ///< of this session's records, in order
-  std::size_t kept = 0;            ///< the first so many of them were given
-  std::int64_t last_seen = 0;      ///< when the page last asked for something; 0: never
-  std::string browser;             ///< that gave the first record, and alone may give more
+  std::size_t kept = 0;            ///< number of stored records, the first of these
+  std::int64_t last_seen = 0;      ///< time of the last request, seconds since 1970; 0: never
+  std::string browser;  ///< browser session that sent the first record; others are refused
   bool has_refused = false;
 
   bool has_finished() const { return kept == names.size(); }
-  /// The page has asked for something within the last five minutes.
+  /// Whether the page sent a request within the last five minutes.
   bool is_here(std::int64_t now) const { return last_seen != 0 && now - last_seen <= 300; }
 };
 
-/// What became of a record that was given.
+/// The outcome of a sent record.
 struct GivenRecord {
   Keeping keeping = Keeping::kept;
-  std::string next;           ///< record that is due, where the order was wrong
-  bool has_refused = false;   ///< the participant has refused; nothing more is taken
-  bool is_elsewhere = false;  ///< the session was begun in another browser, where it goes on
+  std::string next;           ///< name of the expected record, where the order was wrong
+  bool has_refused = false;   ///< the participant has refused consent; further records are refused
+  bool is_elsewhere = false;  ///< the session was begun in another browser
 };
 
-/// The participants of a served study: their links, and how far they are. For several threads.
+/// The sessions of a served study: links and progress. Thread-safe.
 class StudySessions {
  public:
-  /// Begins the study in the store unless it was begun. Throws Error when another study, or another
-  /// state of this one, was begun there. Both must outlive this.
+  /// Initialises the store unless it was. Throws Error when the store is of another study or of
+  /// another design of this one. `study` and `store` must outlive this.
   StudySessions(const ServedStudy& study, SessionStore& store, ClockSeconds clock);
 
-  /// The session behind a link, or nothing.
+  /// The session with this link, or nullopt.
   std::optional<int> find(const std::string& link) const;
 
   SessionState state(int session) const;
   std::vector<SessionState> states() const;
 
-  /// The participant's page was opened, or asks for something.
+  /// Notes a request of the participant's page.
   void see(int session);
 
-  /// Keeps a record, which must have been checked.
+  /// Stores a record, which must have been checked.
   GivenRecord give(int session, const PageRecord& record, const std::string& content);
 
-  /// A further session for somebody who came by the link of all and has agreed, with the plan that
-  /// is filled least, where those who have left or refused do not count. Never one of those
-  /// planned: somebody may have been given its link. A consent that is sent again gets the same
-  /// session again. Nothing when there is enough.
+  /// Adds a session for a participant who gave consent by the shared link. It follows the plan with
+  /// the fewest participants, not counting those who have left or refused. Planned sessions are
+  /// never used, since their links may have been handed out. The same consent sent again returns
+  /// the same session. Nullopt when has_enough().
   std::optional<SessionState> join(const PageRecord& consent, const std::string& content);
 
-  /// All plans are finished, or too many have come.
+  /// Whether all plans are finished, or the limit of further sessions is reached.
   bool has_enough() const;
 
   std::string lab_link() const { return lab_link_; }
   std::string join_link() const { return join_link_; }
 
-  /// The plan of a session, under the participant's own name.
+  /// The plan of a session, with the session's participant name.
   SessionPlan plan_of(const StoredSession& session) const;
 
   nlohmann::ordered_json histograms() const;

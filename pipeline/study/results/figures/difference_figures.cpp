@@ -25,7 +25,7 @@ BarChart differences_chart(const Gathered& gathered, const std::string& title) {
 /// `end` is +1 where positive differences are towards the emotion that was meant, else −1.
 Bar difference_bar(const Gathered& gathered, const std::string& name, int end,
                    const WithinPersons& within, double p, const std::string& setting) {
-  constexpr int fewest = 5;  // whose interval does not run off the page
+  constexpr int fewest = 5;  // participants, so that intervals fit on the page
   const bool has_whisker = within.people >= fewest;
   const double low = has_whisker ? within.t.low(0.95) : std::nan("");
   const double high = has_whisker ? within.t.high(0.95) : std::nan("");
@@ -41,7 +41,7 @@ Bar difference_bar(const Gathered& gathered, const std::string& name, int end,
 
 struct DifferenceFigure {
   ComparisonFamily family;
-  std::string thesis;  ///< number of the figure that it is like; or empty
+  std::string thesis;  ///< number of the corresponding figure; or empty
   std::string was;     ///< earlier name of its files; or empty
   std::string title;
   std::string caption;

@@ -23,7 +23,7 @@ Colour mixed(const Colour& from, const Colour& to, double share) {
           from.blue + t * (to.blue - from.blue)};
 }
 
-/// Whatever is read better on the colour.
+/// The text colour with better contrast.
 Colour ink_on(const Colour& colour) { return to_oklab(colour)[0] < 0.62 ? paper : ink; }
 
 void draw_map_heads(Canvas& canvas, const HeatMap& map) {

@@ -43,7 +43,7 @@ BarChart pair_chart(const Gathered& gathered, const std::string& item) {
   return chart;
 }
 
-/// Pairs that are asked the same; those of one figure.
+/// Adds the figures of the pairs of one question.
 void add_pairs(const Gathered& gathered, const std::string& item,
                const std::vector<const PreferenceCount*>& pairs, std::size_t number,
                std::vector<ResultFigure>& figures) {

@@ -9,11 +9,11 @@ namespace mien::pipeline {
 
 /// A small picture of the answers about one stimulus on one scale.
 struct RatingPanel {
-  std::vector<int> counts;  ///< by place on the scale; empty: was not asked
+  std::vector<int> counts;  ///< by point of the scale; empty: not rated
   double mean = 0.0;        ///< 0 at the low end … 1 at the high end
   double low = 0.0;         ///< of its interval; NaN for none
   double high = 0.0;
-  bool is_marked = false;  ///< an emotion that was meant lies on this scale
+  bool is_marked = false;  ///< the scale has the stimulus's intended emotion
 };
 
 struct RatingRow {
@@ -37,11 +37,10 @@ struct RatingGrid {
   bool simulated = false;
 };
 
-/// How the answers are spread: a histogram each, all with the same height for the same share, and
-/// the mean as a line.
+/// Histograms of answers with a common vertical scale, and the mean as a line.
 Plot histogram_grid_plot(const RatingGrid& grid);
 
-/// Where they lie: a point for the mean with its interval.
+/// Means as points with their intervals.
 Plot mean_grid_plot(const RatingGrid& grid);
 
 }  // namespace mien::pipeline

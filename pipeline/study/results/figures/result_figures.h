@@ -8,21 +8,21 @@
 
 namespace mien::pipeline {
 
-/// A drawing of the report.
+/// A figure of the report.
 struct ResultFigure {
   std::string name;     ///< of its files, by what it shows: "confusion-acted"
   std::string section;  ///< of the page: "histograms", "means", "differences", "confusion" …
-  std::string thesis;   ///< number of the figure of the emotion thesis that it is like; or empty
-  std::string was;      ///< what its files were called before they were named by content; or empty
+  std::string thesis;   ///< number of the corresponding figure of the emotion thesis; or empty
+  std::string was;      ///< earlier name of its files; or empty
   std::string caption;  ///< a sentence
   Plot plot;
 };
 
-/// All that the answers make possible. Studies without acted and modified stimuli have one figure
-/// of all stimuli where others have one of either.
+/// All figures for which there are answers. Studies without the levels acted and modified have one
+/// figure of all stimuli where others have one for each level.
 std::vector<ResultFigure> result_figures(const Results& results);
 
-/// Of bar charts, which say in their own words that sessions are simulated: here ratings are.
+/// Adds a mark to a bar chart where its ratings are simulated.
 Plot marked(Plot plot, bool simulated);
 
 /// A group of stimuli that are shown together.
@@ -30,19 +30,19 @@ struct StimulusGroup {
   std::string name;   ///< "acted"
   std::string words;  ///< "acted motions"
   std::vector<std::size_t> stimuli;
-  std::string was;  ///< what its histograms were called before they were named by content
+  std::string was;  ///< earlier name of its histograms
 };
 std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered);
 
-/// Modified, acted and neutral motions against each other, within persons: over all settings, then
-/// video by video.
+/// Adds figures of the differences between modified, acted and neutral motions within participants:
+/// over all settings, then by video.
 void add_difference_figures(const Results& results, std::vector<ResultFigure>& figures);
 
-/// Of each question asked about pairs: how often the first of either pair was chosen, with Wilson's
-/// interval, against one half; a few pairs a figure.
+/// Adds figures for each question about pairs: the share of choices of the first stimulus with
+/// Wilson's interval, and the line of one half; a few pairs in each figure.
 void add_pair_figures(const Results& results, std::vector<ResultFigure>& figures);
 
-/// Of each question answered in words: the words that most people gave, stimulus by stimulus.
+/// Adds figures for each free-text question: the most frequent words by stimulus.
 void add_word_figures(const Results& results, std::vector<ResultFigure>& figures);
 
 }  // namespace mien::pipeline

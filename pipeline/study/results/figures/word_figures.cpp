@@ -47,7 +47,7 @@ std::vector<WordPanel> word_panels(const std::vector<GivenWord>& counts, const s
   return panels;
 }
 
-/// Bars are shares of the people who gave any word, all to the same measure.
+/// Bars are shares of the participants who gave any word, on a common scale.
 void draw_word_panel(Canvas& canvas, const Box& box, const WordPanel& panel) {
   const std::string note = fmt::format("n = {}", panel.asked);
   const double note_width = canvas.text_width(note, {.size = 7.5}) + 8.0;

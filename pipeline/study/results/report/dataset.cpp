@@ -28,7 +28,7 @@ constexpr auto stimulus_columns = table_of<ReportedStimulus>(
      {"emotion", "", "level of factor emotion", [](auto& r) { return r.emotion; }},
      {"setting", "", "levels of the other factors", [](auto& r) { return r.setting; }}});
 
-/// Of the table of participants; null of a question.
+/// A column of participant_form; nullptr for a demographic question.
 const Column* participant_column(std::string_view name) {
   return name == simulated_column.name ? &simulated_column : find_column(participant_form, name);
 }
@@ -55,7 +55,7 @@ std::string answers_csv(const Results& results, std::vector<AnswerRow> rows) {
   return writer.text();
 }
 
-/// Factors of the manifest beside made and emotion that some stimulus has.
+/// Factors of the stimuli other than `made` and `emotion`.
 std::vector<std::string> further_factors(const Gathered& gathered) {
   std::vector<std::string> factors;
   for (const ReportedStimulus& stimulus : gathered.stimuli)
@@ -214,7 +214,7 @@ std::vector<DatasetFile> dataset_files(const Results& results, const std::vector
                                     {"dataset_description.json", description_of(results)},
                                     {"codebook.csv", codebook_of(results, tables)},
                                     {"README.md", readme_of(results)},
-                                    // What the validator need not look at.
+                                    // Files that the validator ignores.
                                     {".psychdsignore",
                                      "report.html\ncodebook.csv\n"
                                      "results/\nfigures/\nanalysis/\n"}};

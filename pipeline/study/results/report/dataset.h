@@ -16,25 +16,25 @@ struct DatasetFile {
   std::string bytes;
 };
 
-/// Paths of the data.
+/// Paths of the data files in the dataset.
 struct DatasetPaths {
   std::string answers;       ///< "data/study-emotionstudy_description-answers_data.csv"
   std::string stimuli;       ///< likewise -stimuli_
   std::string participants;  ///< likewise -participants_
 };
 
-/// Names after Psych-DS: keywords and values of letters and figures alone.
+/// Paths by the naming rules of Psych-DS: keywords and values of letters and digits.
 DatasetPaths dataset_paths(const std::string& study);
 
-/// The folder's data as a Psych-DS dataset (psych-ds.github.io): the answers as they were read,
-/// with whom the report leaves out; the stimuli and their factors; the participants, where they are
-/// known; dataset_description.json (JSON-LD, schema.org) that tells every column of them, and
-/// codebook.csv that tells those of the tables of results too.
+/// The data as a Psych-DS dataset (psych-ds.github.io): the answers as read, including excluded
+/// participants; the stimuli with their factors; the participants, where known;
+/// dataset_description.json (JSON-LD, schema.org), which describes every column; and codebook.csv,
+/// which also describes the tables of results.
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
                                        const std::vector<WrittenTable>& tables);
 
-/// Scripts for R that read the exported data and fit what mien does not reimplement. They run from
-/// the folder they lie in, beside data/.
+/// R scripts that read the exported data and fit models that mien does not implement. They run from
+/// their own folder, beside data/.
 struct RScripts {
   std::string mixed;    ///< lme4: linear mixed models, scale by scale
   std::string ordinal;  ///< ordinal: cumulative link mixed models, scale by scale

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// With those of within_cells behind them.
+/// Appends the headings of within_cells.
 std::vector<std::string_view> with_within_heads(std::vector<std::string_view> heads) {
   heads.insert(heads.end(),
                {"n", "within-participant difference", "95 % interval", "t", "p", "p, corrected",
@@ -21,7 +21,7 @@ std::vector<std::string_view> with_within_heads(std::vector<std::string_view> he
   return heads;
 }
 
-/// What was found within persons.
+/// Appends the tests within participants.
 HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjusted,
                       double wilcoxon_adjusted) {
   return row.number(w.people, w.t.mean, interval_text(w.t.low(0.95), w.t.high(0.95)),
@@ -44,7 +44,7 @@ std::string comparison_html(const Gathered& gathered, const Comparison& c) {
       .html(c.paired_adjusted < gathered.alpha);
 }
 
-/// What is remarkable about a session.
+/// Notes on a session: excluded, unfinished, straight-lining.
 std::string state_of(const ParticipantSummary& p, const Gathered& gathered) {
   const bool is_too_short = p.is_unfinished && gathered.without_unfinished;
   std::string state;

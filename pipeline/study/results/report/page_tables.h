@@ -6,16 +6,16 @@
 
 namespace mien::pipeline {
 
-// The tables of the page of results, as HTML; empty where there is nothing to tell.
+// The tables of the page of results, as HTML; empty without rows.
 
 std::string sessions_html(const Results& results);
-/// Of catch trials: what is summed up, and every answer.
+/// Repeated trials: the summary, and all answers.
 std::string catch_summary_html(const Results& results);
 std::string catch_answers_html(const Results& results);
 std::string demographics_html(const Results& results);
 std::string best_seen_html(const Results& results);
-/// Of a family; of best_seen the videos of one group (result_figures.h) alone, on the scale of the
-/// emotion that was meant or, where there is none, on all.
+/// The comparisons of a family. In best_seen only the videos of one group (result_figures.h), on
+/// the scale of the intended emotion, or on all scales without one.
 std::string comparisons_html(const Results& results, ComparisonFamily family,
                              const std::string& made = "");
 std::string overall_html(const Results& results, ComparisonFamily family);

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Gathers the sections that hold something.
+/// Collects the sections that are not empty.
 class PageParts {
  public:
   PageParts(const Results& results, const std::vector<ResultFigure>& figures)
@@ -64,7 +64,7 @@ std::string paragraph(const std::string& plain) { return "<p>" + html_escaped(pl
 
 std::string heading(const std::string& plain) { return "<h3>" + html_escaped(plain) + "</h3>\n"; }
 
-/// A titled part, or nothing.
+/// A part with its heading; empty without content.
 std::string part(const std::string& title, const std::string& html) {
   return html.empty() ? "" : heading(title) + html;
 }
@@ -147,7 +147,7 @@ std::string best_html(const Results& results, const PageParts& parts) {
   return html;
 }
 
-/// Who judged both sides, but never of the same, is told.
+/// A sentence on participants who rated both makings, but never in the same cell.
 std::string unmatched_html(const Results& results) {
   std::vector<std::string> sentences;
   for (const OverallComparison& c : results.overall)
@@ -263,7 +263,7 @@ std::string catch_html(const Results& results) {
          catch_answers_html(results) + "</details>\n";
 }
 
-/// The words that most gave, and behind a click what everybody wrote.
+/// The most frequent words, and all texts in a collapsed section.
 std::string words_html(const Results& results, const PageParts& parts) {
   const std::string answers = remarks_html(results.gathered.words);
   if (answers.empty()) return "";

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In a folder that reports may be written to, and written over.
+/// Name of the file that marks a folder as a report, which may be overwritten.
 constexpr char results_mark[] = ".mien-results";
 
 void write_below(const fs::path& folder, const std::string& path, const std::string& bytes) {
@@ -37,7 +37,7 @@ constexpr auto figures_columns = table_of<ListedFigure>(
      {"earlier_name", "", "what its file was called before", [](auto& r) { return r.was; }},
      {"simulated", "0/1", "1: made of simulated answers", [](auto& r) { return r.simulated; }}});
 
-/// What shows what, and which figure of the thesis it is like.
+/// The list of figures with captions and the corresponding figures of the thesis.
 std::string figure_list(const std::vector<ResultFigure>& figures, const Results& results) {
   const bool simulated = results.gathered.simulated;
   std::vector<ListedFigure> rows;

@@ -11,24 +11,24 @@
 
 namespace mien::pipeline {
 
-/// What the page says of a frozen design: a sentence, and what differs from it.
+/// The result of the comparison with a frozen design, for the page.
 struct FrozenVerdict {
-  std::string sentence;  ///< empty: was not asked for
+  std::string sentence;  ///< empty: no frozen design was given
   std::vector<std::string> differences;
 };
 
-/// Makes the folder of a report, or leaves nothing of an earlier one in it. Throws Error for a
-/// folder that holds anything else: it is not written over.
+/// Creates the folder of a report, or removes an earlier report from it. Throws Error for a folder
+/// with other contents.
 void clear_results_folder(const std::filesystem::path& folder);
 
-/// Writes everything: the page report.html, tables (results/), drawings (figures/, PDF, SVG and
+/// Writes the report: the page report.html, tables (results/), drawings (figures/, PDF, SVG and
 /// PNG), the data as a Psych-DS dataset and R scripts (analysis/). The same answers give the same
 /// bytes. Throws Error and WriteFailure.
 void write_results(const Results& results, const std::vector<AnswerRow>& rows,
                    const FrozenVerdict& frozen, const std::filesystem::path& folder);
 
-/// The page report.html: everything that was found, with links to tables and drawings beside it.
-/// Whatever participants wrote is escaped. Works from disk, without a network and without scripts.
+/// The page report.html: all results, with links to tables and figures. Texts by participants are
+/// escaped. Works from disk, without network or scripts.
 std::string results_page(const Results& results, const std::vector<ResultFigure>& figures,
                          const std::vector<WrittenTable>& tables, const FrozenVerdict& frozen);
 
