@@ -32,7 +32,7 @@ Stage without(Stage stage, const std::set<std::string>& covered) {
   return stage;
 }
 
-/// The largest amount of memory that one of its items needs; empty if none ran out of memory.
+/// Amount of memory to request for an element whose item ran out of it; empty if none did.
 std::string memory_of(const Element& element, const ItemNeeds& needs) {
   for (const std::string& item : element.items) {
     const auto found = needs.memory.find(work_item(item).task);

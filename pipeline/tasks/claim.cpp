@@ -28,7 +28,7 @@ bool create_alone(const fs::path& file) {
   throw std::system_error(errno, std::generic_category(), file.string());
 }
 
-/// Releases a claim that names no worker.
+/// Writes the worker's name into a claim; releases the claim if that fails.
 void sign(const fs::path& file, const std::string& worker) {
   try {
     write_file(file, worker + "\n");
