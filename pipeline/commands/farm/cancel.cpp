@@ -15,7 +15,7 @@ struct CancelCommand {
   bool json = false;
 };
 
-/// They are cancelled whether that can be noted or not.
+/// Records cancelled jobs in the journal. Failure to write is ignored, since they are cancelled.
 void note_cancelled(const std::vector<JobFate>& fates, const SubmissionJournal& journal,
                     const Console& console) {
   try {
