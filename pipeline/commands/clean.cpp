@@ -72,7 +72,8 @@ Cleaning cleaned(const CleanOptions& options, const fs::path& folder, const Cons
   return stale_cleaned(folder, production, options.dry_run);
 }
 
-/// Notes that the report, whose hash is in the provenance, is not updated for removed files.
+/// Prints how many links of the report are broken by removed files. The report itself is not
+/// changed, since the provenance contains its hash.
 void tell_dead_links(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
                      const Console& console) {
   const int links = options.stale ? 0 : dead_links(folder, cleaning);

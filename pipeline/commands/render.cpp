@@ -109,7 +109,7 @@ int still_frame(const scenes::Shot& shot, const RenderOptions& options, double f
   return std::min(static_cast<int>(std::lround(seconds * fps)), last);
 }
 
-/// Reports the figure's size if it is unusually small.
+/// Prints the figure's size if a screen is given or the figure is unusually small.
 void tell_size(const scenes::Shot& shot, const Look& look, const Console& console) {
   const render::Camera& camera = camera_at(shot, 0);
   const double pixels = scenes::figure_pixels(shot.cameras);

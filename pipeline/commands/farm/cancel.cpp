@@ -15,7 +15,8 @@ struct CancelCommand {
   bool json = false;
 };
 
-/// Records cancelled jobs in the journal. Failure to write is ignored, since they are cancelled.
+/// Records cancelled jobs in the journal. A failure to write is only reported, since the jobs are
+/// cancelled nevertheless.
 void note_cancelled(const std::vector<JobFate>& fates, const SubmissionJournal& journal,
                     const Console& console) {
   try {

@@ -51,8 +51,8 @@ void make(MadeStudy& study, const StudyArguments& arguments, const Console& cons
       study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
 }
 
-/// Reads and plans the study without running it. Throws Error for selected stimuli that the
-/// manifest does not contain.
+/// Reads and plans the study without running it; selected stimuli that are not in the manifest are
+/// ignored.
 MadeStudy planned(const StudyArguments& arguments, const Console& console) {
   const fs::path file = manifest_meant(arguments.production.manifest, console);
   const Manifest manifest = load_manifest(file, process_environment(), arguments.production.out);

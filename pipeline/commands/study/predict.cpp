@@ -107,7 +107,8 @@ constexpr auto rated_columns = table_of<PredictedMean>(
     {{"stimulus", "", "name of the file", [](auto& r) { return r.stimulus; }},
      {"scale", "", "id of the scale", [](auto& r) { return r.scale; }},
      {"value", "scale", "predicted mean answer", [](auto& r) { return r.value; }},
-     {"simulated", "", "always 1: nobody answered", [](auto&) { return true; }}});
+     {"simulated", "", "always 1: predicted, not rated by participants",
+      [](auto&) { return true; }}});
 
 /// Predictions in the form of a table of mean ratings for a manifest, limited to the scales'
 /// ranges.
