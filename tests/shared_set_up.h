@@ -16,9 +16,9 @@
 
 namespace mien::test {
 
-/// The folder of what several tests begin with, to be copied and not to be changed. `make` fills it
-/// when it is first asked for: once a program, or where MIEN_SHARED_SET_UP names a folder, once for
-/// all programs that have it so. `./mien test` gives each of its runs a fresh one.
+/// A folder with the common set-up of several tests, to be copied, not changed. `make` fills it on
+/// first use: once per program or, if MIEN_SHARED_SET_UP names a folder, once for all programs that
+/// use it. `./mien test` provides a fresh one for each run.
 inline std::filesystem::path shared_set_up(
     const std::string& name, const std::function<void(const std::filesystem::path&)>& make) {
   namespace fs = std::filesystem;

@@ -30,7 +30,7 @@ struct CheckOptions {
   bool json = false;
 };
 
-/// Motions that are made of a large study: as many as one likes to wait for.
+/// Maximum number of motions of a large study that are synthesised for the check.
 constexpr std::size_t most_rehearsed = 50;
 
 /// A manifest's faults, or those of a file of scales, recipes or a set.
@@ -42,7 +42,7 @@ struct Findings {
   std::size_t rehearsed = 0;  ///< stimuli whose motions were made
 };
 
-/// How many motions were made; empty where all were.
+/// A note on how many motions were checked; empty if all were.
 std::string sample_note(const Findings& findings) {
   if (findings.rehearsed >= findings.stimuli) return "";
   return fmt::format("synthesized {} of {} motions as a sample; --thorough checks all",
@@ -54,7 +54,7 @@ nlohmann::ordered_json as_json(const Fault& fault) {
           {"path", fault.path},       {"wrong", fault.wrong},     {"remedy", fault.remedy}};
 }
 
-/// Faults, warnings and notes as JSON; of very many faults and warnings, how many are left out.
+/// Faults, warnings and notes as JSON; long lists are truncated and the number omitted is given.
 class JsonFindings {
  public:
   void add(const std::string& file, const Findings& findings) {

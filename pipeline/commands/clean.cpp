@@ -52,7 +52,7 @@ Cleaning stale_cleaned(const fs::path& folder, const Production& production, boo
   return cleaning;
 }
 
-/// The folder of a study that is named by itself, by its provenance.json or by its manifest.
+/// The folder of a study given by the folder itself, its provenance.json or its manifest.
 fs::path study_folder(const CleanOptions& options, const Console& console) {
   std::error_code unknown;
   const fs::path given = options.study;
@@ -72,7 +72,8 @@ Cleaning cleaned(const CleanOptions& options, const fs::path& folder, const Cons
   return stale_cleaned(folder, production, options.dry_run);
 }
 
-/// The report stays as it was made, with its hash in the provenance.
+/// Prints how many links of the report are broken by removed files. The report itself is not
+/// changed, since the provenance contains its hash.
 void tell_dead_links(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
                      const Console& console) {
   const int links = options.stale ? 0 : dead_links(folder, cleaning);

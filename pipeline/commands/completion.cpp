@@ -37,8 +37,8 @@ constexpr char bash_tail[] = R"(
 complete -F _mien mien
 )";
 
-/// The command whose first column lists what an argument may be: "mien sets" for the name of a set.
-/// Empty when there is none.
+/// The command whose first output column lists an argument's values: "mien sets" for the name of a
+/// set. Empty if there is none.
 std::string command_that_lists(const CommandPage& page, const CommandOption& argument) {
   if (argument.argument == "manifest") return "mien manifests";
   return argument.argument == "name" ? page.name : "";
@@ -48,7 +48,7 @@ std::string joined_words(const std::vector<std::string>& words, const std::strin
   return fmt::to_string(fmt::join(words, separator));
 }
 
-/// Every path to a command, which is how the script knows where it is.
+/// All command paths, by which the script recognises the current command.
 std::string bash_commands(const Command& program) {
   std::vector<std::string> names;
   for (const CommandPage& page : every_page(program))
@@ -57,7 +57,7 @@ std::string bash_commands(const Command& program) {
          ")\n        command+=\" ${COMP_WORDS[i]}\" ;;\n    esac\n  done\n";
 }
 
-/// What to do about a value: offer its choices, files, or nothing (numbers).
+/// Shell code that completes a value: its choices, files, or nothing (numbers).
 std::string bash_value(const CommandOption& option) {
   if (!option.choices.empty()) return "words='" + joined_words(option.choices, " ") + "'";
   return option.takes_number() ? "return 0" : "files=1";
@@ -85,7 +85,7 @@ std::string bash_options(const CommandPage& page) {
   return names;
 }
 
-/// What may stand where no option does.
+/// Completions in places where no option is expected.
 std::string bash_arguments(const Command& program, const CommandPage& page) {
   if (!page.command.commands.empty()) {
     std::vector<std::string> names;
@@ -144,7 +144,7 @@ std::string zsh_words(const std::vector<std::string>& words) {
   return text;
 }
 
-/// ":what:action", the part of a specification that says what a value may be.
+/// ":what:action", the part of a specification that describes a value.
 std::string zsh_value(const CommandPage& page, const CommandOption& option) {
   const std::string what = option.argument.empty() ? option.value : option.argument;
   const std::string start = ":" + zsh_text(what) + ":";

@@ -15,7 +15,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// The code point at the front of valid UTF-8, which is taken off.
+/// Removes and returns the first code point of valid UTF-8.
 unsigned take_character(std::string_view& text) {
   const auto first = static_cast<unsigned char>(text.front());
   const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
@@ -26,7 +26,7 @@ unsigned take_character(std::string_view& text) {
   return code;
 }
 
-/// Characters that roff would turn into something else than a shell wants, and how it keeps them.
+/// Characters that roff would replace by typographic ones, and their roff escapes.
 constexpr std::pair<char, const char*> kept_characters[] = {
     {'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"}, {'"', "\\(dq"},
     {'`', "\\(ga"}, {'^', "\\(ha"}, {'~', "\\(ti"},
@@ -53,7 +53,7 @@ std::string roff(std::string_view text) {
 std::string bold(std::string_view text) { return "\\fB" + roff(text) + "\\fR"; }
 std::string italic(std::string_view text) { return "\\fI" + roff(text) + "\\fR"; }
 
-/// A line as it is; a dot at its start is no request.
+/// A line in roff; a leading dot is escaped so that it is not a request.
 std::string whole_line(std::string_view text) {
   return (text.starts_with('.') ? "\\&" : "") + roff(text) + "\n";
 }
@@ -74,7 +74,7 @@ std::string running_text(const std::string& text) {
   return page + whole_line(line);
 }
 
-/// Paragraphs of running text, and lines that are indented as they are.
+/// Notes in roff: paragraphs of running text, and indented lines unchanged.
 std::string notes_in_roff(const std::string& notes) {
   std::istringstream lines(notes);
   std::string page;
@@ -126,7 +126,7 @@ std::string option_in_roff(const CommandOption& option) {
   return page + "\n" + running_text(told);
 }
 
-/// "mien run [options] manifest" with what is typed in bold.
+/// "mien run [options] manifest" in roff, with literal words in bold.
 std::string usage_in_roff(const CommandPage& page) {
   std::string usage = bold(page.name);
   if (!page.command.named_options().empty()) usage += " [" + italic("options") + "]";
@@ -146,7 +146,7 @@ std::string command_in_roff(const CommandPage& page) {
   return text + notes_in_roff(page.command.notes);
 }
 
-/// The indented lines of a text, as they are.
+/// The indented lines of a text, unchanged.
 std::string examples_in_roff(const std::string& notes) {
   std::istringstream lines(notes);
   std::string page = ".SH EXAMPLES\n.EX\n";
@@ -174,8 +174,8 @@ Relative to the program: the manifests installed with it, which
 lists, and the JSON Schemas for editors.
 )";
 
-/// The manual page mien(1) in the macros of man(7), plain ASCII: what every `--help` says, exit
-/// codes and files. `version` is "0.2.0", `date` the day of its release, "2026-11-22".
+/// The manual page mien(1) with the macros of man(7), in ASCII: the contents of every `--help`,
+/// exit codes and files. `version` is "0.2.0", `date` the release date, "2026-11-22".
 std::string manual_page(const Command& program, const std::string& version,
                         const std::string& date) {
   const std::vector<CommandPage> pages = every_page(program);

@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What editors read the schema's name from.
+/// Comment from which editors read the schema's path.
 constexpr std::string_view schema_line = "# yaml-language-server: $schema=";
 
-/// What the comment that a file begins with says first, up to a full stop or colon.
+/// The start of a file's leading comment, up to a full stop or colon.
 std::string first_sentence(const std::string& text) {
   std::istringstream lines(text);
   std::string comment;
@@ -40,7 +40,7 @@ void list_manifests(const fs::path& folder, const Console& console) {
   }
 }
 
-/// The text with its schema named so that an editor finds it wherever the text is saved.
+/// The text with an absolute path of its schema, so that an editor finds it wherever it is saved.
 std::string with_schema_of(const fs::path& folder, std::string text) {
   const std::size_t end = text.find('\n');
   if (!text.starts_with(schema_line) || end == std::string::npos) return text;

@@ -37,7 +37,7 @@ struct PackOptions {
   bool json = false;
 };
 
-/// A study that is not what its provenance says is not handed on.
+/// Verifies a study. Throws Error if it does not match its provenance.
 Verification sound(const StudyContents& contents, const Console& console) {
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const Verification verification = verified(contents, threads, console);

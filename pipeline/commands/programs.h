@@ -4,7 +4,7 @@
 
 namespace mien::pipeline {
 
-/// All that `mien` can, without what other programs tell of their commands.
+/// The commands of `mien`, without the subcommands of other programs.
 Command mien_program();
 
 Command check_command();

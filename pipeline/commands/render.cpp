@@ -52,7 +52,7 @@ TaskGraph one_task(const std::string& name) {
   return graph;
 }
 
-/// The name, or one made of it that is not taken yet; it is from now on.
+/// `wanted`, or a variation of it that is not in `names` yet; adds it there.
 std::string name_among(std::set<std::string>& names, const std::string& wanted) {
   std::string name = wanted;
   for (int number = 2; !names.insert(name).second; ++number)
@@ -60,7 +60,7 @@ std::string name_among(std::set<std::string>& names, const std::string& wanted) 
   return name;
 }
 
-/// What a file shows; says what is doubtful about its rig.
+/// Reads the clip of a file; prints warnings about its rig.
 motion::Clip clip_in(const std::string& file, const std::string& take, const Console& console) {
   const motion::Recording recording = read_take(file, take);
   for (const std::string& warning : motion::analyse_rig(recording).warnings)
@@ -71,7 +71,7 @@ motion::Clip clip_in(const std::string& file, const std::string& take, const Con
   return clip;
 }
 
-/// One motion in neutral colours, or a target, what was created after it, and a reference.
+/// One motion in neutral colours, or a target, the motion created to match it, and a reference.
 std::vector<scenes::Performance> performances_of(const RenderOptions& options, const Output& output,
                                                  const Console& console) {
   constexpr std::array roles = {scenes::Role::target, scenes::Role::created,
@@ -98,8 +98,8 @@ render::Background background_of(const RenderOptions& options) {
                                                : render::Background::shown;
 }
 
-/// The frame of a still: a trail is whole at the end, other figures are in mid-motion in the
-/// middle.
+/// The frame of a still: the last one for a trail, which is complete then; otherwise the middle
+/// one.
 int still_frame(const scenes::Shot& shot, const RenderOptions& options, double fps) {
   const int last = shot.frame_count() - 1;
   const std::string moment = options.still.value_or("middle");
@@ -111,7 +111,7 @@ int still_frame(const scenes::Shot& shot, const RenderOptions& options, double f
   return std::min(static_cast<int>(std::lround(seconds * fps)), last);
 }
 
-/// How large the figure comes out, where that is worth a word.
+/// Prints the figure's size if a screen is given or the figure is unusually small.
 void tell_size(const scenes::Shot& shot, const Look& look, const Console& console) {
   const render::Camera& camera = camera_at(shot, 0);
   const double pixels = scenes::figure_pixels(shot.cameras);
@@ -145,7 +145,7 @@ scenes::Shot shot_of(const RenderOptions& options, const RenderPlan& plan, const
                                                                    .seed = options.seed});
 }
 
-/// Makes the file, with a bar; says what was found in it.
+/// Renders the file with a progress bar. Returns a description of it.
 std::string make_file(const RenderOptions& options, const RenderPlan& plan,
                       const scenes::Shot& shot, const Console& console) {
   const TaskGraph graph = one_task(plan.out.string());
@@ -187,7 +187,7 @@ int render_file(const RenderOptions& options, const Console& console) {
   return exit_done;
 }
 
-/// Which motions, and what is made of them.
+/// Options for input motions and the output file.
 std::vector<CommandOption> file_options(RenderOptions& options) {
   return {
       argument("files", &options.files,
@@ -207,7 +207,7 @@ std::vector<CommandOption> file_options(RenderOptions& options) {
            "Animated images (webp, gif, apng): loop forever instead of playing once")};
 }
 
-/// How they are shown.
+/// Options for the look.
 std::vector<CommandOption> look_options(LookOptions& look) {
   return {option("--camera", &look.camera,
                  "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
@@ -223,7 +223,7 @@ std::vector<CommandOption> look_options(LookOptions& look) {
                  "sets); default: studio, or void for point lights")};
 }
 
-/// Stills, dots and noise.
+/// Options for stills, dots and noise.
 std::vector<CommandOption> picture_options(RenderOptions& options) {
   return {
       option("--still", &options.still,

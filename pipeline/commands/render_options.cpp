@@ -47,7 +47,7 @@ std::string limits_of(const json& schema) {
   return fmt::format(" ({} to {})", schema["minimum"].dump(), schema["maximum"].dump());
 }
 
-/// 960x540 and 1,2,3,4 as YAML has them.
+/// 960x540 and 1,2,3,4 as YAML arrays.
 std::string as_array(std::string text) {
   if (text.starts_with('[')) return text;
   std::ranges::replace(text, 'x', ',');
@@ -74,14 +74,14 @@ fs::path file_of(const RenderOptions& options) {
 
 bool is_cut_out(const RenderOptions& options) { return options.background != "shown"; }
 
-/// What the file says of the output: its format, and how frames are kept.
+/// Sets the output's video or frame format from the file name.
 void add_file(const fs::path& out, Output& output) {
   output.video.clear();
   output.frames = out.extension() == ".exr" ? FrameFormat::layers : FrameFormat::none;
   if (!is_picture(out)) output.video = {*render::video_kind_of(out)};
 }
 
-/// The rules of a manifest, for its options' names.
+/// Checks the plan by the rules of a manifest. Throws Faults.
 void check_as_manifest(const RenderPlan& plan, const Places& places) {
   Stimulus film;
   film.look = plan.look;
@@ -91,7 +91,7 @@ void check_as_manifest(const RenderPlan& plan, const Places& places) {
   if (!faults.empty()) throw as_options(std::move(faults));
 }
 
-/// Stills and cut-outs, which no manifest has.
+/// Checks options for stills and cut-outs, which manifests do not have. Throws Error.
 void check_kind(const RenderOptions& options, const RenderPlan& plan) {
   if (options.still && !is_picture(plan.out))
     throw Error("--still: a still is an image",

@@ -17,20 +17,20 @@
 
 namespace mien::pipeline {
 
-/// An output as the options of a command say it, and where they say it ("size", "crop", …).
+/// An output defined by command-line options, and the places of its values ("size", "crop", …).
 struct OutputReading {
   Output output;
   Places places;
 };
 
-/// The options of `output:` in a manifest that concern the picture, as options of a command: named,
-/// described and limited as the manifest's schema does it.
+/// The options of `output:` in a manifest that affect the picture, as command-line options with
+/// names, descriptions and limits from the manifest's schema.
 class OutputFlags {
  public:
   /// --size, --scale, …, which must not outlive this.
   std::vector<CommandOption> options();
 
-  /// Throws Faults for what the schema does not allow.
+  /// The output for the given options. Throws Faults if the schema is violated.
   OutputReading read() const;
 
  private:
@@ -40,10 +40,10 @@ class OutputFlags {
   std::map<std::string, bool> is_array_;
 };
 
-/// What the command line of `mien render` says.
+/// Command-line options of `mien render`.
 struct RenderOptions {
   std::vector<std::string> files;
-  std::string take;  ///< of files with several; empty: their first
+  std::string take;  ///< of files with several; empty: the first
   std::string out;
   OutputFlags output;
   LookOptions look;
@@ -56,23 +56,23 @@ struct RenderOptions {
   bool repeat = false;
 };
 
-/// What is made of it, and how.
+/// What is rendered, and how.
 struct RenderPlan {
-  std::filesystem::path out;  ///< its ending says what
+  std::filesystem::path out;  ///< its extension selects the format
   Look look;
   FilmSettings settings;
 };
 
-/// Throws Faults and Error for what the file, the look and the output do not allow each other, by
-/// the rules of a manifest.
+/// The plan for these options. Throws Faults and Error if output file, look and output options are
+/// incompatible by the rules of a manifest.
 RenderPlan plan_of(const RenderOptions& options);
 
-/// Whether one picture is made, not a film of many.
+/// Whether a single image is rendered instead of a film.
 bool is_still(const RenderOptions& options, const RenderPlan& plan);
 
 scenes::Layout layout_of(const RenderOptions& options);
 
-/// Whether a file is a picture, not a video.
+/// Whether a file name has the extension of an image.
 bool is_picture(const std::filesystem::path& out);
 
 /// ".mp4, .lossless.mp4, …"

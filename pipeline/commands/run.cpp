@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// Each error once, with the tasks that it stopped.
+/// Prints each error once, with the tasks that it stopped.
 void tell_faults(const TaskGraph& graph, const RunResult& result, const Console& console) {
   std::map<std::string, std::string> tasks_by_error;
   for (std::size_t i = 0; i < result.outcomes.size(); ++i) {

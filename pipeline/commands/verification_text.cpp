@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 constexpr std::array finding_kinds = {Finding::Kind::missing, Finding::Kind::changed,
                                       Finding::Kind::extra, Finding::Kind::not_kept};
 
-/// "1 missing, 2 changed, 3 extra"; what decides nothing only where it was found.
+/// "1 missing, 2 changed, 3 extra"; kinds that do not affect the result only if present.
 std::string counts_text(const Verification& verification) {
   std::string text;
   for (const Finding::Kind kind : finding_kinds) {
@@ -32,13 +32,13 @@ std::string counted(int count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-/// Recordings and characters have no copies in the study's folder.
+/// A note on recordings and characters, which are not copied to the study's folder.
 std::string elsewhere_text(const StudyContents& contents) {
   const int count = contents.inputs_elsewhere;
   return count == 0 ? "" : fmt::format(" ({} elsewhere, not checked)", count);
 }
 
-/// What was removed on purpose is told by its folder: "not kept  metrics: 23 files".
+/// Prints intentionally removed files by folder: "not kept  metrics: 23 files".
 void tell_not_kept(const Verification& verification, const Console& console) {
   std::map<std::string, int> by_folder;
   for (const Finding& finding : verification.findings)

@@ -10,10 +10,10 @@
 
 namespace mien::pipeline {
 
-/// Verifies a study and shows how it goes on.
+/// Verifies a study and shows progress.
 Verification verified(const StudyContents& contents, int threads, const Console& console);
 
-/// A line a finding, and one that sums up.
+/// Prints one line per finding and a summary.
 void tell(const Verification& verification, const StudyContents& contents, const Console& console);
 
 nlohmann::ordered_json as_json(const Verification& verification, const StudyContents& contents);

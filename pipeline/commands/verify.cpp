@@ -35,7 +35,7 @@ struct VerifyOptions {
   }
 };
 
-/// What came of drawing frames again.
+/// Result of rendering frames again.
 struct Rerendered {
   std::uint64_t seed = 0;
   std::vector<RerenderedFrame> frames;

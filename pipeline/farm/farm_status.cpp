@@ -99,7 +99,7 @@ void add_workers(const std::vector<WorkerReport>& reports, FarmStatus& status) {
 void add_jobs(const std::vector<JobFate>& fates, FarmStatus& status) {
   for (const JobFate& fate : fates) {
     for (const QueueRow& row : fate.live()) {
-      if (is_stuck(row)) continue;  // told as a trouble
+      if (is_stuck(row)) continue;  // reported as a problem
       if (row.node.empty() || row.state == "PENDING") {
         ++status.waiting[row.reason];
       } else {

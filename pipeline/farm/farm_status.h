@@ -14,58 +14,59 @@
 
 namespace mien::pipeline {
 
-/// How far something is.
+/// Progress of one stage: number of completed units out of all.
 struct Share {
   std::string name;  ///< "films"
   int done = 0;
   int total = 0;
 };
 
-/// What a machine does for a study.
+/// Activity of one machine for a study.
 struct NodeStatus {
   std::string name;
   int elements = 0;  ///< of job arrays that run there
-  int workers = 0;   ///< processes that were heard of a short time ago
+  int workers = 0;   ///< live worker processes (WorkerReport::is_alive)
   std::vector<std::string> tasks;
   double frames_per_second = 0.0;
 };
 
-/// How a study's production goes on, whoever works on it.
+/// Progress of a study's production over all workers, started by Slurm or by hand.
 struct FarmStatus {
   std::string study;
   std::string folder;
-  std::string words;          ///< how it is told in commands: "my.yaml --out /scratch"
+  std::string words;  ///< arguments that name the study in commands: "my.yaml --out /scratch"
   std::vector<Share> stages;  ///< tasks: motions, films, clips, sheets, study
-  Share frames;               ///< of all films; those in the making count
+  Share frames;               ///< of all films, including stored frames of incomplete ones
   std::vector<NodeStatus> nodes;
-  std::map<std::string, int> waiting;  ///< elements by Slurm's reason
+  std::map<std::string, int> waiting;  ///< pending elements by Slurm's reason
   std::vector<JobTrouble> troubles;
   std::vector<FailedItem> failed;
-  std::vector<std::string> losses;  ///< told_losses
-  std::string disk;                 ///< what ails the study's folder now; empty when nothing does
-  std::optional<double> seconds_left;  ///< at the present pace; none while no frame is drawn
-  bool is_complete = false;            ///< all is there, the study's record too
-  std::string without_slurm;           ///< why nothing is known of jobs; empty when it is
+  std::vector<std::string> losses;     ///< told_losses
+  std::string disk;                    ///< current problem of the study's folder; empty if none
+  std::optional<double> seconds_left;  ///< estimate at the current rate; empty while none is drawn
+  bool is_complete = false;            ///< all products exist, including the study's record
+  std::string without_slurm;           ///< why job states are unknown; empty if they are known
 
   int running() const;
-  /// Whether anybody works on it, or will.
+  /// Whether a worker is running or a job is pending.
   bool is_active() const;
 };
 
-/// From the store at a glance, the workers' own reports and the queue; `queue` may be missing,
-/// `fault` says why. `words`: how the study is told in commands. `nodes`: how Slurm's nodes are.
+/// Status from receipts and file sizes, the workers' reports and the queue. If `queue` is empty,
+/// `fault` gives the reason. `words`: the study's arguments in commands. `nodes`: states of Slurm's
+/// nodes.
 FarmStatus farm_status(const Production& production, const std::filesystem::path& folder,
                        const std::optional<std::vector<QueueRow>>& queue, const std::string& fault,
                        const std::string& words, const NodeStates& nodes = {});
 
-/// What `job_troubles` are told against.
+/// The study's present state, against which `job_troubles` compares jobs.
 StudyState study_state(const Production& production, const std::filesystem::path& folder,
                        const std::string& words);
 
-/// Frames of a film that are kept until it is encoded, of whatever version of it.
+/// Number of frames of a film stored until it is encoded, under any key.
 int frames_in_the_making(const std::filesystem::path& folder, const std::string& film);
 
-/// For people.
+/// The status as text for the terminal.
 std::string status_text(const FarmStatus& status);
 nlohmann::ordered_json status_json(const FarmStatus& status);
 

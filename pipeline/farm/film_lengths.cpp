@@ -32,7 +32,7 @@ std::optional<int> recorded_frames(const std::string& stimulus, const fs::path& 
   }
 }
 
-/// Frames of stimuli, each asked for once.
+/// Frame counts of stimuli, cached.
 class Lengths {
  public:
   Lengths(const Production& production, const fs::path& folder, Motions* motions)

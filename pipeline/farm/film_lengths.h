@@ -8,14 +8,14 @@
 
 namespace mien::pipeline {
 
-/// Frames of each film, by its task ("film:walk"). They are those of its motion where that has been
-/// made, and what the tasks' cost assumes elsewhere, which is good enough to cut a study into
-/// pieces: a chunk says which of how many it is, not which frames.
+/// Number of frames of each film, by its task ("film:walk"): that of its motion if it has been
+/// produced, otherwise the one assumed for the task's cost. That suffices for splitting a study
+/// into chunks, because a chunk is identified by its number, not by its frames.
 std::map<std::string, int> film_lengths(const Production& production,
                                         const std::filesystem::path& folder);
 
-/// The same, but motion files that have not been read yet are read: they may last any time. Throws
-/// Error for one that cannot be shown.
+/// Like film_lengths, but reads motion files that have not been read yet, since they may have any
+/// duration. Throws Error for a file that cannot be staged.
 std::map<std::string, int> measured_film_lengths(Production& production,
                                                  const std::filesystem::path& folder);
 

@@ -10,17 +10,17 @@
 
 namespace mien::pipeline {
 
-/// By task of a film ("film:walk").
+/// Stored frames and chunk count of each film, by its task ("film:walk").
 using PiecesByFilm = std::map<std::string, FilmPieces>;
 
-/// Frames that are kept of films that are due: drawn before, or published beside a video that is
-/// missing. `planned`: an outcome a task. `frames`: lengths of the films. `folder`: the study's.
-/// Goes by what lies there; a worker checks it, and draws again what is damaged.
+/// Stored frames of films that are due: drawn earlier, or published although the video is missing.
+/// `planned`: one outcome per task. `frames`: number of frames of each film. `folder`: the study's.
+/// Only checks that files exist; a worker verifies them and redraws damaged ones.
 PiecesByFilm kept_pieces(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                          const std::map<std::string, int>& frames,
                          const std::filesystem::path& folder);
 
-/// Adds the frames that live jobs draw, and keeps films cut as those jobs have them.
+/// Adds the frames assigned to live jobs and keeps the number of chunks those jobs use.
 void add_live_pieces(const std::vector<JobFate>& fates, const std::map<std::string, int>& frames,
                      const std::filesystem::path& folder, PiecesByFilm& pieces);
 

@@ -8,30 +8,30 @@
 
 namespace mien::pipeline {
 
-/// How many jobs Slurm takes at a time, of everybody; an element of an array counts as one.
+/// Slurm's limit on the number of jobs of all users; each element of an array counts as one job.
 struct JobRoom {
-  int most = 0;   ///< MaxJobCount; 0: not known
-  int taken = 0;  ///< that it has now, those that ended some minutes ago too
+  int most = 0;   ///< MaxJobCount; 0 if unknown
+  int taken = 0;  ///< jobs in the queue now, including recently ended ones
 
   bool has_room_for(int jobs) const { return most == 0 || taken + jobs < most; }
 };
 
-/// A submission for which Slurm has room, and into how large pieces it is cut.
+/// A submission that fits into Slurm's queue, and the chunk sizes used for it.
 struct FittingSubmission {
   Submission submission;
   Cutting cutting;
 };
 
-/// Cuts a study as is asked; `cut` gives the submission of a cutting. Where Slurm has no room for
-/// so many jobs and no number of frames is asked for, elements become longer, but no longer than
-/// `longest_seconds`. Throws Error, with a --chunk that fits, when there is no room all the same,
-/// unless nothing but the job for what is left is to be submitted.
+/// Splits a study with the given chunk sizes; `cut` builds the submission for given sizes. If it
+/// has too many jobs for Slurm's queue and no number of frames per chunk is set, elements become
+/// longer, up to `longest_seconds`. Throws Error, suggesting a --chunk that fits, if there are
+/// still too many jobs, unless only the final job for the remaining tasks is to be submitted.
 FittingSubmission fitting_submission(const std::function<Submission(const Cutting&)>& cut,
                                      const Cutting& asked, double longest_seconds,
                                      const JobRoom& room);
 
-/// Seconds that an element may be made to last: an hour, or half of its time limit ("90" minutes,
-/// "1:30:00", "1-12") where that is less.
+/// Maximum duration in seconds to which an element may be extended: one hour, or half of its time
+/// limit ("90" minutes, "1:30:00", "1-12") if that is shorter.
 double longest_element_seconds(const std::string& time_limit);
 
 }  // namespace mien::pipeline

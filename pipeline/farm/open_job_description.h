@@ -12,15 +12,15 @@
 namespace mien::pipeline {
 
 /// A job template of the Open Job Description specification, version 2023-09
-/// (https://github.com/OpenJobDescription/openjd-specifications): a step a stage, over the numbers
-/// of its elements, and one for what is left. Program, manifest and folder are parameters of the
-/// job, which may be given otherwise when it is submitted. Throws Error for what the specification
-/// cannot say.
+/// (https://github.com/OpenJobDescription/openjd-specifications): one step per stage, over the
+/// numbers of its elements, and a final one for the remaining tasks. Program, manifest and folder
+/// are job parameters, which can be overridden on submission. Throws Error for what the
+/// specification cannot express.
 nlohmann::ordered_json open_job_template(const std::vector<Stage>& stages, const StudyCall& call,
                                          const JobRequest& request);
 
-/// The template as a file of that ending: .json, or .yaml and .yml, since JSON is YAML. Throws
-/// Error for another one.
+/// The template as text for a file named .json, .yaml or .yml (JSON is YAML). Throws Error for
+/// another extension.
 std::string open_job_text(const nlohmann::ordered_json& job, const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

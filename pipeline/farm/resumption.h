@@ -10,25 +10,26 @@
 
 namespace mien::pipeline {
 
-/// Items of jobs that go on by themselves. `folder`: the study's.
+/// Items of live jobs that will proceed without intervention. `folder`: the study's.
 std::set<std::string> covered_items(const std::vector<JobFate>& fates,
                                     const std::filesystem::path& folder);
 
-/// Live jobs in the way of a new submission: those that are stuck, and those that were to make what
-/// is left of an earlier one.
+/// Names of live jobs that a new submission replaces: held ones, and the final jobs of earlier
+/// submissions.
 std::vector<std::string> obsolete_jobs(const std::vector<JobFate>& fates);
 
-/// Tasks for which a job had too little memory, and what to ask for next.
+/// Tasks whose jobs ran out of memory, and how much to request next.
 struct MemoryNeeds {
-  std::map<std::string, std::string> more;  ///< twice as much, by task
-  std::vector<std::string> unknown;         ///< items of jobs that asked for nothing in particular
+  std::map<std::string, std::string> more;  ///< twice the previous amount, by task
+  std::vector<std::string> unknown;         ///< items of jobs that requested no specific amount
 };
 
-/// From what Slurm still knows, and from what the jobs left in ends/ that saw their control group
-/// count a kill for want of memory. SIGKILL alone says nothing: anybody may have sent it.
+/// Based on squeue and on out-of-memory kills that jobs recorded in ends/. SIGKILL alone does not
+/// count, because it may have another cause. `folder`: the study's.
 MemoryNeeds memory_needs(const std::vector<JobFate>& fates, const std::filesystem::path& folder);
 
-/// "4G" of "2G", "3000M" of "1500"; empty when the text is no amount of memory.
+/// Twice an amount of memory in Slurm's notation: "4G" for "2G", "3000M" for "1500"; empty if the
+/// text is not an amount.
 std::string twice_the_memory(const std::string& memory);
 
 }  // namespace mien::pipeline

@@ -8,7 +8,7 @@ namespace mien::pipeline {
 
 namespace {
 
-// Of what drawing and encoding a film cost, that which is left when its frames are there.
+// Proportion of a film's cost that remains when its frames exist: encoding.
 constexpr double encoding_share = 0.1;
 
 /// Fills one element after the other; a new one is begun where the next item does not fit.
@@ -58,7 +58,7 @@ struct Due {
 
   double seconds_of(const Task& task) const { return task.cost_seconds * cutting.pace; }
 
-  /// Of these frames, first to before end.
+  /// For the frames from `first` to before `end`.
   int missing_of(const Task& task, int first, int end) const {
     const auto found = pieces.find(task.id);
     if (found == pieces.end()) return end - first;

@@ -9,15 +9,15 @@
 
 namespace mien::pipeline {
 
-/// A part of a stage that one job makes: items in order, each a task ("film:walk") or a chunk of a
+/// The part of a stage done by one job: items in order, each a task ("film:walk") or a chunk of a
 /// film's frames ("film:walk[3/12]": the third of twelve).
 struct Element {
   std::vector<std::string> items;
   double seconds = 0.0;  ///< estimate
-  int frames = 0;        ///< that are drawn or encoded
+  int frames = 0;        ///< number drawn or encoded
 };
 
-/// What may be made at the same time, once the stages before it are there.
+/// Elements that can run at the same time, after all earlier stages.
 struct Stage {
   std::string name;  ///< "frames"
   std::vector<Element> elements;
@@ -25,23 +25,23 @@ struct Stage {
   double seconds() const;
 };
 
-/// Into how large pieces a study is cut.
+/// How a study is split into elements.
 struct Cutting {
-  int chunk_frames = 0;            ///< an element draws at most so many frames; 0: see below
-  double element_seconds = 300.0;  ///< an element takes about so long, or less
-  double pace = 1.0;               ///< seconds an estimated second of a task takes
+  int chunk_frames = 0;            ///< maximum number of frames per element; 0: by element_seconds
+  double element_seconds = 300.0;  ///< intended maximum duration of an element
+  double pace = 1.0;               ///< measured seconds per estimated second of a task
 };
 
-/// What is there of a film that is due.
+/// Progress of a film that is due.
 struct FilmPieces {
-  std::vector<bool> is_there;  ///< by frame: nobody has to be asked to draw it; or empty
-  int chunks = 0;              ///< that it is cut into already; 0: not yet
+  std::vector<bool> is_there;  ///< by frame: stored, or assigned to a live job; may be empty
+  int chunks = 0;              ///< number of chunks used by live jobs; 0 if not split yet
 };
 
-/// The stages motions, frames, films, sheets and study of the tasks that are due (one flag a task),
-/// without those that hold nothing. A task is in exactly one element, and the chunks of a film that
-/// is drawn in several cover it, but for those of which all frames are there. `frames`: of each
-/// film by its task; `pieces` likewise, of films that have been begun.
+/// The stages motions, frames, films, sheets and study of the tasks that are due (one flag per
+/// task), without empty ones. A task is in exactly one element. The chunks of a film that is drawn
+/// in several cover it, except those whose frames all exist. `frames`: number of frames of each
+/// film by its task; `pieces`: progress of films that have been started, by task.
 std::vector<Stage> stages_of(const TaskGraph& graph, const std::vector<bool>& is_due,
                              const std::map<std::string, int>& frames, const Cutting& cutting,
                              const std::map<std::string, FilmPieces>& pieces = {});

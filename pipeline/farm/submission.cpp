@@ -32,7 +32,7 @@ Stage without(Stage stage, const std::set<std::string>& covered) {
   return stage;
 }
 
-/// The most that one of its items was found to need; empty when no job of it ran out.
+/// Amount of memory to request for an element whose item ran out of it; empty if none did.
 std::string memory_of(const Element& element, const ItemNeeds& needs) {
   for (const std::string& item : element.items) {
     const auto found = needs.memory.find(work_item(item).task);
@@ -90,8 +90,8 @@ SubmissionJob rest_job(const std::string& key, const JournalSubmission& asked) {
   return rest;
 }
 
-/// The job, found by its comment where Slurm took it without saying so. Empty when Slurm has none,
-/// or does not answer.
+/// The number of a job that Slurm accepted without answering, found by its comment. Empty if Slurm
+/// has no such job or does not answer.
 std::string job_after_silence(const Slurm& slurm, const BatchJob& job) {
   std::string why;
   const auto queue = slurm.queue_if_any(why);
@@ -147,7 +147,7 @@ std::vector<JournalJob> intents_of(const Submission& submission) {
   return intents;
 }
 
-/// Takes back what Slurm took before it refused a job. What is to be said of that.
+/// Cancels the jobs accepted before one was refused. Returns a sentence about the outcome.
 std::string undo(const Submission& submission, const std::vector<SubmittedJob>& done,
                  const Slurm& slurm, const SubmissionJournal& journal, const std::string& why) {
   const std::vector<std::string> taken = numbers_of(done);
@@ -161,7 +161,7 @@ std::string undo(const Submission& submission, const std::vector<SubmittedJob>& 
   return done.empty() ? "" : "\nthe jobs accepted before were cancelled";
 }
 
-/// The journal may not be writable any more: the job's comment tells whose it is.
+/// If the journal is not writable any more, the job is still identified by its comment.
 void note_number(const SubmissionJournal& journal, const BatchJob& job, const std::string& number,
                  std::string& unnoted) {
   try {

@@ -17,82 +17,82 @@ namespace mien::pipeline {
 struct SubmissionJob {
   BatchJob job;
   JobRequest request;
-  std::vector<Element> elements;  ///< none: the job that makes what is left
+  std::vector<Element> elements;  ///< empty: the final job that completes the study
 };
 
 /// Job arrays that may run at the same time.
 struct SubmissionStage {
-  int place = 0;  ///< 1 motions, 2 frames, 3 films, 4 sheets, 5 study, 6 what is left
+  int place = 0;  ///< 1 motions, 2 frames, 3 films, 4 sheets, 5 study, 6 remaining tasks
   std::vector<SubmissionJob> jobs;
 };
 
-/// What is handed to Slurm in one go. Jobs of a stage wait for those of the stage before, the last
-/// one for all; they wait for their end only, because a job makes what it needs itself if a job
-/// before it failed.
+/// Jobs submitted to Slurm together. Jobs of a stage wait for those of the stage before, the last
+/// one for all. They wait for the end of those jobs only, not for success, because a job produces
+/// its missing inputs itself.
 struct Submission {
   JournalSubmission asked;
   std::filesystem::path folder;  ///< out/<study>/farm/0001, absolute
   StudyCall call;
   SlurmSite site;
-  std::vector<SubmissionStage> stages;  ///< the last one makes what is left
+  std::vector<SubmissionStage> stages;  ///< the last one completes the study
 
   int elements() const;
-  /// That Slurm counts: elements, and the job that makes what is left.
+  /// Number of jobs as counted by Slurm: elements and the final job.
   int jobs() const { return elements() + 1; }
 };
 
-/// What a study's items need beyond what is asked for.
+/// Exceptions for single items of a study.
 struct ItemNeeds {
-  std::set<std::string> covered;              ///< items that live jobs make already
-  std::map<std::string, std::string> memory;  ///< by task, where a job ran out of it
+  std::set<std::string> covered;              ///< items already assigned to live jobs
+  std::map<std::string, std::string> memory;  ///< by task, if a job ran out of memory
 };
 
-/// "0004" after three submissions; the first number that neither a folder of `farm` has nor the
-/// journal.
+/// Number of the next submission, "0004" after three: the first one used neither by a folder in
+/// farm/ nor in the journal.
 std::string next_submission(const std::filesystem::path& study_folder);
 
-/// The name under which Slurm's jobs are known as this study's: of its tasks, all that determines
-/// them, and the folder that they are made in.
+/// Identifies Slurm's jobs as belonging to this study: a hash of its tasks, their determinants and
+/// the study's folder.
 std::string graph_key(const TaskGraph& graph, const std::filesystem::path& study_folder);
 
-/// Puts stages into job arrays as large as the site takes, and the job for what is left behind
-/// them.
+/// Distributes stages over job arrays of the site's maximum size and adds the final job that
+/// completes the study.
 Submission submission_of(const std::vector<Stage>& stages, const ItemNeeds& needs,
                          const std::string& graph_key, JournalSubmission asked,
                          const std::filesystem::path& study_folder, const StudyCall& call,
                          const SlurmSite& site);
 
-/// The text of a job's batch file and of the list that it reads.
+/// The texts of a job's batch file and of its task list.
 std::string script_text(const Submission& submission, const SubmissionJob& job);
 std::string list_text(const SubmissionJob& job);
 
-/// Makes the submission's folder with all files and notes in the journal what is to be submitted:
-/// all that is written before Slurm is asked for anything, so that on a disk that is full nothing
-/// is taken back or submitted. Throws what writing throws, and std::runtime_error when another
-/// client has made a folder of that number in the meantime; then no folder stays.
+/// Creates the submission's folder with all its files and records the intended jobs in the journal.
+/// All of this is written before Slurm is called, so that a full disk leaves the queue unchanged.
+/// Throws WriteFailure, and std::runtime_error if another client has just created a folder with
+/// that number; no folder is left behind then.
 void write_submission(const Submission& submission, const SubmissionJournal& journal);
 
-/// Of a written submission that is not to be: notes in the journal, where that can be written, why,
-/// and removes the folder unless one of its jobs had begun.
+/// Withdraws a written submission: records `why` in the journal, if that can be written, and
+/// removes its folder unless one of its jobs has started.
 void withdraw(const Submission& submission, const SubmissionJournal& journal,
               const std::string& why);
 
-/// A job that Slurm has taken.
+/// A job that Slurm has accepted.
 struct SubmittedJob {
   std::string name;  ///< "2-frames"
-  std::string job;   ///< Slurm's
+  std::string job;   ///< Slurm's number
   int elements = 0;
 };
 
-/// What Slurm has taken of a submission.
+/// The accepted jobs of a submission.
 struct Submitted {
   std::vector<SubmittedJob> jobs;
-  std::string unnoted;  ///< why the journal lacks a job's number; empty when it has all
+  std::string unnoted;  ///< why the journal lacks a job's number; empty if it has all
 };
 
-/// Hands a written submission to Slurm. Films and what follows them wait for the jobs `live` of
-/// earlier submissions too. When a job is refused, those before it are cancelled, the submission is
-/// withdrawn, and SlurmFault is thrown; when Slurm's answer does not come, what it has taken stays.
+/// Submits a written submission to Slurm. Films and later stages also wait for the jobs `live` of
+/// earlier submissions. If a job is refused, those before it are cancelled, the submission is
+/// withdrawn and SlurmFault is thrown; if Slurm does not answer, accepted jobs remain.
 Submitted submit(const Submission& submission, const Slurm& slurm, const SubmissionJournal& journal,
                  const std::vector<std::string>& live);
 

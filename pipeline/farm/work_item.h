@@ -4,7 +4,7 @@
 
 namespace mien::pipeline {
 
-/// A piece of work that a farm hands out: a task ("film:walk"), or a chunk of a film's frames
+/// A unit of work for a farm's workers: a task ("film:walk"), or a chunk of a film's frames
 /// ("film:walk[3/12]": the third of twelve).
 struct WorkItem {
   std::string task;
@@ -12,10 +12,10 @@ struct WorkItem {
   int chunks = 0;
 };
 
-/// Throws Error when the text is none.
+/// Parses an item's name. Throws Error if it is not one.
 WorkItem work_item(const std::string& text);
 
-/// The chunk's item: "film:walk[3/12]".
+/// Name of a chunk: "film:walk[3/12]".
 std::string chunk_item(const std::string& task, int chunk, int chunks);
 
 }  // namespace mien::pipeline

@@ -47,7 +47,7 @@ void add_inputs(const TaskGraph& graph, const Task& task, std::set<std::size_t>&
   }
 }
 
-/// Adds what has been asked for and what it needs, chunks of a film before the film.
+/// Adds the requested tasks and their inputs, chunks of a film before the film.
 class ItemGraph {
  public:
   explicit ItemGraph(const TaskGraph& graph) : graph_(graph) {}
@@ -92,7 +92,7 @@ int code_of(const TaskOutcome& outcome) {
   return outcome.is_transient ? worker_transient : worker_gave_up;
 }
 
-/// Why an item was not made: its own failure, or the first of what it needs.
+/// Why an item was not completed: its own failure, or the first one among its inputs.
 const TaskOutcome* cause_of(const TaskGraph& graph, const std::vector<TaskOutcome>& outcomes,
                             std::size_t index) {
   if (outcomes[index].state == TaskState::failed) return &outcomes[index];
@@ -134,7 +134,7 @@ TaskGraph graph_of_items(const TaskGraph& graph, const std::vector<std::string>&
   return wanted.build();
 }
 
-/// What may go better the next time counts first.
+/// Transient failures take precedence, because they may not recur.
 int WorkResult::code() const {
   if (was_interrupted) return worker_transient;
   constexpr std::array rising = {0, worker_bad_input, worker_gave_up, worker_transient,

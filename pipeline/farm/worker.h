@@ -10,12 +10,11 @@
 
 namespace mien::pipeline {
 
-/// The tasks that items ask for, and those whose products they read, in an order in which these
-/// come first. `graph` outlives it. Throws Error when the graph has no such task, or it has no
-/// parts.
+/// The tasks of these items and of their inputs, with inputs first. `graph` must outlive the
+/// result. Throws Error if the graph lacks a task, or an item is a chunk of a task without parts.
 TaskGraph graph_of_items(const TaskGraph& graph, const std::vector<std::string>& items);
 
-/// An item that could not be made.
+/// An item that failed.
 struct FailedWork {
   std::string item;
   std::string error;
@@ -25,7 +24,7 @@ struct FailedWork {
 /// How a worker's work ended.
 struct WorkResult {
   std::vector<FailedWork> failed;
-  std::vector<std::string> repairs;  ///< what was found damaged and made good
+  std::vector<std::string> repairs;  ///< artifacts that were found damaged and replaced
   std::vector<Nondeterminism> nondeterminism;
   bool was_interrupted = false;
 
@@ -33,14 +32,14 @@ struct WorkResult {
   int code() const;
 };
 
-/// Makes items in the study's folder, as one process of many. A failed item leaves
-/// farm/failures/<item>.json there, with `command`, which reproduces it; one that is made removes
-/// it. Throws what Store throws.
+/// Runs items in the study's folder, as one process of many, on `jobs` threads. A failed item
+/// creates farm/failures/<item>.json there, with `command`, which reproduces it; success removes
+/// that file. Throws what Store throws.
 WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
                 const std::filesystem::path& folder, int jobs, const std::stop_token& stop,
                 const RunObserver& observer, const std::string& command);
 
-/// Where a failure is told: farm/failures/film_walk_3_12_.json
+/// Path of an item's failure record: farm/failures/film_walk_3_12_.json
 std::filesystem::path failure_path(const std::filesystem::path& folder, const std::string& item);
 
 }  // namespace mien::pipeline

@@ -8,13 +8,13 @@
 
 namespace mien::pipeline {
 
-/// Hands values from one thread to another, at most `capacity` at a time, in order.
+/// A first-in first-out queue between threads that holds at most `capacity` values.
 template <class Value>
 class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Waits for room. False, and the value is dropped, once the queue is closed.
+  /// Waits until there is space. Once the queue is closed, drops the value and returns false.
   bool push(Value value) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return closed_ || values_.size() < capacity_; });
@@ -24,7 +24,7 @@ class BoundedQueue {
     return true;
   }
 
-  /// Waits for a value. False once the queue is closed and empty.
+  /// Waits for a value. Returns false once the queue is closed and empty.
   bool pop(Value& value) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return closed_ || !values_.empty(); });
@@ -35,7 +35,7 @@ class BoundedQueue {
     return true;
   }
 
-  /// No more values come in; what is in it can still be taken.
+  /// Accepts no more values; those in the queue can still be popped.
   void close() {
     const std::lock_guard lock(mutex_);
     closed_ = true;

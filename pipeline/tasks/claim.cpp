@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// False when the file is there already. Who creates it alone is known on NFS, too.
+/// Creates a file exclusively, also on NFS. Returns false if it already exists.
 bool create_alone(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor >= 0) {
@@ -28,7 +28,7 @@ bool create_alone(const fs::path& file) {
   throw std::system_error(errno, std::generic_category(), file.string());
 }
 
-/// A claim without a signature is given back.
+/// Writes the worker's name into a claim; releases the claim if that fails.
 void sign(const fs::path& file, const std::string& worker) {
   try {
     write_file(file, worker + "\n");
@@ -39,14 +39,14 @@ void sign(const fs::path& file, const std::string& worker) {
   }
 }
 
-/// Whether a file system knows no second names for files.
+/// Whether an error means that the file system has no hard links.
 bool has_no_links(int error) {
   return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
 }
 
-/// A claim that is signed from its first moment on, unless one is there already: a second name for
-/// a file that was written before, which only one process can give. Where there are no second
-/// names, nobody has signed it for a moment.
+/// Creates a claim that names its worker from the start, unless there already is one: a hard link
+/// to a file written before, which only one process can create. On file systems without hard links
+/// the claim names no worker for a moment.
 bool create_signed(const fs::path& file, const std::string& worker) {
   fs::path own = file;
   own += "." + worker;

@@ -8,13 +8,14 @@
 
 namespace mien::pipeline {
 
-/// Word to the other processes in a study's folder that something is being made here, so that they
-/// make something else in the meantime. Nothing but time depends on it: what is made twice is
-/// published once. Given back when the object ends.
+/// Announces to the other processes in a study's folder that this one works on a task, so that they
+/// do something else in the meantime. Claims only save time: a product made twice is published
+/// once. Released by the destructor.
 class Claim {
  public:
-  /// Nothing while another process that seems to live has it; of one that does not, it is taken
-  /// over. Throws std::system_error or WriteFailure when the folder cannot be written to.
+  /// Claims `what` for `worker`. Null while a process that seems alive holds the claim; that of a
+  /// dead one is taken over. Throws std::system_error or WriteFailure if the folder is not
+  /// writable.
   static std::unique_ptr<Claim> take(const std::filesystem::path& folder, const std::string& what,
                                      const std::string& worker, WorkerWatch& watch);
   ~Claim();
@@ -28,7 +29,7 @@ class Claim {
   std::string worker_;
 };
 
-/// Who has signed a claim; empty when nobody has.
+/// Name of the worker that holds a claim; empty if the file names none.
 std::string claim_holder(const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

@@ -7,17 +7,17 @@
 
 namespace mien::pipeline {
 
-/// Hashes of the source files that can make an artifact, so that what other code made is made
-/// again. They depend on these files' contents alone (code_identity.cmake).
+/// Hashes of the source files that affect each kind of artifact, so that artifacts of other code
+/// are produced again. They depend on the contents of these files only (code_identity.cmake).
 std::string_view motion_code();
-std::string_view film_code();   ///< frames, videos and what is found for and of them
+std::string_view film_code();   ///< frames, videos and tables derived from them
 std::string_view sheet_code();  ///< comparison sheets and stills
-std::string_view study_code();  ///< all of a study, its tables and pages too
+std::string_view study_code();  ///< a study as a whole, including its tables and pages
 
 /// "0.2.0"
 std::string_view program_version();
 
-/// The day of this version in CHANGELOG.md: "2026-11-22".
+/// Release date of this version in CHANGELOG.md: "2026-11-22".
 std::string_view release_date();
 
 /// Compiler and libraries by name, in fixed order: {"Eigen", "3.4.0"}, …

@@ -48,7 +48,7 @@ class Pipe {
   std::array<int, 2> ends_ = {-1, -1};
 };
 
-/// What the child has open instead of ours.
+/// Files that the child has open in place of this process's standard streams.
 struct FileActions {
   FileActions(const Pipe& output, const Pipe& errors) {
     posix_spawn_file_actions_init(&actions);

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A disk with less is as good as full.
+/// A disk with less free space counts as full.
 constexpr std::uint64_t full_below_bytes = 1 << 20;
 
 std::error_code code_of_disk(const fs::path& folder) {
@@ -31,7 +31,7 @@ std::error_code code_of(const std::exception& error) {
   return {};
 }
 
-/// A server that gave the folder and does not any more, or a disk that is mounted no longer.
+/// Whether an error means that the file server or mounted disk of a folder is unavailable.
 bool is_away(const std::error_code& code) {
   return code == std::errc::no_such_file_or_directory || code == std::errc::not_connected ||
          code == std::errc::no_such_device ||
@@ -56,7 +56,7 @@ Ailment ailment_of(const std::error_code& code, const std::string& folder) {
   return {};
 }
 
-/// Of a folder that should be there.
+/// The problem of a folder that should exist.
 Ailment absence_of(const fs::path& folder, const std::error_code& told) {
   const std::error_code now = code_of_disk(folder);
   if (!is_away(now) || (told && !is_away(told))) return {};

@@ -8,20 +8,21 @@
 
 namespace mien::pipeline {
 
-/// The disk is the reason that something was not written: `what()` is disk_fault's.
+/// A write failure caused by the disk; `what()` is the text of disk_fault.
 class DiskFault : public WriteFailure {
  public:
   using WriteFailure::WriteFailure;
 };
 
-/// What ails the disk that holds a folder, for people: that it is full, that a quota is used up,
-/// that it is read-only, that the folder is not there (any more). Told by the error that something
-/// ended with, or else by the disk itself, since libraries that write pictures and videos do not
-/// say. Empty when it is none of these. The same words for whatever was being written, so that they
-/// need be told once.
+/// The problem of the disk that holds a folder, and its remedy: the disk is full or read-only, a
+/// quota is used up, or the folder does not exist (any more). Determined from `error`, or else from
+/// the disk itself, since libraries that write images and videos do not report the reason. Empty if
+/// it is none of these. The text does not depend on the file written, so that it can be reported
+/// once.
 std::string disk_fault(const std::filesystem::path& folder, const std::exception& error);
 
-/// The same, of the disk as it is now and without what to do; a folder that is not there is none.
+/// The present problem of the disk that holds a folder, without a remedy; empty if there is none or
+/// the folder does not exist.
 std::string disk_ailment(const std::filesystem::path& folder);
 
 }  // namespace mien::pipeline

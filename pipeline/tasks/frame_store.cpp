@@ -35,7 +35,7 @@ bool parse_note(const std::string& line, FrameReceipt& frame, Maker& maker) {
   return !fields.fail();
 }
 
-/// A second name for a file, or where there is no such thing a copy.
+/// Creates a hard link to a file, or a copy if the file system has none.
 void link_or_copy(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_hard_link(from, to, error);
@@ -78,7 +78,7 @@ void FrameStore::note_damage(const std::string& name) {
       ": was damaged, changed or removed after it was rendered, and is rendered again");
 }
 
-/// What the receipt of a published sequence of this key says of a frame.
+/// Entry of a frame in the receipt of a published sequence with this key.
 std::optional<FrameStore::Note> FrameStore::published_note(const std::string& name) const {
   const std::optional<Receipt> published = read_receipt(store_->folder, path_);
   if (!published || published->key != key_ || published->path != path_) return std::nullopt;
@@ -169,7 +169,7 @@ void FrameStore::drop() {
   fs::remove(folder_.parent_path(), ignored);
 }
 
-/// Frames of other keys are of no use any more, unless another process is drawing them.
+/// Removes frames of other keys, which are obsolete unless another process is drawing them.
 void FrameStore::drop_other_keys() {
   std::error_code ignored;
   for (const fs::directory_entry& sequence :
@@ -193,7 +193,7 @@ std::vector<FrameStore::Note> FrameStore::notes_of(const std::string& name) {
   return notes;
 }
 
-/// Each process has a file of notes of its own, which grows.
+/// Reads new lines of the note files; each process appends to its own.
 void FrameStore::read_new_notes() {
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "notes", none)) {

@@ -12,12 +12,12 @@ using Hash = std::string;
 
 Hash hash_of(std::string_view bytes);
 
-/// Throws Error for a pipe, a device or the like, and std::system_error when the file cannot be
-/// read.
+/// Hash of a file's content. Throws Error for a pipe, a device or the like, and std::system_error
+/// if the file cannot be read.
 Hash hash_of_file(const std::filesystem::path& file);
 
-/// Builds an artifact's key out of named values: everything that determines it. While the key stays
-/// the same the artifact is not made again. The order of the values counts, and so do the
+/// Builds an artifact's key from named values: all its determinants. As long as the key stays the
+/// same, the artifact is not produced again. The key depends on the order of the values and on the
 /// boundaries between them.
 class KeyBuilder {
  public:

@@ -6,13 +6,14 @@
 
 namespace mien::pipeline {
 
-/// Calls `work` with 0 … count − 1 on so many threads, each index once. After a stop request no
-/// more is begun, and Interrupted is thrown; what `work` throws is thrown when all threads have
-/// ended.
+/// Calls `work` once with each index 0 … count − 1, on `threads` threads. After a stop request no
+/// further call is started and Interrupted is thrown. An exception of `work` is rethrown when all
+/// threads have ended.
 void for_each_of(std::size_t count, int threads, const std::stop_token& stop,
                  const std::function<void(std::size_t)>& work);
 
-/// The same on as many threads as there are processors, of what is soon done.
+/// Calls `work` once with each index 0 … count − 1, on as many threads as there are processors. For
+/// short work, since it cannot be stopped.
 void on_all_processors(std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace mien::pipeline

@@ -9,13 +9,13 @@
 
 namespace mien::pipeline {
 
-/// Seconds of a clock that is never set back.
+/// Time of a monotonic clock, seconds.
 double steady_seconds();
 
-/// "0:07", "12:30", "1:02:03".
+/// A duration in seconds as text: "0:07", "12:30", "1:02:03".
 std::string as_duration(double seconds);
 
-/// How far something is and how long it will still take: one bar on a terminal, else a plain line
+/// Shows progress and the estimated remaining time: a bar on a terminal, otherwise a plain line
 /// every ten seconds.
 class ProgressBar {
  public:
@@ -27,15 +27,15 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// All is thought to take so many seconds: what is left is told by that at first, and more and
-  /// more by how long it has taken so far.
+  /// Sets the estimated total duration. The remaining time is based on it at first, and
+  /// increasingly on the time elapsed.
   void expect(double seconds) { expected_s_ = seconds; }
 
-  /// A share from 0 to 1 is done and `name` is being worked on. Says nothing when it has just said
-  /// something, unless it has to `at_once`.
+  /// Shows that `share` (0 … 1) is done and `name` is in progress. Does nothing shortly after the
+  /// last output unless `at_once`.
   void show(double share, const std::string& name, bool at_once = false);
 
-  /// Makes room for other text on a terminal.
+  /// Clears the bar from a terminal, before other output.
   void clear();
 
  private:
@@ -49,17 +49,17 @@ class ProgressBar {
   double expected_s_ = 0.0;
 };
 
-/// Shows how a run goes on: one bar with the time left on a terminal, else plain lines, one for
-/// each task that was made or failed and one every ten seconds in between.
+/// Shows the progress of a run: a bar with the remaining time on a terminal, otherwise plain lines,
+/// one for each completed or failed task and one every ten seconds in between.
 class Progress {
  public:
-  /// Writes to `out`, which outlives it. `plan` tells what is cached: it takes no time.
+  /// Writes to `out`, which outlives it. Tasks that are cached in `plan` take no time.
   Progress(std::ostream& out, bool terminal, const TaskGraph& graph,
            const std::vector<TaskOutcome>& plan, ProgressBar::Clock clock);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Keeps a reference to this object.
+  /// Callbacks for a run, which refer to this object.
   RunObserver observer();
 
  private:

@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// Whether all that it names lies in the folder that it is a receipt of.
+/// Whether all paths of a receipt are inside the study's folder.
 bool is_of_its_folder(const Receipt& receipt) {
   return motion::fault_of_relative(receipt.path).empty() &&
          std::ranges::all_of(receipt.frames, [](const FrameReceipt& frame) {
@@ -27,8 +27,8 @@ bool is_of_its_folder(const Receipt& receipt) {
          });
 }
 
-/// A network's file system may remember for a while that a file was not there. To open the folder
-/// makes it ask again.
+/// A network file system may cache for a while that a file did not exist. Opening its folder makes
+/// it ask the server again.
 bool is_file(const fs::path& file) {
   std::error_code error;
   if (fs::is_regular_file(file, error)) return true;

@@ -19,7 +19,7 @@ struct FrameReceipt {
   friend bool operator==(const FrameReceipt&, const FrameReceipt&) = default;
 };
 
-/// Who made something: what to tell when two differ.
+/// Where an artifact was produced, to be reported if two attempts differ.
 struct Maker {
   std::string host;
   std::string instruction_set;
@@ -27,11 +27,11 @@ struct Maker {
   friend bool operator==(const Maker&, const Maker&) = default;
 };
 
-/// What is known about a published artifact: a file, or a folder of frames.
+/// Record of a published artifact: a file, or a folder of frames.
 struct Receipt {
   Hash key;
   std::string path;  ///< relative to the study's folder, with '/'
-  Hash hash;         ///< of the bytes; of a frame sequence: of its frames' names and hashes
+  Hash hash;         ///< of the bytes, or of a frame sequence's names and hashes
   std::uint64_t size = 0;
   std::vector<FrameReceipt> frames;  ///< of a frame sequence, in order
   Maker maker = {};
@@ -42,27 +42,27 @@ Hash hash_of(const std::vector<FrameReceipt>& frames);
 
 std::string to_json(const Receipt& receipt);
 
-/// Nothing when the text is no receipt, or one of which a character was changed since it was
-/// written: it has a checksum of its own. (A damaged receipt is as good as none.)
+/// Parses a receipt. Nothing if the text is not a receipt or its checksum is wrong: a damaged
+/// receipt counts as missing.
 std::optional<Receipt> receipt_from_json(const std::string& text);
 
-/// Where the receipt of an artifact lies: <folder>/.mien/receipts/<path>.json.
+/// Path of an artifact's receipt: <folder>/.mien/receipts/<path>.json.
 std::filesystem::path receipt_path(const std::filesystem::path& folder, const std::string& path);
 
-/// The receipt, whether or not the artifact still agrees with it.
+/// Reads a receipt without checking its artifact; nothing if it is missing or damaged.
 std::optional<Receipt> read_receipt(const std::filesystem::path& folder, const std::string& path);
 
-/// The receipt, if it has this key and the artifact is there with the size and hash that it states.
+/// The receipt, if it has this key and the artifact exists with the stated size and hash.
 std::optional<Receipt> find_artifact(const std::filesystem::path& folder, const std::string& path,
                                      const Hash& key);
 
-/// Whether a file has the size and hash that are stated.
+/// Whether a file exists with this size and hash.
 bool agrees(const std::filesystem::path& file, const Hash& hash, std::uint64_t size);
 
-/// Whether the artifact of a receipt is there with the size and hash that it states.
+/// Whether the artifact of a receipt exists with the stated size and hash.
 bool artifact_agrees(const std::filesystem::path& folder, const Receipt& receipt);
 
-/// Whether a receipt's artifact seems to be there: files of these sizes, of which no byte is read.
+/// Whether the files of a receipt's artifact exist with the stated sizes; their bytes are not read.
 bool artifact_seems_there(const std::filesystem::path& folder, const Receipt& receipt);
 
 }  // namespace mien::pipeline

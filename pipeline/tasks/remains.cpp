@@ -16,22 +16,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is written of a record before it takes the record's place lies there for a moment.
+/// Age at which a temporary file of a record counts as abandoned.
 constexpr double unfinished_for_seconds = 3600.0;
 
 class Broom {
  public:
   Broom(const fs::path& folder, const fs::path& now) : folder_(folder), now_(now) {}
 
-  /// Attempts lie in a folder with the name of the process, whose record was there before.
+  /// Attempts are in a folder named after the process, whose record existed before it.
   void sweep_attempts() const {
     for (const fs::path& attempts : paths_in(folder_ / ".mien/attempts")) {
       if (is_of_the_dead(attempts.filename())) remove(attempts);
     }
   }
 
-  /// One that nobody has signed is that of a process that was killed at that moment, or will be
-  /// signed in the next: then two may make the same, which harms nothing.
+  /// A claim without a name is from a process that was killed at that moment or is about to write
+  /// its name; in the latter case two processes may do the same work, which is harmless.
   void sweep_claims() const {
     for (const fs::path& claim : paths_in(folder_ / ".mien/claims")) {
       const std::string holder = claim_holder(claim);
@@ -63,7 +63,7 @@ class Broom {
     return !record || is_dead(folder_, *record, now_);
   }
 
-  /// Without a record beside it, it may be the first one of a process that begins.
+  /// Whether a temporary file is abandoned. Without a record, it may be that of a starting process.
   bool is_given_up(const fs::path& unfinished) const {
     const auto record = read_worker_record(folder_, unfinished.stem().stem());
     if (record) return is_dead(folder_, *record, now_);
@@ -79,7 +79,7 @@ class Broom {
   const fs::path& now_;
 };
 
-/// Whether another process has noted frames in the making, and works now.
+/// Whether another live process has recorded unpublished frames.
 bool others_draw(const fs::path& folder, const fs::path& now, const std::string& self) {
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder / ".mien/partial", error);

@@ -5,18 +5,17 @@
 
 namespace mien::pipeline {
 
-/// Records of processes that have ended are kept, those that drew frames: by the newest of them one
-/// sees how long a frame takes.
+/// Number of records of ended processes that are kept: the newest of those that drew frames, from
+/// which the time per frame is estimated.
 inline constexpr std::size_t kept_records = 64;
 
-/// Removes what processes left in a study's folder that will do nothing any more: attempts, claims,
-/// records, but for the newest that tell how long frames took. `now` is a file that has just been
-/// written there.
+/// Removes attempts, claims and records of dead processes from a study's folder, except the newest
+/// records of drawing times. `now` is a file just written there; its time serves as the present.
 void remove_what_the_dead_left(const std::filesystem::path& folder,
                                const std::filesystem::path& now);
 
-/// Removes what is of no use once all of a study is made: claims, and frames in the making, unless
-/// a process other than `self` seems to work on some.
+/// Removes files that are not needed once a study is complete: claims, and unpublished frames
+/// unless a process other than `self` is drawing some. `now`: as above.
 void remove_workings(const std::filesystem::path& folder, const std::filesystem::path& now,
                      const std::string& self);
 

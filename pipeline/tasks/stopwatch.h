@@ -5,10 +5,10 @@
 
 namespace mien::pipeline {
 
-/// Wall time during which at least one thread was at something.
+/// Measures the wall time during which at least one thread is inside a section.
 class Stopwatch {
  public:
-  /// Runs the watch while it lives. Without a watch it does nothing.
+  /// Marks a section by its lifetime. Does nothing if `watch` is null.
   class Running {
    public:
     explicit Running(Stopwatch* watch) : watch_(watch) {
@@ -24,7 +24,7 @@ class Stopwatch {
     Stopwatch* watch_;
   };
 
-  /// So far, in seconds; what runs at the moment is not in it yet.
+  /// Time so far, seconds, without a section that is still running.
   double seconds() const {
     const std::lock_guard lock(mutex_);
     return std::chrono::duration<double>(total_).count();

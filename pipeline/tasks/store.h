@@ -16,7 +16,7 @@
 
 namespace mien::pipeline {
 
-/// A second attempt at the same key gave other bytes.
+/// A second attempt at the same key produced other bytes.
 struct Nondeterminism {
   std::string path;
   Hash before;
@@ -25,10 +25,10 @@ struct Nondeterminism {
   Maker now_by;
 };
 
-/// For people: what differs, and who made it where.
+/// A sentence that states what differs and where both versions were produced.
 std::string to_string(const Nondeterminism& met);
 
-/// Another process works in the same folder, and one of the two wants to be alone.
+/// Another process works in the same folder, and one of the two requires exclusive access.
 class StoreBusy : public std::runtime_error {
  public:
   using runtime_error::runtime_error;
@@ -38,16 +38,15 @@ enum class Sharing { shared, exclusive };
 
 class FrameStore;
 
-/// The folder of one study and the only way to write into it, for any number of processes at a
-/// time, on one machine or on several that share the folder.
+/// The folder of one study and the only way to write to it, for any number of processes at a time,
+/// on one machine or on several that share the folder.
 ///
-/// An artifact is written into a folder of the attempt's own, verified by the caller's check,
-/// flushed to disk, hashed, and published by rename; its receipt follows. An artifact counts as
-/// present only if its receipt has the key asked for and its size and hash still agree, so what a
-/// killed process or an editor left behind is made again. Of two attempts at one key the first
-/// that is published stays; another one is compared with it and dropped. Nothing rests on locks: a
-/// process that was stopped, or whose machine was thought dead, may go on at any time and harms
-/// nothing.
+/// An artifact is written to a separate folder for each attempt, verified by the caller's check,
+/// flushed to disk, hashed, and published by rename; its receipt follows. It counts as present only
+/// if its receipt has the required key and its size and hash still agree, so that incomplete or
+/// edited files are produced again. Of two attempts at one key the first published one stays; the
+/// other is compared with it and dropped. There are no locks: a process that was stopped, or whose
+/// machine was believed dead, may continue at any time without harm.
 class Store {
  public:
   /// Writes the artifact to the given path, which has the artifact's own file name.
@@ -55,9 +54,9 @@ class Store {
   /// Reads the written file back and throws if it is not what it should be.
   using Verify = std::function<void(const std::filesystem::path& file)>;
 
-  /// Creates the folder and removes what attempts left whose processes are gone. Throws StoreBusy
-  /// when another process works there and one of the two wants it to itself, and WriteFailure when
-  /// the folder cannot be written to: a DiskFault where the disk is the reason.
+  /// Creates the folder and removes files of dead processes. Throws StoreBusy if another process
+  /// works there and one of the two requires exclusive access, and WriteFailure if the folder is
+  /// not writable: a DiskFault if the disk is the reason.
   explicit Store(const std::filesystem::path& folder, Sharing sharing = Sharing::shared);
   ~Store();
   Store(const Store&) = delete;
@@ -68,30 +67,31 @@ class Store {
   /// The receipt of an artifact that is present with this key.
   std::optional<Receipt> find(const std::string& path, const Hash& key) const;
 
-  /// Makes an artifact. Different paths may be made at the same time. What lies in its place and
-  /// is no file (a folder, a loop of links) is set aside. Returns the receipt of what is there
-  /// then: of an earlier attempt at this key, if one was published in the meantime.
+  /// Produces and publishes an artifact. Calls for different paths may run at the same time. A
+  /// folder or loop of links at its path is set aside. Returns the receipt of the published
+  /// artifact, which is that of another attempt at this key if one was published in the meantime.
   Receipt put(const std::string& path, const Hash& key, const Write& write, const Verify& verify);
 
-  /// Begins or resumes a sequence of frames. It must not outlive the store.
+  /// Starts or resumes a frame sequence. The result must not outlive the store.
   std::unique_ptr<FrameStore> frames(const std::string& path, const Hash& key);
 
-  /// Tells other processes that this one makes something; nothing while another one does.
+  /// Claims a task (Claim::take); null while another live process holds the claim.
   std::unique_ptr<Claim> claim(const std::string& what);
 
-  /// Once all of the study is made: removes claims and frames in the making, unless others draw.
+  /// Removes claims, and unpublished frames unless other processes are drawing. For complete
+  /// studies.
   void remove_workings();
 
-  /// What others see of this process.
+  /// The record of this process that others read.
   WorkerPresence& presence();
 
   /// All nondeterminism met so far, by path.
   std::vector<Nondeterminism> nondeterminism() const;
 
-  /// Notes an artifact that was there once and has been damaged since.
+  /// Records that an artifact was found damaged.
   void note_damage(const std::string& path);
 
-  /// What was found damaged or in the way, and made good, in words, sorted.
+  /// Sentences about damaged artifacts and obstacles that were replaced, sorted.
   std::vector<std::string> repairs() const;
 
  private:
@@ -100,31 +100,32 @@ class Store {
   std::unique_ptr<State> state_;
 };
 
-/// A frame sequence in the making, by any number of processes; frames of different names may be
-/// found and put at the same time.
+/// An unpublished frame sequence, written by any number of processes; calls for different frames
+/// may run at the same time.
 ///
-/// Each frame is a unit: those of other processes and of killed ones at the same key are taken
-/// over, and so are those of a published sequence of that key that still agree with its receipt.
+/// Frames are stored one by one: those that other processes, including killed ones, have written
+/// for the same key are reused, as are those of a published sequence of that key that still agree
+/// with its receipt.
 class FrameStore {
  public:
   FrameStore(const FrameStore&) = delete;
   FrameStore& operator=(const FrameStore&) = delete;
 
-  /// The file of a frame that is already there with the hash noted for it; the caller decodes it
-  /// and calls `discard` when that fails.
+  /// The file of a frame that already exists with its recorded hash; the caller decodes it and
+  /// calls `discard` if that fails.
   std::optional<std::filesystem::path> find(const std::string& name);
 
   void discard(const std::string& name);
 
-  /// Writes one frame, verifies it and notes its hash. Returns its file.
+  /// Writes one frame, verifies it and records its hash. Returns its file.
   std::filesystem::path put(const std::string& name, const Store::Write& write,
                             const Store::Verify& verify);
 
-  /// Publishes the frames of these names, in this order, and nothing else. All must have been found
-  /// or put.
+  /// Publishes the frames of these names, in this order. `find` or `put` must have succeeded for
+  /// each.
   Receipt publish(const std::vector<std::string>& names);
 
-  /// Removes the frames that are not published: what they were kept for is made.
+  /// Removes the unpublished frames, which are no longer needed.
   void drop();
 
  private:
@@ -135,7 +136,7 @@ class FrameStore {
     FrameReceipt frame;
     Maker maker;
   };
-  /// One that is known to be whole, and where it lies.
+  /// A frame that has been verified, and its file.
   struct Found {
     FrameReceipt frame;
     std::filesystem::path file;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int tries_to_publish = 100;  ///< against others that publish in the same place
 
-/// An attempt's folder, as long as it is needed.
+/// An attempt's folder, which the destructor removes.
 class Attempt {
  public:
   explicit Attempt(fs::path folder) : folder_(std::move(folder)) {
@@ -39,8 +39,8 @@ class Attempt {
   fs::path folder_;
 };
 
-/// Two folders change places at once, so that there is always one: false when there are not two, or
-/// the file system knows no such thing.
+/// Exchanges two folders atomically. Returns false if one does not exist or the file system does
+/// not support it.
 bool exchange([[maybe_unused]] const fs::path& one, [[maybe_unused]] const fs::path& other) {
 #ifdef RENAME_EXCHANGE
   return ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
@@ -67,15 +67,15 @@ Store::State::State(fs::path at, Sharing sharing)
   remove_what_the_dead_left(folder, presence.file());
 }
 
-/// What processes left that were killed in the meantime goes, too.
+/// Also removes the files of processes killed in the meantime.
 Store::State::~State() {
   std::error_code ignored;
   fs::remove_all(internal() / "attempts" / worker(), ignored);
   remove_what_the_dead_left(folder, presence.file());
 }
 
-/// Each process shows itself before it looks at the others, so that of two that come at the same
-/// moment at least one sees the other.
+/// Each process writes its record before reading the others, so that of two processes starting at
+/// the same time at least one sees the other.
 void Store::State::refuse_company(Sharing sharing) {
   for (const WorkerRecord& other : read_worker_records(folder)) {
     if (other.name == worker() || !works_now(folder, other, presence.file())) continue;
@@ -90,8 +90,7 @@ fs::path Store::State::new_attempt() {
   return internal() / "attempts" / worker() / std::to_string(++attempts);
 }
 
-/// Where a disk was mounted, an empty folder is left when it is not any more: nobody would find
-/// what is written there.
+/// An unmounted disk leaves its empty mount point behind; files written there would be lost.
 void Store::State::refuse_absence() const {
   const auto now = disk_of(folder);
   if (now && *now == disk) return;

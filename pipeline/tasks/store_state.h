@@ -13,7 +13,7 @@
 
 namespace mien::pipeline {
 
-/// What a Store and its FrameStores share.
+/// State shared by a Store and its FrameStores.
 struct Store::State {
   State(std::filesystem::path at, Sharing sharing);
   ~State();
@@ -25,12 +25,13 @@ struct Store::State {
   Maker self() const { return {presence.self().host, presence.self().instruction_set}; }
 
   /// Calls `work` with a new empty folder that no other attempt uses, and removes it afterwards.
-  /// What fails because of the disk throws DiskFault: it is looked at before the attempt makes
-  /// room. So does a folder that is not there any more, whose disk is another: it is not made anew.
+  /// Throws DiskFault if the disk is the reason for a failure, which is checked before the
+  /// attempt's files are removed, or if the study's folder has disappeared or is on another disk
+  /// now.
   void in_attempt(const std::function<void(const std::filesystem::path& attempt)>& work);
 
-  /// Puts an attempt's file or folder in an artifact's place, and its receipt after it. If an
-  /// attempt at the same key was published before and is whole, that one stays and its receipt is
+  /// Moves an attempt's file or folder to the artifact's path and then writes its receipt. If an
+  /// intact artifact of the same key has been published before, that one stays and its receipt is
   /// returned.
   Receipt publish(const std::filesystem::path& attempt, Receipt receipt);
 
@@ -40,8 +41,8 @@ struct Store::State {
 
   void note_repair(std::string text);
 
-  /// Makes the folders above a file or folder of the study (`path` in it). What is no folder where
-  /// one has to be, or in the place itself is not of its kind, is set aside: it may be a person's.
+  /// Creates the parent folders of `path`, relative to the study. Files in place of these folders,
+  /// and an entry of the wrong kind at the path itself, are set aside, since they may be a user's.
   void make_way(const std::string& path, bool for_folder);
 
   std::filesystem::path folder;

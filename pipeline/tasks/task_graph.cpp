@@ -39,7 +39,7 @@ std::optional<std::vector<Receipt>> products_seen(const Task& task, const std::v
   return receipts;
 }
 
-/// One outcome a task; `find` looks for its products.
+/// One outcome per task; `find` looks up its products.
 template <class Find>
 std::vector<TaskOutcome> outcomes_by(const Find& find, const TaskGraph& graph,
                                      const std::filesystem::path& folder) {

@@ -32,7 +32,7 @@ TaskOutcome with_products(TaskState state, std::vector<Receipt> products) {
 
 TaskOutcome without_products(TaskState state) { return with_products(state, {}); }
 
-/// A message without the folders of attempts, which are gone when somebody reads it.
+/// A message without the paths of attempts' folders, which no longer exist when it is read.
 std::string without_attempts(std::string text, const std::filesystem::path& folder) {
   const std::string attempts = (folder / ".mien" / "attempts").string() + "/";
   for (std::size_t at = text.find(attempts); at != std::string::npos; at = text.find(attempts)) {
@@ -43,12 +43,12 @@ std::string without_attempts(std::string text, const std::filesystem::path& fold
   return text;
 }
 
-/// Tries of what fails by the machine's fault, and the pause before the second; the third waits
+/// Number of attempts after transient failures, and the pause before the second; the third waits
 /// twice as long.
 constexpr int tries_of_a_task = 3;
 constexpr std::chrono::milliseconds pause_after_failure{300};
 
-/// How often it is looked whether another process is done with what it makes.
+/// Interval at which tasks claimed by other processes are checked.
 constexpr std::chrono::milliseconds between_looks{200};
 
 TaskOutcome failure(const std::exception& error, const std::filesystem::path& folder) {
@@ -66,7 +66,7 @@ TaskOutcome failure(const std::exception& error, const std::filesystem::path& fo
   return outcome;
 }
 
-/// Worker threads that take tasks in graph order as soon as their inputs are there.
+/// Worker threads that take tasks in graph order as soon as their inputs are available.
 class Runner {
  public:
   Runner(const TaskGraph& graph, Store& store, std::stop_token stop, const RunObserver& observer)
@@ -128,7 +128,7 @@ class Runner {
     return inputs;
   }
 
-  /// Ends what cannot be begun any more and takes the first task that can.
+  /// Ends tasks that can no longer be started and takes the first one that can.
   std::optional<std::size_t> take_next() {
     while (!ready_.empty()) {
       const std::size_t next = *ready_.begin();
@@ -173,8 +173,8 @@ class Runner {
     }
   }
 
-  /// Looks the products up or makes them; nothing while another process makes them. No exception of
-  /// a task gets past here.
+  /// Looks up or produces the products; nothing while another process holds the claim. Exceptions
+  /// of a task do not leave this function.
   std::optional<TaskOutcome> outcome_of(const Task& task, const Hash& task_key,
                                         const std::vector<Hash>& keys) {
     try {
@@ -201,7 +201,7 @@ class Runner {
     return find_products(task, keys, store_.folder());
   }
 
-  /// Tells of what was made once and is no longer what it was.
+  /// Records artifacts that were published before and have changed since.
   void note_damage(const Task& task, const std::vector<Hash>& keys) {
     for (std::size_t i = 0; i < task.products.size(); ++i) {
       const std::string& path = task.products[i].path;

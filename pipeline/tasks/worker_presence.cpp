@@ -80,7 +80,7 @@ void WorkerPresence::beat() {
   write(std::move(record));
 }
 
-/// A beat that fails, on a disk that is full for a while, is made up for by the next one.
+/// A failed write, on a disk that is full for a while, is made up for by the next one.
 void WorkerPresence::beat_until_closed() {
   std::unique_lock lock(mutex_);
   while (!closed_.wait_for(lock, between_beats, [this] { return closing_; })) {

@@ -10,18 +10,19 @@
 
 namespace mien::pipeline {
 
-/// Shows others that this process works on a study: writes its record when it begins, every few
-/// seconds, and when it ends. Its record stays only if frames were drawn. May be used by several
-/// threads.
+/// Shows other processes that this one works on a study: writes its record at the start, every few
+/// seconds, and at the end. The record remains only if frames were drawn. Thread-safe.
 class WorkerPresence {
  public:
-  /// Throws std::runtime_error when the folder cannot be written to.
+  /// Throws std::runtime_error if the folder is not writable.
   WorkerPresence(std::filesystem::path folder, bool exclusive);
   ~WorkerPresence();
   WorkerPresence(const WorkerPresence&) = delete;
   WorkerPresence& operator=(const WorkerPresence&) = delete;
 
-  const WorkerRecord& self() const { return self_; }  ///< whose identity never changes
+  const WorkerRecord& self() const {
+    return self_;
+  }  ///< identity of this process, which is constant
   std::filesystem::path file() const;
 
   void works_on(const std::string& task, double share);
@@ -45,14 +46,14 @@ class WorkerPresence {
   std::thread thread_;
 };
 
-/// Tells workers that live from those that do not, as far as one can tell from here.
+/// Judges from this process which workers are alive.
 class WorkerWatch {
  public:
   explicit WorkerWatch(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// False when it is proven gone, has no record any more, or has shown no sign of life for
-  /// `patience_seconds` while this object was asked about it. Clocks of machines and of file
-  /// systems have no part in it. A process that is stopped counts as dead then and may come back.
+  /// False if the process is proven to have ended, has no record any more, or has not updated it
+  /// for `patience_seconds` between calls of this function. Independent of the clocks of other
+  /// machines and file systems. A stopped process counts as dead after that time and may come back.
   bool seems_alive(const std::string& worker);
 
   static constexpr double patience_seconds = 30.0;
@@ -60,7 +61,7 @@ class WorkerWatch {
  private:
   struct Seen {
     std::uint64_t beats = 0;
-    double at = 0.0;  ///< seconds of a clock that is never set back
+    double at = 0.0;  ///< time of the monotonic clock, seconds
   };
 
   std::filesystem::path folder_;

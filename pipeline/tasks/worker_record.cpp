@@ -39,7 +39,7 @@ std::string first_line_of(const fs::path& file) {
   return line;
 }
 
-/// As Slurm calls the node, where a job runs; else as the machine calls itself.
+/// Slurm's node name inside a job, otherwise the machine's host name.
 std::string host_name() {
   if (const char* node = std::getenv("SLURMD_NODENAME"); node != nullptr && *node != '\0')
     return node;
@@ -65,12 +65,12 @@ std::string start_of(std::int64_t process) {
   return status.substr(at + 1, status.find(' ', at + 1) - at - 1);
 }
 
-/// A process of another machine that was silent for so long does nothing any more, or will find
-/// that its attempts are gone.
+/// A process on another machine without an update for so long is dead, or will notice that its
+/// attempts were removed.
 constexpr double dead_after_seconds = 24.0 * 3600.0;
 constexpr double silent_after_seconds = 60.0;
 
-/// Whether this machine can tell whether it lives.
+/// Whether the process can be checked from this machine.
 bool is_of_this_machine(const WorkerRecord& record) {
   static const std::string boot = first_line_of("/proc/sys/kernel/random/boot_id");
   return !boot.empty() && record.boot == boot && record.process_space == process_space();
@@ -173,7 +173,7 @@ bool is_gone(const WorkerRecord& record) {
   if (record.ended) return true;
   if (!is_of_this_machine(record)) return false;
   const std::string start = start_of(record.pid);
-  // Processes of other users may be hidden; whether there is one is told all the same.
+  // Processes of other users may be hidden in /proc, but kill still reports whether they exist.
   if (start.empty()) return ::kill(static_cast<pid_t>(record.pid), 0) != 0 && errno == ESRCH;
   return start != record.process_start || is_zombie(record.pid);
 }

@@ -28,7 +28,7 @@ class Farm : public testing::Test {
  protected:
   Scratch scratch;
   std::filesystem::path manifest = scratch.write("tiny.yaml", tiny_study);
-  /// A name that a careless script would stumble on.
+  /// A name with special characters, which scripts must quote.
   std::filesystem::path out = scratch.path() / "it's 100% of $HOME";
 
   Ended farm(std::vector<std::string> words, const std::vector<std::string>& more = {}) const {

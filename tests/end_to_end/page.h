@@ -6,7 +6,7 @@
 
 namespace mien::test {
 
-/// What stands between two fences: ```sh … ```.
+/// A fenced code block: ```sh … ```.
 struct PageBlock {
   std::string language;  ///< "sh", "yaml" or none
   std::string text;
@@ -23,16 +23,16 @@ struct PageLink {
 struct PageCommand {
   std::string text;
   int line = 0;
-  int code = 0;  ///< that the page states behind it: "# exit code 1"
+  int code = 0;  ///< exit code stated in a comment: "# exit code 1"
 };
 
-/// A Markdown file, taken apart.
+/// A parsed Markdown file.
 struct Page {
   std::string name;  ///< from the source folder: "motion/README.md"
   std::vector<PageBlock> blocks;
   std::vector<PageLink> links;
   std::set<std::string> anchors;  ///< of its headings, as they stand behind # in a link
-  std::vector<std::string> code;  ///< what stands between single backticks
+  std::vector<std::string> code;  ///< inline code, between single backticks
 };
 
 /// Names of all Markdown files of the sources, sorted; build/, out/, hidden folders and those of

@@ -9,7 +9,7 @@
 
 namespace mien::test {
 
-/// How a program ended and what it said.
+/// Exit status and output of a program.
 struct Ended {
   int code = 0;        ///< exit code, or 128 + signal
   std::string output;  ///< standard output
@@ -33,7 +33,7 @@ class Scratch {
 
 std::string text_of(const std::filesystem::path& file);
 
-/// A program at work beside the one that started it.
+/// A child process that runs in the background.
 class Running {
  public:
   /// Any program that PATH leads to, with its arguments.
@@ -44,9 +44,9 @@ class Running {
   Running& operator=(const Running&) = delete;
 
   bool is_running();
-  /// Nothing when it has ended.
+  /// Sends a signal; does nothing if the program has ended.
   void send(int signal);
-  /// Waits until it has ended. After so many seconds it is killed.
+  /// Waits until it has ended; kills it after `seconds`.
   Ended wait(double seconds = 3600.0);
 
  private:
@@ -66,13 +66,13 @@ Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seco
 Ended run_program(const std::vector<std::string>& words, double kill_after_seconds = -1.0,
                   int signal = 9);
 
-/// Runs a program and throws std::runtime_error unless it ends well. Gives its output.
+/// Runs a program and returns its output. Throws std::runtime_error if its exit code is not 0.
 std::string must_run(const std::vector<std::string>& words);
 
 /// The words that run the mien that was built beside the tests.
 std::vector<std::string> mien_with(const std::vector<std::string>& arguments);
 
-/// Seconds since some moment.
+/// Time of a monotonic clock, seconds.
 double seconds_now();
 
 void pause_for(double seconds);

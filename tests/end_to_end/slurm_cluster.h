@@ -9,19 +9,19 @@
 
 namespace mien::test {
 
-/// A Slurm cluster of two nodes, "n1" and "n2", of one processor each, on this machine: controller,
-/// daemons and authentication of its own in a folder of its own, as whoever runs the tests. Nothing
-/// of the system's own Slurm, if it has one, is touched. While the object lives, SLURM_CONF makes
-/// Slurm's commands mean this cluster. All of its processes end with it, however a test ends.
+/// A private Slurm cluster on this machine with two nodes, "n1" and "n2", of one processor each:
+/// its own controller, daemons and authentication in its own folder, run by the user of the tests.
+/// A system-wide Slurm is not affected. During the object's lifetime SLURM_CONF makes Slurm's
+/// commands use this cluster. Its processes end with the object, also if a test crashes.
 class SlurmCluster {
  public:
-  /// Who puts jobs back into the queue that ended with 75 and holds those that ended with 78.
+  /// Whether the site or the job requeues after exit code 75 and holds after 78.
   enum class Requeue { by_site, by_job };
 
-  /// Why there can be none here; empty when there can.
+  /// Why a cluster cannot run here; empty if it can.
   static std::string obstacle();
 
-  /// Throws std::runtime_error, with what the daemons said, when it does not come up.
+  /// Throws std::runtime_error with the daemons' output if the cluster does not start.
   explicit SlurmCluster(Requeue requeue = Requeue::by_site);
   ~SlurmCluster();
   SlurmCluster(const SlurmCluster&) = delete;
@@ -29,21 +29,21 @@ class SlurmCluster {
 
   const std::filesystem::path& folder() const { return scratch_.path(); }
 
-  /// SIGKILL to a node's daemon (1 or 2); what it had begun runs on.
+  /// Sends SIGKILL to the daemon of node 1 or 2; its jobs continue.
   void kill_node(int node) const;
   void restart_node(int node) const;
 
-  /// SIGKILL to every job and to the processes that watch over them.
+  /// Sends SIGKILL to every job and its supervising processes.
   void kill_steps() const;
 
   void kill_controller() const;
-  /// `forgets`: it knows of no job any more, and counts them from 1 again.
+  /// `forgets`: it has lost all jobs and numbers new ones from 1.
   void start_controller(bool forgets) const;
 
-  /// Rows "job|index|state|reason|node|comment" of all jobs, those that ended a short time ago too.
+  /// Rows "job|index|state|reason|node|comment" of all jobs, including recently ended ones.
   std::vector<std::string> queue() const;
 
-  /// Waits until no job waits or runs. False after so many seconds.
+  /// Waits until no job is pending or running. Returns false after `seconds`.
   bool wait_until_empty(double seconds) const;
 
  private:
@@ -55,7 +55,7 @@ class SlurmCluster {
   int port_ = 0;  ///< of the controller; the nodes have the next two
 };
 
-/// Asks every fifth of a second until it holds. False after so many seconds.
+/// Checks a condition every fifth of a second until it holds. Returns false after `seconds`.
 bool wait_until(double seconds, const std::function<bool()>& holds);
 
 }  // namespace mien::test

@@ -4,16 +4,16 @@
 
 namespace mien::test {
 
-/// Artifacts, frames and receipts of a finished study are damaged, swapped and forged, so many in
-/// all, some at a time; one or two processes make it good, and say what they found.
+/// Damages, swaps and forges artifacts, frames and receipts of a finished study, `faults` in total,
+/// several at a time; one or two processes repair it and report what they found.
 Figures damaged_files(Trial& trial, int faults);
 
-/// The same in a study that was killed on the way: frames in the making and notes of them, claims,
-/// records of workers.
+/// The same for a study killed half-way: unpublished frames and their notes, claims, and records of
+/// workers.
 Figures damaged_work(Trial& trial, int faults);
 
-/// Times of all files of a finished study, or of one that was killed on the way and is gone on
-/// with, lie in the far past or future: a clock that was set.
+/// Sets the times of all files of a finished study, or of one that was killed and is resumed, to
+/// the far past or future, as a changed clock would.
 Figures set_clocks(Trial& trial, int times);
 
 }  // namespace mien::test

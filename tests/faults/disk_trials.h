@@ -4,14 +4,14 @@
 
 namespace mien::test {
 
-/// A disk that has room for a part of the study, or for so many files: one clear error; with more
-/// room the same command goes on.
+/// A disk with space for part of the study, or for a limited number of files: expects one clear
+/// error, and that the same command continues once there is more space.
 Figures full_disks(Trial& trial, int disks);
 
-/// A disk that fills up while two processes work, and has room again after a while.
+/// A disk that fills up while two processes work, and has free space again after a while.
 Figures disks_full_for_a_while(Trial& trial, int disks);
 
-/// A store that cannot be written to, from the beginning or from some moment on.
+/// A store that is read-only from the start or from some moment on.
 Figures read_only_stores(Trial& trial, int stores);
 
 }  // namespace mien::test

@@ -4,13 +4,13 @@
 
 namespace mien::test {
 
-// Slurm's programs are stood in for.
+// Slurm's programs are replaced by fakes.
 
-/// `mien farm resume` on a disk that is full: all jobs stay as they are.
+/// `mien farm resume` on a full disk: all jobs stay unchanged.
 Figures resumed_on_full_disks();
 
-/// Batch files whose study's folder is full or read-only for a while: they wait and go on, and
-/// `mien farm status` tells what ails it.
+/// Batch files whose study's folder is full or read-only for a while: they wait and continue, and
+/// `mien farm status` shows the problem.
 Figures jobs_on_ailing_disks();
 
 }  // namespace mien::test

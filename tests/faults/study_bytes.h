@@ -10,16 +10,16 @@ namespace mien::test {
 /// File → its bytes.
 using Bytes = std::map<std::string, std::string>;
 
-/// What a study's folder holds and is to hold the same after any fault: artifacts and their
-/// receipts. What is no regular file shows with its kind as content.
+/// The files of a study's folder that must be identical after any fault: artifacts and receipts.
+/// Other than regular files appear with their type as content.
 Bytes bytes_in(const std::filesystem::path& folder);
 
-/// What distinguishes a folder from one that was made undisturbed: "videos/one.mp4 is missing",
+/// Differences of a folder from that of an undisturbed run: "videos/one.mp4 is missing",
 /// "… differs", "… was left behind".
 std::vector<std::string> differences(const Bytes& undisturbed, const Bytes& found);
 
-/// What nobody needs once everything is made: attempts, claims, frames in the making, files of
-/// which only a part was written. As paths.
+/// Paths of files that are obsolete in a complete study: attempts, claims, unpublished frames and
+/// partially written files.
 std::vector<std::string> leftovers(const std::filesystem::path& folder);
 
 }  // namespace mien::test

@@ -11,17 +11,17 @@
 
 namespace mien::test {
 
-/// What came of one kind of fault.
+/// Results of the trials of one kind of fault.
 struct Figures {
   std::string fault;
-  int faults = 0;                            ///< that were done
-  int studies = 0;                           ///< that were held against the undisturbed one
+  int faults = 0;                            ///< number of faults injected
+  int studies = 0;                           ///< number compared with the undisturbed one
   std::vector<std::string> complaints = {};  ///< each a defect of mien
-  std::string skipped = {};                  ///< why it could not be tried here
+  std::string skipped = {};                  ///< why the trials could not be run here
   double seconds = 0.0;
 };
 
-/// A study of small films that has every kind of artifact, and what an undisturbed run makes of it.
+/// A study of small films with every kind of artifact, and the result of an undisturbed run.
 class Trial {
  public:
   using Words = std::vector<std::string>;
@@ -34,36 +34,36 @@ class Trial {
   double duration() const { return duration_; }
   const Bytes& undisturbed() const { return undisturbed_; }
 
-  /// A folder for --out that is not there yet.
+  /// A folder for --out that does not exist yet.
   std::filesystem::path fresh_out();
-  /// One with the finished study.
+  /// A folder for --out with the finished study.
   std::filesystem::path finished_out();
-  /// Where in it the study lies.
+  /// The study's folder in it.
   static std::filesystem::path study_in(const std::filesystem::path& out) { return out / "faults"; }
 
-  /// Words of programs that work on the study: `mien run`; a worker of the farm that makes films,
-  /// sheets and the report; one that draws chunks of the films; one of them by chance.
+  /// Command lines of programs that work on the study: `mien run`; a worker of the farm for films,
+  /// sheets and the report; one for chunks of the films; a random one of these.
   Words run(const std::filesystem::path& out) const { return run(manifest(), out); }
   Words worker(const std::filesystem::path& out) const;
   Words chunks(const std::filesystem::path& out) const;
   Words any(const std::filesystem::path& out);
 
-  /// From 0 to 1.
+  /// A uniform random number from 0 to 1.
   double chance() { return std::uniform_real_distribution<double>()(random); }
   std::size_t below(std::size_t count) {
     return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
   }
 
-  /// Waits, as long as a program may take that does not hang.
+  /// Waits for the end; the limit is for programs that hang.
   static Ended ended(Running& program) { return program.wait(300.0); }
   static Ended ended(const Words& words) { return Running(words).wait(300.0); }
 
-  /// Complains of another exit code.
+  /// Adds a complaint unless the exit code is `code`.
   static void expect_code(const Ended& ended, int code, const std::string& when, Figures& figures);
-  /// Holds a study's artifacts and receipts against the undisturbed ones.
+  /// Compares a study's artifacts and receipts with the undisturbed ones.
   void expect_artifacts(const std::filesystem::path& out, const std::string& when,
                         Figures& figures) const;
-  /// Lets one run do what is left to do, and expects that all is there then and nothing else.
+  /// Completes the study with one run, and expects exactly the undisturbed files afterwards.
   void expect_whole(const std::filesystem::path& out, const std::string& when,
                     Figures& figures) const;
 

@@ -31,13 +31,13 @@ struct RoomPlan {
 
 std::vector<IncludeLine> include_lines(const std::filesystem::path& tree);
 
-/// A sentence a fault, "motion/gait/contact.cpp:7: motion/gait may not include motion/lint
-/// (motion/rooms.txt)": arrows that the plan has not, or has and nobody uses, rooms that it does
-/// not name, and rooms that name one of a higher floor. Throws std::runtime_error where a line of
-/// rooms.txt is not "room: rooms | rooms of other modules".
+/// One sentence per fault, "motion/gait/contact.cpp:7: motion/gait may not include motion/lint
+/// (motion/rooms.txt)": dependencies missing from the plan or unused, rooms that it does not list,
+/// and rooms that depend on one of a higher floor. Throws std::runtime_error if a line of rooms.txt
+/// is not "room: rooms | rooms of other modules".
 std::vector<std::string> faults_of_rooms(const std::filesystem::path& tree);
 
-/// The same of the wings that rooms lie in (wings.txt).
+/// Faults of the dependencies between wings, the groups of rooms in wings.txt.
 std::vector<std::string> faults_of_wings(const std::filesystem::path& tree);
 
 }  // namespace mien::test

@@ -50,7 +50,7 @@ inline void each_planted(
   walk(Pointer());
 }
 
-/// What lies below a folder, but in one folder of it: hashes of files, and what links say.
+/// Contents of a folder except one subfolder: hashes of files, and targets of links.
 inline std::map<std::string, std::string> surroundings(const std::filesystem::path& root,
                                                        const std::filesystem::path& but) {
   namespace fs = std::filesystem;

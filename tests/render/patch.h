@@ -33,7 +33,8 @@ inline SampleMean radiance_at(const Scene& scene, const Camera& camera, Quality 
   return estimates;
 }
 
-/// Likewise, but one estimate a seed, the mean of all pixels: for what neighbours share.
+/// Radiance of the patch with one estimate per seed, the mean of all pixels: for quantities that
+/// neighbouring pixels share.
 inline SampleMean mean_radiance_at(const Scene& scene, const Camera& camera, Quality quality,
                                    std::uint64_t seeds) {
   Tracer tracer({.threads = 1});

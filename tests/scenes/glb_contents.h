@@ -47,7 +47,7 @@ struct GlbContents {
   }
 };
 
-/// Throws when it is none, or its lengths do not agree.
+/// Parses a GLB file. Throws std::invalid_argument if it is not one or its lengths do not agree.
 inline GlbContents glb_contents(const std::string& file) {
   const auto word = [&](std::size_t at) {
     std::uint32_t number = 0;

@@ -7,8 +7,8 @@
 
 namespace mien::pipeline {
 
-/// What an option has an influence on, and so which artifacts have it in their keys: a sum of
-/// these.
+/// What an option affects, and so which artifacts have it in their keys: a bitwise or of the flags
+/// below.
 ///
 /// Each struct that a document fills has one list of its options, `fields_of`, beside it:
 ///
@@ -18,36 +18,35 @@ namespace mien::pipeline {
 ///       field("quality", output.quality, concerns::picture, quality_words);
 ///     }
 ///
-/// Whatever is done with options walks that list: reading it (field_reader.h), writing it
-/// (field_writer.h), keys of artifacts (determinants.h), options of the command line
-/// (render_options.h), what a regression says of it (settings.h), and the test that holds the list
-/// against the schema (field_names.h). Beside plain values a `field` takes
+/// All processing of options visits that list: reading (field_reader.h), writing (field_writer.h),
+/// keys of artifacts (determinants.h), options of the command line (render_options.h), settings in
+/// regressions (settings.h), and the test that compares the list with the schema (field_names.h).
+/// Beside plain values a `field` takes
 ///
-/// - `group(key, [&](auto& inner) { … })`: a map within the map, of members of the same struct;
-/// - `whole(key, value, concerns)`: a map that replaces the value, instead of being laid over it;
-/// - `each(key, vector, concerns, prototype)`: an array of maps, laid over `prototype()` each;
-/// - `by(key, value, concerns, Form())`: what is written in a way of its own: Form has static
-///   functions `read(Given, value)`, `write(value, Writing)` and, where it has members,
-///   `walk(names)`;
-/// - `inside(value, concerns, Form())`: likewise, of members that stand in the same map.
+/// - `group(key, [&](auto& inner) { … })`: a nested map of members of the same struct;
+/// - `whole(key, value, concerns)`: a map that replaces the value instead of being merged into it;
+/// - `each(key, vector, concerns, prototype)`: an array of maps, each merged into `prototype()`;
+/// - `by(key, value, concerns, Form())`: a value with a custom notation: Form has static functions
+///   `read(Given, value)`, `write(value, Writing)` and, if the value has members, `walk(names)`;
+/// - `inside(value, concerns, Form())`: a custom notation whose members are in the same map.
 ///
 namespace concerns {
 enum : unsigned {
   nothing = 0,
-  repertoire = 1U << 0,  ///< the examples and what people thought of them
+  repertoire = 1U << 0,  ///< the examples and their ratings
   motion = 1U << 1,      ///< a stimulus's motion
   picture = 1U << 2,     ///< the frames of its film
   stored = 1U << 3,      ///< how frames are kept
-  shown = 1U << 4,       ///< what a video shows beside the film
-  files = 1U << 5,       ///< which files are written, and nothing in them
+  shown = 1U << 4,       ///< what a video shows in addition to the film
+  files = 1U << 5,       ///< which files are written, but not their contents
   page = 1U << 6,        ///< sheets, tables and the report
-  drawing = 1U << 7,     ///< how a scene is drawn: of what concerns the picture
+  drawing = 1U << 7,     ///< rendering settings, among those that affect the picture
 
-  // No artifacts, but how it is written:
-  required = 1U << 16,  ///< the schema asks for it, so it is written always
-  alone = 1U << 17,     ///< as the first of its map it may stand in the map's place
+  // Not artifacts, but how the option is written:
+  required = 1U << 16,  ///< required by the schema, so it is always written
+  alone = 1U << 17,     ///< as the first member of its map it may replace the map
 
-  everything = ~0U,  ///< whatever it is, and be it nothing
+  everything = ~0U,  ///< all options, including those that affect nothing
 };
 }  // namespace concerns
 
@@ -55,7 +54,7 @@ enum : unsigned {
 struct Given;
 struct Writing;
 
-/// Whether O is a struct, or it and const.
+/// Whether O is Struct or const Struct.
 template <class O, class Struct>
 concept MaybeConst = std::same_as<std::remove_const_t<O>, Struct>;
 

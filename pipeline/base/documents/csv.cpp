@@ -138,7 +138,7 @@ void refuse_repeated_columns(const CsvTable& table) {
   }
 }
 
-/// As it comes about where files are joined as they are.
+/// Refuses a row that repeats the header, which results from joining files.
 void refuse_header(const CsvTable& table, const std::vector<CsvField>& row) {
   if (row.size() == 1 ||
       !std::ranges::equal(row, table.header, {}, &CsvField::text, &CsvField::text))

@@ -42,14 +42,14 @@ int require_column(const CsvTable& table, std::string_view name);
 /// renamed. Returns a warning then. Where there is a column of the present name, nothing is done.
 std::optional<Fault> rename_column(CsvTable& table, std::string_view former, std::string_view now);
 
-/// Where a field is, for messages.
+/// Position of a field, for messages.
 Place place_of(const CsvTable& table, const CsvField& field);
 
 /// The field as a finite number. Throws Error.
 double number_in(const CsvTable& table, const CsvField& field);
 
-/// The numbers in a column of a table that mien has written, by the stimulus that a row begins
-/// with. Throws Error.
+/// The numbers in a column of a table written by mien, by the stimulus in the first column. Throws
+/// Error for a missing column or a field that is not a number.
 std::map<std::string, double> stimulus_numbers(const std::filesystem::path& file,
                                                std::string_view column);
 
@@ -57,8 +57,8 @@ std::map<std::string, double> stimulus_numbers(const std::filesystem::path& file
 /// −0 too.
 std::string shortest(double value);
 
-/// The same of what was measured or solved for, in metres or shares of a scale: below 1e-12 nothing
-/// but roundings is left, and "0" is written.
+/// Like `shortest`, for measured or computed values in metres or proportions of a scale: magnitudes
+/// below 1e-12 are rounding errors and give "0".
 std::string shortest_measured(double value);
 
 /// Collects rows and writes them with LF line ends, quoting where necessary and marking texts that
@@ -67,7 +67,7 @@ class CsvWriter {
  public:
   explicit CsvWriter(std::vector<std::string> header);
 
-  /// As many fields as the header.
+  /// Appends a row, which must have as many fields as the header.
   void row(const std::vector<std::string>& fields);
 
   const std::string& text() const { return text_; }
@@ -77,15 +77,14 @@ class CsvWriter {
   std::string text_;
 };
 
-// Spreadsheets take a field of a table that begins with = + - @ (wide ones, a tab and a line end
-// too) for a formula, and run it when the table is opened (OWASP, CSV injection). Texts of
-// participants may be anything: such a field is written with an apostrophe before it, which
-// spreadsheets take for "this is text". Reading takes it off again, so that any text comes back as
-// it was, one with apostrophes of its own too. Numbers, and two with "–" between them, are no
-// formulas and stay as they are.
+// Spreadsheets interpret a field that begins with = + - @ (also in full width, or after a tab or
+// line end) as a formula and evaluate it when the table is opened (OWASP, CSV injection). Since
+// texts of participants may be anything, such a field is written with a leading apostrophe, which
+// marks it as text in spreadsheets. Reading removes it again, so that any text, including one with
+// apostrophes, is preserved. Numbers, and two numbers joined by "–", are written unchanged.
 // pipeline/study/page/src/questionnaire/rows.ts does the same.
 
-/// Whether it has to be marked: whatever apostrophes and blanks it begins with are passed over.
+/// Whether a field needs the mark; leading apostrophes and blanks are ignored.
 bool is_like_formula(std::string_view field);
 
 std::string with_formula_mark(std::string field);

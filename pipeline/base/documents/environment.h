@@ -13,11 +13,11 @@ using Environment = std::function<std::optional<std::string>(const std::string&)
 /// The environment of this process.
 Environment process_environment();
 
-/// A text with its variables replaced, or why it could not be.
+/// A text with its variables replaced, or the reason why this failed.
 struct Expansion {
   std::string text;
-  bool expanded = false;  ///< there was something to replace
-  std::string wrong;      ///< empty when all went well
+  bool expanded = false;  ///< whether the text contained variables
+  std::string wrong;      ///< what is wrong; empty on success
   std::string remedy;
 };
 

@@ -17,7 +17,7 @@ auto reading_order(const Fault& fault) {
                   fault.remedy);
 }
 
-/// More than any sentence of ours has, whatever it lists.
+/// Longer than any sentence that mien itself writes.
 constexpr std::size_t longest_sentence = 1000;
 
 std::string sentence(std::string_view text) {

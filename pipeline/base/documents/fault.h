@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// One thing that is wrong in a file that the user wrote.
+/// One mistake in a file written by the user.
 struct Fault {
   Place place;
   std::string path;    ///< "stimuli[2].adjectives.quicknes"; empty for the file as a whole
@@ -18,22 +18,22 @@ struct Fault {
   std::string remedy;  ///< "did you mean \"quickness\"?"
 };
 
-/// "file:line:column: path.to.key: what is wrong; how to mend it", in which foreign text is written
-/// out as in motion/text/excerpt.h, and a path or sentence of any length is cut.
+/// "file:line:column: path.to.key: what is wrong; how to fix it". Text from the file is escaped as
+/// in motion/text/excerpt.h; long paths and sentences are shortened.
 std::string to_string(const Fault& fault);
 
-/// Most faults of one kind that are told one by one.
+/// Maximum number of faults that are listed individually.
 inline constexpr std::size_t most_told_faults = 20;
 
-/// A line for each of the first twenty, with `beginning` before it, and "and 3 more" after these if
-/// there are. Without a line end after the last.
+/// A line for each of the first most_told_faults, prefixed with `beginning`, followed by "and 3
+/// more" if there are more. No line end after the last.
 std::string fault_lines(const std::vector<Fault>& faults, std::string_view beginning = "");
 
-/// Orders faults as a reader of the file meets them and drops repetitions.
+/// Sorts faults by position in the file and drops repetitions.
 std::vector<Fault> in_reading_order(std::vector<Fault> faults);
 
-/// Several faults at once; `what()` has a line for each of the first twenty. The command line turns
-/// it into exit code 2.
+/// Thrown for one or more faults; `what()` is their fault_lines. The command line returns exit code
+/// 2 for it.
 class Faults : public Error {
  public:
   /// `faults` must not be empty.
@@ -47,8 +47,8 @@ class Faults : public Error {
   std::string text_;
 };
 
-/// What a failure says to people: its own words, or that the memory does not suffice and what
-/// helps.
+/// Message of a failure for the user: its `what()`, or for std::bad_alloc that memory is
+/// insufficient and what helps.
 std::string failure_text(const std::exception& failure);
 
 }  // namespace mien::pipeline

@@ -13,11 +13,11 @@ namespace mien::pipeline {
 /// Adds faults at the end.
 void append(std::vector<Fault>& faults, std::vector<Fault> more);
 
-/// The faults of several lists in reading order. Where a list has a fault of a value, the faults
-/// that later lists have of the same value are left out: they follow from it.
+/// The faults of several lists in reading order. If a list has a fault for a value, faults of later
+/// lists for the same value are dropped as consequences.
 std::vector<Fault> merged_faults(std::vector<std::vector<Fault>> lists);
 
-/// Faults of one document, found by its checks one after the other.
+/// Collects the faults of one document over all its checks.
 class FaultList {
  public:
   /// `places` must outlive the list.
@@ -25,18 +25,19 @@ class FaultList {
 
   std::vector<Fault> take() { return std::move(faults_); }
 
-  /// At the value, or at the nearest one around it that was written.
+  /// Adds a fault at a value's place, or at that of its nearest enclosing value in the document.
   void add(const std::string& path, std::string wrong, std::string remedy);
-  /// At a member's name.
+  /// Adds a fault at the place of a member's name.
   void add_at_key(const std::string& path, std::string wrong, std::string remedy);
 
   bool was_given(const std::string& path) const { return places_.values.contains(path); }
 
-  /// A name that must be among those that are known. None are known when something else is at
-  /// fault, and has been told.
+  /// Adds a fault unless `name` is among `known`. Does nothing if `known` is empty, since the
+  /// reason for that has been reported already.
   void check_word(const std::string& path, const std::string& name, const std::string& what,
                   const std::vector<std::string>& known);
-  /// A file that must be there and have no more bytes than that; `expected` says what may be named.
+  /// Adds a fault unless the file exists and has at most `most_bytes` bytes. `expected` states in
+  /// the remedy what may be named.
   void check_file(const std::string& path, const std::filesystem::path& file,
                   const std::string& expected, std::uintmax_t most_bytes);
 

@@ -12,29 +12,30 @@ namespace mien::pipeline {
 using mien::WriteFailure;
 using motion::ResultFile;
 
-/// All of a file of ours. Throws std::runtime_error: that it cannot be read is no fault of what the
-/// user wrote.
+/// Content of a file written by mien. Throws std::runtime_error if it cannot be read, not Error,
+/// because the user's input is not at fault.
 std::string read_file(const std::filesystem::path& file);
 
-/// Throws Error where something else than a regular file is: reading it might never end.
+/// Throws Error if the path is not a regular file, since reading a pipe or device might never end.
 void refuse_what_is_no_file(const std::filesystem::path& file);
 
-/// Creates or replaces a file, as ResultFile does. Throws WriteFailure, also when the disk is full.
+/// Creates or replaces a file atomically (ResultFile). Throws WriteFailure, also on a full disk.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// Likewise at once, but without waiting for the disk: for records that are written anew every few
-/// seconds. `next` is where they are written first; it is not there afterwards, whatever happens.
+/// Replaces a file atomically without flushing it to disk: for records that are rewritten every few
+/// seconds. `next` is the path of the temporary file, which is removed also on failure. Throws
+/// WriteFailure.
 void replace_file(const std::filesystem::path& file, const std::filesystem::path& next,
                   std::string_view bytes);
 
-/// What lies in a folder just now, in no order; nothing where it cannot be read. Others may be
-/// clearing it away.
+/// Entries of a folder in no particular order; empty if it cannot be read. Other processes may be
+/// removing entries at the same time.
 std::vector<std::filesystem::path> paths_in(const std::filesystem::path& folder);
 
-/// Makes a folder and those above it, unless they are there. Throws WriteFailure.
+/// Creates a folder and its parents if they do not exist. Throws WriteFailure.
 void make_folder(const std::filesystem::path& folder);
 
-/// Waits until a file's (or a folder's) content is on the disk. Throws std::system_error.
+/// Flushes the content of a file or folder to disk. Throws std::system_error.
 void flush_to_disk(const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

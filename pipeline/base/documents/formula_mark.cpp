@@ -14,7 +14,7 @@ std::string_view without_digits(std::string_view text) {
   return text;
 }
 
-/// "-1", "+0.5", "-1e-07", and what stands for a number that there is none of.
+/// "-1", "+0.5", "-1e-07", or the text for a missing number.
 bool is_number(std::string_view text) {
   if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
   if (text == "inf" || text == "nan") return true;
@@ -33,8 +33,8 @@ bool is_number(std::string_view text) {
   return !rest.empty() && without_digits(rest).empty();
 }
 
-/// A number, or from which to which as tables tell it: "-1–1". That dash is no sign to a
-/// spreadsheet.
+/// A number, or a range as written in tables: "-1–1". Spreadsheets do not interpret that dash as a
+/// sign.
 bool is_of_numbers(std::string_view text) {
   constexpr std::string_view dash = "–";
   const std::size_t at = text.find(dash);

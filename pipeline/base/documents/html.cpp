@@ -10,7 +10,7 @@ namespace {
 
 bool is_head_of_numbers(std::string_view head) { return head.starts_with('>'); }
 
-/// Rows whose plain cells below a head of numbers are marked as it is.
+/// Rows in which the plain cells of number columns get the class "number".
 std::string with_numbers_marked(std::string_view rows,
                                 std::initializer_list<std::string_view> heads) {
   std::string marked;

@@ -5,13 +5,13 @@
 
 namespace mien::pipeline {
 
-/// The folder of a page ("questionnaire"), as page/build.mjs bundles it: ../share/mien/pages/<name>
-/// beside an installed program, pages/<name> beside one that was built. Empty when there is
-/// neither.
+/// The folder of a page ("questionnaire") bundled by page/build.mjs: ../share/mien/pages/<name>
+/// relative to an installed program, pages/<name> next to one in the build folder. Empty if neither
+/// exists.
 std::filesystem::path page_beside(const std::filesystem::path& program, const std::string& name);
 
-/// That folder for the program that is running. Throws Error, with how to build it, when it is not
-/// there.
+/// The bundle's folder for the running program. If it does not exist, throws Error, which states
+/// how to build it.
 std::filesystem::path page_bundle(const std::string& name);
 
 }  // namespace mien::pipeline

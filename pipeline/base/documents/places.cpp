@@ -4,7 +4,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Without the last ".key" or "[index]"; empty for a path of one step.
+/// A path without its last ".key" or "[index]"; empty for a path of one step.
 std::string enclosing(const std::string& path) {
   const std::size_t end = path.find_last_of(".[");
   return end == std::string::npos ? "" : path.substr(0, end);

@@ -9,10 +9,10 @@
 
 namespace mien::pipeline {
 
-/// Where the values of a document were written, by their paths: "stimuli[2].adjectives.quickness".
+/// Source locations of a document's values by path: "stimuli[2].adjectives.quickness".
 struct Places {
   std::map<std::string, Place> values;
-  std::map<std::string, Place> keys;  ///< of the names of a map's members
+  std::map<std::string, Place> keys;  ///< of the keys of map members
 };
 
 /// "stimuli[2]" + "look" = "stimuli[2].look"; "" + "look" = "look".
@@ -21,10 +21,10 @@ std::string member_path(const std::string& path, std::string_view key);
 /// "stimuli" + 2 = "stimuli[2]".
 std::string element_path(const std::string& path, std::size_t index);
 
-/// The place of a value, or of the nearest enclosing one that was written.
+/// The place of a value, or of its nearest enclosing value in the document.
 Place place_of(const Places& places, std::string path);
 
-/// The place of a member's name; where there is none, that of the value.
+/// The place of a member's key, or that of its value if there is none.
 Place key_place_of(const Places& places, const std::string& path);
 
 }  // namespace mien::pipeline

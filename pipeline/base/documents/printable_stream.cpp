@@ -11,7 +11,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Bytes at the text's end that begin a character of UTF-8 and do not end it.
+/// Number of bytes of an incomplete UTF-8 character at the text's end.
 std::size_t begun_character(std::string_view text) {
   for (std::size_t back = 1; back <= std::min<std::size_t>(3, text.size()); ++back) {
     const auto byte = static_cast<unsigned char>(text[text.size() - back]);

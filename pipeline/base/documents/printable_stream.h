@@ -6,15 +6,15 @@
 
 namespace mien::pipeline {
 
-/// Who reads what a stream is given.
+/// Destination of a stream, which determines what is escaped.
 enum class StreamReader {
-  terminal,  ///< or somebody's eyes: everything is written out as in motion/text/excerpt.h
-  program    ///< a file or a pipe: control characters alone, and what JSON may hold stays
+  terminal,  ///< all special characters are escaped as in motion/text/excerpt.h
+  program    ///< a file or a pipe: only control characters are escaped, so that JSON stays valid
 };
 
-/// The door through which the program prints: passes text on to another stream, and writes out in
-/// it what a terminal would obey, whatever name of a file or text of somebody else is in it. Line
-/// ends and tabs stay. Fails when the other stream does. For several threads.
+/// An output stream that forwards text to another one and escapes what a terminal would interpret,
+/// since file names and other texts in it may contain control sequences. Line ends and tabs are
+/// kept. Fails if the other stream fails. Thread-safe.
 class PrintableStream : public std::ostream {
  public:
   /// `target` outlives it.
@@ -27,7 +27,8 @@ class PrintableStream : public std::ostream {
   std::unique_ptr<Buffer> buffer_;
 };
 
-/// Gives a terminal behind the stream an order of ours, such as to clear the line.
+/// Sends a control sequence of the program itself, such as clearing the line, to a terminal behind
+/// the stream.
 void put_control(std::ostream& out, std::string_view sequence);
 
 }  // namespace mien::pipeline

@@ -8,7 +8,7 @@ struct _GChecksum;
 
 namespace mien::pipeline {
 
-/// SHA-256 of bytes that come piece by piece (FIPS 180-4), as GLib works it out.
+/// Incremental SHA-256 (FIPS 180-4), computed by GLib.
 class Sha256 {
  public:
   Sha256();
@@ -22,7 +22,7 @@ class Sha256 {
   std::unique_ptr<_GChecksum, void (*)(_GChecksum*)> sum_;
 };
 
-/// Of these bytes alone.
+/// SHA-256 of `bytes`, 64 hexadecimal digits.
 std::string sha256_of(std::string_view bytes);
 
 }  // namespace mien::pipeline

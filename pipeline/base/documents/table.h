@@ -22,14 +22,14 @@ struct Column {
   std::string_view meaning;  ///< a sentence without its full stop; how signs are to be read
 };
 
-/// What a table of results holds, as codebooks have it.
+/// Description of a table of results, as listed in codebooks.
 struct TableForm {
   std::string_view path;  ///< "metrics/distances.csv"
-  std::string_view rows;  ///< what a row is of: "compared pair"
+  std::string_view rows;  ///< what a row describes: "compared pair"
   std::span<const Column> columns;
 };
 
-/// A column of which a study may have any number, `<prefix><name>` each.
+/// Ends the name of a column that is repeated for each of several names, as `<prefix><name>`.
 inline constexpr std::string_view column_of_each = "*";
 
 /// The columns' names. A column `factor_*` stands for one of each of `names`.
@@ -39,7 +39,7 @@ std::vector<std::string> header_of(const TableForm& form,
 /// The column of that name, or null.
 const Column* find_column(const TableForm& form, std::string_view name);
 
-/// The form as a section of a page in Markdown: what a row is, and a table of the columns.
+/// The form as a Markdown section: what a row describes, and a table of the columns.
 std::string markdown_of(const TableForm& form);
 
 /// A table as it is written.
@@ -48,11 +48,11 @@ struct WrittenTable {
   std::string csv;
 };
 
-/// "simulated" or "given": whose ratings, answers or sessions a row rests on.
+/// "simulated" or "given": the origin of the ratings, answers or sessions on which a row is based.
 std::string given_or_simulated(bool is_simulated);
 
-// Values as tables have them. Numbers are the shortest decimals that read back as the same, and
-// empty where they are not finite; truth is 1 or 0; what is not known is empty.
+// Values as fields of tables. Numbers are the shortest decimals that read back as the same, and
+// empty if not finite; Booleans are 1 or 0; missing values are empty.
 
 std::string field_text(double number);
 inline std::string field_text(std::string text) { return text; }
@@ -65,7 +65,7 @@ std::string field_text(const std::optional<Value>& value) {
   return value ? field_text(*value) : std::string();
 }
 
-/// A column that several tables have, whose rows all have what `from` takes.
+/// A column shared by several tables; `from` must accept the rows of each.
 template <class From>
 struct SharedColumn {
   std::string_view name;
@@ -76,9 +76,8 @@ struct SharedColumn {
 template <class From>
 SharedColumn(std::string_view, std::string_view, std::string_view, From) -> SharedColumn<From>;
 
-/// A column of a table whose rows are made from a `Row` each: its `from` is a lambda without
-/// captures that takes one and returns what the column holds of it, or a vector of texts for a
-/// column of each.
+/// A column of a table whose rows are built from `Row`s: `from` is a lambda without captures that
+/// takes a Row and returns the column's value, or a vector of texts for a repeated column.
 template <class Row>
 struct ColumnOf : Column {
   constexpr ColumnOf() = default;
@@ -105,19 +104,19 @@ struct ColumnOf : Column {
   }
 };
 
-/// A result, and whether what it rests on is simulated: a row of tables of such results.
+/// A result, and whether the ratings or answers behind it are simulated; a row of result tables.
 template <class Result>
 struct GivenOrSimulated {
   bool simulated;
   const Result& of;
 };
 
-/// Whose ratings a row rests on, of an `r.simulated`.
+/// Column with the origin of a row's ratings, from its member `simulated`.
 inline constexpr SharedColumn whose_ratings_column = {
     "ratings", "", "given (by people) or simulated",
     [](auto& r) { return given_or_simulated(r.simulated); }};
 
-/// A table as it is declared: one list of columns, from which header, rows and codebook come.
+/// The declaration of a table: one list of columns that defines header, rows and codebook.
 template <class Row, std::size_t count>
 struct Table {
   /// `list` has `count` columns.
@@ -129,7 +128,7 @@ struct Table {
     }
   }
 
-  /// Of a table in static storage, to which it refers.
+  /// The description of this table, to which it refers; the table must be in static storage.
   constexpr TableForm form() const { return {path, rows, columns}; }
 
   std::vector<std::string> fields_of(const Row& row) const {
@@ -138,14 +137,14 @@ struct Table {
     return fields;
   }
 
-  /// With a row for each of a range of `Row`s; `names` are those of columns of each.
+  /// The table with a row for each of a range of `Row`s; `names` are those of repeated columns.
   WrittenTable of(auto&& all, const std::vector<std::string>& names = {}) const {
     CsvWriter writer(header_of(form(), names));
     for (const Row& row : all) writer.row(fields_of(row));
     return {form(), writer.text()};
   }
 
-  /// Likewise of Row{whole, part} for each of `parts`.
+  /// The table with a row of Row{whole, part} for each of `parts`.
   WrittenTable of_parts(const auto& whole, auto&& parts,
                         const std::vector<std::string>& names = {}) const {
     CsvWriter writer(header_of(form(), names));
@@ -168,29 +167,29 @@ constexpr Table<Row, count> table_of(std::string_view path, std::string_view row
 }
 
 /// A p value for tables: the shortest decimal that reads back as the same ("0.034", "3.2e-15"),
-/// "< 1e-300" where it is smaller than that or too small for a double, and "" where it is not known
-/// (NaN). Never "0": nothing that was tested has that probability.
+/// "< 1e-300" below that, including values too small for a double, and "" for NaN. Never "0", since
+/// no tested result has that probability.
 std::string p_of_table(double p);
 
-/// The same with the three places that people read: "0.034", "3.2e-15", "< 1e-300", "–".
+/// A p value for reports, rounded for reading: "0.034", "3.2e-15", "< 1e-300", "–" for NaN.
 std::string p_for_people(double p);
 
-/// A column of a table, as codebook.csv has it.
+/// A row of codebook.csv: one column of a table.
 struct DescribedColumn {
   std::string table;  ///< path of the table
-  std::string rows;   ///< what a row of it is
+  std::string rows;   ///< what a row of it describes
   std::string column;
   std::string unit;
   std::string meaning;
 };
 
-/// The columns of a form, of a table at `path`.
+/// Codebook rows for the columns of a form, for a table at `path`.
 std::vector<DescribedColumn> described(const TableForm& form, std::string_view path);
 
 std::string codebook_csv(const std::vector<DescribedColumn>& columns);
 
-/// Writes each into the folder, which need not be there yet, under the name of its file, and
-/// codebook.csv: what their columns are.
+/// Writes each table to the folder, which is created if necessary, under its file name, and a
+/// codebook.csv that describes their columns. Throws WriteFailure.
 void write_tables(const std::filesystem::path& folder, const std::vector<WrittenTable>& tables);
 
 }  // namespace mien::pipeline

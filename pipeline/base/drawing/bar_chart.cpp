@@ -68,7 +68,7 @@ size_t place_in_group(const BarChart& chart, size_t bar) {
   return place;
 }
 
-/// Of axis and bars, without the page's margins.
+/// Width of axis and bars without the page's margins, points.
 double width_of(const BarChart& chart) {
   return axis_width + chart.slot_width * static_cast<double>(chart.bars.size()) + gaps_of(chart) +
          line_name_room(chart);
@@ -94,7 +94,7 @@ Scale scale_of(const BarChart& chart, const Box& place) {
   return scale;
 }
 
-/// With a true minus sign.
+/// A number with a typographic minus sign.
 std::string signed_text(std::string number) {
   return number.starts_with('-') ? "−" + number.substr(1) : number;
 }
@@ -108,7 +108,7 @@ std::string words_of(const BarChart& chart) {
   return chart.whiskers.empty() ? chart.axis : chart.axis + "; whiskers: " + chart.whiskers;
 }
 
-/// That the words above the bars need, also where the bars are few.
+/// Width needed by the texts above the bars, points.
 double width_of_words(const BarChart& chart) {
   constexpr double letter = 4.7;  // of these sizes, rather more than usual
   return 2.0 * margin + letter * static_cast<double>(words_of(chart).size());

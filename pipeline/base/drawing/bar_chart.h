@@ -8,40 +8,39 @@
 
 namespace mien::pipeline {
 
-/// A bar from 0 and its whisker.
+/// A bar that starts at 0, and its whisker.
 struct Bar {
   std::string name;
   double value = 0.0;
-  double low = 0.0;  ///< ends of the whisker; none where they are NaN
+  double low = 0.0;  ///< ends of the whisker; NaN for none
   double high = 0.0;
   std::string note;              ///< under the name: "n = 13"
-  std::optional<Colour> colour;  ///< else the chart's
+  std::optional<Colour> colour;  ///< default: by the chart
   std::string second_note;       ///< under the note
-  /// Bars one after the other with the same group stand together over its name, and have the same
-  /// colours in the same order in each.
+  /// Consecutive bars with the same group are drawn together above its name. All groups use the
+  /// same colours in the same order.
   std::string group;
 };
 
 struct BarChart {
   std::string title;
   std::string axis;      ///< what is measured, and its unit
-  std::string whiskers;  ///< what they mean; empty for none
+  std::string whiskers;  ///< meaning of the whiskers; empty for none
   std::vector<Bar> bars;
   std::optional<double> line;  ///< a value to mark
   std::string line_name;
   int decimals = 1;         ///< of the values printed at the bars
   bool percent = false;     ///< values are shares; the axis goes to 100 %
-  bool one_colour = false;  ///< bars are of one kind; else each has a colour of its own
+  bool one_colour = false;  ///< whether all bars have the same colour
   bool simulated = false;
-  double slot_width = 92.0;  ///< points that a bar has with the room beside it
+  double slot_width = 92.0;  ///< width of a bar and its margins, points
 };
 
-/// Upright bars on a common axis that always holds 0, each with its value printed; as wide as it
-/// has bars.
+/// Vertical bars on a common axis that always includes 0, each with its value printed. The width
+/// depends on the number of bars.
 Plot bar_chart_plot(const BarChart& chart);
 
-/// Charts side by side under a common title, marked once, with `mark`, when one of them is
-/// simulated.
+/// Charts side by side under a common title, with `mark` once if any of them is simulated.
 Plot bar_charts_plot(const std::string& title, const std::vector<BarChart>& charts,
                      const std::string& mark);
 

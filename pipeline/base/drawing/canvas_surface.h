@@ -7,11 +7,11 @@
 
 namespace mien::pipeline {
 
-// What a canvas draws with: Pango and Cairo. They bring forty libraries, which take longer to load
-// than all else that mien is linked to, and so lie in a part of the program that is loaded when the
-// first page is drawn. This type and those of canvas.h are all that both sides know.
+// Interface to Pango and Cairo, which canvases draw with. They depend on forty libraries that take
+// longer to load than all others together, so they are linked to a module that is loaded when the
+// first page is drawn. Program and module share only this type and those of canvas.h.
 
-/// The libraries. For several threads.
+/// Creates canvases. Thread-safe.
 class PageLibraries {
  public:
   virtual ~PageLibraries() = default;
@@ -23,10 +23,10 @@ class PageLibraries {
   virtual std::string pango_version() const = 0;
 };
 
-/// The libraries, loaded when this is first called. Throws render::Error when they are not there.
+/// Loads the libraries on the first call. Throws render::Error if they cannot be loaded.
 const PageLibraries& page_libraries();
 
-/// Of these types (load_part.h).
+/// Version of this interface (load_part.h).
 inline constexpr int page_libraries_edition = 2;
 
 }  // namespace mien::pipeline

@@ -8,18 +8,17 @@
 
 namespace mien::pipeline {
 
-// Stick figures on a page, as sheets show them.
+// Stick figures on a page, for sheets.
 
-/// A point of a figure as the page sees it, metres: right, up and away. Orthographic, level, from
-/// the figure's right and a little ahead of it: who walks forward (+Z) walks to the right of the
-/// page.
+/// A point of a figure in view space, metres. The view is orthographic and level, from the figure's
+/// right and slightly in front, so that a figure walking forward (+Z) moves to the right.
 struct Seen {
   double right;
   double up;
   double away;
 };
 
-/// Bones in a row that are drawn in one stroke, or the head.
+/// A chain of bones drawn in one stroke, or the head.
 struct Limb {
   std::vector<Seen> joints;
   double width;  ///< metres
@@ -29,12 +28,12 @@ struct Limb {
   double away() const {
     double sum = 0.0;
     for (const Seen& p : joints) sum += p.away;
-    // A head is a ball, whose front hides the neck that goes into it.
+    // A head is a ball whose front hides the neck.
     return sum / static_cast<double>(joints.size()) - (head ? 0.1 : 0.0);
   }
 };
 
-/// Limbs, the farthest first.
+/// Limbs, farthest first.
 using Figure = std::vector<Limb>;
 
 Figure figure_of(const motion::Skeleton& body, const motion::Pose& pose);
@@ -42,10 +41,10 @@ Figure figure_of(const motion::Skeleton& body, const motion::Pose& pose);
 struct FigureStyle {
   MotionColours colours;
   double thickness = 1.0;  ///< relative
-  bool halo = true;        ///< a rim of paper where one limb passes in front of another
+  bool halo = true;        ///< a paper-coloured outline where one limb passes in front of another
 };
 
-/// What all figures cover, metres.
+/// Bounding rectangle of figures, metres.
 struct FigureExtent {
   double left = 0.0;
   double right = 0.0;
@@ -55,7 +54,7 @@ struct FigureExtent {
   void include(const Figure& figure);
 };
 
-/// From metres to the page.
+/// Maps view space in metres to positions on the page.
 struct FigureScale {
   double points_per_metre;
   Point origin;  ///< below the pelvis, on the floor

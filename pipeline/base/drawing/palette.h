@@ -13,8 +13,8 @@ struct Colour {
   friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// The colours of one motion, told apart by people with any common colour vision: hues after Okabe
-/// and Ito 2008.
+/// The colours of one motion, distinguishable with any common type of colour vision: hues after
+/// Okabe and Ito 2008.
 struct MotionColours {
   Colour line;   ///< curves, bars, text; limbs on the right of the body and its midline
   Colour light;  ///< limbs on the left of the body

@@ -12,7 +12,7 @@ namespace {
 constexpr double fine_dots_per_inch = 200.0;
 constexpr double most_pixels = 3e6;  // a tree of 500 scales would have 23 million
 
-/// Fine, but coarser for plots that would become unwieldy pictures.
+/// Resolution of a PNG in dots per inch, lower for very large plots.
 double resolution_of(const Plot& plot) {
   const double square_inches = plot.width * plot.height / (72.0 * 72.0);
   return std::min(fine_dots_per_inch, std::sqrt(most_pixels / square_inches));

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// A drawing of one page that does not mind what it is drawn on.
+/// A drawing of one page, independent of the output format.
 struct Plot {
   std::string title;   ///< of the PDF
   double width = 0.0;  ///< points
@@ -29,8 +29,8 @@ void write_plot(const Plot& plot, const std::filesystem::path& folder, const std
 
 inline constexpr std::string_view simulated_ratings_mark = "Simulated ratings  模擬評定";
 
-/// The mark of pages that rest on what nobody answered or did: a pill with its right top corner at
-/// `corner`, text of `size` points. Returns its box.
+/// Draws the label of pages based on simulated data: a pill with its top right corner at `corner`
+/// and text of `size` points. Returns its box.
 Box draw_simulated_mark(Canvas& canvas, Point corner,
                         std::string_view words = simulated_ratings_mark, double size = 8.5);
 

@@ -11,14 +11,15 @@
 
 namespace mien::pipeline {
 
-/// Collects the paths of all options that a list knows and what they concern, elements of arrays as
+/// Collects the paths of all options of a list and their concerns. Elements of arrays are written
+/// as
 /// "[]": "stimuli[].output.presentation.card.text".
 class FieldNames {
  public:
   explicit FieldNames(std::string prefix = "", unsigned inherited = concerns::nothing)
       : prefix_(std::move(prefix)), inherited_(inherited) {}
 
-  /// Path → what it concerns. Of a map that stands around others it is nothing by itself.
+  /// Path → concerns; concerns::nothing for a map that only groups other options.
   const std::map<std::string, unsigned>& names() const { return names_; }
 
   template <class Value>
@@ -58,10 +59,10 @@ class FieldNames {
   }
 
   void add(const std::string& key, unsigned concerned) { names_[prefix_ + key] |= concerned; }
-  /// What concerns the same as the option around it.
+  /// Adds an option with the concerns of the enclosing one.
   void add(const std::string& key) { add(key, inherited_); }
 
-  /// The options of a struct, as if they stood here.
+  /// Adds the options of a struct at this level.
   template <class Value>
   void of() {
     Value value{};

@@ -7,7 +7,7 @@
 
 namespace mien::pipeline {
 
-/// Lays a map over a struct: what it does not name stays as it is.
+/// Merges a map into a struct: options that it does not contain stay unchanged.
 class FieldReader {
  public:
   explicit FieldReader(const Given& given) : given_(given) {}

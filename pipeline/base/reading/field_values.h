@@ -12,32 +12,33 @@
 
 namespace mien::pipeline {
 
-// What passes between a document and the structs whose options concerns.h lists: read by
-// field_reader.h, written by field_writer.h, named by field_names.h.
+// Types for reading (field_reader.h), writing (field_writer.h) and naming (field_names.h) the
+// options described in concerns.h.
 
-/// Text that is written in a fixed order.
+/// JSON whose members keep their order.
 using OrderedJson = nlohmann::ordered_json;
 
-/// What reading a document needs beside its values.
+/// What is needed for reading a document besides its values.
 struct ReadingContext {
-  const Places& places;  ///< they tell in which order the members of a map were written
-  std::function<std::filesystem::path(const std::string&)> resolve;  ///< from the document's folder
+  const Places& places;  ///< define the order of a map's members
+  std::function<std::filesystem::path(const std::string&)>
+      resolve;  ///< path relative to the document's folder
 };
 
-/// A value of a document that the schema has been held against.
+/// A value of a document that has been checked against the schema.
 struct Given {
   const nlohmann::json& value;
   std::string path;  ///< "stimuli[2].output"
   const ReadingContext& context;
 };
 
-/// How values are written: as a document says them, or for the key of an artifact. There, a file
-/// counts by its name and contents: the name is written, and the file is added to `files`.
+/// How values are written: as in a document, or for the key of an artifact. A key depends on a
+/// file's name and contents: the name is written, and the file is added to `files`.
 struct Writing {
   bool for_key = false;
   std::vector<std::filesystem::path>* files = nullptr;
-  std::filesystem::path folder = {};          ///< of the document; paths are written from there
-  unsigned concerned = concerns::everything;  ///< options that concern none of these are left out
+  std::filesystem::path folder = {};          ///< of the document; paths are written relative to it
+  unsigned concerned = concerns::everything;  ///< options with none of these concerns are omitted
 };
 
 class FieldNames;
@@ -47,11 +48,11 @@ concept HasFields = requires(FieldNames& names, Value& value) {
   fields_of(names, value);
 };
 
-/// Lays what is given over a value (field_reader.h).
+/// Merges a document's value into `value` (field_reader.h).
 template <class Value>
 void read(const Given& given, Value& value);
 
-/// A value as a document would say it; null where that says nothing (field_writer.h).
+/// A value as written in a document; null if it is omitted there (field_writer.h).
 template <class Value>
 OrderedJson written(const Value& value, const Writing& how);
 

@@ -11,15 +11,15 @@
 
 namespace mien::pipeline {
 
-/// What a struct says of one option.
+/// The value of one option of a struct.
 struct FieldEntry {
   std::string path;  ///< within the struct: "presentation.card.text"
   unsigned concerns = concerns::nothing;
-  OrderedJson value;                         ///< null where it says nothing
-  std::vector<std::filesystem::path> files;  ///< for a key: that it names
+  OrderedJson value;                         ///< null if omitted
+  std::vector<std::filesystem::path> files;  ///< for a key: files that it names
 };
 
-/// Writes down everything that a struct says, option by option.
+/// Writes all options of a struct.
 class FieldWriter {
  public:
   /// Adds what it writes to `entries`.
@@ -74,7 +74,7 @@ class FieldWriter {
     return how_.concerned == concerns::everything || (concerns & how_.concerned) != 0;
   }
 
-  /// What concerns something does so with all that it holds.
+  /// Members of a selected option are all written.
   Writing of_members() const {
     Writing how = how_;
     how.concerned = concerns::everything;
@@ -104,16 +104,15 @@ std::vector<FieldEntry> entries_of(const auto& value, const Writing& how) {
   return entries;
 }
 
-/// The entries in which one list says something else than the other, which is of the same struct,
-/// and those that are always written. Quick where both are in the same order.
+/// The entries that differ from those of `base`, which is of the same struct, and those that are
+/// always written. Fast if both are in the same order.
 std::vector<FieldEntry> differences(std::vector<FieldEntry> entries,
                                     const std::vector<FieldEntry>& base);
 
 /// Entries as a map of maps.
 OrderedJson nested_map(const std::vector<FieldEntry>& entries);
 
-/// What is to be written so that `value` is read when it is laid over the value of which `base` are
-/// the entries.
+/// The map that turns the value with the entries `base` into `value` when merged into it.
 OrderedJson written_over(const auto& value, const std::vector<FieldEntry>& base,
                          const Writing& how) {
   const std::vector<FieldEntry> entries = differences(entries_of(value, how), base);

@@ -9,7 +9,7 @@ namespace {
 
 const std::string options_name = "options";
 
-/// "in_place" is written --in-place; what follows a dot is a manifest's word.
+/// The option for a path: "in_place" is --in-place; what follows a dot stays as in the manifest.
 std::string option_of(const std::string& path) {
   std::string name = path.substr(0, path.find_first_of(".["));
   std::ranges::replace(name, '_', '-');

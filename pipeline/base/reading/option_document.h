@@ -11,13 +11,14 @@
 
 namespace mien::pipeline {
 
-// Options of a command that say what a document says: a key and its YAML text each.
+// Command-line options that correspond to a document's options: a key and its YAML text each.
 
-/// The document that they make, held against the schema. Throws Faults as `as_options`.
+/// The document formed by these options, checked against the schema. Throws Faults, worded as by
+/// `as_options`.
 JsonReading read_options(const std::string& yaml, const nlohmann::json& schema,
                          const Environment& environment);
 
-/// Faults as somebody reads them who has written options, and no file: "--size: …".
+/// Faults worded for command-line options instead of a file: "--size: …".
 Faults as_options(std::vector<Fault> faults);
 
 }  // namespace mien::pipeline

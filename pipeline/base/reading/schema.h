@@ -12,9 +12,9 @@
 
 namespace mien::pipeline {
 
-/// manifests/mien.schema.json, scales.schema.json and recipes.schema.json, and
-/// scenes/set.schema.json, as they were when this program was built. What the schema of recipes
-/// refers to in the manifest's is part of it here.
+/// The text of manifests/mien.schema.json, scales.schema.json and recipes.schema.json, and of
+/// scenes/set.schema.json at build time. Definitions of the manifest's schema to which that of
+/// recipes refers are included in it.
 std::string_view manifest_schema_text();
 std::string_view scales_schema_text();
 std::string_view recipes_schema_text();
@@ -24,37 +24,37 @@ const nlohmann::json& scales_schema();
 const nlohmann::json& recipes_schema();
 const nlohmann::json& set_schema();
 
-/// A node of a schema with the schema it belongs to, whose definitions it may refer to.
+/// A node of a schema, together with the schema that contains the definitions it refers to.
 struct SchemaNode {
   const nlohmann::json* root = nullptr;
-  const nlohmann::json* node = nullptr;  ///< null: nothing is known about the value
+  const nlohmann::json* node = nullptr;  ///< null: the schema does not restrict the value
 
   explicit operator bool() const { return node != nullptr; }
 };
 
 SchemaNode root_of(const nlohmann::json& schema);
 
-/// The node with its $ref followed and, of a oneOf of types, the branch that takes `value`'s type.
-/// A union that has no such branch stays as it is.
+/// The node with $ref resolved and, for a oneOf of types, the branch that accepts `value`'s type. A
+/// union without such a branch is returned unchanged.
 SchemaNode narrowed(SchemaNode node, const nlohmann::json& value);
 
-/// The schema of a member of an object, or of the elements of an array. `node` must be narrowed.
+/// The schema of a member of an object, or of the elements of an array. `node` must have been
+/// resolved by `narrowed`.
 SchemaNode member_schema(SchemaNode node, const std::string& key);
 SchemaNode element_schema(SchemaNode node);
 
-/// What a member is called now whose schema says so of its former name:
+/// The present name of a member whose schema states it for its former name:
 /// "faintest": {"deprecated": true, "x-now": "min_opacity"}. `node` must be narrowed.
 std::optional<std::string> name_now(SchemaNode node, const std::string& former);
 
-/// Whether a text may stand here.
+/// Whether the schema accepts a text.
 bool takes_text(SchemaNode node);
 
-/// Validates a document (valijson) and says in plain sentences what is wrong and how to mend it.
+/// Validates a document (valijson) and returns faults that state what is wrong and how to fix it.
 std::vector<Fault> check_schema(const nlohmann::json& document, const nlohmann::json& schema,
                                 const Places& places);
 
-/// What is wrong with one value by itself; its members and elements are not looked into.
-/// `path` is the value's.
+/// Faults of one value, without those of its members and elements. `path` is the value's.
 std::vector<Fault> explain(const nlohmann::json& value, SchemaNode node, const std::string& path,
                            const Places& places);
 

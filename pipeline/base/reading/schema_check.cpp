@@ -47,7 +47,7 @@ std::optional<Located> locate(const json& document, const json& schema,
   return here;
 }
 
-/// A schema as the validator takes it: making that takes longer than most validations.
+/// A schema compiled for the validator, which takes longer than most validations.
 struct CompiledSchema {
   explicit CompiledSchema(const json& given) : schema(given) {
     valijson::SchemaParser().populateSchema(Adapter(schema), compiled);
@@ -57,7 +57,7 @@ struct CompiledSchema {
   valijson::Schema compiled;
 };
 
-/// The first schemas that were asked for, kept: a program has few. For several threads.
+/// Cache of compiled schemas; a program uses few. Thread-safe.
 class CompiledSchemas {
  public:
   valijson::ValidationResults validate(const json& document, const json& schema) {
@@ -75,7 +75,7 @@ class CompiledSchemas {
     return results;
   }
 
-  /// Null when there are enough others.
+  /// The cached compiled schema, added if necessary; null if the cache is full.
   const CompiledSchema* kept(const json& schema) {
     const std::lock_guard lock(mutex_);
     for (const CompiledSchema& one : schemas_)

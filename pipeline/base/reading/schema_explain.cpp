@@ -141,7 +141,7 @@ class Explainer {
     }
   }
 
-  /// What a text that is no choice may have been meant for.
+  /// The schema's hint (x-otherwise) on the intention behind a text that is not one of the choices.
   std::string otherwise(const std::string& word) const {
     if (!node_.contains("x-otherwise")) return "";
     std::string hint = "; " + node_["x-otherwise"].get<std::string>();
@@ -191,7 +191,7 @@ class Explainer {
     if (node_.contains("oneOf")) explain_exclusive_keys();
   }
 
-  /// Whether an unknown key, which is told as such, stands for one of these.
+  /// Whether an unknown key, reported separately, is a misspelling of one of these.
   bool is_misspelt(const std::vector<std::string>& keys) const {
     if (!node_.contains("properties") || node_.value("additionalProperties", json()) != false)
       return false;

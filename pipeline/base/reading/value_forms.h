@@ -19,10 +19,10 @@
 
 namespace mien::pipeline {
 
-// Reading values of a document that the schema has been held against: what has another type was
-// told there, and leaves the target as it is.
+// Reads values of a document that has been checked against the schema. A value of the wrong type,
+// which that check has reported, leaves the target unchanged.
 
-/// The member, or nullptr.
+/// The member with that key, or null.
 inline const nlohmann::json* member(const nlohmann::json& object, const char* key) {
   if (!object.is_object()) return nullptr;
   const auto found = object.find(key);
@@ -77,7 +77,7 @@ inline void assign(const nlohmann::json* value, Enum& target, Words<Enum> words)
   target = meaning_of(words, value->get_ref<const std::string&>()).value_or(target);
 }
 
-/// How a type that has neither fields nor an `assign` stands in documents.
+/// Notation in documents of a type that has neither fields nor an `assign`.
 template <class Value>
 struct ValueForm;
 
@@ -123,7 +123,7 @@ struct ValueForm<std::vector<std::pair<std::string, Value>>> {
   }
 };
 
-/// Unset where the document says nothing.
+/// Unset if absent from the document.
 template <class Value>
 struct ValueForm<std::optional<Value>> {
   static void read(const Given& given, std::optional<Value>& value) {
@@ -138,7 +138,7 @@ struct ValueForm<std::optional<Value>> {
   }
 };
 
-/// An array in place of what was there.
+/// An array, which replaces the previous elements.
 template <class Value>
 struct ValueForm<std::vector<Value>> {
   static void read(const Given& given, std::vector<Value>& value) {

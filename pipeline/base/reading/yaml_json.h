@@ -22,17 +22,18 @@ struct JsonReading {
   std::vector<Fault> renamed;  ///< warnings of former names
 };
 
-/// Reads a document that is to have that schema, which is not checked. Faults are added: those of
-/// read_yaml, infinities and NaN, variables that are not set, a former name beside its new one.
+/// Reads a document. `schema` is used for expanding variables and for former names; the document is
+/// not checked against it. Adds faults of read_yaml, of infinities and NaN, of unset variables, and
+/// of a former name beside its new one to `faults`.
 JsonReading read_json(std::string_view yaml, const std::string& file, const nlohmann::json& schema,
                       const Environment& environment, std::vector<Fault>& faults);
 
-/// A document without any such fault, and as its schema has it. Throws Faults.
+/// Reads a document and checks it against its schema. Throws Faults.
 JsonReading read_valid_json(std::string_view yaml, const std::string& file,
                             const nlohmann::json& schema,
                             const Environment& environment = process_environment());
 
-/// Keys of the map at `path` in the order in which they were written. (JSON sorts them.)
+/// Keys of the map at `path` in the order of the document (JSON sorts them).
 std::vector<std::string> written_order(const nlohmann::json& map, const std::string& path,
                                        const Places& places);
 

@@ -30,7 +30,7 @@ class YamlPlaces {
   const std::string& file_;
   std::vector<std::string_view> lines_;
 
-  /// Where the last place was: marks come in the order of the text, and a line may be all of it.
+  /// Cache of the last position, because marks arrive in text order and a line may be very long.
   struct Last {
     int line = -1;
     std::size_t bytes = 0;

@@ -253,7 +253,7 @@ std::optional<Place> tab_in_indentation(const YamlPlaces& places, const Place& l
   return std::nullopt;
 }
 
-/// At the parser's mark, unless a plainer reason stands before it.
+/// The parser's fault at its mark, or an earlier fault that explains it better.
 Fault syntax_fault(const YamlPlaces& places, const YAML::ParserException& error) {
   const Place place = places.at(error.mark);
   if (const auto tab = tab_in_indentation(places, place))

@@ -14,7 +14,7 @@ struct YamlNode {
 
   Kind kind = Kind::null;
   std::string text;     ///< of a scalar
-  bool quoted = false;  ///< a scalar that is text whatever it looks like
+  bool quoted = false;  ///< a quoted scalar, which is always text
   Place place;
   std::vector<YamlNode> keys;      ///< of a map: scalars, each once
   std::vector<YamlNode> children;  ///< elements of a sequence, or a map's values beside its keys

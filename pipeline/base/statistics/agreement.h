@@ -4,8 +4,8 @@
 
 namespace mien::pipeline {
 
-/// How reliable ratings of stimuli are (Shrout and Fleiss 1979), also where raters saw a part of
-/// the stimuli. NaN where it cannot be said. Estimates may be negative: they are not cut at 0.
+/// Reliability of ratings of stimuli (Shrout and Fleiss 1979), also if each rater saw only part of
+/// the stimuli. NaN where undefined. Estimates may be negative; they are not truncated at 0.
 struct Intraclass {
   int stimuli = 0;
   int raters = 0;
@@ -20,7 +20,7 @@ struct Intraclass {
   double three_k = 0.0;       ///< ICC(3,k): Cronbach's alpha of a full table
 };
 
-/// Of a table of stimuli × raters with NaN where there is no answer.
+/// Intraclass correlations of a table, stimuli × raters, with NaN for missing answers.
 ///
 /// The rule for missing cells: every answer counts and nothing is filled in. ICC(1) are of the
 /// one-way analysis of variance of all answers. ICC(2) and ICC(3) come from variance components by
@@ -30,10 +30,10 @@ struct Intraclass {
 /// table falls apart into groups without common raters, ICC(2) and ICC(3) are NaN.
 Intraclass intraclass(const Eigen::MatrixXd& answers);
 
-/// How well raters agree about the stimuli on one scale. NaN where it cannot be said: fewer than
-/// two raters or stimuli, or nothing but equal answers.
+/// Agreement of raters about the stimuli on one scale. NaN where undefined: fewer than two raters
+/// or stimuli, or all answers equal.
 struct Agreement {
-  int complete_raters = 0;  ///< who answered about every stimulus; alpha and icc_2_k are theirs
+  int complete_raters = 0;  ///< raters who rated every stimulus; alpha and icc_2_k are of these
   double alpha = 0.0;       ///< Cronbach 1951, raters as items; equals ICC(3,k)
   double icc_2_k = 0.0;     ///< mean of the raters, raters a random sample
   Intraclass all;           ///< of all answers, also of raters who saw a part of the stimuli
@@ -43,7 +43,7 @@ struct Agreement {
 /// table, stimuli × raters.
 double cronbach_alpha(const Eigen::MatrixXd& answers);
 
-/// All of them from a table with NaN where there is no answer, stimuli × raters.
+/// Computes all of these from a table, stimuli × raters, with NaN for missing answers.
 Agreement agreement_of(const Eigen::MatrixXd& answers);
 
 }  // namespace mien::pipeline

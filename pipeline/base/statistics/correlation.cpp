@@ -13,7 +13,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Sums about the means of the pairs that are there.
+/// Sums of squares and products about the means of the complete pairs.
 struct Moments {
   int pairs = 0;
   double aa = 0.0;

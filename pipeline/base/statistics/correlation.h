@@ -4,17 +4,17 @@
 
 namespace mien::pipeline {
 
-/// How two numbers go together (Pearson).
+/// Pearson correlation of two variables.
 struct Correlation {
   int pairs = 0;
-  double r = 0.0;     ///< NaN where one of them does not vary
+  double r = 0.0;     ///< NaN if one variable is constant
   double t = 0.0;     ///< with pairs − 2 degrees of freedom
   double p = 1.0;     ///< two-sided
   double low = -1.0;  ///< interval by Fisher's z (1921); NaN below four pairs
   double high = 1.0;
 };
 
-/// Both of the same length; what is NaN in either is left out.
+/// `a` and `b` have the same length; pairs with NaN in either are omitted.
 Correlation pearson(const std::vector<double>& a, const std::vector<double>& b,
                     double confidence = 0.95);
 

@@ -5,10 +5,11 @@
 
 namespace mien::pipeline {
 
-/// A number in (0, 1) that depends on the seed and the name alone, whatever else was drawn before.
+/// A uniform random number in (0, 1) that depends on the seed and the name only, not on earlier
+/// draws.
 double uniform(std::uint64_t seed, std::string_view name);
 
-/// Likewise, of the normal distribution with mean 0 and standard deviation 1.
+/// A random number of the standard normal distribution that depends on the seed and the name only.
 double normal(std::uint64_t seed, std::string_view name);
 
 }  // namespace mien::pipeline

@@ -11,7 +11,7 @@ namespace {
 
 double pairs_of(double n) { return 0.5 * n * (n - 1.0); }
 
-/// Pairs of things that are together in a, in b, in both, and all there are.
+/// Numbers of pairs of items in one group in a, in b, in both, and of all pairs.
 struct PairCounts {
   double in_a = 0.0;
   double in_b = 0.0;

@@ -7,8 +7,8 @@
 
 namespace mien::pipeline {
 
-/// A linear prediction of one number from several, with shrunk coefficients (Hoerl and Kennard
-/// 1970): least Σ (y − ŷ)² + penalty · Σ b², over standardised predictors.
+/// Ridge regression (Hoerl and Kennard 1970): minimises Σ (y − ŷ)² + penalty · Σ b² over
+/// standardised predictors.
 struct RidgeModel {
   Eigen::RowVectorXd mean;          ///< of each predictor over the observations
   Eigen::RowVectorXd spread;        ///< standard deviation (n); 0: constant, not used
@@ -25,25 +25,25 @@ RidgeModel fit_ridge(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& v
 
 double predicted(const RidgeModel& model, const Eigen::RowVectorXd& predictors);
 
-/// How far from the observations a prediction is made: 1/n + zᵀ(ZᵀZ + penalty·I)⁻¹z. Of an
-/// observation itself it is its weight in its own prediction, below 1.
+/// Leverage of a prediction, its distance from the observations: 1/n + zᵀ(ZᵀZ + penalty·I)⁻¹z. For
+/// an observation it is its weight in its own prediction, below 1.
 double leverage(const RidgeModel& model, const Eigen::RowVectorXd& predictors);
 
 /// Penalties from n/1000 to 1000·n, evenly on a logarithmic scale.
 std::vector<double> penalty_choices(int observations);
 
-/// The largest penalty whose predictions of what is left out err (sum of squares) at most a
-/// standard error more than those of the best one (the one-standard-error rule of Breiman et al.
-/// 1984): with few observations the best one is best by luck. Groups of observations are left out
-/// together; `group` names each observation's. Standardisation stays that of all observations.
+/// The largest penalty whose cross-validated sum of squared errors exceeds the least by at most one
+/// standard error (one-standard-error rule, Breiman et al. 1984), because with few observations the
+/// minimum is unreliable. Observations of a group are held out together; `group` gives that of each
+/// observation. All observations are used for standardisation.
 double best_penalty(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& values,
                     std::span<const int> group);
 
-/// Predictions of observations by models that never saw them.
+/// Predictions of observations by models fitted without them.
 struct CrossValidation {
   Eigen::VectorXd predicted;
-  Eigen::VectorXd mean_predicted;  ///< by the mean of the others, for comparison
-  Eigen::VectorXd penalty;         ///< chosen for each without it
+  Eigen::VectorXd mean_predicted;  ///< mean of the other groups, for comparison
+  Eigen::VectorXd penalty;         ///< chosen for each observation without its group
 
   double rmse(const Eigen::VectorXd& values) const;
   double mean_rmse(const Eigen::VectorXd& values) const;
@@ -51,8 +51,8 @@ struct CrossValidation {
   double r_squared(const Eigen::VectorXd& values) const;
 };
 
-/// Leaves out each group in turn, standardises, chooses the penalty and fits without it, and
-/// predicts it. There must be two groups or more.
+/// Holds out each group in turn: standardises, chooses the penalty and fits without it, and
+/// predicts it. Requires at least two groups.
 CrossValidation cross_validate(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& values,
                                std::span<const int> group);
 

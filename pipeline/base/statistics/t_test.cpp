@@ -28,7 +28,7 @@ Deviation deviation_of(const std::vector<double>& values) {
   return result;
 }
 
-/// Exactly 0 where nothing but roundings differ.
+/// Variance (n − 1); exactly 0 if values differ by rounding errors only.
 double variance_of(const std::vector<double>& values) {
   if (all_alike(values)) return 0.0;
   return deviation_of(values).squares / static_cast<double>(values.size() - 1);
@@ -48,8 +48,8 @@ double margin(const TTest& test, double confidence) {
          test.standard_error;
 }
 
-/// What d times it is without bias: Γ(ν/2)/(√(ν/2)·Γ((ν − 1)/2)) (Hedges 1981) with ν degrees of
-/// freedom: n + m − 2 of two samples, n − 1 of differences. NaN below two.
+/// Factor that removes the bias of d: Γ(ν/2)/(√(ν/2)·Γ((ν − 1)/2)) (Hedges 1981) with ν degrees of
+/// freedom: n + m − 2 for two samples, n − 1 for differences. NaN for ν below two.
 double hedges_correction(double degrees) {
   if (degrees < 2.0) return not_known;
   // Γ((ν − 1)/2)/Γ(ν/2)

@@ -7,7 +7,7 @@ namespace mien::pipeline {
 /// A t test, two-sided.
 struct TTest {
   double mean = 0.0;            ///< of the differences, or difference of the means
-  double standard_error = 0.0;  ///< of that
+  double standard_error = 0.0;  ///< of the mean
   double degrees = 0.0;         ///< of freedom
   double t = 0.0;
   double p = 1.0;
@@ -17,27 +17,27 @@ struct TTest {
   double high(double confidence) const;
 };
 
-/// Whether values are the same but for roundings.
+/// Whether values are equal except for rounding errors.
 bool all_alike(const std::vector<double>& values);
 
-/// Of paired differences. With fewer than two, t and p are NaN; when all are equal t is infinite
-/// and p is 0, or NaN and 1 when all are 0.
+/// t test of paired differences. With fewer than two, t and p are NaN. If all are equal, t is
+/// infinite and p is 0; if all are 0, t is NaN and p is 1.
 TTest paired_t_test(const std::vector<double>& differences);
 
-/// Of two independent samples with variances of their own (Welch 1947). Each needs two values.
+/// t test of two independent samples with unequal variances (Welch 1947). Each needs two values.
 TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Mean of the differences in units of their standard deviation (n − 1): d_z of Cohen 1988.
+/// Cohen's d_z (1988): mean of paired differences over their standard deviation (n − 1).
 double cohens_dz(const std::vector<double>& differences);
 
-/// Difference of the means of two independent samples in units of their pooled standard deviation:
-/// d_s of Cohen 1988. NaN with fewer than two values in either, or where nothing varies.
+/// Cohen's d_s (1988): difference of the means of two independent samples over their pooled
+/// standard deviation. NaN with fewer than two values in either, or if neither varies.
 double cohens_d(const std::vector<double>& a, const std::vector<double>& b);
 
-/// g of two independent samples.
+/// Hedges' g of two independent samples: cohens_d corrected for bias.
 double hedges_g(const std::vector<double>& a, const std::vector<double>& b);
 
-/// g_z of paired differences.
+/// Hedges' g_z of paired differences: cohens_dz corrected for bias.
 double hedges_gz(const std::vector<double>& differences);
 
 }  // namespace mien::pipeline

@@ -9,14 +9,14 @@ namespace mien::pipeline {
 /// One step of a hierarchical clustering. Clusters are numbered: 0 … n − 1 are the single vectors,
 /// n + k is what step k makes.
 struct Merge {
-  int first = 0;             ///< the one that holds the lowest vector of the two
+  int first = 0;             ///< the cluster with the lowest vector
   int second = 0;            ///< the other
   std::vector<int> members;  ///< vectors of the new cluster, ascending
   double increase = 0.0;     ///< ΔE, by which the sum of squared distances to the means grows
   double height = 0.0;       ///< √(2ΔE), as SciPy's "ward" and R's "ward.D2" give it
 };
 
-/// The whole tree: n − 1 merges of n vectors, ΔE never falling.
+/// A complete hierarchical clustering: n − 1 merges of n vectors with non-decreasing ΔE.
 struct Linkage {
   int leaves = 0;
   std::vector<Merge> merges;
@@ -29,8 +29,8 @@ struct Linkage {
 /// constant, O(n²) memory: 500 × 500 takes well below a second.
 Linkage ward(const Eigen::MatrixXd& rows);
 
-/// The vectors from one end of the dendrogram to the other, so that no two branches cross; of each
-/// merge `first` comes first.
+/// Order of the vectors along the dendrogram without crossing branches; in each merge `first` comes
+/// first.
 std::vector<int> leaf_order(const Linkage& linkage);
 
 }  // namespace mien::pipeline

@@ -87,7 +87,7 @@ std::vector<double> signed_rank_distribution(std::size_t n) {
   return probability;
 }
 
-/// How many means lie beyond each end of the interval, and how probable either is.
+/// Number of Walsh averages beyond each end of the interval, and the probability of either tail.
 struct Tail {
   std::size_t beyond = 0;
   double probability = 0.0;

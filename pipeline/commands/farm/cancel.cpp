@@ -15,7 +15,8 @@ struct CancelCommand {
   bool json = false;
 };
 
-/// They are cancelled whether that can be noted or not.
+/// Records cancelled jobs in the journal. A failure to write is only reported, since the jobs are
+/// cancelled nevertheless.
 void note_cancelled(const std::vector<JobFate>& fates, const SubmissionJournal& journal,
                     const Console& console) {
   try {

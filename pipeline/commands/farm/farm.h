@@ -9,33 +9,33 @@
 
 namespace mien::pipeline {
 
-/// What every command of `mien farm` is about.
+/// Arguments of all commands of `mien farm`: the study.
 struct FarmArguments {
   std::string manifest;
   std::string out = "out";
-  std::string quality;  ///< empty: as the manifest says
+  std::string quality;  ///< empty: that of the manifest
 };
 
-/// The manifest, --out and --quality.
+/// The options for the manifest, --out and --quality.
 std::vector<CommandOption> farm_options(FarmArguments& arguments);
 
-/// A study as the commands of a farm see it. Paths are absolute, because jobs begin elsewhere.
+/// The study of a farm command. Paths are absolute, because jobs start in other folders.
 struct FarmStudy {
-  /// Throws Faults for what is wrong with the manifest.
+  /// Reads the manifest. Throws Faults if it is invalid.
   FarmStudy(const FarmArguments& arguments, const Console& console);
 
   std::filesystem::path file;  ///< the manifest
   Production production;
   std::filesystem::path folder;  ///< out/<study>
 
-  /// The program and all that tells it what to work on.
+  /// The program and the arguments with which jobs call it.
   StudyCall call(const FarmArguments& arguments) const;
 };
 
-/// How the study is told in commands that are proposed: "my.yaml --out /scratch".
+/// The study's arguments for suggested commands: "my.yaml --out /scratch".
 std::string study_words(const FarmArguments& arguments);
 
-// Subcommands of `mien farm`, one a source file.
+// Subcommands of `mien farm`, one per source file.
 Command farm_cancel_command();
 Command farm_export_command();
 Command farm_logs_command();

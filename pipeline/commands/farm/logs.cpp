@@ -21,7 +21,7 @@ struct LogsCommand {
   int lines = 20;
 };
 
-/// Each file once.
+/// Prints logs, each file once.
 class LogList {
  public:
   void add(const std::vector<ElementLog>& more) {
@@ -42,7 +42,7 @@ class LogList {
   std::set<std::filesystem::path> seen_;
 };
 
-/// By what jobs left, and by what Slurm knows where there is Slurm.
+/// Problems according to the records of jobs and, if Slurm is available, squeue.
 std::vector<JobTrouble> troubles_of(const FarmStudy& study, const std::string& words) {
   const JournalContent journal = SubmissionJournal(study.folder).read();
   if (journal.jobs.empty()) return {};
@@ -52,7 +52,8 @@ std::vector<JobTrouble> troubles_of(const FarmStudy& study, const std::string& w
                       study_state(study.production, study.folder, words));
 }
 
-/// Of what failed: by the workers' own word, or by how jobs of all submissions ended or are held.
+/// Shows the logs of failures: those recorded by workers, and those of failed or held jobs of all
+/// submissions.
 void show_failures(const FarmStudy& study, const LogsCommand& command, const Console& console) {
   std::vector<JobTrouble> troubles = troubles_of(study, study_words(command.study));
   const auto cancelled = std::stable_partition(

@@ -17,7 +17,7 @@ struct ResumeCommand {
   bool json = false;
 };
 
-/// What Slurm took without the client hearing of it.
+/// Records the numbers of jobs that Slurm accepted without the client receiving its answer.
 void note_adopted(const std::vector<JobFate>& fates, const SubmissionJournal& journal) {
   for (const JobFate& fate : fates)
     if (fate.is_adopted) journal.note_job(fate.journal.comment, fate.journal.job);
@@ -37,8 +37,8 @@ std::vector<std::string> arrays_that_live(const std::vector<JobFate>& fates,
   return arrays;
 }
 
-/// Takes out jobs of the study as it was before the manifest or the program changed: no worker of
-/// theirs makes anything any more.
+/// Removes and returns the jobs of an earlier state of the manifest or program, whose workers no
+/// longer produce anything.
 std::vector<JobFate> take_outdated(std::vector<JobFate>& fates, const std::string& graph_key) {
   const auto outdated = std::stable_partition(fates.begin(), fates.end(), [&](const auto& fate) {
     return fate.journal.comment.starts_with("mien:" + graph_key + ":");
@@ -61,7 +61,7 @@ ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
                    const SubmissionOptions& options, const Console& console) {
   ItemNeeds needs;
   needs.covered = covered_items(fates, study.folder);
-  if (!options.memory.empty()) return needs;  // the operator knows better
+  if (!options.memory.empty()) return needs;  // given by the user
   MemoryNeeds memory = memory_needs(fates, study.folder);
   needs.memory = std::move(memory.more);
   if (!memory.unknown.empty())
@@ -71,7 +71,7 @@ ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
   return needs;
 }
 
-/// What the last submission asked for, with the options of this one.
+/// The options of the last accepted submission, overridden by those of this one.
 JournalSubmission asked_again(const ResumeCommand& command, const JournalContent& journal,
                               const FarmStudy& study) {
   const JournalSubmission* earlier = last_accepted(journal);
@@ -85,13 +85,13 @@ JournalSubmission asked_again(const ResumeCommand& command, const JournalContent
   return asked;
 }
 
-/// Jobs that a new submission takes the place of.
+/// Jobs that a new submission replaces.
 struct InTheWay {
   std::vector<std::string> outdated;
   std::vector<std::string> obsolete;
 };
 
-/// Cancels jobs, or only says so.
+/// Cancels jobs, or in a dry run only reports it.
 void take_back(const std::vector<std::string>& jobs, const char* why, const ResumeCommand& command,
                const Slurm& slurm, const Console& console) {
   if (jobs.empty()) return;
@@ -107,8 +107,8 @@ void take_back(const InTheWay& jobs, const ResumeCommand& command, const Slurm& 
   take_back(jobs.obsolete, "held, or waiting for what is missing", command, slurm, console);
 }
 
-/// The new jobs are written down before any other is taken back: on a disk that is full all stays
-/// as it is.
+/// The new jobs are recorded before others are cancelled, so that a full disk leaves the queue
+/// unchanged.
 Submitted replace(const InTheWay& jobs, const Submission& submission,
                   const std::vector<std::string>& live, const ResumeCommand& command,
                   const Slurm& slurm, const SubmissionJournal& journal, const Console& console) {

@@ -41,7 +41,7 @@ void show(const FarmStatus& status, const StatusCommand& command, const Console&
   console.out.flush();
 }
 
-/// False when the user wants to stop.
+/// Waits; returns false if the user requests a stop.
 bool wait_for(double seconds, const std::stop_token& stop) {
   std::mutex mutex;
   std::condition_variable_any never;
@@ -56,7 +56,7 @@ int watch_study(const FarmStudy& study, const StatusCommand& command, const Cons
   int frames = 0;
   while (true) {
     FarmStatus status = status_of(study, command.study);
-    // A film gives up its frames a moment before it is there itself.
+    // A film's frames are removed a moment before its video is published.
     status.frames.done = frames = std::max(frames, status.frames.done);
     if (redraws) put_control(console.out, clear_screen);
     show(status, command, console);

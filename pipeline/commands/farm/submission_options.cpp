@@ -28,14 +28,15 @@ int chunk_frames(const std::string& chunk) {
   throw Error("--chunk: \"" + chunk + "\" is not a number of frames", "write auto, or 1 or more");
 }
 
-/// `option` and what it takes: "--mem", "amount of memory".
+/// Throws Error unless the value matches a form. `option` and its kind of value: "--mem", "amount
+/// of memory".
 void refuse_unlike(const std::string& value, const char* form, const std::string& option,
                    const std::string& what, const std::string& remedy) {
   if (value.empty() || std::regex_match(value, std::regex(form))) return;
   throw Error(option + ": \"" + value + "\" is not a valid " + what, remedy);
 }
 
-/// Seconds that an estimated second of drawing really takes, as far as this study's workers know.
+/// Measured seconds per estimated second of drawing, according to this study's workers.
 double measured_pace(const FarmStudy& study, const std::map<std::string, int>& frames) {
   const double measured = seconds_a_frame(worker_reports(study.folder));
   double seconds = 0.0;

@@ -12,7 +12,7 @@
 
 namespace mien::pipeline {
 
-/// How a study is cut and what is asked for its jobs; what nobody said is empty.
+/// How a study is split and which resources its jobs request; options not given are empty.
 struct SubmissionOptions {
   std::string chunk;
   std::string partition;
@@ -25,53 +25,53 @@ struct SubmissionOptions {
 
 std::vector<CommandOption> submission_options(SubmissionOptions& options);
 
-/// The newest submission of which Slurm refused nothing; null where there is none.
+/// The newest submission of which Slurm refused no job; null if there is none.
 const JournalSubmission* last_accepted(const JournalContent& journal);
 
-/// The options over those of an earlier submission (or over nothing). Throws Error for one that
-/// makes no sense.
+/// The options, with those not given taken from an earlier submission (which may be empty). Throws
+/// Error for an invalid value.
 JournalSubmission asked_for(const SubmissionOptions& options, JournalSubmission earlier);
 
-/// Throws Error when an element asks for more processors than any node of its partition has: its
-/// job would wait for ever. Says nothing where Slurm does not tell.
+/// Throws Error if an element requests more processors than any node of its partition has, since
+/// its job would never start. Accepts any number if sinfo fails.
 void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm);
 
-/// What is to be made of a study, and what is known of how long it takes.
+/// Remaining tasks of a study, and information for estimating their duration.
 struct DueWork {
   std::vector<bool> is_due;           ///< by task
-  std::map<std::string, int> frames;  ///< of each film, by its task
-  PiecesByFilm pieces;                ///< of films that have been begun
-  double pace = 1.0;                  ///< seconds that an estimated second of a task takes
+  std::map<std::string, int> frames;  ///< number of frames of each film, by its task
+  PiecesByFilm pieces;                ///< progress of films that have been started
+  double pace = 1.0;                  ///< measured seconds per estimated second of a task
 
-  /// Whether everything is there, the study's record too.
+  /// Whether all products exist, including the study's record.
   bool is_done(const FarmStudy& study) const;
 };
 
-/// All tasks that are not in the store yet, without frames that are kept or that jobs draw which
-/// wait or run; films are cut as those jobs have them.
+/// All tasks missing from the store, without frames that are stored or assigned to live jobs. Films
+/// keep the number of chunks that those jobs use.
 DueWork due_work(FarmStudy& study, const JournalSubmission& asked,
                  const std::vector<JobFate>& fates);
 
-/// The stages of all tasks there are.
+/// The stages of all tasks, whether or not they have been done.
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked);
 
-/// The submission of what is due, for which Slurm has room. Elements that are longer than usual for
-/// that are told. Throws Error when there is no room.
+/// A submission of the remaining tasks that fits into Slurm's queue. Reports if elements are longer
+/// than usual for that reason. Throws Error if it does not fit.
 Submission fitting_submission(const FarmStudy& study, const StudyCall& call, const DueWork& work,
                               const ItemNeeds& needs, const JournalSubmission& asked,
                               const SlurmSite& site, const std::vector<QueueRow>& queue,
                               const Console& console);
 
-/// Removes the folders of older submissions that nobody needs any more, and says so. `fates`: of
-/// all jobs of the journal.
+/// Removes the folders of older submissions that are no longer needed, and reports it. `fates`: of
+/// all jobs in the journal.
 void sweep_submissions(const std::vector<JobFate>& fates, const DueWork& work,
                        const FarmStudy& study, const Console& console);
 
-/// What was submitted, and what to do next.
+/// Prints what was submitted and what to do next.
 void tell_submitted(const Submission& submission, const Submitted& submitted,
                     const FarmArguments& arguments, bool json, const Console& console);
 
-/// All that a submission would be: its stages and the texts of its files.
+/// Prints the submission instead of submitting it: its stages and the texts of its files.
 void tell_dry_run(const Submission& submission, const Console& console);
 
 }  // namespace mien::pipeline

@@ -17,7 +17,8 @@ struct SubmitCommand {
   bool json = false;
 };
 
-/// Where the disk that holds the study is not mounted, its folder would be made anew beside it.
+/// Refuses a missing study folder that has jobs: its disk may not be mounted, and a new folder
+/// would be created at the mount point.
 void refuse_absent_folder(const JournalContent& journal, const std::vector<QueueRow>& queue,
                           const FarmStudy& study) {
   if (!journal.jobs.empty()) return;
@@ -41,7 +42,7 @@ void refuse_second(const std::vector<std::string>& live, const FarmArguments& ar
                   " submits what they do not cover, mien farm cancel " + words + " cancels them");
 }
 
-/// What the site allows, or what most allow where there is no Slurm to ask.
+/// The site's limits, or the usual ones if Slurm is not available.
 SlurmSite site_for_dry_run(const Slurm& slurm, const Console& console) {
   try {
     return slurm.site();

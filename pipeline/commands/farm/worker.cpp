@@ -28,8 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is wrong lies neither in the study nor with the machine: the job is not to be tried again
-/// before somebody has looked.
+/// The fault is neither in the study nor transient: the job must not be repeated before a user has
+/// looked at it.
 class WrongSetup : public Error {
  public:
   using Error::Error;
@@ -76,7 +76,7 @@ std::vector<std::string> items_of(const WorkerArguments& arguments, const Consol
   return items;
 }
 
-/// Chunks that hold no frame, because their film has fewer frames than chunks.
+/// Reports chunks without frames, because their film has fewer frames than chunks.
 void tell_empty_chunks(const std::vector<std::string>& items, const Production& production,
                        const fs::path& folder, const Console& console) {
   const auto has_chunk = [](const std::string& item) { return item.ends_with(']'); };
@@ -107,7 +107,7 @@ void tell(const WorkResult& result, const Console& console) {
     console.err << "interrupted; finished work is kept, and the same command continues from here\n";
 }
 
-/// The command that makes an item again, without what changes from job to job.
+/// The command that reproduces an item, without options that differ between jobs.
 std::string command_for(const WorkerArguments& arguments) {
   std::string command = "mien farm worker " + motion::shell_path(arguments.production.manifest);
   if (arguments.production.out != "out")

@@ -23,7 +23,7 @@ std::vector<std::string> split_names(const std::string& names) {
   return result;
 }
 
-/// How --help calls what a variable takes, and whether it takes several.
+/// Name of a variable's type in --help, and whether it takes several values.
 struct VariableKind {
   const char* value;
   bool repeats = false;
@@ -69,7 +69,7 @@ CommandOption made(BoundVariable variable, std::string help) {
   return option;
 }
 
-/// A copy of which something else is said.
+/// A copy of an option with a changed property.
 template <class Say>
 CommandOption but(CommandOption option, Say say) {
   say(option);

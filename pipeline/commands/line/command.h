@@ -13,49 +13,48 @@ namespace mien::pipeline {
 
 struct Console;
 
-/// What an option sets: a variable, or whatever a function makes of each text that is given ("true"
-/// of a flag). It has to live as long as the command. Nothing in a command that another program
-/// told.
+/// Target of an option: a variable, or a function called with each text given ("true" for a flag).
+/// It must outlive the command. Empty in a command that another program has described.
 using BoundVariable =
     std::variant<std::monostate, bool*, int*, double*, std::uint64_t*, std::string*,
                  std::optional<int>*, std::optional<double>*, std::optional<std::uint64_t>*,
                  std::optional<std::string>*, std::vector<double>*, std::vector<std::string>*,
                  std::function<void(const std::string&)>>;
 
-/// What may stand behind a command: an option or a flag (with names), or an argument (without).
+/// A parameter of a command: an option or flag (with names), or a positional argument (without).
 struct CommandOption {
   std::vector<std::string> names;    ///< "-o", "--output"; empty for an argument
   std::string former;                ///< name it had: understood, with a warning; not shown
   std::string argument;              ///< "files"; empty for an option
-  std::string value;                 ///< what it takes: "TEXT", "INT", …; empty for a flag
-  std::vector<std::string> choices;  ///< all that it takes; empty when it takes other things
-  std::string limits;                ///< "1 to 240"; empty when there are none
-  std::string usual;                 ///< what it is when nobody says; empty when nothing is
+  std::string value;                 ///< type of its value: "TEXT", "INT", …; empty for a flag
+  std::vector<std::string> choices;  ///< permitted values; empty if not restricted to a list
+  std::string limits;                ///< "1 to 240"; empty if there are none
+  std::string usual;                 ///< default value; empty if there is none
   std::string help;
   bool is_required = false;
   bool repeats = false;  ///< takes several values
 
   BoundVariable variable;
-  double least = 0.0;  ///< of the limits; above it, where there is no largest
+  double least = 0.0;  ///< lower limit, exclusive if `largest` is infinite
   double largest = std::numeric_limits<double>::infinity();
-  std::optional<std::pair<int, int>> value_count;        ///< how many values at one time
-  bool has_commas = false;                               ///< between values
-  std::string excluded;                                  ///< the option that it cannot stand with
-  std::string needed;                                    ///< the one that it cannot stand without
-  std::string group;                                     ///< heading of its own in --help
-  std::function<std::string(const std::string&)> fault;  ///< of a value; empty when it is good
-  std::vector<std::string>* given = nullptr;             ///< takes its name when it is used
+  std::optional<std::pair<int, int>> value_count;        ///< number of values per use
+  bool has_commas = false;                               ///< values are separated by commas
+  std::string excluded;                                  ///< option that it excludes
+  std::string needed;                                    ///< option that it requires
+  std::string group;                                     ///< heading in --help
+  std::function<std::string(const std::string&)> fault;  ///< checks a value; empty if valid
+  std::vector<std::string>* given = nullptr;             ///< if set, receives its name when used
 
   bool is_argument() const { return names.empty(); }
   bool takes_number() const { return value == "INT" || value == "UINT" || value == "FLOAT"; }
 
-  // What a command says of an option that it lists.
+  // Copies of the option with a changed property.
   CommandOption required() const;
   CommandOption optional() const;
   CommandOption one_of(std::vector<std::string> words) const;
   CommandOption between(double low, double high) const;
   CommandOption positive() const;
-  CommandOption with_default() const;  ///< shows what the variable is now
+  CommandOption with_default() const;  ///< shows the variable's present value
   CommandOption with_default(std::string text) const;
   CommandOption with_commas() const;
   CommandOption values(int fewest, int most) const;
@@ -69,10 +68,11 @@ struct CommandOption {
 CommandOption option(const std::string& names, BoundVariable variable, std::string help);
 CommandOption flag(const std::string& names, BoundVariable variable, std::string help);
 
-/// A word by its place, which is required.
+/// A required positional argument.
 CommandOption argument(std::string name, BoundVariable variable, std::string help);
 
-/// An option that takes one of these words, of which `take` gets the place. A fault names them.
+/// An option with one of these words as its value; `take` receives the word's index. A fault lists
+/// the words.
 CommandOption choice_of(const std::string& names, std::vector<std::string> words, std::string help,
                         std::function<void(std::size_t)> take);
 
@@ -98,7 +98,7 @@ CommandOption choice(const std::string& names, Value& variable, const WordValues
   return made;
 }
 
-/// Likewise one of several, with commas between them.
+/// An option with a comma-separated list of words that stand for values.
 template <class Value>
 CommandOption choice(const std::string& names, std::vector<Value>& variable,
                      const WordValues<Value>& values, std::string help) {
@@ -109,21 +109,21 @@ CommandOption choice(const std::string& names, std::vector<Value>& variable,
   return made.with_commas();
 }
 
-/// A command of the program, as a value: what its `--help`, the manual page and the shells'
-/// completions tell, and what it does.
+/// Description of a command, from which `--help`, the manual page and shell completions are
+/// generated, and its function.
 struct Command {
   std::string name;  ///< "analyze"
   std::string summary;
   std::vector<CommandOption> options;      ///< and arguments
-  std::vector<Command> commands;           ///< below it
-  std::string notes;                       ///< with examples; what stands below the options
-  std::function<int(const Console&)> run;  ///< returns the exit code; empty: one below is needed
+  std::vector<Command> commands;           ///< subcommands
+  std::string notes;                       ///< text and examples printed below the options
+  std::function<int(const Console&)> run;  ///< returns the exit code; empty: needs a subcommand
 
   std::vector<CommandOption> arguments() const;
   std::vector<CommandOption> named_options() const;  ///< options and flags
 };
 
-/// Options and lists of them, one after the other.
+/// Concatenates options and lists of options.
 template <class... Parts>
 std::vector<CommandOption> all_of(const Parts&... parts) {
   std::vector<CommandOption> all;
@@ -138,16 +138,16 @@ std::vector<CommandOption> all_of(const Parts&... parts) {
   return all;
 }
 
-/// A command and its name as it is typed: "mien study analyze".
+/// A command and its full name as typed: "mien study analyze".
 struct CommandPage {
   std::string name;
   const Command& command;
 };
 
-/// The command and all below it, parents first.
+/// The command and all its subcommands, parents first.
 std::vector<CommandPage> every_page(const Command& program);
 
-/// The one below it of that name; null where there is none.
+/// The direct subcommand of that name; null if there is none.
 const Command* command_below(const Command& command, const std::string& name);
 
 }  // namespace mien::pipeline

@@ -52,7 +52,7 @@ struct AddedOption {
   }
 };
 
-/// Whether a value is a number within an option's limits, and a whole one where it has to be.
+/// Whether a value is a number within an option's limits, and an integer if required.
 bool is_allowed(const std::string& given, const CommandOption& option) {
   const std::optional<double> number = motion::as_written_number(given);
   if (!number || (option.value != "FLOAT" && *number != std::trunc(*number))) return false;
@@ -60,7 +60,8 @@ bool is_allowed(const std::string& given, const CommandOption& option) {
                                     : *number >= option.least && *number <= option.largest;
 }
 
-/// The limits of an option, refused in our own words: those of CLI11 change with its version.
+/// Checks the limits of an option with a message of its own, since those of CLI11 depend on its
+/// version.
 CLI::Validator limits_of(const CommandOption& option) {
   const bool is_bounded = !std::isinf(option.largest);
   const std::string allowed = fmt::format(
@@ -75,7 +76,7 @@ CLI::Validator limits_of(const CommandOption& option) {
           in_help};
 }
 
-/// A value that is empty, as a shell's unset variable is: never meant as leaving the option out.
+/// Refuses an empty value, as from an unset shell variable, which never means omitting the option.
 std::string fault_of_empty(const std::string& given) {
   return given.empty() ? "empty; give a value, or omit it" : "";
 }
@@ -120,7 +121,7 @@ void add_option(CLI::App& app, const CommandOption& option, std::ostream& err) {
   if (!option.former.empty()) add_former_name(app, option, added, err);
 }
 
-/// Makes CLI11's form of a command, which parses and prints --help. Warns on `err` of old names.
+/// Translates a command for CLI11, which parses and prints --help. Warns of former names on `err`.
 void fill(CLI::App& app, const Command& command, std::ostream& err) {
   if (!command.notes.empty()) app.footer("\n" + command.notes);
   for (const CommandOption& option : command.options) add_option(app, option, err);
@@ -136,7 +137,7 @@ void fill(CLI::App& app, const Command& command, std::ostream& err) {
     fill(*app.add_subcommand(below.name, below.summary), below, err);
 }
 
-/// The command that was typed; each of its options that was used is noted where it asks for it.
+/// The command that was typed. Adds the names of its used options to their `given` lists.
 const Command& typed_command(const CLI::App& app, const Command& command) {
   if (!app.get_subcommands().empty()) {
     const CLI::App& below = *app.get_subcommands().front();
@@ -148,7 +149,7 @@ const Command& typed_command(const CLI::App& app, const Command& command) {
   return command;
 }
 
-/// The first word where a command should stand that is none, in a sentence; empty when all are.
+/// A sentence about the first unknown command; empty if all are known.
 std::string unknown_command(const Command& program, const std::vector<std::string>& words) {
   const Command* at = &program;
   for (const std::string& word : words) {
@@ -176,7 +177,7 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
   return words;
 }
 
-/// The exit code where there is nothing left to do: help was shown, or a fault told.
+/// Parses the words. Returns an exit code if help was shown or a fault was reported.
 std::optional<int> parse(CLI::App& app, const Command& program, std::vector<std::string> words,
                          const Console& console) {
   if (words.empty()) {

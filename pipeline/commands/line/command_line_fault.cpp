@@ -14,7 +14,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// The innermost of the commands that were named.
+/// The innermost command that was typed.
 const CLI::App& command_meant(const CLI::App& app) {
   const CLI::App* at = &app;
   while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
@@ -28,7 +28,7 @@ std::string name_with_parents(const CLI::App& command) {
                            : name_with_parents(*parent) + " " + command.get_name();
 }
 
-/// "--output", or "manifest" of a word without a flag.
+/// "--output", or "manifest" for a positional argument.
 std::string name_of_option(const CLI::Option& option) {
   const std::vector<std::string>& names = option.get_lnames();
   if (!names.empty()) return "--" + names.front();
@@ -42,7 +42,7 @@ std::vector<const CLI::Option*> required_options(const CLI::App& command) {
   return required;
 }
 
-/// "mien study export <manifest> --output …": the least that it needs.
+/// "mien study export <manifest> --output …": the minimal command line.
 std::string least_line(const CLI::App& command) {
   std::string words, flags;
   for (const CLI::Option* option : required_options(command)) {
@@ -57,7 +57,7 @@ std::string help_line(const CLI::App& command) {
   return "see " + name_with_parents(command) + " --help";
 }
 
-/// What was needed and not given.
+/// Required options and arguments that are missing.
 std::vector<std::string> missing_names(const CLI::App& command) {
   std::vector<std::string> missing;
   for (const CLI::Option* option : required_options(command))
@@ -93,7 +93,7 @@ std::string unknown_flag_fault(const CLI::App& command, const std::string& given
                      near ? fmt::format("did you mean {}? ", *near) : "", help_line(command));
 }
 
-/// Of what CLI11 found wrong with a value.
+/// The message of CLI11 for an invalid value.
 std::string told_by_parser(const CLI::App& command, const CLI::ParseError& fault) {
   std::string wrong = fault.what();
   const std::size_t end = wrong.find_last_not_of(" \n");
@@ -102,7 +102,7 @@ std::string told_by_parser(const CLI::App& command, const CLI::ParseError& fault
   return wrong + (wrong.ends_with('?') ? " " : "; ") + help_line(command);
 }
 
-/// "--jobs: 1 required INT missing" of CLI11, in our words; else empty.
+/// Replacement for "--jobs: 1 required INT missing" of CLI11; empty for other faults.
 std::string valueless_fault(const CLI::App& command, const CLI::ParseError& fault) {
   const std::string wrong = fault.what();
   if (fault.get_name() != "ArgumentMismatch" || !wrong.ends_with(" missing")) return "";

@@ -21,7 +21,7 @@ inline constexpr ExitCode exit_codes[] = {{exit_done, "done"},
                                           {exit_bad_input, "bad input"},
                                           {exit_interrupted, "interrupted"}};
 
-/// What a command works with.
+/// Streams and stop token of a command.
 struct Console {
   std::ostream& out;     ///< results
   std::ostream& err;     ///< progress and faults

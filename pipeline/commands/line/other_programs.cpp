@@ -22,7 +22,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Command, name, summary, options, commands, no
 
 namespace {
 
-/// Tells a program which version of mien has started it.
+/// Environment variable with the version of mien that started a program.
 constexpr char started_by[] = "MIEN_STARTED_BY";
 
 std::runtime_error not_there(const std::string& program, const std::string& command) {

@@ -6,8 +6,9 @@
 
 namespace mien::pipeline {
 
-/// A command of mien that another program has, which lies beside it: `mien study` becomes
-/// mien-study, as git does it, so that who only renders builds and loads nothing of a server.
+/// A command of mien that is implemented by another program in the same folder: `mien study`
+/// executes mien-study, as in git, so that rendering alone does not require building or loading a
+/// server.
 struct OtherProgram {
   const char* command;
   const char* summary;
@@ -22,22 +23,21 @@ inline constexpr OtherProgram study_program{
     "study", "Design, run and analyse rating studies and matching experiments", "mien-study"};
 inline constexpr OtherProgram other_programs[] = {regress_program, studio_program, study_program};
 
-/// As `mien --help` lists it; what is below it, its program tells.
+/// The command as listed by `mien --help`, without its subcommands.
 Command command_elsewhere(const OtherProgram& other);
 
-/// Becomes the program that has the command that was typed, with all words as they are; returns
-/// where it is one of this program. Throws std::runtime_error when the other one is not there.
+/// Replaces the process with the program of the typed command (exec), with the same arguments;
+/// returns if this program implements it. Throws std::runtime_error if that program is missing.
 void become_other_program(int argc, char** argv);
 
-/// Ends with an error where mien of another version started this program. Throws
-/// std::runtime_error.
+/// Throws std::runtime_error if this program was started by another version of mien.
 void refuse_other_version();
 
-/// The commands of a program as JSON, from which another program makes its help and manual.
+/// The commands of a program as JSON, from which another program generates its help and manual.
 std::string program_as_json(const Command& program);
 
-/// The program with all that the others beside it tell of their commands. Throws
-/// std::runtime_error when one of them is not there or does not answer.
+/// The program with the commands of the other programs. Throws std::runtime_error if one of those
+/// is missing or does not answer.
 Command with_other_programs(Command program);
 
 }  // namespace mien::pipeline

@@ -27,11 +27,11 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Where commands put their results, buffered. It remembers why something could not be written,
-/// which std::cout forgets, so that results that went nowhere are told at the program's end.
+/// Buffered standard output for results. It keeps the reason of a failed write, which std::cout
+/// does not, so that lost results are reported at the program's end.
 ///
-/// From its first failure on it takes nothing more. While it lives, SIGPIPE is ignored and
-/// std::cerr flushes it first, so that the two keep their order on a terminal.
+/// After the first failure it discards further output. During its lifetime SIGPIPE is ignored and
+/// std::cerr flushes it first, so that both keep their order on a terminal.
 class StandardOutput : private std::streambuf {
  public:
   StandardOutput();
@@ -41,9 +41,8 @@ class StandardOutput : private std::streambuf {
 
   std::ostream& stream() { return stream_; }
 
-  /// Writes what is left. Returns the exit code of a program that would have ended with `code`:
-  /// results that could not be written are a failure, which is told in one line; a reader that has
-  /// gone (`| head`) had what it wanted, and is none.
+  /// Flushes the buffer. Returns `code`, or that of a failure if results could not be written,
+  /// which is reported in one line. A reader that has closed the pipe (`| head`) is not a failure.
   int finish(int code, std::ostream& err);
 
  private:
@@ -60,7 +59,7 @@ class StandardOutput : private std::streambuf {
 
 StandardOutput::StandardOutput() : is_terminal_(isatty(STDOUT_FILENO) != 0), stream_(this) {
   setp(buffer_.data(), buffer_.data() + buffer_.size());
-  std::signal(SIGPIPE, SIG_IGN);  // that a reader has gone is told by the write
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is reported by the write
   std::cerr.tie(&stream_);
 }
 
@@ -105,9 +104,9 @@ int StandardOutput::finish(int code, std::ostream& err) {
   return code == exit_done ? exit_failed : code;
 }
 
-/// Puts /dev/null where standard input, output or error was closed by whoever started the program:
-/// the first file that it opens would get that number, and what is printed would be written into
-/// it. Reading from them or writing to them fails as before.
+/// Opens /dev/null for standard streams that were closed by the parent process: otherwise the first
+/// file opened would get such a descriptor, and output would be written into it. Reading from or
+/// writing to them still fails.
 void keep_standard_streams_open() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(number, F_GETFD) != -1) continue;
@@ -131,8 +130,8 @@ std::string told_exit_codes() {
   return text + ".\n";
 }
 
-/// Pictures of full size go back to the system when they are freed. By itself the allocator would
-/// keep them from the first one on, and cut them up for what is smaller.
+/// Makes the allocator return full-size images to the system when they are freed. By default it
+/// would keep them after the first one and split them for smaller allocations.
 void give_back_pictures() {
 #ifdef __GLIBC__
   constexpr int picture_bytes = 4 << 20;
@@ -141,7 +140,7 @@ void give_back_pictures() {
 #endif
 }
 
-/// Of a failure that nobody could catch: one line, and no trace of the stack.
+/// Reports an uncaught failure in one line, without a stack trace, and ends the program.
 [[noreturn]] void end_at_once() {
   try {
     if (const std::exception_ptr failure = std::current_exception())

@@ -10,20 +10,20 @@
 
 namespace mien::pipeline {
 
-/// What `mien` and the programs beside it are: their commands, under one name, with one help.
+/// The top-level command of `mien` and its other programs, with a common name and help.
 Command program_of(std::vector<Command> commands);
 
-/// The `main` of each of them. Words that ask for a command of another program become that program.
+/// The `main` of each program. Executes another program if the command belongs to it.
 int run_program(int argc, char** argv, const std::function<Command()>& program);
 
-/// Runs what the words of a command line ask of a program; never throws. Faults of the input are
-/// told on `err` with exit code 2, failures of the machine with 1. The word --commands alone, which
-/// no help lists, tells another program what this one has.
+/// Runs a command line; never throws. Faults of the input are reported on `err` with exit code 2,
+/// other failures with 1. The undocumented option --commands prints this program's commands for
+/// another program.
 int run_command_line(const Command& program, int argc, const char* const* argv,
                      const Console& console);
 
-/// `version` of a program: its own version, the libraries that have a part in artifacts' bytes, and
-/// `more` that this program alone has.
+/// The command `version`: the program's version, the libraries that affect artifacts' bytes, and
+/// `more`, those of this program only.
 Command version_command(std::string summary, std::vector<std::pair<std::string, std::string>> more);
 
 }  // namespace mien::pipeline

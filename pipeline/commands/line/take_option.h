@@ -15,7 +15,7 @@
 
 namespace mien::pipeline {
 
-/// `--take`: which motion of a file that holds several.
+/// The option `--take`, which selects a motion of a file with several.
 inline CommandOption take_option(std::string& take) {
   return option("--take", &take,
                 "Motion to use from a file with several (listed by mien motion info)");
@@ -23,7 +23,8 @@ inline CommandOption take_option(std::string& take) {
 
 using motion::read_take;
 
-/// The motion of a file, and says what its reader chose: the take where none is named, the figure.
+/// Reads the motion of a file and prints the reader's notes as warnings: which take it chose if
+/// none is named, and which figure. Throws Error.
 inline motion::Recording read_told(const std::string& file, const std::string& take,
                                    const Console& console) {
   motion::Recording recording = motion::read_take(file, take);
@@ -32,19 +33,19 @@ inline motion::Recording read_told(const std::string& file, const std::string& t
   return recording;
 }
 
-/// The take that the recording is, where its file holds several; else empty.
+/// The take of the recording, if its file has several; otherwise empty.
 inline std::string chosen_take(const motion::Recording& recording) {
   return recording.takes.size() > 1 ? recording.take : "";
 }
 
-/// Throws Error where a file that is to be written is the one that is read.
+/// Throws Error if the output file is the input file.
 inline void refuse_own_input(const std::string& input, const std::string& written) {
   std::error_code unknown;
   if (std::filesystem::equivalent(input, written, unknown))
     throw Error(Place{written}, "is the input file", "name another file to write");
 }
 
-/// `--take` of a command that compares two files: of both, or of each by its own.
+/// The option `--take` of a command that compares two files: one for both, or one for each.
 inline CommandOption takes_option(std::vector<std::string>& takes) {
   return option("--take", &takes,
                 "Motion to use from files with several (listed by mien motion info); give "
@@ -52,8 +53,9 @@ inline CommandOption takes_option(std::vector<std::string>& takes) {
       .values(1, 1);
 }
 
-/// The takes of two files that are compared. One name alone is of both, as far as both may hold
-/// several. Throws mien::Error for more names than files, and for a name that no file can have.
+/// The takes of two files that are compared. A single name applies to each file whose format may
+/// contain several. Throws mien::Error for more names than files; a name that neither file can have
+/// is refused when the first file is read.
 inline std::array<std::string, 2> takes_of(const std::vector<std::string>& takes,
                                            const std::array<std::string, 2>& files) {
   if (takes.size() > 2)

@@ -14,14 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A manifest of one stimulus says the same, so it is what is checked and made. Names of files are
-/// variables in it: whatever stands in them, YAML does not see it.
+/// An equivalent manifest of one stimulus, which is checked in place of the options. File names are
+/// variables in it, so that special characters are not interpreted by YAML.
 std::string manifest_of(const Change& options) {
   std::string change = options.change;
   if (!change.starts_with('{') && !change.starts_with('['))
     change =
         change.find(':') == std::string::npos ? "{emotion: " + change + "}" : "{" + change + "}";
-  // A motion that is still to come is stood in for by any.
+  // Any motion serves as a placeholder for a stream.
   const std::string motion =
       options.in.empty() ? "weights: {woman-walk-neutral: 1}" : "clip: '${MIEN_MOTION}'";
   return fmt::format(
@@ -39,7 +39,7 @@ Environment environment_of(const Change& options) {
   };
 }
 
-/// As somebody reads it who has written no manifest.
+/// A fault worded for the command line instead of a manifest.
 Fault without_manifest(Fault fault, const fs::path& manifest) {
   constexpr std::string_view stimulus = "stimuli[0].";
   if (fault.place.file == manifest.string()) fault.place = {};

@@ -30,7 +30,7 @@ std::string joint_name(std::size_t row) {
   return std::string(motion::name_of(static_cast<motion::BodyJoint>(row + 1)));
 }
 
-/// What of a motion is compared.
+/// The part of a motion that is compared.
 const char* basis_of(const motion::Example& example) {
   return example.clip.loops ? "gait cycle" : "whole duration";
 }
@@ -70,7 +70,7 @@ ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
                                                : ordered_json::array({basis.warning()})}};
 }
 
-/// Which motions were taken of files that hold several.
+/// Shows which motions were used of files with several.
 void show_takes(const Basis& basis, const Console& console) {
   if (!basis.target_take.empty()) console.out << "target   take " << basis.target_take << '\n';
   if (!basis.created_take.empty()) console.out << "other    take " << basis.created_take << '\n';

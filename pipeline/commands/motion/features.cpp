@@ -68,7 +68,7 @@ std::vector<std::string> warnings_of(const MeasuredFile& measured) {
 
 ordered_json as_json(const MeasuredFile& measured) {
   ordered_json values = ordered_json::object();
-  // What is not known is written as null.
+  // Unknown values are written as null.
   for (std::size_t i = 0; i < measured.values.size(); ++i)
     values[std::string(motion::motion_features()[i].id)] = measured.values[i];
   ordered_json cycle = nullptr;

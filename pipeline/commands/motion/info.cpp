@@ -22,7 +22,7 @@ struct InfoOptions {
   bool json = false;
 };
 
-/// Seconds and metres to a tenth of a millimetre say all that a capture knows.
+/// Rounds seconds or metres to 0.0001, which is finer than the accuracy of any capture.
 double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 ordered_json as_json(const motion::GaitCycle& cycle) {

@@ -38,7 +38,7 @@ struct LintCommand {
   bool csv = false;
 };
 
-/// A motion file and what was found in it.
+/// A motion file and its findings.
 struct LintedFile {
   std::string file;
   std::string take;  ///< where the file holds several
@@ -46,7 +46,7 @@ struct LintedFile {
   LintedMotion motion;
 };
 
-/// The recording as one cycle of a loop: its last frame is followed by its first, one step on.
+/// The clip as one cycle of a loop: its last frame is followed by its first, displaced by one step.
 motion::Clip as_loop(motion::Clip clip) {
   if (clip.frame_count() < 3)
     throw Error(fmt::format("\"{}\" has {} frames", clip.name, clip.frame_count()),

@@ -21,9 +21,9 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr int look_up_milliseconds = 100;  // for a wish to stop
+constexpr int look_up_milliseconds = 100;  // interval for checking stop requests
 
-/// Room for any number of frames that is known at the end.
+/// Width reserved for the number of frames, which is known at the end.
 constexpr std::size_t count_width = 12;
 
 using Clock = std::chrono::steady_clock;
@@ -32,7 +32,7 @@ double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// As many whole frames as the delay leaves room for.
+/// Number of whole frames within the delay.
 int frames_in(double delay_ms, double frames_per_second) {
   return static_cast<int>(std::floor(delay_ms * frames_per_second / 1000.0 + 1e-6));
 }
@@ -190,7 +190,7 @@ LiveReport LiveStream::finish() {
   return report_;
 }
 
-/// What a stream that waited for the end would give: of the whole body, `mien motion modify`.
+/// The result of offline processing: for the whole body that of `mien motion modify`.
 motion::Clip LiveStream::whole_modified(motion::Modification modification) const {
   modification = motion::without_repair(std::move(modification));
   if (options_.scope == motion::PathScope::body) return motion::modified(mapped_, modification);

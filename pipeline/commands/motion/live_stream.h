@@ -17,20 +17,20 @@
 
 namespace mien::pipeline {
 
-/// Bytes of a file, a pipe or standard input ("-") as they come.
+/// Reads a file, a pipe or standard input ("-") as bytes arrive.
 class MotionSource {
  public:
-  /// Throws Error when there is no such file, or it is a folder.
+  /// Throws Error if the file does not exist or is a folder.
   explicit MotionSource(const std::string& file);
   ~MotionSource();
   MotionSource(const MotionSource&) = delete;
   MotionSource& operator=(const MotionSource&) = delete;
 
-  /// As error messages call it.
+  /// Name of the source in error messages.
   const std::string& name() const { return name_; }
 
-  /// Waits for the next bytes. None at the end, or once `stop` is asked for. Throws
-  /// std::system_error when reading fails.
+  /// Waits for the next bytes. Nothing at the end or after a stop request. Throws std::system_error
+  /// if reading fails.
   std::optional<std::string> next(const std::stop_token& stop);
 
  private:
@@ -38,7 +38,7 @@ class MotionSource {
   int descriptor_ = -1;
 };
 
-/// Where a stream's frames go, each as soon as it is there.
+/// Writes a stream's frames, each as soon as it is available.
 class MotionSink {
  public:
   enum class Form {
@@ -46,21 +46,22 @@ class MotionSink {
     lines,  ///< the frames' lines alone
   };
 
-  /// To `out`, or to a file unless its name is empty. The file is written beside its name and takes
-  /// it at the end (`publish`); without that nothing of it stays.
+  /// Writes to `file`, or to `out` if its name is empty. The file is written under a temporary name
+  /// and renamed by `publish`; otherwise it is removed.
   MotionSink(std::ostream& out, std::filesystem::path file, Form form);
   ~MotionSink() = default;
   MotionSink(const MotionSink&) = delete;
   MotionSink& operator=(const MotionSink&) = delete;
 
-  /// `claimed_frames` is what `Frames:` says where it cannot be mended later. Throws WriteFailure
-  /// when the file cannot be written.
+  /// Writes the header. `claimed_frames` is the number of frames stated in it if it cannot be
+  /// corrected later. Throws WriteFailure if the file cannot be written.
   void begin(const motion::Skeleton& body, double frames_per_second, std::size_t claimed_frames);
 
-  /// False when whoever reads has gone. Throws WriteFailure when the file cannot be written.
+  /// Writes a frame. Returns false if the reader has closed the pipe. Throws WriteFailure if the
+  /// file cannot be written.
   bool put(const motion::Pose& pose);
 
-  /// Of a file: its number of frames, and its name.
+  /// Completes a file: writes the number of frames and gives it its final name.
   void publish();
 
  private:
@@ -78,55 +79,55 @@ class MotionSink {
   std::optional<motion::BvhText> text_;
 };
 
-/// What a stream is to do.
+/// Options of a live stream.
 struct LiveOptions {
   std::string name;  ///< of the source
   motion::Modification modification;
   motion::PathScope scope = motion::PathScope::body;
-  std::optional<double> delay_ms;                ///< the shortest that will do without it
+  std::optional<double> delay_ms;                ///< empty: the shortest possible
   std::optional<motion::Recording> calibration;  ///< a recording of the stream's rig
-  bool measure = false;  ///< keep everything, and hold it against the whole at the end
+  bool measure = false;  ///< keep all frames and compare them with offline processing at the end
 };
 
-/// How far a stream came from what is made of the whole motion.
+/// Deviation of a stream from offline processing of the whole motion.
 struct LiveMeasurement {
-  motion::StreamError error;  ///< of the modification, against that of the whole
-  /// The same of paths and posture alone, which look ahead. Left out are soft joint limits, which
-  /// hold against how far the motion has gone until then, and acceleration, which is a stream's
-  /// own.
+  motion::StreamError error;  ///< of the modification, compared with that of the whole motion
+  /// Error of paths and posture only, which look ahead. Excluded are soft joint limits, which
+  /// depend on the range of the motion so far, and acceleration, which only streams have.
   motion::StreamError of_paths_and_posture;
-  motion::StreamError calibration;  ///< of the mapping, against one calibrated on the whole
+  motion::StreamError
+      calibration;  ///< of the mapping, compared with one calibrated on the whole motion
   int plants = 0;
-  double drift_m = 0.0;            ///< horizontal, largest over the plants of the motion that came
-  double drift_of_source_m = 0.0;  ///< likewise, before it was modified
+  double drift_m = 0.0;  ///< largest horizontal foot drift over the plants of the input motion
+  double drift_of_source_m = 0.0;  ///< the same before modification
 };
 
-/// What was done.
+/// Summary of a finished stream.
 struct LiveReport {
   std::size_t frames = 0;
   double frames_per_second = 0.0;
   motion::StreamDelay delay;
-  double mean_computing_ms = 0.0;  ///< from a frame's text to its flushed answer
+  double mean_computing_ms = 0.0;  ///< from reading a frame to flushing its result
   double most_computing_ms = 0.0;
-  double largest_lag = 0.0;  ///< frames that acceleration let a limb fall behind
+  double largest_lag = 0.0;  ///< maximum lag of a limb due to acceleration, frames
   std::vector<std::string> warnings;
   std::optional<LiveMeasurement> measured;
 };
 
-/// A BVH text that is mapped, modified and written frame by frame.
+/// Maps, modifies and writes a BVH stream frame by frame.
 class LiveStream {
  public:
   LiveStream(LiveOptions options, MotionSink& sink);
 
-  /// Maps, modifies and writes what the first frame tells to begin with, then each. False when
-  /// whoever reads has gone. Throws Error: a rig that cannot be mapped, a modification that cannot
-  /// be streamed.
+  /// Processes a frame; the first one also sets up the mapping and writes the header. Returns false
+  /// if the reader has closed the pipe. Throws Error for a rig that cannot be mapped or a
+  /// modification that cannot be streamed.
   bool take(const motion::BvhHead& head, const motion::Pose& pose);
 
-  /// Whether a frame has come.
+  /// Whether a frame has been processed.
   bool has_begun() const { return stream_.has_value(); }
 
-  /// Writes what the delay has kept back. Throws Error when no frame came.
+  /// Writes the delayed frames. Throws Error if there was no frame.
   LiveReport finish();
 
  private:
@@ -140,9 +141,9 @@ class LiveStream {
   LiveReport report_;
   std::optional<motion::LiveMapping> mapping_;
   std::optional<motion::StreamedModification> stream_;
-  motion::Recording source_;  ///< all of what came, when it is measured
-  motion::Clip mapped_;       ///< likewise, on the body
-  motion::Clip given_;        ///< likewise, modified
+  motion::Recording source_;  ///< all input frames, if measuring
+  motion::Clip mapped_;       ///< all frames mapped to the body, if measuring
+  motion::Clip given_;        ///< all output frames, if measuring
 };
 
 }  // namespace mien::pipeline

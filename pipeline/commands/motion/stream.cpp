@@ -135,7 +135,7 @@ void tell(const LiveReport& report, const Console& console) {
                      measured.plants);
 }
 
-/// Lets frames through at the rate at which they were captured.
+/// Delays frames to the rate at which they were captured.
 class Pace {
  public:
   explicit Pace(bool is_kept) : is_kept_(is_kept) {}
@@ -157,7 +157,7 @@ class Pace {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// False when whoever reads has gone.
+/// Processes all frames. Returns false if the reader has closed the pipe.
 bool pass_on(MotionSource& source, LiveStream& live, bool paced, const std::stop_token& stop) {
   motion::BvhStream text(source.name());
   Pace pace(paced);

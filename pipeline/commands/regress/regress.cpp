@@ -21,7 +21,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// What `mien regress` was asked to do.
+/// Options of `mien regress`.
 struct RegressOptions {
   std::string before;              ///< what was approved
   std::string now;                 ///< what is to be judged
@@ -36,12 +36,12 @@ struct RegressOptions {
 constexpr char study_group[] = "Of a study";
 constexpr char files_group[] = "Tolerances for two files";
 
-/// What is of no use there must not seem to be of use.
+/// Refuses options that have no effect.
 void refuse_options(const std::vector<std::string>& given, const char* wrong, const char* remedy) {
   if (!given.empty()) throw Error({given.front()}, wrong, remedy);
 }
 
-/// 1 means that something differs: whatever keeps it from being known is 2.
+/// Runs a comparison. Exit code 1 is reserved for differences, so any failure gives 2.
 int compared(const std::function<int()>& comparison, const Console& console) {
   try {
     return comparison();
@@ -65,7 +65,7 @@ void require_file(const std::string& file) {
               "the current one");
 }
 
-/// Tells how two files differ on `console.out`.
+/// Prints how two files differ to `console.out` and returns the exit code.
 template <class Compared>
 int told(const Compared& files, const RegressOptions& options, const Console& console) {
   if (options.json) {
@@ -98,7 +98,7 @@ int regress_files(const RegressOptions& options, const Console& console) {
                   "; two images: PNG, EXR, JPEG, TIFF, or folders of them; or two videos");
 }
 
-/// A motion, picture or video alone is no study.
+/// Refuses a motion, image or video in place of a study.
 void refuse_lone_file(const std::string& file) {
   if (!motion::is_motion_file(file) && !is_media(file)) return;
   throw Error({file}, "a second file to compare with is missing",
@@ -124,7 +124,7 @@ int regress(RegressOptions options, StudyArguments study, const Console& console
   return regress_study(study, console);
 }
 
-/// Somebody will want to know in a year.
+/// The option --reason: the reason of an approval, stored with it.
 CommandOption reason_option(std::string& reason) {
   CommandOption made = option("--reason", &reason, "Reason for approving the present state")
                            .required()
@@ -136,7 +136,7 @@ CommandOption reason_option(std::string& reason) {
   return made;
 }
 
-/// Options of one heading, of which it is noted which are used.
+/// Options under one heading; names of those used are added to `given`.
 std::vector<CommandOption> in_group(const char* heading, std::vector<std::string>& given,
                                     std::vector<CommandOption> options) {
   for (CommandOption& option : options) {

@@ -36,7 +36,7 @@ bool is_asked(const std::vector<std::string>& only, const std::string& id) {
   return only.empty() || std::ranges::find(only, id) != only.end();
 }
 
-/// The study, made in its folder.
+/// The study and its products.
 struct MadeStudy {
   std::unique_ptr<Production> production;
   fs::path folder;
@@ -51,7 +51,8 @@ void make(MadeStudy& study, const StudyArguments& arguments, const Console& cons
       study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
 }
 
-/// Read and planned; nothing is made yet. What the manifest has no more cannot be made.
+/// Reads and plans the study without running it; selected stimuli that are not in the manifest are
+/// ignored.
 MadeStudy planned(const StudyArguments& arguments, const Console& console) {
   const fs::path file = manifest_meant(arguments.production.manifest, console);
   const Manifest manifest = load_manifest(file, process_environment(), arguments.production.out);
@@ -65,7 +66,7 @@ MadeStudy planned(const StudyArguments& arguments, const Console& console) {
   return study;
 }
 
-/// What was approved, each edition of it made when it is asked for.
+/// Approved editions of the study, each produced on demand.
 class Editions {
  public:
   Editions(const Baseline& baseline, int threads, std::stop_token stop)
@@ -95,11 +96,11 @@ class Editions {
   std::map<std::string, std::unique_ptr<Edition>> editions_;
 };
 
-/// In a folder that reports may be written to, and written over.
+/// File that marks a folder as a report, which may be overwritten.
 constexpr char report_mark[] = ".mien-regression";
 
-/// Makes the folder of the report and leaves nothing of an earlier one in it. Throws Error for a
-/// folder that holds anything else: it would be written over.
+/// Creates an empty folder for the report, removing an earlier one. Throws Error for a folder with
+/// other contents, which would be overwritten.
 fs::path cleared_report_folder(const StudyArguments& arguments, const Manifest& manifest) {
   const fs::path folder = !arguments.report.empty() ? fs::path(arguments.report)
                                                     : fs::path(arguments.production.out) /
@@ -115,13 +116,13 @@ fs::path cleared_report_folder(const StudyArguments& arguments, const Manifest& 
   write_file(folder / report_mark, "");
   for (const char* old : {"frames", "videos", "report.html", "regression.json", "junit.xml"})
     fs::remove_all(folder / old);
-  // What stays if this run does not come to its end.
+  // Remains if this run is not completed.
   write_file(folder / "summary.md",
              "## ❌ " + manifest.study + "\n\nThe comparison was not completed.\n");
   return folder;
 }
 
-/// Throws Error for a folder that holds anything else than a baseline, whole or begun.
+/// Throws Error for a folder with other contents than a complete or partial baseline.
 void refuse_other_folder(const fs::path& folder) {
   if (!fs::exists(folder) || is_baseline(folder)) return;
   const bool is_folder = fs::is_directory(folder);
@@ -133,7 +134,7 @@ void refuse_other_folder(const fs::path& folder) {
               "name a new folder with --baseline");
 }
 
-/// What shows pictures, motions and videos in a report; empty where it is not built.
+/// The script that shows images, motions and videos in a report; empty if it has not been built.
 std::string report_script(const Console& console) {
   try {
     return read_file(page_bundle("regress") / "regress.js");
@@ -143,7 +144,7 @@ std::string report_script(const Console& console) {
   }
 }
 
-/// `made` is the study's folder, or empty where none was made.
+/// `made` is the study's folder, or empty if it was not run.
 void write_reports(const Regression& regression, const ComparedStudy& study, const fs::path& folder,
                    const fs::path& made, const Console& console) {
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
@@ -162,7 +163,8 @@ std::string now_text() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
 }
 
-/// Who approves, if not told: as git has it where the study lies, or the user's name.
+/// Default name of the approving person: the user name of git in the study's folder, or else that
+/// of the system.
 std::string own_name(const Manifest& manifest) {
   const fs::path folder = fs::absolute(manifest.file).parent_path();
   const CommandEnd git =
@@ -173,7 +175,7 @@ std::string own_name(const Manifest& manifest) {
   return user != nullptr && *user != '\0' ? user : "unknown";
 }
 
-/// What the manifest has no more can be approved too, and then goes, or is told to be gone.
+/// Refuses unknown stimuli. Those only in the baseline can be approved too, which removes them.
 void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifest,
                     const Baseline& baseline) {
   std::vector<std::string> known;

@@ -8,7 +8,7 @@
 
 namespace mien::pipeline {
 
-/// What `mien regress` and `mien regress approve` take for a study.
+/// Arguments of `mien regress` and `mien regress approve` for a study.
 struct StudyArguments {
   ProductionArguments production;
   std::string baseline;  ///< folder or commit; empty: the usual one
@@ -20,14 +20,14 @@ struct StudyArguments {
   std::string reason;
   int key_frames = 4;
   bool keep_videos = false;
-  std::vector<std::string> given;  ///< options that are of studies alone
+  std::vector<std::string> given;  ///< used options that only apply to studies
 };
 
-/// Makes the study, compares it with its baseline and writes the report. Exit code 1 when something
-/// differs; throws Error.
+/// Runs the study, compares it with its baseline and writes the report. Returns exit code 1 if
+/// anything differs; throws Error.
 int regress_study(const StudyArguments& arguments, const Console& console);
 
-/// Stores the study as it is now.
+/// Stores the present state of the study as its baseline. Returns the exit code.
 int approve_study(const StudyArguments& arguments, const Console& console);
 
 }  // namespace mien::pipeline

@@ -22,13 +22,13 @@ CommandEnd git(const fs::path& folder, std::vector<std::string> words) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Where a study's baseline lies unless told: baselines/<study> beside the manifest.
+/// Default folder of a study's baseline: baselines/<study> next to the manifest.
 fs::path usual_baseline(const Manifest& manifest) {
   return manifest.file.parent_path() / "baselines" / manifest.study;
 }
 
-/// Links beside a folder's place in `tree`, which stands for the root of the machine, to all that
-/// lies beside the folder itself: what its files name by relative paths is found there too.
+/// Creates links in `tree`, a copy of the file system's root, from the folder's location to the
+/// siblings of the folder itself, so that relative paths in its files can be resolved there.
 void link_surroundings(const fs::path& folder, const fs::path& tree) {
   fs::path level = folder.root_path();
   for (const fs::path& next : folder.relative_path()) {
@@ -43,8 +43,8 @@ void link_surroundings(const fs::path& folder, const fs::path& tree) {
   }
 }
 
-/// The usual folder as a commit has it. git itself puts the files there, so that large ones come
-/// from where it keeps them (LFS).
+/// The default folder in a commit. The files are checked out by git, which also fetches large ones
+/// (LFS).
 FoundBaseline baseline_of_commit(const std::string& commit, const Manifest& manifest) {
   const fs::path folder = manifest.file.parent_path();
   const CommandEnd top = git(folder, {"rev-parse", "--show-toplevel"});
@@ -60,7 +60,7 @@ FoundBaseline baseline_of_commit(const std::string& commit, const Manifest& mani
                                  "--work-tree=" + files.string()});
     return run_command(words, git_limit);
   };
-  // All of the commit, for .gitattributes say which files are kept elsewhere.
+  // The whole commit, because .gitattributes define which files are stored in LFS.
   CommandEnd end = with_own_index({"read-tree", commit});
   if (end.is_done())
     end = with_own_index({"checkout", "--force", commit, "--", path.generic_string()});
@@ -80,7 +80,7 @@ bool is_commit(const std::string& name, const Manifest& manifest) {
   return shown_commit(name, manifest).is_done();
 }
 
-/// What a name means that is no folder, git knows best.
+/// Throws Error for a name that is neither a folder nor a commit, with git's message.
 [[noreturn]] void throw_unknown(const std::string& name, const Manifest& manifest) {
   const CommandEnd end = shown_commit(name, manifest);
   const std::string says = end.is_missing ? "; git is not installed, so commits cannot be looked up"

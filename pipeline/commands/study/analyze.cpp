@@ -35,13 +35,13 @@ fs::path folder_of_study(const fs::path& study) {
   return fs::is_directory(study) ? study : fs::absolute(study).parent_path().parent_path();
 }
 
-/// The scales file that a study keeps beside its results, in inputs/; none where it was made with
-/// the built-in pairs or keeps nothing. `study` is its folder, or its metrics/parameters.csv.
+/// The scales file stored with a study's results in inputs/; none if it uses the built-in pairs or
+/// stores no inputs. `study` is its folder, or its metrics/parameters.csv.
 std::optional<fs::path> kept_scales(const fs::path& study) {
   const auto record = study_record_in(folder_of_study(study) / "provenance.json");
   if (!record || !fs::is_regular_file(record->as_run)) return std::nullopt;
-  // Motions that the study was made of may be gone: of faults, only those of the scales matter, and
-  // who reads these is told them.
+  // Motions of the study may no longer exist: only faults of the scales matter, which are reported
+  // when they are read.
   const fs::path scales = read_manifest(record->as_run, process_environment()).manifest.scales.file;
   if (scales.empty()) return std::nullopt;
   return scales;
@@ -158,7 +158,7 @@ void show_corrections(const Calibration& calibration, const fs::path& folder,
   console.out << folder.string() << '\n';
 }
 
-/// Those that are given, or those of the study, which is told.
+/// The scales given on the command line, or those of the study, which is reported.
 ScaleSet scales_of_answers(const AnalyzeOptions& options, const Console& console) {
   if (!options.scales.empty()) return read_scales(options.scales);
   const std::optional<fs::path> kept = kept_scales(options.stimuli);
@@ -167,7 +167,7 @@ ScaleSet scales_of_answers(const AnalyzeOptions& options, const Console& console
   return read_scales(*kept);
 }
 
-/// Answers about stimuli that were made for a study.
+/// Analyses ratings of a study's stimuli: compares requested with perceived parameters.
 int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
   const ScaleSet scales = scales_of_answers(options, console);
   std::vector<Fault> warnings;

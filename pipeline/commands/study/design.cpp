@@ -39,7 +39,7 @@ struct FrozenArchive {
   std::size_t files = 0;
 };
 
-/// What mien study report would write of answers in which all stimuli are alike.
+/// Adds the report of mien study report for answers without any effect.
 void add_dummy_report(ZipFiles& files, const Manifest& manifest,
                       const std::vector<SessionPlan>& plans) {
   const ScratchFolder folder;
@@ -49,9 +49,9 @@ void add_dummy_report(ZipFiles& files, const Manifest& manifest,
   add_folder(files, folder.path(), "dummy-report");
 }
 
-/// Freezes a study that was made in the folder `made`, with answers that nobody gave and the report
-/// on them. Throws Error where its media are missing, and where something else than these bytes is
-/// in `file`: what was registered is not lost by a slip. Nothing is left on the disk.
+/// Builds the preregistration archive of a study in the folder `made`, with simulated answers and
+/// the report on them. Throws Error if its media are missing, or if `file` exists with other bytes,
+/// so that a registered archive is not overwritten. Writes nothing to disk.
 FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                              const fs::path& made, const fs::path& file) {
   ZipFiles files = frozen_design(manifest, plans, made);
@@ -64,7 +64,7 @@ FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<Session
   return archive;
 }
 
-/// Writes it, whole or not at all.
+/// Writes the archive atomically.
 void write_archive(const FrozenArchive& archive) {
   replace_file(archive.file, archive.file.string() + ".part", archive.bytes);
 }
@@ -83,7 +83,7 @@ struct DesignCommand {
   std::string out = "out";
 };
 
-/// "made=acted,modified" has come in as "made=acted" and "modified".
+/// Joins the parts of "made=acted,modified", which was split at the comma.
 void take_between(const std::vector<std::string>& parts, PowerQuestion& question) {
   if (parts.empty()) return;
   const std::size_t equals = parts[0].find('=');
@@ -155,7 +155,7 @@ void warn_of_no_plan(const Manifest& manifest, const Console& console) {
                    "write it in questionnaire.analysis.plan\n";
 }
 
-/// What the tables and the archive are made from, and must not be written over.
+/// Input files of the tables and the archive, which must not be overwritten.
 std::vector<fs::path> files_of_design(const DesignCommand& command, const Manifest& manifest) {
   std::vector<fs::path> files = {fs::path(command.ratings)};
   for (const InputCopy& input : input_copies(manifest)) files.push_back(input.source);
@@ -180,7 +180,7 @@ int design(const DesignCommand& command, const Console& console) {
   if (!command.frozen.empty())
     archive =
         frozen_archive(manifest, plans, fs::path(command.out) / manifest.study, command.frozen);
-  // The plans go to standard output unless a file takes them, and what is told about them beside.
+  // The plans go to standard output unless a file is given; messages then go to standard error.
   std::ostream& out = command.plans.empty() ? console.err : console.out;
   if (command.plans.empty()) console.out << tables[0].csv;
   tell_design(manifest, plans, balance, console, out);

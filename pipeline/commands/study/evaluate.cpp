@@ -28,7 +28,7 @@ struct EvaluateOptions {
 
 std::string target_text(const std::string& target) { return target.empty() ? "all" : target; }
 
-/// Over all first, then target by target.
+/// Shows overall results, then those of each target.
 void show_text(const MatchingEvaluation& evaluation, const Console& console) {
   const auto show_of = [&](const std::string& target) {
     if (!evaluation.targets.empty()) console.out << target_text(target) << ":\n";
@@ -55,7 +55,7 @@ void show_text(const MatchingEvaluation& evaluation, const Console& console) {
   for (const std::string& target : evaluation.targets) show_of(target);
 }
 
-/// A number, which JSON writes as null where it is not known; text where it is too small for one.
+/// A p value as JSON: null if NaN, a text if it is too small for a double.
 ordered_json p_json(double p) {
   const std::string text = p_of_table(p);
   return text.starts_with('<') ? ordered_json(text) : ordered_json(p);
@@ -105,7 +105,7 @@ fs::path evaluation_folder(const EvaluateOptions& options) {
   return "out" / fs::path(motion::safe_component(fs::path(file).stem().string(), {file}));
 }
 
-/// A ceiling effect: every first guess matched, with every interface.
+/// Notes a ceiling effect: every first guess matched, with every interface.
 void note_ceiling(const MatchingEvaluation& evaluation, const MatchingResults& results,
                   const Console& console) {
   const auto all_matched = [](const MatchingShare& share) {

@@ -41,7 +41,7 @@ int export_matching(const Manifest& manifest, const fs::path& folder, const Cons
 }
 
 int export_study(const ExportOptions& options, const Console& console) {
-  // What would stop it later is told before anything is drawn.
+  // Errors that would stop the export later are reported before anything is drawn.
   refuse_foreign_folder(options.folder);
   const Manifest asked = participants_manifest(options.study.manifest, console);
   if (asked.matching) return export_matching(asked, options.folder, console);

@@ -11,7 +11,7 @@
 
 namespace mien::pipeline {
 
-/// A questionnaire whose study has been made: everything that participants see is there.
+/// A questionnaire whose study is complete: all media shown to participants exist.
 struct MadeQuestionnaire {
   Manifest manifest;
   std::filesystem::path folder;  ///< of the study
@@ -19,13 +19,12 @@ struct MadeQuestionnaire {
   MediaFiles media;
 };
 
-/// Reads the manifest, makes what is missing of its study, as `mien run` would, and lays out the
-/// sessions. Throws Error where there is no questionnaire or the study cannot be made, and
-/// Interrupted.
+/// Reads the manifest, runs the missing tasks of its study like `mien run`, and plans the sessions.
+/// Throws Error if there is no questionnaire or the study fails, and Interrupted.
 MadeQuestionnaire made_questionnaire(const ProductionArguments& arguments, const Console& console);
 
-/// The options that say which study it is and how it is made: the manifest, --out, --quality and
-/// --jobs. -o is left to the command.
+/// The options that select the study and how it is run: the manifest, --out, --quality and --jobs.
+/// The short option -o is left to the command.
 std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments);
 
 }  // namespace mien::pipeline

@@ -13,10 +13,11 @@ struct MatchingDesign {
   std::filesystem::path plans;  ///< CSV to write; empty: standard output
 };
 
-/// Lays out the sessions of a matching experiment and tells how evenly, and how long they take.
+/// Plans the sessions of a matching experiment and prints their balance and duration. Returns the
+/// exit code.
 int design_matching(const Manifest& manifest, const MatchingDesign& design, const Console& console);
 
-/// Warns of trials in which nothing would have to be done.
+/// Warns about trials in which the start already matches the target.
 void tell_matched_at_start(const Manifest& manifest, const MatchingStudy& study,
                            const Console& console);
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By whatever name: through links, and where one of them is not there yet.
+/// Whether two paths name the same file, also through links and if it does not exist yet.
 bool are_same_file(const fs::path& one, const fs::path& other) {
   std::error_code unknown;
   if (one.empty() || other.empty()) return false;
@@ -23,7 +23,7 @@ bool are_same_file(const fs::path& one, const fs::path& other) {
 
 std::string header_of(const std::string& csv) { return csv.substr(0, csv.find('\n') + 1); }
 
-/// Whether a table of answers has rows that somebody gave.
+/// Whether a table of answers has rows of participants, not only simulated ones.
 bool holds_given_answers(const CsvTable& table) {
   const int simulated = find_column(table, "simulated");
   if (simulated < 0) return false;

@@ -29,14 +29,14 @@ struct PredictOptions {
   std::string out;
 };
 
-/// A motion that nobody rated.
+/// A motion without ratings.
 struct Unrated {
   std::string name;
   motion::FeatureValues features;
   std::vector<Prediction> predictions;
 };
 
-/// On the examples' body, as the examples were measured.
+/// Features of a file's motion on the examples' body, as measured for the examples.
 motion::FeatureValues features_of(const std::string& file, const std::string& take,
                                   const Repertoire& repertoire, const Console& console) {
   motion::Example example = motion::make_example(motion::to_body(read_told(file, take, console)));
@@ -107,9 +107,11 @@ constexpr auto rated_columns = table_of<PredictedMean>(
     {{"stimulus", "", "name of the file", [](auto& r) { return r.stimulus; }},
      {"scale", "", "id of the scale", [](auto& r) { return r.scale; }},
      {"value", "scale", "predicted mean answer", [](auto& r) { return r.value; }},
-     {"simulated", "", "always 1: nobody answered", [](auto&) { return true; }}});
+     {"simulated", "", "always 1: predicted, not rated by participants",
+      [](auto&) { return true; }}});
 
-/// As means of answers that a manifest can take for ratings; within the scales' ranges.
+/// Predictions in the form of a table of mean ratings for a manifest, limited to the scales'
+/// ranges.
 WrittenTable ratings_table(const std::vector<Unrated>& motions, const ScaleSet& scales) {
   std::vector<PredictedMean> rows;
   for (const Unrated& motion : motions) {

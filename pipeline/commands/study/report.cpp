@@ -43,14 +43,14 @@ struct ReportCommand {
   std::string studies = "out";  ///< the folder of all studies
 };
 
-/// What the command line names, by kind.
+/// Files and folders of the command line, sorted by kind.
 struct ReportInputs {
   std::vector<fs::path> answers;
   std::vector<fs::path> participants;
   fs::path manifest;
 };
 
-/// Whatever is neither a table nor a folder may name a manifest in one of its ways.
+/// Whether an input counts as a manifest's name: it is neither a table nor a folder.
 bool is_manifest(const fs::path& file) {
   return file.extension() != ".csv" && !fs::is_directory(file);
 }
@@ -79,8 +79,8 @@ ReportInputs inputs_of(const ReportCommand& options) {
   return inputs;
 }
 
-/// What the command line does to the answers that was not frozen; the manifest's own words are
-/// compared elsewhere.
+/// Compares the command line's choices for the analysis with the preregistered ones; those of the
+/// manifest are compared elsewhere.
 void compare_choices(const ReportCommand& options, const nlohmann::json& frozen,
                      std::vector<std::string>& differences) {
   const std::string correction = frozen.value("correction", "");
@@ -146,7 +146,7 @@ int most_participants(const std::vector<AnswerRow>& rows) {
   return most;
 }
 
-/// Tells answers that were given to another state of the questionnaire than the manifest's.
+/// Notes if answers were given to another version of the questionnaire than the manifest's.
 void note_other_design(const Manifest& manifest, const std::vector<AnswerRow>& rows,
                        Gathered& gathered) {
   if (gathered.design.empty()) return;
@@ -168,7 +168,7 @@ void note_other_design(const Manifest& manifest, const std::vector<AnswerRow>& r
                         gathered.design, now));
 }
 
-/// Trials of each plan.
+/// Number of trials of each session plan.
 std::map<std::uint64_t, int> planned_trials(const Manifest& manifest) {
   std::map<std::uint64_t, int> planned;
   for (const SessionPlan& plan : plan_sessions(manifest))

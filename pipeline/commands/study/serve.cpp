@@ -36,7 +36,7 @@ struct ServeOptions {
   bool json = false;
 };
 
-/// Where answers are kept and the links are told.
+/// The files of answers and of links.
 struct ServedFiles {
   fs::path answers;
   fs::path links;
@@ -51,7 +51,7 @@ ServedFiles served_files(const ServeOptions& options, const Manifest& manifest) 
   return {options.store, links};
 }
 
-/// As participants reach the server. Throws Error for what is no address.
+/// The server's URL for participants. Throws Error for an invalid address.
 std::string base_url(const ServeOptions& options, int port) {
   if (!options.url.empty()) {
     const bool is_web = options.url.starts_with("http://") || options.url.starts_with("https://");
@@ -68,7 +68,7 @@ bool is_loopback(const std::string& address) {
   return address.starts_with("127.") || address == "::1" || address == "localhost";
 }
 
-/// For the experimenter's eyes alone.
+/// Writes the links to a file readable only by its owner, the experimenter.
 void write_links(const fs::path& file, const std::string& text) {
   write_file(file, "");
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
@@ -100,7 +100,7 @@ void tell_places(const ServeOptions& options, const ServedFiles& files, const st
   console.out.flush();
 }
 
-/// Until Ctrl-C. What the server fails at is told once, until it is something else.
+/// Prints failures of the running server; a repeated one is printed once.
 class Troubles {
  public:
   explicit Troubles(const Console& console) : console_(console) {}
@@ -127,8 +127,8 @@ class Troubles {
   std::string last_;
 };
 
-/// The store if there is one, for this questionnaire. Throws Error where another was begun in it:
-/// StudySessions would, but after the study has been made.
+/// The existing store of this questionnaire, if any. Throws Error if it belongs to another one,
+/// which StudySessions would only detect after the study has been run.
 std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest& manifest) {
   if (!fs::exists(file)) return nullptr;
   auto store = std::make_unique<SessionStore>(file);
@@ -146,7 +146,8 @@ std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest&
   return store;
 }
 
-/// Sliders ask for a motion with every step, and a trial of matching keeps all of them.
+/// Settings of the server, with higher limits for matching: sliders request a motion with every
+/// step and a trial records all of them.
 HttpSettings settings_of(const ServeOptions& options, const ServedStudy& study) {
   HttpSettings settings{.listen = options.listen, .port = options.port};
   if (study.live) {
@@ -156,7 +157,7 @@ HttpSettings settings_of(const ServeOptions& options, const ServedStudy& study) 
   return settings;
 }
 
-/// Until told to end.
+/// Serves the study until stopped. Returns the exit code.
 int serve_study(const ServedStudy& study, SessionStore& store, const ServeOptions& options,
                 const ServedFiles& files, const Console& console) {
   QuestionnaireService service(study, store);
@@ -192,7 +193,7 @@ int serve_matching(const Manifest& manifest, const ServeOptions& options, const 
   return serve_study(study, store, options, files, console);
 }
 
-/// Throws Error when somebody else listens there.
+/// Throws Error if the port is in use.
 void refuse_taken_port(const ServeOptions& options) {
   if (options.port == 0) return;
   const HttpServer there({.listen = options.listen, .port = options.port},
@@ -200,7 +201,7 @@ void refuse_taken_port(const ServeOptions& options) {
 }
 
 int serve(const ServeOptions& options, const Console& console) {
-  // What would stop it later is told before anything is drawn.
+  // Errors that would stop the server later are reported before anything is drawn.
   base_url(options, options.port);
   refuse_taken_port(options);
   const Manifest asked = participants_manifest(options.study.manifest, console);

@@ -34,7 +34,7 @@ struct SimulateCommand {
   SimulatedPeople people;
 };
 
-/// What the answers are made from, and must not be written over.
+/// Input files of the simulation, which must not be overwritten.
 std::vector<fs::path> files_simulated_from(const SimulateCommand& command,
                                            const Manifest& manifest) {
   std::vector<fs::path> files = {fs::path(command.truth), fs::path(command.scales)};
@@ -43,7 +43,8 @@ std::vector<fs::path> files_simulated_from(const SimulateCommand& command,
   return files;
 }
 
-/// Writes the file, or to standard output without one, and says whose answers they are.
+/// Writes the answers to the file, or to standard output if none is given, and states that they are
+/// simulated.
 int put_answers(const SimulateCommand& command, const Manifest& manifest, const std::string& csv,
                 const std::string& whose, const Console& console) {
   if (command.out.empty()) {
@@ -67,7 +68,7 @@ int simulate_examples(const SimulateCommand& command, const Console& console) {
                      fmt::format("{} simulated raters", command.raters), console);
 }
 
-/// Emotions and choices in words alone need no truth.
+/// The stated truth; not required if there are only emotions and choices in words.
 StatedTruth truth_of(const SimulateCommand& command, const Manifest& manifest) {
   if (!command.truth.empty()) return read_truth(manifest, command.truth);
   return asked_scales(manifest).scales.empty() ? StatedTruth{} : measured_truth(manifest);

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the studio begins with where no manifest is named, and where it then keeps it.
+/// The manifest with which the studio starts if none is named, and the file to which it is saved.
 constexpr char first_manifest[] = "quickstart";
 constexpr char own_file[] = "studio.yaml";
 
@@ -42,15 +42,15 @@ struct StudioOptions {
   bool walk = false;
 };
 
-/// The manifest of that name. One that came with the program stays as it is: it is saved to a file
-/// of its name in this folder.
+/// Opens the manifest of that name. An installed one is not modified but saved to a file of its
+/// name in the current folder.
 std::unique_ptr<ManifestFile> opened(const std::string& name, const Console& console) {
   const Environment environment = process_environment();
   if (!name.empty() && fs::exists(name)) return std::make_unique<ManifestFile>(name, environment);
   const fs::path folder = installed_manifests();
   const auto installed = file_among(folder, name.empty() ? first_manifest : name);
   if (!installed) {
-    manifest_meant(name, console);  // which tells what is wrong with a single word
+    manifest_meant(name, console);  // throws Error for an unknown name
     throw Error({name}, "there is no such file",
                 "name an existing manifest, or omit it for a new one");
   }
@@ -60,7 +60,7 @@ std::unique_ptr<ManifestFile> opened(const std::string& name, const Console& con
   return std::make_unique<ManifestFile>(own, environment, read_file(*installed));
 }
 
-/// Puts the walker's page beside the studio's, with the motion core that it runs on in the browser.
+/// Adds the walker's page to the studio's, with the motion module that runs in the browser.
 void add_walker(std::map<std::string, ServedFile>& page) {
   std::string module = read_file(live_module());
   for (auto& [name, file] : served_page(page_bundle("walk")))
@@ -69,7 +69,7 @@ void add_walker(std::map<std::string, ServedFile>& page) {
   page["live_core.wasm"] = {.bytes = std::move(module), .type = "application/wasm"};
 }
 
-/// Whether there is all that the walker needs.
+/// Whether all files of the walker exist.
 bool has_walker() {
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);

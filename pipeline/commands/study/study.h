@@ -9,20 +9,19 @@
 
 namespace mien::pipeline {
 
-/// Methods of interpolation that take parameters; shares of the examples are an interface of their
-/// own.
+/// Interpolation methods with parameters, that is, all except direct blend weights.
 std::vector<motion::InterpolationMethod> methods_with_parameters();
 
-/// The option --methods; `otherwise` says what happens without it.
+/// The option --methods; `otherwise` describes the default.
 CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
                              const std::string& otherwise);
 
-/// The manifest of that name, which must have a questionnaire. Throws Faults, or Error where it has
-/// none.
+/// Reads the manifest of that name, which must have a questionnaire. Throws Faults, or Error if it
+/// has none.
 Manifest asked_manifest(const std::string& name, const Console& console);
 
-/// The manifest of that name, which must have a questionnaire or a matching experiment. Throws
-/// likewise.
+/// Reads the manifest of that name, which must have a questionnaire or a matching experiment.
+/// Throws Faults, or Error if it has neither.
 Manifest participants_manifest(const std::string& name, const Console& console);
 
 inline constexpr char asked_manifest_help[] =
@@ -32,24 +31,24 @@ inline constexpr char asked_manifest_help[] =
 
 struct Console;
 
-/// What a study command is about, as its options say it.
+/// The examples, ratings and scales of a study command, from its options.
 struct StudySubject {
-  std::string examples;  ///< a manifest (.yaml), or what `parse_examples` takes
+  std::string examples;  ///< a manifest (.yaml), or the syntax of `parse_examples`
   std::string ratings;   ///< CSV; empty: the manifest's, or those of a built-in set
   std::string scales;    ///< YAML; empty: the manifest's, or the built-in pairs
 };
 
-/// The manifest with what the options say over it, or one of the options alone. A manifest that is
-/// not there is looked for among the installed ones. Throws Error.
+/// The manifest overridden by the options, or one built from the options alone. A manifest that
+/// does not exist is searched for among the installed ones. Throws Error.
 Manifest manifest_of(const StudySubject& subject, const Console& console);
 
-/// The options --examples (required), --ratings and --scales, which say what a command is about.
+/// The options --examples (required), --ratings and --scales.
 std::vector<CommandOption> subject_options(StudySubject& subject);
 
 Command studio_command();
 Command study_command();
 
-// Subcommands of `mien study`, one a source file.
+// Subcommands of `mien study`, one per source file.
 Command study_analyze_command();
 Command study_design_command();
 Command study_evaluate_command();

@@ -62,7 +62,7 @@ void show(const TargetSet& set, const std::string& ratings,
   }
 }
 
-/// With a threshold that untouched sliders do not reach.
+/// A manifest for matching these targets, with a threshold that untouched sliders do not reach.
 Manifest matching_manifest(const Manifest& source, const TargetSet& set) {
   Manifest manifest = target_manifest(source, set);
   Motions motions(manifest);

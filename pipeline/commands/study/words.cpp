@@ -38,7 +38,7 @@ constexpr auto coverage_columns = table_of<WordCoverage>(
      {"modifiers_understood", "", "of these understood",
       [](auto& r) { return r.modifiers_understood; }}});
 
-/// Of words that were not understood, or read as others.
+/// Columns of a table of words that were not understood, or read as others.
 constexpr auto words_table(std::string_view path) {
   return table_of<WordCount>(
       path, "a word",

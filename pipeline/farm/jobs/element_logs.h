@@ -10,20 +10,20 @@ namespace mien::pipeline {
 
 /// The log of an element of a job array.
 struct ElementLog {
-  std::string item;  ///< that it was to make, or what is to be said of it
+  std::string item;  ///< heading of the log: the element's item, or its job and cause of failure
   std::filesystem::path file;
 };
 
-/// The newest log of each element that has the item, of the newest submission that has any: of the
-/// task itself and of its chunks where the item is a task ("film:walk"). `folder`: the study's.
+/// The newest log of each element that contains the item, from the newest submission with any. If
+/// the item is a task ("film:walk"), logs of its chunks are included. `folder`: the study's.
 std::vector<ElementLog> logs_of(const std::string& item, const std::filesystem::path& folder);
 
-/// The newest log of each of these elements, those that have written one, called by its cause:
-/// "0001/2-frames.3, failed (exit code 70)".
+/// The newest log of each of these elements, if it has written one, with the heading
+/// "0001/2-frames.3, failed (exit code 70)". `folder`: the study's.
 std::vector<ElementLog> logs_of(const std::vector<JobTrouble>& troubles,
                                 const std::filesystem::path& folder);
 
-/// The last lines of a file; only its last 64 KiB are read.
+/// The last `lines` lines of a file, from its last 64 KiB only; empty if it cannot be opened.
 std::string tail_of(const std::filesystem::path& file, int lines);
 
 }  // namespace mien::pipeline

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether any of the job has written a log: each does as soon as it begins, or finds room.
+/// Whether any element of the job has written a log, which each does when it starts.
 bool has_begun(const JournalJob& job, const fs::path& folder) {
   const fs::path logs = folder / "farm" / job.submission / "log";
   const std::string stem = "-" + job.name + "-" + job.job;

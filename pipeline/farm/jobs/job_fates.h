@@ -12,65 +12,66 @@
 
 namespace mien::pipeline {
 
-/// What became of a job of the journal.
+/// Status of a job that the journal records.
 struct JobFate {
   enum class Kind {
-    live,       ///< some of it waits or runs
-    ended,      ///< all of it is over, well or not
-    lost,       ///< Slurm forgot it before any of it wrote a log, or gave its number to another
-    unanswered  ///< the client stopped between intent and answer, and Slurm does not have it
+    live,   ///< at least one element is pending or running
+    ended,  ///< all elements have ended, successfully or not
+    lost,   ///< unknown to Slurm although no element has written a log; its number may be reused
+    unanswered  ///< the client stopped before Slurm's answer was recorded, and Slurm has no such
+                ///< job
   };
   Kind kind = Kind::ended;
-  JournalJob journal;          ///< with the number that Slurm gave, even if the journal lacks it
-  bool is_adopted = false;     ///< the journal lacked it
-  std::vector<QueueRow> rows;  ///< of it, as squeue has them
+  JournalJob journal;          ///< with Slurm's job number, even if the journal lacks it
+  bool is_adopted = false;     ///< the number was found by the job's comment, not in the journal
+  std::vector<QueueRow> rows;  ///< its rows in the output of squeue
 
-  /// Rows that wait or run; stuck ones too.
+  /// Rows of elements that are pending or running, including held ones.
   std::vector<QueueRow> live() const;
 };
 
-/// What squeue knows of the jobs of a study. A job counts as the study's by its comment, never by
-/// its number alone. `folder`: the study's, where logs tell that a job had begun.
+/// Status of each of a study's jobs according to squeue. Jobs are matched by their comments, since
+/// Slurm may reuse numbers. `folder`: the study's; a log in it shows that a job had started.
 std::vector<JobFate> job_fates(const JournalContent& journal, const std::vector<QueueRow>& queue,
                                const std::filesystem::path& folder);
 
-/// Of all of them: "17_3", as scancel takes it, or "17".
+/// Names of all live jobs and elements, as scancel accepts them: "17_3", or "17".
 std::vector<std::string> live_jobs(const std::vector<JobFate>& fates);
 
-/// Jobs that wait or run, whoever submitted them, of the study with this graph key (submission.h).
+/// Names of pending and running jobs of the study with this graph key (submission.h), including
+/// jobs that its journal does not record.
 std::vector<std::string> live_jobs_called(const std::vector<QueueRow>& queue,
                                           const std::string& graph_key);
 
-/// The jobs of the newest submission that Slurm lost, and those it never answered for, in
-/// sentences; empty when all is well.
+/// One sentence for each job of the newest submission that Slurm has lost or never confirmed; empty
+/// if there are none.
 std::vector<std::string> told_losses(const std::vector<JobFate>& fates);
 
-/// How a row is called in commands of Slurm: "17_3".
+/// The name of a row's job in Slurm's commands: "17_3".
 std::string name_of(const QueueRow& row);
 
-/// How the last attempt at an element ended, when it did not end well.
+/// How the last attempt at an element failed.
 struct ElementEnd {
-  int code = 0;                ///< of the worker, or 128 + the signal that ended it
-  int restarts = 0;            ///< how often Slurm had begun it anew before
-  bool lacked_memory = false;  ///< the job's control group counts a kill for want of memory
+  int code = 0;                ///< exit code of the worker, or 128 + signal number
+  int restarts = 0;            ///< how often Slurm had requeued it before
+  bool lacked_memory = false;  ///< the job's control group counted an out-of-memory kill
 };
 
-/// What jobs of a submission left in ends/, by job ("2-frames") and element, from 1. `submission`:
-/// its folder, out/<study>/farm/0001. A file that says nothing is left out.
+/// Failures that jobs of a submission recorded in ends/, by job ("2-frames") and element number,
+/// from 1. `submission`: its folder, out/<study>/farm/0001. Unreadable files are ignored.
 std::map<std::pair<std::string, int>, ElementEnd> ends_in(const std::filesystem::path& submission);
 
-/// So many of the newest submissions keep their folders.
+/// Number of newest submissions whose folders are never removed.
 inline constexpr std::size_t kept_submissions = 3;
 
-/// Older submissions whose folders nobody needs any more, by number: none of their jobs waits or
-/// runs, and nothing of what they were to make is `due` (tasks that are to be made). `folder`: the
-/// study's.
+/// Numbers of older submissions whose folders may be removed: none of their jobs is pending or
+/// running, and none of their tasks is in `due`, the tasks still to be done. `folder`: the study's.
 std::vector<std::string> spent_submissions(const std::vector<JobFate>& fates,
                                            const std::set<std::string>& due,
                                            const std::filesystem::path& folder);
 
-/// Removes the batch files, lists, notes and logs of submissions. The journal keeps what they were,
-/// and their numbers. How many had a folder.
+/// Removes the batch files, lists, notes and logs of submissions; their journal entries remain.
+/// Returns how many folders were removed. `folder`: the study's.
 int remove_submissions(const std::vector<std::string>& numbers,
                        const std::filesystem::path& folder);
 

@@ -23,14 +23,14 @@ namespace {
 
 using Ends = std::map<std::pair<std::string, int>, ElementEnd>;
 
-/// All chunks of a film are one thing: it may have been cut anew since.
+/// The item without its chunk number, because the film may have been split differently since.
 std::string without_number(const std::string& item) {
   return item.substr(0, std::min(item.size(), item.find('[') + 1));
 }
 
 std::string task_of(const std::string& item) { return item.substr(0, item.find('[')); }
 
-/// What is left undone, and who was to make it last.
+/// Items that are missing, and the last submission that contains each.
 class Undone {
  public:
   Undone(const std::vector<JobFate>& fates, const StudyState& study) : study_(study) {
@@ -96,7 +96,7 @@ bool was_cancelled(const JobFate& fate, const std::optional<ElementEnd>& end, co
   return fate.journal.was_cancelled && was_stopped;
 }
 
-/// Collects what is wrong with the jobs of one submission after the other.
+/// Collects the problems of jobs, submission by submission.
 class TroubleFinder {
  public:
   TroubleFinder(const std::vector<JobFate>& fates, const StudyState& study)
@@ -108,7 +108,7 @@ class TroubleFinder {
       ends_ = ends_in(study_.folder / "farm" / ends_of_);
     }
     const bool is_outdated = !fate.journal.comment.starts_with("mien:" + study_.graph_key + ":");
-    // The job for what is left makes the study as it finds it.
+    // The job that completes a submission uses the study's present state.
     const bool is_useless = is_outdated && fate.journal.elements > 0;
     for (const QueueRow& row : fate.live()) look_at_live(fate, row, is_useless);
     if (is_outdated) return;
@@ -127,7 +127,7 @@ class TroubleFinder {
     trouble.job = name_of(row);
     trouble.reason = row.reason;
     const std::optional<ElementEnd> end = end_of(fate.journal, element, ends_);
-    // Only these make a job hold itself: other codes are of an attempt before.
+    // Only these codes make a job hold itself; others stem from an earlier attempt.
     const bool held_itself = end &&
                              (end->code == worker_wrong_setup || end->code == worker_no_disk) &&
                              !asks_too_much(row);

@@ -12,8 +12,8 @@ namespace mien::pipeline {
 
 namespace {
 
-/// A worker begins at once and gives a sign every few seconds; the clocks of machines between which
-/// Slurm works, and so most likely the file server's, differ by five minutes at most.
+/// Workers report every few seconds from their start. The clocks of a cluster's machines, and most
+/// likely of its file server, differ by five minutes at most, as Slurm requires.
 constexpr double heard_of_within_s = 420.0;
 
 std::string node_state_of(const std::string& node, const NodeStates& nodes) {
@@ -26,12 +26,13 @@ bool is_away(const std::string& node_state) {
   return node_state.ends_with('*') || node_state.starts_with("down");
 }
 
-/// Slurm takes a node out of use that cannot end a job's processes.
+/// Slurm drains a node that cannot end a job's processes.
 bool is_out_of_use(const std::string& node_state) {
   return node_state.starts_with("drain") || node_state.starts_with("fail");
 }
 
-/// One without a job may be of any: a worker that was begun by hand, or by an older mien.
+/// A worker without a job number counts for any job of its node: it was started by hand or by an
+/// older version.
 bool has_worker(const QueueRow& row, const std::vector<WorkerReport>& workers) {
   return std::ranges::any_of(workers, [&](const WorkerReport& worker) {
     return !worker.has_ended && worker.silent_s < heard_of_within_s &&
@@ -39,7 +40,7 @@ bool has_worker(const QueueRow& row, const std::vector<WorkerReport>& workers) {
   });
 }
 
-/// Why it counts as dead; empty when it does not.
+/// Why a job counts as unresponsive; empty if it does not.
 std::string silence_of(const QueueRow& row, const SignsOfLife& signs) {
   const std::string node = node_state_of(row.node, signs.nodes);
   const bool is_ending = row.state == "COMPLETING";

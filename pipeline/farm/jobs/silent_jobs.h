@@ -8,16 +8,16 @@
 
 namespace mien::pipeline {
 
-/// By what one sees whether a job that runs, as Slurm counts, is alive.
+/// Observations that show whether a job that is running according to Slurm is alive.
 struct SignsOfLife {
   std::vector<WorkerReport> workers;
   NodeStates nodes;
-  bool folder_is_well = true;  ///< else jobs wait for it, without a worker
+  bool folder_is_well = true;  ///< false: the folder is unavailable; jobs wait without a worker
 };
 
-/// Jobs that Slurm counts as running, or as about to end, and that are most likely dead: their node
-/// does not answer, or cannot get rid of them, or no worker of theirs has been heard of for
-/// minutes. With the commands that give them up. `study`: how it is told in commands.
+/// Jobs that are running or completing according to Slurm but are most likely dead: their node does
+/// not respond, or cannot end them, or their workers have not reported for several minutes. Their
+/// remedies give the commands that cancel them. `study`: its arguments in commands.
 std::vector<JobTrouble> silent_jobs(const std::vector<JobFate>& fates, const SignsOfLife& signs,
                                     const std::string& study);
 

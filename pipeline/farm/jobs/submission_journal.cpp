@@ -31,14 +31,14 @@ JobRequest request_in(const ordered_json& told) {
           .processors = told.value("jobs", 1)};
 }
 
-/// The last job of that comment, which is unlike that of any other job of the study.
+/// The last job with that comment; comments are unique within a study.
 JournalJob* job_called(JournalContent& content, const std::string& comment) {
   const auto found = std::find_if(content.jobs.rbegin(), content.jobs.rend(),
                                   [&](const JournalJob& job) { return job.comment == comment; });
   return found == content.jobs.rend() ? nullptr : &*found;
 }
 
-/// Throws for one that is not the name of a folder or file of the farm.
+/// A member that names a folder or file of the farm. Throws Error if it is not a plain name.
 std::string own_name(const ordered_json& told, const char* member) {
   return motion::safe_component(told.at(member).get<std::string>(), {});
 }
@@ -132,7 +132,7 @@ void SubmissionJournal::note_cancel(const std::string& comment, const std::strin
   append(ordered_json{{"event", "cancelled"}, {"comment", comment}, {"job", job}}.dump());
 }
 
-/// Begins with a line break where a crash cut the last line off. All in one write, so that lines of
+/// Starts with a line break if a crash truncated the last line. A single write, so that lines of
 /// two processes do not mix.
 void SubmissionJournal::append(const std::string& lines) const {
   make_folder(file_.parent_path());

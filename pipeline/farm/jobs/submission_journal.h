@@ -8,20 +8,20 @@
 
 namespace mien::pipeline {
 
-/// What is known of a job that was submitted, or was to be.
+/// A job that was submitted, or was about to be.
 struct JournalJob {
   std::string submission;  ///< "0001"
   std::string name;        ///< "2-frames"
-  std::string comment;     ///< tells Slurm's jobs of this study from all others
-  int elements = 0;        ///< of its array; 0: a job that is none
-  std::string memory;      ///< that was asked for
-  std::string job;         ///< Slurm's; empty: nobody knows whether it was accepted
-  std::string when;        ///< of the intent, in UTC: "2026-11-23T09:30:00Z"
+  std::string comment;     ///< identifies the job among all of Slurm's jobs
+  int elements = 0;        ///< size of its array; 0: not an array
+  std::string memory;      ///< amount requested
+  std::string job;         ///< Slurm's number; empty if it is unknown whether it was accepted
+  std::string when;        ///< time of the intent, in UTC: "2026-11-23T09:30:00Z"
   bool was_refused = false;
   bool was_cancelled = false;
 };
 
-/// What a submission was asked for, so that `resume` asks for the same.
+/// Options of a submission, reused by `resume`.
 struct JournalSubmission {
   std::string number;
   std::string when;
@@ -30,17 +30,18 @@ struct JournalSubmission {
   JobRequest request;
 };
 
-/// What was submitted for a study, in order.
+/// All submissions and jobs of a study, in order of submission.
 struct JournalContent {
   std::vector<JournalSubmission> submissions;
   std::vector<JournalJob> jobs;
 };
 
-/// The file farm/journal.jsonl of a study: what was to be submitted, written and flushed to disk
-/// before Slurm is asked, and the job it gave, afterwards. So a client that is killed in between,
-/// and a controller that forgets a job or gives its number to another one, are both noticed.
+/// The file farm/journal.jsonl of a study, a write-ahead log of submissions: the intended jobs are
+/// flushed to disk before Slurm is called, and the job numbers it returns are added afterwards. So
+/// a client that is killed in between, and a controller that forgets a job or reuses its number,
+/// are both detected.
 ///
-/// Only ever appended to; a line that was cut off by a crash, or damaged, is passed over.
+/// The file is only appended to; truncated or damaged lines are ignored.
 class SubmissionJournal {
  public:
   /// `folder`: the study's.
@@ -49,8 +50,8 @@ class SubmissionJournal {
   const std::filesystem::path& file() const { return file_; }
   JournalContent read() const;
 
-  /// Each throws WriteFailure when the line cannot be written. A submission is noted with what is
-  /// to be submitted of it, in one write.
+  /// Each throws WriteFailure if the line cannot be written. A submission is recorded together with
+  /// its intended jobs in a single write.
   void note_submission(const JournalSubmission& submission,
                        const std::vector<JournalJob>& intents = {}) const;
   void note_job(const std::string& comment, const std::string& job) const;
@@ -63,7 +64,7 @@ class SubmissionJournal {
   std::filesystem::path file_;
 };
 
-/// The time now as the journal writes it.
+/// The current time in UTC in the journal's format: "2026-11-23T09:30:00Z".
 std::string utc_now();
 
 }  // namespace mien::pipeline

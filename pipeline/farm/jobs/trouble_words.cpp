@@ -27,7 +27,7 @@ std::string mend_folder(const std::string& study) {
   return "free space in it or restore it, then " + submit(study);
 }
 
-/// Of a job that notes how it ends, and has not.
+/// For a job that should have recorded how it ended, but has not.
 TroubleWords words_of_no_note(const std::string& what, const std::string& study) {
   return {what +
               " without a recorded reason, as when the study's folder is full, read-only or "
@@ -42,7 +42,7 @@ TroubleWords short_of_memory(const std::string& study) {
           " requests twice the memory if --mem was given before, or the amount given with --mem"};
 }
 
-/// A code as a worker gives it: `mien run` is a command for people, and has other ones.
+/// The equivalent exit code of a worker; `mien run` has other codes.
 int worker_code(int code, bool is_rest) {
   if (!is_rest) return code;
   if (code == 130) return worker_transient;

@@ -7,23 +7,23 @@
 
 namespace mien::pipeline {
 
-/// Why jobs do not go on ("held by hand"), and what to do about it.
+/// Why a job is stopped ("held by hand"), and what to do about it.
 struct TroubleWords {
   std::string cause;
   std::string remedy;
 };
 
-/// What an exit code means (worker_codes.h; of the job for what is left, `is_rest`, those of
-/// `mien run`). `study`: how it is told in commands, "my.yaml --out o".
+/// Meaning of an exit code: one of worker_codes.h, or one of `mien run` for the job that completes
+/// a submission (`is_rest`). `study`: its arguments in commands, "my.yaml --out o".
 TroubleWords words_of_end(const ElementEnd& end, bool is_rest, const std::string& study);
 
-/// How Slurm ended a job that could not say why itself.
+/// Cause for a job that Slurm ended before it could record an exit code. `study`: as above.
 TroubleWords words_of_state(const QueueRow& row, const std::string& study);
 
-/// Why Slurm keeps a job that nobody's exit code accounts for.
+/// Cause for a job that Slurm holds, if no exit code explains it. `study`: as above.
 TroubleWords words_of_hold(const QueueRow& row, const std::string& study);
 
-/// Of jobs of the study as it was before it was edited.
+/// Cause for jobs submitted before the study was edited. `study`: as above.
 TroubleWords words_of_edit(const std::string& study);
 
 }  // namespace mien::pipeline

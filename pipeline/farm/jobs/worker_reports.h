@@ -8,23 +8,23 @@
 
 namespace mien::pipeline {
 
-/// What a process that works on a study says of itself every few seconds, and what that tells now.
+/// The record that a worker process writes every few seconds, and its age.
 struct WorkerReport : WorkerRecord {
   bool has_ended = false;
-  double silent_s = 0.0;  ///< since it was last heard of
+  double silent_s = 0.0;  ///< seconds since its last record
 
-  /// Whether it works now: it has not ended and was heard of a short time ago.
+  /// Whether it is working now: it has not ended and its last record is recent.
   bool is_alive() const;
   double frames_per_second() const;
 };
 
-/// All of a study's folder that can be read, by host and process.
+/// All readable reports in a study's folder, sorted by host and process.
 std::vector<WorkerReport> worker_reports(const std::filesystem::path& folder);
 
-/// Seconds a frame took on average; 0 when none has been drawn.
+/// Mean time per frame, seconds; 0 if none has been drawn.
 double seconds_a_frame(const std::vector<WorkerReport>& reports);
 
-/// An item that failed, and what is known of it (farm/failures/<item>.json).
+/// A failed item as recorded in farm/failures/<item>.json.
 struct FailedItem {
   std::string item;
   std::string error;
@@ -35,7 +35,7 @@ struct FailedItem {
   std::string command;  ///< that reproduces it
 };
 
-/// By item.
+/// All failed items of a study's folder, sorted by item.
 std::vector<FailedItem> failed_items(const std::filesystem::path& folder);
 
 }  // namespace mien::pipeline

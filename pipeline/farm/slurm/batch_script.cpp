@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using motion::in_single_quotes;
 
-constexpr int stopped_run = 130;  ///< how `mien run` ends that was told to stop
+constexpr int stopped_run = 130;  ///< exit code of `mien run` after a stop signal
 
 std::string line(std::string_view option) { return fmt::format("#SBATCH --{}\n", option); }
 
@@ -95,8 +95,8 @@ std::string call_text(const BatchJob& job, const StudyCall& call, const JobReque
       job.name, request.processors, quality, call.key);
 }
 
-/// Puts the job back into the queue. Where the site does so for an exit code, that is all; else
-/// only a job that still runs may ask for it: one that was cancelled would come to life again.
+/// Requeues the job. If the site does so for an exit code, that suffices; otherwise only a job that
+/// is still running may request it, because a cancelled one would be revived.
 std::string back_into_queue(const char* name, const char* request, bool site_does, int code) {
   if (site_does) return fmt::format("{}() {{ exit {}; }}  # the site does the rest\n", name, code);
   return fmt::format(
@@ -109,8 +109,8 @@ std::string back_into_queue(const char* name, const char* request, bool site_doe
       name, request, code);
 }
 
-/// The kernel counts what it kills for want of memory in the control group that Slurm made for the
-/// job (cgroup v1 and v2): Slurm itself goes by that, but forgets the job some minutes later.
+/// The kernel counts out-of-memory kills in the job's control group (cgroup v1 and v2). Slurm uses
+/// the same count, but forgets the job after some minutes.
 constexpr const char* memory_check = R"(lack=
 while IFS=: read -r _ kind group; do
   case $group in *"/job_${{SLURM_JOB_ID:-none}}"*) ;; *) continue ;; esac

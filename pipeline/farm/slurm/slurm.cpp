@@ -89,7 +89,7 @@ void refuse_missing_configuration() {
                    ", which does not exist: unset it, or set it to the cluster's slurm.conf");
 }
 
-/// Whether sbatch was told, until its time was up, that no job can be taken now: it repeats itself.
+/// Whether sbatch was still retrying at the time limit because no job is accepted at present.
 bool is_full(const CommandEnd& end) {
   return end.timed_out && end.errors.find("retrying") != std::string::npos;
 }

@@ -11,48 +11,48 @@
 
 namespace mien::pipeline {
 
-/// Slurm is not installed, its controller does not answer, or it refused something. `what()` has
-/// Slurm's own words and what to do.
+/// Slurm is not installed, its controller does not answer, or it refused a request. `what()` has
+/// Slurm's message and what to do.
 class SlurmFault : public std::runtime_error {
  public:
   using runtime_error::runtime_error;
 };
 
-/// Slurm answers, but takes no job now, and sbatch still tried when its time was up.
+/// Slurm accepts no jobs at present; sbatch was still retrying at the time limit.
 class SlurmIsFull : public SlurmFault {
  public:
   using SlurmFault::SlurmFault;
 };
 
-/// Nothing is known of what became of a request: the answer did not come.
+/// No answer came, so that it is unknown whether a request was carried out.
 class SlurmSilence : public SlurmFault {
  public:
   using SlurmFault::SlurmFault;
 };
 
-/// Slurm's commands. Each waits for a limited time and throws SlurmFault when it fails.
+/// Slurm's commands. Each throws SlurmFault if it fails or exceeds the time limit.
 class Slurm {
  public:
   explicit Slurm(std::chrono::milliseconds limit = std::chrono::seconds(60)) : limit_(limit) {}
 
-  /// What the site allows.
+  /// The site's limits and settings.
   SlurmSite site() const;
 
-  /// Partitions and nodes; nothing where sinfo tells none.
+  /// Processors of each node in each partition; empty if sinfo fails.
   std::vector<NodeShape> nodes() const;
 
-  /// How each node is; nothing where sinfo does not tell.
+  /// State of each node; empty if sinfo fails.
   NodeStates node_states() const;
 
-  /// Jobs of everybody, those that ended a short time ago too; an element of an array a row.
+  /// Jobs of all users, including recently ended ones; one row per element of an array.
   std::vector<QueueRow> queue() const;
 
-  /// The same, or nothing where Slurm is not installed or does not answer; `why` says it then.
+  /// Like queue(), but returns nothing and sets `why` if Slurm is not installed or does not answer.
   std::optional<std::vector<QueueRow>> queue_if_any(std::string& why) const;
 
-  /// Submits a batch file to run after all of these jobs have ended, however they did, and gives
-  /// its job. Throws SlurmIsFull when it was refused again and again, and SlurmSilence when it may
-  /// have been submitted or not.
+  /// Submits a batch file to run after all of these jobs have ended, successfully or not, and
+  /// returns its job number. `more`: further options of sbatch. Throws SlurmIsFull if Slurm kept
+  /// refusing it, and SlurmSilence if it is unknown whether it was submitted.
   std::string submit(const std::filesystem::path& script, const std::vector<std::string>& after,
                      const std::vector<std::string>& more = {}) const;
 
@@ -64,7 +64,7 @@ class Slurm {
   std::chrono::milliseconds limit_;
 };
 
-/// Why a command of Slurm failed, and what to do about it; Slurm's own words stand last.
+/// Why a command of Slurm failed and what to do about it, followed by Slurm's own message.
 std::string slurm_fault(const std::string& program, const CommandEnd& end);
 
 }  // namespace mien::pipeline

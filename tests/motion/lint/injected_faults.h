@@ -47,7 +47,7 @@ inline const Finding* find(const std::vector<Finding>& findings, const std::stri
   return nullptr;
 }
 
-/// As `find`, errors only.
+/// Like `find`, for errors only.
 inline const Finding* find_error(const std::vector<Finding>& findings, const std::string& check,
                                  const std::string& joint = "", int first = 0,
                                  int last = std::numeric_limits<int>::max()) {

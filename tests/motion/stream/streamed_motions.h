@@ -19,7 +19,7 @@ inline std::vector<motion::Clip> performed(const std::string& set, double frames
   return clips;
 }
 
-/// The clip with other frames from `first` on: bent back as nobody is.
+/// The clip with different frames from `first` on, in an implausible pose.
 inline motion::Clip changed_from(motion::Clip clip, std::size_t first) {
   for (std::size_t f = first; f < clip.poses.size(); ++f) {
     for (motion::Quat& rotation : clip.poses[f].rotations) {

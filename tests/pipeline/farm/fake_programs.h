@@ -10,7 +10,7 @@
 
 namespace mien::test {
 
-/// Programs of these tests' own that are found before all others, as long as the object lives.
+/// Fake programs that precede all others in PATH during the object's lifetime.
 class FakePrograms {
  public:
   enum class Others { found, hidden };
@@ -25,14 +25,14 @@ class FakePrograms {
 
   const std::filesystem::path& folder() const { return folder_.path(); }
 
-  /// A program in the language of the shell.
+  /// Adds a shell script.
   void add(const std::string& name, const std::string& script) const {
     const std::filesystem::path file = folder_.path() / name;
     std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
   }
 
-  /// A program that only prints this.
+  /// Adds a program that only prints `output`.
   void say(const std::string& name, const std::string& output) const {
     write(name + ".output", output);
     add(name, "cat '" + (folder_.path() / (name + ".output")).string() + "'");

@@ -55,7 +55,7 @@ class Submitting : public testing::Test {
   }
 };
 
-/// sbatch that counts jobs from 1 and keeps what it was asked in calls; the number in `refused` is
+/// sbatch that counts jobs from 1 and records its arguments in calls; the number in `refused` is
 /// that of a call that it refuses.
 void add_sbatch(const FakePrograms& programs, const std::string& refused = "none") {
   const std::string at = programs.folder().string();

@@ -18,10 +18,10 @@ namespace mien::test {
 
 using Videos = std::map<std::string, std::vector<pipeline::VideoFacts>>;
 
-/// A study as somebody left it in a folder, and what was approved of it earlier.
+/// A changed study in a folder, and its earlier approved baseline.
 struct ChangedStudy {
   std::filesystem::path folder;
-  nlohmann::json manifest;  ///< written to study.yaml when everything else is as it is to be
+  nlohmann::json manifest;  ///< written to study.yaml after all other changes
   pipeline::Baseline baseline;
   Videos videos;  ///< as they were made now
   int threads = 1;

@@ -9,7 +9,7 @@
 
 namespace mien::test {
 
-/// A change of a study, and what is to be told of it.
+/// A change of a study and the expected report.
 struct Mutation {
   std::string name;
   std::string stimulus;  ///< that is looked at
@@ -24,7 +24,7 @@ std::vector<Mutation> motion_mutations();
 std::vector<Mutation> scene_mutations();
 std::vector<Mutation> drawing_mutations();
 
-/// What a test cannot do to the program it does to the baseline: it is that of another program.
+/// Changes of the program, simulated by changing the baseline instead.
 std::vector<Mutation> program_mutations();
 std::vector<Mutation> video_mutations();
 

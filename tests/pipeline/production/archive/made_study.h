@@ -21,13 +21,13 @@ class MadeStudy {
   std::filesystem::path operator/(const std::string& path) const { return folder_ / path; }
   std::filesystem::path beside(const std::string& name) const { return temporary_.path() / name; }
 
-  /// Makes the study a copy from elsewhere: without what the store keeps for itself.
+  /// Turns the study into a copy received from elsewhere, without the store's internal files.
   void forget_receipts() const;
 
-  /// Changes provenance.json, hashes and all.
+  /// Changes provenance.json and updates its hashes.
   void forge(const std::function<void(nlohmann::ordered_json&)>& change) const;
 
-  /// Puts bytes into an artifact's place, and their hash and size into the provenance.
+  /// Replaces an artifact's bytes, and its hash and size in the provenance.
   void forge_artifact(const std::string& path, const std::string& bytes) const;
 
  private:

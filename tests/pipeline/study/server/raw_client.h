@@ -4,7 +4,7 @@
 
 namespace mien::pipeline {
 
-/// A connection to a server on this machine that sends whatever it is told to.
+/// A connection to a server on this machine that sends arbitrary bytes.
 class RawClient {
  public:
   explicit RawClient(int port);

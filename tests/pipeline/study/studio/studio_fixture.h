@@ -63,7 +63,7 @@ class Studio : public testing::Test {
     return nlohmann::ordered_json::parse(response.body.substr(4, length));
   }
 
-  /// The last word about a job.
+  /// Waits for a job and returns its final state.
   nlohmann::ordered_json ended(int job) {
     for (;;) {
       const nlohmann::ordered_json told =
