@@ -282,8 +282,8 @@ void withdraw(const Submission& submission, const SubmissionJournal& journal,
   try {
     for (const JournalJob& intent : intents_of(submission))
       journal.note_refusal(intent.comment, why);
-  } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the disk is full, and why it
-  }                                  // was withdrawn is told; Slurm has no such jobs
+  } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the disk is full; the caller
+  }                                  // reports the reason, and Slurm has no such jobs
   remove_unused(submission.folder);
 }
 

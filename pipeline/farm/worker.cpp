@@ -167,7 +167,7 @@ WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
       try {
         tell_failure(folder, result.failed.back(), command, store.presence().self());
       } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the disk is full, perhaps,
-      }                                  // and the job's log tells of the failure itself
+      }                                  // and the failure itself is in the job's log
     } else if (outcomes[index].state == TaskState::interrupted ||
                outcomes[index].state == TaskState::skipped) {
       result.was_interrupted = true;

@@ -78,8 +78,8 @@ std::unique_ptr<Claim> Claim::take(const fs::path& folder, const std::string& wh
   make_folder(claims);
   const fs::path file = claims / hash_of(what);
   if (!create_signed(file, worker)) {
-    // One that nobody has signed was left by a process that was killed at that moment, or will be
-    // signed in the next one: then two make the same, which harms nothing.
+    // A claim without a name is from a process that was killed at that moment or is about to write
+    // its name; in the latter case two processes may do the same work, which is harmless.
     const std::string holder = claim_holder(file);
     if (holder != worker && !holder.empty() && watch.seems_alive(holder)) return nullptr;
     fs::remove_all(file);

@@ -40,7 +40,7 @@ void FaultList::add_at_key(const std::string& path, std::string wrong, std::stri
 void FaultList::check_word(const std::string& path, const std::string& name,
                            const std::string& what, const std::vector<std::string>& known) {
   if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
-  // Looking for the nearest of many names takes a while: nobody reads so many remedies.
+  // Searching many names for the most similar one is slow, so the number of remedies is limited.
   constexpr std::size_t most_remedies = 1000;
   add(path, "unknown " + what + " " + motion::in_quotes(name),
       faults_.size() < most_remedies ? motion::did_you_mean(name, known) : "");

@@ -157,7 +157,7 @@ double slot_of(const BarChart& chart, const Scale& scale) {
   return (scale.plot.width - gaps_of(chart)) / static_cast<double>(chart.bars.size());
 }
 
-/// Of a bar, along the axis.
+/// Horizontal centre of a bar, points.
 double middle_of(const BarChart& chart, const Scale& scale, size_t bar) {
   return scale.plot.x + slot_of(chart, scale) * (static_cast<double>(bar) + 0.5) +
          gaps_before(chart, bar);

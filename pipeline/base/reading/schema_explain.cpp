@@ -221,7 +221,7 @@ class Explainer {
     if (!node_.contains("properties") || node_.value("additionalProperties", json()) != false)
       return;
     const std::vector<std::string> known = keys_of(node_["properties"]);
-    constexpr std::size_t most_remedies = 1000;  // nobody reads more, and finding one takes a while
+    constexpr std::size_t most_remedies = 1000;  // limit, because finding one is slow
     const json& properties = node_["properties"];
     for (const auto& [key, member] : value_.items()) {
       if (properties.contains(key)) continue;

@@ -43,10 +43,10 @@ bool is_merge_key(const YamlNode& key) { return !key.quoted && key.text == "<<";
 struct OpenNode {
   YamlNode node;
   YAML::anchor_t anchor = 0;
-  // Of a map only:
+  // For maps only:
   std::map<std::string, int, std::less<>> lines;  ///< of the keys so far
-  std::optional<YamlNode> key;                    ///< waits for its value
-  bool skips_value = false;                       ///< the key was at fault
+  std::optional<YamlNode> key;                    ///< key whose value has not been read yet
+  bool skips_value = false;                       ///< the key was invalid
   std::vector<YamlNode> merged;                   ///< values of `<<`
 };
 

@@ -22,7 +22,7 @@ ShareInterval wilson(double successes, double trials, double confidence) {
 double binomial_test(int successes, int trials, double chance) {
   if (trials <= 0) return 1.0;
   const boost::math::binomial outcomes(trials, chance);
-  // As R: what is as probable but for roundings counts.
+  // Outcomes that are as probable except for rounding errors count too, as in R.
   const double most = pdf(outcomes, successes) * (1.0 + 1e-7);
   double p = 0.0;
   for (int k = 0; k <= trials; ++k) {

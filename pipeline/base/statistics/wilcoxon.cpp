@@ -181,7 +181,7 @@ HodgesLehmann hodges_lehmann(const std::vector<double>& differences, double conf
   const double half_alpha = 0.5 * (1.0 - confidence);
   Tail tail = differences.size() <= most_exact ? exact_tail(differences.size(), half_alpha)
                                                : normal_tail(differences.size(), half_alpha);
-  // Of no mean beyond the ends, R takes the first and the last mean too.
+  // If no mean is beyond the ends, the first and the last are used, as in R.
   if (tail.beyond == 0) tail = {1, std::pow(0.5, static_cast<double>(differences.size()))};
   return {median_of_sorted(means), means[tail.beyond - 1], means[means.size() - tail.beyond],
           1.0 - 2.0 * tail.probability};

@@ -160,7 +160,7 @@ std::vector<std::string> spent_submissions(const std::vector<JobFate>& fates,
 int remove_submissions(const std::vector<std::string>& numbers, const fs::path& folder) {
   int removed = 0;
   for (const std::string& number : numbers) {
-    std::error_code ignored;  // what cannot be removed harms nobody
+    std::error_code ignored;  // remaining files are harmless
     removed += fs::remove_all(folder / "farm" / number, ignored) > 0 && !ignored ? 1 : 0;
   }
   return removed;
