@@ -31,7 +31,7 @@ Vec3 treadmill_under(const Clip& motion) {
   return floor.norm() < slowest_treadmill_m_s ? Vec3::Zero() : floor;
 }
 
-Clip on_its_way(Clip motion, const Vec3& floor) {
+Clip off_treadmill(Clip motion, const Vec3& floor) {
   if (floor.isZero()) return motion;
   const double step_seconds = 1.0 / motion.frames_per_second;
   for (int t = 0; t < motion.frame_count(); ++t) {
@@ -61,7 +61,7 @@ LintSubject lint_subject(const Clip& motion) {
   const bool is_human = is_body(motion.body);
   if (is_human) {
     subject.floor = treadmill_under(subject.clip);
-    subject.clip = on_its_way(std::move(subject.clip), subject.floor);
+    subject.clip = off_treadmill(std::move(subject.clip), subject.floor);
     subject.scale = relative_stature(motion.body);
   }
   if (motion.loops) {

@@ -40,7 +40,7 @@ constexpr MotionFormat formats[] = {
      .write = write_glb},
 };
 
-std::string in_words(bool (*is_meant)(const MotionFormat&)) {
+std::string names_and_extensions(bool (*is_meant)(const MotionFormat&)) {
   std::vector<std::string> parts;  // "glTF (.gltf, .glb"
   std::string_view name;
   for (const MotionFormat& format : formats) {
@@ -73,15 +73,15 @@ const MotionFormat* motion_format(const std::filesystem::path& path) {
 }
 
 std::string formats_read() {
-  return in_words([](const MotionFormat&) { return true; });
+  return names_and_extensions([](const MotionFormat&) { return true; });
 }
 
 std::string formats_written() {
-  return in_words([](const MotionFormat& format) { return format.write != nullptr; });
+  return names_and_extensions([](const MotionFormat& format) { return format.write != nullptr; });
 }
 
 std::string formats_with_takes() {
-  return in_words([](const MotionFormat& f) { return f.has_takes; });
+  return names_and_extensions([](const MotionFormat& f) { return f.has_takes; });
 }
 
 bool is_motion_file(const std::filesystem::path& path) { return motion_format(path) != nullptr; }

@@ -13,13 +13,13 @@ constexpr double step_margin = 0.15;  // share of the period between strikes of 
 constexpr double toe_off_window =
     0.42;  // share of the period around the other foot's strike; runs fly long
 
-struct Moment {
+struct EventTime {
   double frame = 0.0;
   bool confirmed = true;
 };
 
-std::vector<Moment> moments(std::span<const GaitEvent> events, Kind kind, bool left) {
-  std::vector<Moment> found;
+std::vector<EventTime> moments(std::span<const GaitEvent> events, Kind kind, bool left) {
+  std::vector<EventTime> found;
   for (const GaitEvent& event : events) {
     if (event.kind == kind && event.left == left) found.push_back({event.frame, event.confirmed});
   }
@@ -27,9 +27,9 @@ std::vector<Moment> moments(std::span<const GaitEvent> events, Kind kind, bool l
 }
 
 /// The only moment in (from, to); none when there are several.
-std::optional<Moment> only_between(const std::vector<Moment>& all, double from, double to) {
-  std::optional<Moment> only;
-  for (const Moment& moment : all) {
+std::optional<EventTime> only_between(const std::vector<EventTime>& all, double from, double to) {
+  std::optional<EventTime> only;
+  for (const EventTime& moment : all) {
     if (moment.frame <= from || moment.frame >= to) continue;
     if (only) return std::nullopt;
     only = moment;
@@ -38,9 +38,9 @@ std::optional<Moment> only_between(const std::vector<Moment>& all, double from, 
 }
 
 /// The moment nearest to `frame`, within `reach` of it.
-std::optional<Moment> nearest(const std::vector<Moment>& all, double frame, double reach) {
-  std::optional<Moment> best;
-  for (const Moment& moment : all) {
+std::optional<EventTime> nearest(const std::vector<EventTime>& all, double frame, double reach) {
+  std::optional<EventTime> best;
+  for (const EventTime& moment : all) {
     const double distance = std::abs(moment.frame - frame);
     if (distance > reach) continue;
     if (!best || distance < std::abs(best->frame - frame)) best = moment;
@@ -49,7 +49,8 @@ std::optional<Moment> nearest(const std::vector<Moment>& all, double frame, doub
 }
 
 /// The toe off that belongs to the strike at `frame`, or one period away from it.
-std::optional<Moment> toe_off_at(const std::vector<Moment>& toe_offs, double frame, double period) {
+std::optional<EventTime> toe_off_at(const std::vector<EventTime>& toe_offs, double frame,
+                                    double period) {
   for (const double shift : {0.0, period, -period}) {
     if (auto found = nearest(toe_offs, frame + shift, toe_off_window * period)) {
       found->frame -= shift;
@@ -85,15 +86,15 @@ std::optional<double> passing(const std::vector<double>& swinging,
 }
 
 struct Feet {
-  std::vector<Moment> strikes;
-  std::vector<Moment> toe_offs;
-  std::vector<Moment> other_strikes;
-  std::vector<Moment> other_toe_offs;
+  std::vector<EventTime> strikes;
+  std::vector<EventTime> toe_offs;
+  std::vector<EventTime> other_strikes;
+  std::vector<EventTime> other_toe_offs;
   const std::vector<double>& heel;
   const std::vector<double>& other_heel;
 };
 
-std::optional<Stride> stride_between(const Feet& feet, const Moment& from, const Moment& to,
+std::optional<Stride> stride_between(const Feet& feet, const EventTime& from, const EventTime& to,
                                      bool left) {
   const double period = to.frame - from.frame;
   const auto other = only_between(feet.other_strikes, from.frame + step_margin * period,

@@ -19,7 +19,7 @@ constexpr std::array<int, 5> limb_ends = {Head, LeftWrist, RightWrist, LeftAnkle
 
 /// Way of a limb's end as seen from the part of the trunk that carries the limb (chest or pelvis),
 /// in its frame, metres: what the limb itself does.
-std::vector<Vec3> limb_way(const LintSubject& subject, int end) {
+std::vector<Vec3> limb_path(const LintSubject& subject, int end) {
   const int base = end == LeftAnkle || end == RightAnkle ? Pelvis : Chest;
   std::vector<Vec3> way;
   for (const JointTransforms& world : subject.world) {
@@ -44,8 +44,8 @@ std::vector<Vec3> at_moments_of(const LintSubject& subject, const LintSubject& o
 }
 
 constexpr double phase_window_seconds = 2.0;
-constexpr double farthest_seconds = 0.6;  // a limb half a second late is still found
-constexpr double smallest_way = 0.02;     // m; of what hardly moves the phase means nothing
+constexpr double farthest_seconds = 0.6;    // a limb half a second late is still found
+constexpr double least_limb_travel = 0.02;  // m; of what hardly moves the phase means nothing
 constexpr double least_correlation = 0.6;
 constexpr double least_gain = 0.05;  // in correlation, over no shift at all
 
@@ -91,7 +91,7 @@ std::optional<double> correlation(const std::vector<Vec3>& way, const std::vecto
     own += a.squaredNorm();
     of_model += b.squaredNorm();
   }
-  const double least = count * smallest_way * smallest_way;
+  const double least = count * least_limb_travel * least_limb_travel;
   if (own < least || of_model < least) return std::nullopt;
   return both / std::sqrt(own * of_model);
 }
@@ -144,8 +144,8 @@ std::vector<LimbFaults> limb_faults(const LintSubject& subject, const LintSubjec
   std::vector<std::vector<Vec3>> ways;
   std::vector<std::vector<Vec3>> models;
   for (const int joint : limb_ends) {
-    ways.push_back(limb_way(subject, joint));
-    models.push_back(at_moments_of(subject, original, limb_way(original, joint)));
+    ways.push_back(limb_path(subject, joint));
+    models.push_back(at_moments_of(subject, original, limb_path(original, joint)));
   }
   const double seconds = pace(subject, original) / subject.rate();  // of the original, a frame
   const std::vector<double> none(subject.world.size(), 0.0);
@@ -173,7 +173,7 @@ constexpr double smooth_jerk = 10.0;  // m/s³; what is smoother is as good as s
 /// Root mean square of the jerk around each frame, m/s³.
 std::vector<double> jerks(const LintSubject& subject, int joint) {
   const double rate = subject.rate();
-  std::vector<Vec3> way = low_pass(limb_way(subject, joint), std::min(10.0, 0.3 * rate), rate);
+  std::vector<Vec3> way = low_pass(limb_path(subject, joint), std::min(10.0, 0.3 * rate), rate);
   for (int order = 0; order < 3; ++order) way = derivative(way, rate);
   const int count = static_cast<int>(way.size());
   const int reach = static_cast<int>(std::lround(0.5 * jerk_window_seconds * rate));

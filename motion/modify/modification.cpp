@@ -48,7 +48,7 @@ void check_range(const char* name, double value, double least, double most) {
 }
 
 /// The loop on its way when its feet walk in place; any other clip as it is.
-Clip sent_on_its_way(const Clip& clip) {
+Clip made_travelling(const Clip& clip) {
   const Vec3 floor = floor_velocity(clip);
   if (floor.norm() < walking_floor) return clip;
   return travelling(clip, -floor * clip.duration_seconds());
@@ -228,7 +228,7 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   if (is_identity(m) || clip.frame_count() < 2) return result;
   ModificationReport& report = result.report;
 
-  const Clip original = sent_on_its_way(clip);
+  const Clip original = made_travelling(clip);
   const bool at_contacts =
       m.acceleration > 0.0 && m.acceleration_place == AccelerationPlace::contacts;
   const std::vector<FootPlant> contacts =

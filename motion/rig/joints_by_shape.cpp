@@ -121,7 +121,7 @@ bool is_at_or_above(const Skeleton& rig, int joint, int other) {
 }
 
 /// The child of the chest that leads up: called neck, else with the longest way to go.
-int way_up(const BoneTree& tree, const KeyJoints& keys) {
+int head_side_child(const BoneTree& tree, const KeyJoints& keys) {
   int best = -1;
   for (const int child : tree.children[keys.chest]) {
     const JointWord word = joint_word(tree.rig.joints[child].name);
@@ -183,7 +183,7 @@ void fill_limbs_by_shape(const BoneTree& tree, KeyJoints& keys) {
 }
 
 void find_head_by_shape(const BoneTree& tree, KeyJoints& keys) {
-  int joint = way_up(tree, keys);
+  int joint = head_side_child(tree, keys);
   if (joint < 0) return;
   while (!is_carrier(tree, joint)) {
     const int next = main_child_of(tree, joint);

@@ -45,7 +45,7 @@ Vec3 mean_offset(const BodyFitter& fitter, BodyJoint base, BodyJoint joint) {
 }
 
 /// Sum of the offsets already given to the joints strictly between `base` and `joint`.
-Vec3 given_between(const BodyFitter& fitter, BodyJoint base, BodyJoint joint) {
+Vec3 offset_between(const BodyFitter& fitter, BodyJoint base, BodyJoint joint) {
   Vec3 given = Vec3::Zero();
   for (int j = body_parents[joint]; j != base; j = body_parents[j]) {
     given += fitter.body.joints[j].offset;
@@ -55,7 +55,7 @@ Vec3 given_between(const BodyFitter& fitter, BodyJoint base, BodyJoint joint) {
 
 void fit_present(BodyFitter& fitter, BodyJoint joint) {
   const BodyJoint base = turning_parent(fitter.rig(), joint);
-  fitter.offset(joint) = mean_offset(fitter, base, joint) - given_between(fitter, base, joint);
+  fitter.offset(joint) = mean_offset(fitter, base, joint) - offset_between(fitter, base, joint);
 }
 
 void fit_missing(BodyFitter& fitter, BodyJoint joint) {

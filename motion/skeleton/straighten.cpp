@@ -19,7 +19,7 @@ Vec3 displacement(const Clip& clip) {
 }
 
 /// Where each frame would be from the first at even speed.
-std::vector<Vec3> even_way(const Clip& clip) {
+std::vector<Vec3> uniform_path(const Clip& clip) {
   const Vec3 step = displacement(clip) / (clip.frame_count() - 1);
   std::vector<Vec3> way;
   for (int t = 0; t < clip.frame_count(); ++t) way.push_back(t * step);
@@ -27,7 +27,7 @@ std::vector<Vec3> even_way(const Clip& clip) {
 }
 
 /// Where each frame is from the first, without what is quicker than 1 Hz.
-std::vector<Vec3> smooth_way(const Clip& clip) {
+std::vector<Vec3> smoothed_path(const Clip& clip) {
   std::vector<Vec3> way;
   for (const Pose& pose : clip.poses) {
     way.push_back(horizontal(pose.root_position - clip.poses.front().root_position));
@@ -79,8 +79,8 @@ Clip kept_in_place(const Clip& clip) {
   if (clip.loops) return in_place(clip);
   Clip result = clip;
   if (clip.frame_count() < 2) return result;
-  const std::vector<Vec3> even = even_way(clip);
-  const std::vector<Vec3> path = smooth_way(clip);
+  const std::vector<Vec3> even = uniform_path(clip);
+  const std::vector<Vec3> path = smoothed_path(clip);
   double farthest = 0.0;
   for (size_t t = 0; t < path.size(); ++t) {
     farthest = std::max(farthest, (path[t] - even[t]).norm());

@@ -14,7 +14,7 @@ constexpr double creeping = 1e-3;
 /// Path that an effector at rest is taken to go, metres.
 constexpr double least_path = 1e-6;
 /// A way there or back that counts, as a share of the farthest.
-constexpr double least_way = 0.25;
+constexpr double least_travel_m = 0.25;
 
 /// About the pelvis, axes of the world, without marker noise.
 std::vector<Vec3> effector_path(const Clip& clip, BodyJoint effector) {
@@ -86,7 +86,7 @@ std::vector<int> basic_periods(const Clip& clip, BodyJoint effector) {
     const std::vector<Vec3> path = effector_path(clip, effector);
     std::vector<double> away;
     for (const Vec3& place : path) away.push_back((place - path.front()).norm());
-    const double way = least_way * *std::max_element(away.begin(), away.end());
+    const double way = least_travel_m * *std::max_element(away.begin(), away.end());
     bool returning = false;
     size_t turn = 0;  // farthest since the last boundary, or nearest since then
     for (size_t i = 1; i < away.size(); ++i) {

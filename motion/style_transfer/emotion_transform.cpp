@@ -105,7 +105,7 @@ EmotionTransform emotion_transform(const Clip& neutral, const Clip& emotional) {
     transform.periods.push_back(transform_between(from[p], to[p]));
   }
   const double way = to_curves(neutral).way.norm();
-  if (way > least_travel) transform.way_ratio = to_curves(emotional).way.norm() / way;
+  if (way > least_travel) transform.displacement_ratio = to_curves(emotional).way.norm() / way;
   return transform;
 }
 
@@ -125,7 +125,7 @@ Clip transformed(const Clip& motion, const EmotionTransform& transform,
     if (options.amplitude) scale_deviations(curves, period, change, options.amount);
     periods.push_back(std::move(period));
   }
-  if (options.amplitude) curves.way *= std::pow(transform.way_ratio, options.amount);
+  if (options.amplitude) curves.way *= std::pow(transform.displacement_ratio, options.amount);
   return to_clip(retimed(curves, periods));
 }
 

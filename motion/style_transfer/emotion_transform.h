@@ -27,7 +27,7 @@ struct EmotionTransform {
   BodyJoint effector = RightWrist;       ///< whose path defines timing and periods
   std::vector<PeriodTransform> periods;  ///< one for each period of both, else only the mean
   PeriodTransform mean;
-  double way_ratio = 1.0;  ///< of the ways along the floor
+  double displacement_ratio = 1.0;  ///< of the ways along the floor
 };
 
 /// Periods of a take end where the end effector (the wrist or ankle with the longest path about

@@ -114,7 +114,7 @@ LtiStyleModel fit_lti_style(const Clip& neutral, const Clip& styled,
   }
   outputs.col(curve_count) = log_rates(times, from, to);
   model.mean_difference = outputs.colwise().mean();
-  model.way_difference = to.way - from.way;
+  model.displacement_difference = to.way - from.way;
 
   const Eigen::MatrixXd centred = about_mean(from.values);
   model.components = principal_components(centred, options.inputs);
@@ -131,7 +131,7 @@ Clip translated(const Clip& motion, const LtiStyleModel& model, const LtiStyleOp
   Eigen::MatrixXd outputs = simulated(model.system, inputs, initial_state(motion.loops));
   outputs.rowwise() += model.mean_difference;
   curves.values += options.amount * outputs.leftCols(curve_count);
-  if (motion.loops && model.loops) curves.way += options.amount * model.way_difference;
+  if (motion.loops && model.loops) curves.way += options.amount * model.displacement_difference;
   if (options.timing) curves = with_rates(curves, options.amount * outputs.col(curve_count));
   return resampled(to_clip(curves), motion.frames_per_second);
 }

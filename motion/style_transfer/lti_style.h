@@ -27,7 +27,8 @@ struct LtiStyleModel {
   Eigen::MatrixXd components;  ///< curve_count × inputs, orthonormal
   StateSpace system;
   Eigen::RowVectorXd mean_difference;  ///< of the outputs
-  Vec3 way_difference = Vec3::Zero();  ///< of the ways, frame of the mean direction, metres
+  Vec3 displacement_difference =
+      Vec3::Zero();            ///< of the ways, frame of the mean direction, metres
   double error_radians = 0.0;  ///< root mean square error of joint rotations on the training pair
   MotionCorrespondence correspondence;
 };

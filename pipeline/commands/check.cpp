@@ -16,7 +16,7 @@
 #include "pipeline/manifest/checks/take_checks.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/run/rehearsal.h"
-#include "pipeline/production/synthesis/wish.h"
+#include "pipeline/production/synthesis/parameter_request.h"
 
 namespace mien::pipeline {
 
@@ -112,9 +112,9 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
     return findings;
   }
   append(findings.warnings, reading.manifest.renamed);
-  append(findings.warnings, silent_takes(reading.manifest));
+  append(findings.warnings, default_take_warnings(reading.manifest));
   for (const Repetition& repetition : repetitions_in(reading.manifest))
-    findings.warnings.push_back(told_at_its_place(repetition, reading.manifest.places));
+    findings.warnings.push_back(repetition_fault(repetition, reading.manifest.places));
   for (Fault& warning : questionnaire_warnings(reading.manifest))
     findings.warnings.push_back(std::move(warning));
   if (options.quick) return findings;
@@ -128,7 +128,7 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
   return findings;
 }
 
-void tell(const Findings& findings, const std::string& file, const Console& console) {
+void print_result(const Findings& findings, const std::string& file, const Console& console) {
   if (!findings.faults.empty()) console.err << fault_lines(findings.faults) << '\n';
   tell_warnings(findings.warnings, console);
   if (findings.faults.empty()) console.out << file << ": no faults\n";
@@ -140,11 +140,11 @@ int check(const CheckOptions& options, const Console& console) {
   JsonFindings json;
   bool is_good = true;
   for (const std::string& name : options.manifests) {
-    const std::string file = given_or_installed(name, console);
+    const std::string file = resolve_input_file(name, console);
     const Findings findings = findings_in(file, options);
     json.add(file, findings);
     is_good = is_good && findings.faults.empty();
-    if (!options.json) tell(findings, file, console);
+    if (!options.json) print_result(findings, file, console);
   }
   if (options.json) console.out << json.text() << '\n';
   return is_good ? exit_done : exit_bad_input;

@@ -57,9 +57,9 @@ fs::path study_folder(const CleanOptions& options, const Console& console) {
   std::error_code unknown;
   const fs::path given = options.study;
   if (fs::is_directory(given, unknown) || given.filename() == "provenance.json")
-    return study_folder_meant(given);
+    return study_folder_of(given);
   const Manifest manifest =
-      load_manifest(manifest_meant(options.study, console), process_environment(), options.out);
+      load_manifest(resolve_manifest(options.study, console), process_environment(), options.out);
   return fs::path(options.out) / manifest.study;
 }
 
@@ -67,15 +67,15 @@ Cleaning cleaned(const CleanOptions& options, const fs::path& folder, const Cons
   if (!options.stale)
     return options.dry_run ? all_but(folder, options.keep) : remove_all_but(folder, options.keep);
   const Production production(
-      load_manifest(manifest_meant(options.study, console), process_environment(), options.out),
+      load_manifest(resolve_manifest(options.study, console), process_environment(), options.out),
       {});
   return stale_cleaned(folder, production, options.dry_run);
 }
 
 /// Prints how many links of the report are broken by removed files. The report itself is not
 /// changed, since the provenance contains its hash.
-void tell_dead_links(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
-                     const Console& console) {
+void print_dead_links(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
+                      const Console& console) {
   const int links = options.stale ? 0 : dead_links(folder, cleaning);
   if (links == 0) return;
   console.out << fmt::format(
@@ -83,8 +83,8 @@ void tell_dead_links(const Cleaning& cleaning, const fs::path& folder, const Cle
       links, options.dry_run ? "would be" : "are", not_kept_path);
 }
 
-void tell(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
-          const Console& console) {
+void print_result(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
+                  const Console& console) {
   const std::string removed = options.dry_run ? "would remove " : "removed ";
   for (const Receipt& artifact : cleaning.removed) {
     if (artifact.path.starts_with(".mien/")) continue;
@@ -95,7 +95,7 @@ void tell(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& 
   for (const std::string& path : shown_paths(cleaning.changed))
     console.out << (options.dry_run ? "would leave " : "left ") << path
                 << ", which was changed after it was made\n";
-  tell_dead_links(cleaning, folder, options, console);
+  print_dead_links(cleaning, folder, options, console);
   if (cleaning.removed.empty() && cleaning.changed.empty()) {
     console.out << folder.string() << ": nothing to remove\n";
   } else if (!options.stale || options.dry_run) {
@@ -123,7 +123,7 @@ int clean(const CleanOptions& options, const Console& console) {
   if (options.json) {
     console.out << as_json(cleaning, folder, options).dump(2) << '\n';
   } else {
-    tell(cleaning, folder, options, console);
+    print_result(cleaning, folder, options, console);
   }
   return exit_done;
 }

@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "pipeline/commands/line/console.h"
-#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/programs.h"
 
 namespace mien::pipeline {
@@ -51,7 +51,7 @@ std::string joined_words(const std::vector<std::string>& words, const std::strin
 /// All command paths, by which the script recognises the current command.
 std::string bash_commands(const Command& program) {
   std::vector<std::string> names;
-  for (const CommandPage& page : every_page(program))
+  for (const CommandPage& page : all_command_pages(program))
     if (&page.command != &program) names.push_back("'" + page.name + "'");
   return "      " + joined_words(names, " | \\\n        ") +
          ")\n        command+=\" ${COMP_WORDS[i]}\" ;;\n    esac\n  done\n";
@@ -66,7 +66,7 @@ std::string bash_value(const CommandOption& option) {
 /// Cases of `"$command $before"`: options that take a value.
 std::string bash_values(const Command& program) {
   std::string cases;
-  for (const CommandPage& page : every_page(program)) {
+  for (const CommandPage& page : all_command_pages(program)) {
     for (const CommandOption& option : page.command.named_options()) {
       if (option.value.empty()) continue;
       std::vector<std::string> patterns;
@@ -165,10 +165,10 @@ std::string zsh_option(const CommandPage& page, const CommandOption& option) {
     const std::string mark = !takes_value ? "" : name.starts_with("--") ? "=" : "+";
     marked += (marked.empty() ? "" : ",") + name + mark;
   }
-  const std::string told =
+  const std::string description =
       "[" + zsh_text(option.help) + "]" + (takes_value ? zsh_value(page, option) : "");
-  if (option.names.size() == 1) return "'" + marked + told + "'";
-  return "'(" + joined_words(option.names, " ") + ")'{" + marked + "}'" + told + "'";
+  if (option.names.size() == 1) return "'" + marked + description + "'";
+  return "'(" + joined_words(option.names, " ") + ")'{" + marked + "}'" + description + "'";
 }
 
 std::string zsh_options(const CommandPage& page) {
@@ -215,17 +215,17 @@ std::string bash_completion(const Command& program) {
   std::string script = bash_head + bash_commands(program);
   script += "  case \"$command $before\" in\n" + bash_values(program);
   script += "    *)\n      if [[ $word == -* ]]; then\n        case $command in\n";
-  for (const CommandPage& page : every_page(program))
+  for (const CommandPage& page : all_command_pages(program))
     script += fmt::format("          '{}') words='{}' ;;\n", page.name, bash_options(page));
   script += "        esac\n      else\n        case $command in\n";
-  for (const CommandPage& page : every_page(program))
+  for (const CommandPage& page : all_command_pages(program))
     script += fmt::format("          '{}') {} ;;\n", page.name, bash_arguments(program, page));
   return script + "        esac\n      fi ;;\n  esac" + bash_tail;
 }
 
 std::string zsh_completion(const Command& program) {
   std::string script = zsh_head;
-  for (const CommandPage& page : every_page(program)) {
+  for (const CommandPage& page : all_command_pages(program)) {
     script += "\n" + zsh_function(page.name) + "() {\n";
     script += page.command.commands.empty()
                   ? "  _arguments -s" + zsh_options(page) + zsh_arguments(page) + "\n"
@@ -247,8 +247,8 @@ Command completion_command() {
               "  source <(mien completion bash)     in ~/.bashrc\n"
               "  source <(mien completion zsh)      in ~/.zshrc, after compinit",
           .run = [shell](const Console& console) {
-            console.out << (*shell == "bash" ? bash_completion
-                                             : zsh_completion)(with_other_programs(mien_program()));
+            console.out << (*shell == "bash" ? bash_completion : zsh_completion)(
+                with_external_programs(mien_program()));
             return exit_done;
           }};
 }

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/commands/line/console.h"
-#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/programs.h"
 #include "pipeline/tasks/code_identity.h"
 
@@ -27,7 +27,7 @@ unsigned take_character(std::string_view& text) {
 }
 
 /// Characters that roff would replace by typographic ones, and their roff escapes.
-constexpr std::pair<char, const char*> kept_characters[] = {
+constexpr std::pair<char, const char*> roff_escapes[] = {
     {'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"}, {'"', "\\(dq"},
     {'`', "\\(ga"}, {'^', "\\(ha"}, {'~', "\\(ti"},
 };
@@ -37,10 +37,9 @@ std::string roff(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const unsigned code = take_character(text);
-    const auto* kept = std::ranges::find_if(kept_characters, [&](const auto& each) {
-      return code == static_cast<unsigned>(each.first);
-    });
-    if (kept != std::end(kept_characters)) {
+    const auto* kept = std::ranges::find_if(
+        roff_escapes, [&](const auto& each) { return code == static_cast<unsigned>(each.first); });
+    if (kept != std::end(roff_escapes)) {
       result += kept->second;
     } else {
       result +=
@@ -118,12 +117,12 @@ std::string option_in_roff(const CommandOption& option) {
     page += " " + value_in_roff(option);
   }
   if (option.repeats) page += " .\\|.\\|.";
-  std::string told = option.help;
-  if (!option.limits.empty()) told += " (" + option.limits + ")";
-  if (!option.usual.empty() && told.find("[" + option.usual + "]") == std::string::npos)
-    told += " [" + option.usual + "]";
-  if (option.is_required && !option.names.empty()) told += " (required)";
-  return page + "\n" + running_text(told);
+  std::string description = option.help;
+  if (!option.limits.empty()) description += " (" + option.limits + ")";
+  if (!option.usual.empty() && description.find("[" + option.usual + "]") == std::string::npos)
+    description += " [" + option.usual + "]";
+  if (option.is_required && !option.names.empty()) description += " (required)";
+  return page + "\n" + running_text(description);
 }
 
 /// "mien run [options] manifest" in roff, with literal words in bold.
@@ -178,7 +177,7 @@ lists, and the JSON Schemas for editors.
 /// exit codes and files. `version` is "0.2.0", `date` the release date, "2026-11-22".
 std::string manual_page(const Command& program, const std::string& version,
                         const std::string& date) {
-  const std::vector<CommandPage> pages = every_page(program);
+  const std::vector<CommandPage> pages = all_command_pages(program);
   std::string page = fmt::format(".TH MIEN 1 {} \"mien {}\" \"User Commands\"\n", date, version);
   page += ".SH NAME\nmien \\- make human motion stimuli\n.SH SYNOPSIS\n" + usage_in_roff(pages[0]);
   page += ".SH DESCRIPTION\n" + running_text(program.summary);
@@ -197,7 +196,7 @@ Command man_command() {
           .summary = "Print the manual page",
           .notes = "Example:\n  mien man | man -l -",
           .run = [](const Console& console) {
-            console.out << manual_page(with_other_programs(mien_program()),
+            console.out << manual_page(with_external_programs(mien_program()),
                                        std::string(program_version()), std::string(release_date()));
             return exit_done;
           }};

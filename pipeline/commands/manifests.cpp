@@ -71,7 +71,7 @@ int show_manifest(const std::string& name, const Console& console) {
     list_manifests(folder, console);
     return exit_done;
   }
-  const auto file = file_among(folder, name);
+  const auto file = find_named_file(folder, name);
   if (!file)
     throw Error("there is no manifest " + motion::in_quotes(name),
                 motion::did_you_mean(name, manifest_names(folder)));

@@ -1,4 +1,4 @@
-#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/line/program.h"
 #include "pipeline/commands/programs.h"
 #include "pipeline/production/archive/tar_archive.h"
@@ -7,9 +7,9 @@ namespace mien::pipeline {
 
 Command mien_program() {
   return program_of({run_command(), check_command(), plan_command(), verify_command(),
-                     command_elsewhere(regress_program), clean_command(), pack_command(),
+                     external_command(regress_program), clean_command(), pack_command(),
                      render_command(), motion_command(), manifests_command(), sets_command(),
-                     command_elsewhere(studio_program), command_elsewhere(study_program),
+                     external_command(studio_program), external_command(study_program),
                      farm_command(),
                      version_command("Show the versions of mien and its libraries",
                                      {{"libarchive", archive_library()}}),

@@ -38,11 +38,12 @@ struct PackOptions {
 };
 
 /// Verifies a study. Throws Error if it does not match its provenance.
-Verification sound(const StudyContents& contents, const Console& console) {
+Verification verified_or_refused(const StudyContents& contents, const Console& console) {
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const Verification verification = verified(contents, threads, console);
   if (verification.is_sound()) return verification;
-  tell(verification, contents, {console.err, console.err, console.err_is_terminal, console.stop});
+  print_result(verification, contents,
+               {console.err, console.err, console.err_is_terminal, console.stop});
   throw Error({contents.folder.string()}, "differs from its provenance and is not packed",
               "mien run " + motion::shell_path(contents.provenance().string()) + " --out " +
                   motion::shell_path(fs::absolute(contents.folder).parent_path().string()) +
@@ -56,7 +57,7 @@ int run_pack(const PackOptions& options, const Console& console) {
   if (!options.force && fs::exists(fs::symlink_status(archive)))
     throw Error({archive.string()}, "exists already; nothing was packed",
                 "--force replaces it, -o names another file");
-  const Verification verification = sound(contents, console);
+  const Verification verification = verified_or_refused(contents, console);
   const std::vector<PayloadFile> payload = payload_of(contents);
   {
     ProgressBar bar(console.err, console.err_is_terminal);

@@ -10,7 +10,7 @@
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/run/run.h"
-#include "pipeline/production/synthesis/wish.h"
+#include "pipeline/production/synthesis/parameter_request.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
@@ -54,7 +54,7 @@ void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                                {"cost_s", cost_of(graph, planned)},
                                {"tasks", tasks},
                                {"adjectives", sentences(requested_parameters(manifest))},
-                               {"warnings", told_repetitions(manifest)},
+                               {"warnings", repetition_warnings(manifest)},
                                {"stale", stale}};
   console.out << result.dump(2) << '\n';
 }
@@ -72,7 +72,7 @@ void show_table(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
 }
 
 int show_plan(const ProductionArguments& arguments, const Console& console) {
-  const Production production(load_manifest(manifest_meant(arguments.manifest, console),
+  const Production production(load_manifest(resolve_manifest(arguments.manifest, console),
                                             process_environment(), arguments.out),
                               options_of(arguments));
   tell_warnings(production.manifest().renamed, console);
@@ -83,9 +83,9 @@ int show_plan(const ProductionArguments& arguments, const Console& console) {
     show_json(production.graph(), planned, production.manifest(), folder.string(), stale, console);
   } else {
     show_table(production.graph(), planned, production.manifest(), console);
-    for (const std::string& warning : told_repetitions(production.manifest()))
+    for (const std::string& warning : repetition_warnings(production.manifest()))
       console.err << "warning: " << warning << '\n';
-    tell_stale(stale, arguments, console);
+    print_stale_artifacts(stale, arguments, console);
   }
   return exit_done;
 }

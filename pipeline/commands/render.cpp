@@ -112,7 +112,7 @@ int still_frame(const scenes::Shot& shot, const RenderOptions& options, double f
 }
 
 /// Prints the figure's size if a screen is given or the figure is unusually small.
-void tell_size(const scenes::Shot& shot, const Look& look, const Console& console) {
+void print_size(const scenes::Shot& shot, const Look& look, const Console& console) {
   const render::Camera& camera = camera_at(shot, 0);
   const double pixels = scenes::figure_pixels(shot.cameras);
   if (look.camera.screen) {
@@ -183,7 +183,7 @@ int render_file(const RenderOptions& options, const Console& console) {
   if (!options.dots.empty()) write_dots(shot, options.dots);
   console.out << fmt::format("{}: {} frames, {:.2f} s, {}\n", plan.out.string(), shot.frame_count(),
                              shot.frame_count() / plan.settings.output.fps, found);
-  tell_size(shot, plan.look, console);
+  print_size(shot, plan.look, console);
   return exit_done;
 }
 

@@ -88,7 +88,7 @@ void check_as_manifest(const RenderPlan& plan, const Places& places) {
   film.output = plan.settings.output;
   std::vector<Fault> faults = check_output(film.output, "", places);
   for (Fault& fault : check_film(film, {}, places)) faults.push_back(std::move(fault));
-  if (!faults.empty()) throw as_options(std::move(faults));
+  if (!faults.empty()) throw as_option_faults(std::move(faults));
 }
 
 /// Checks options for stills and cut-outs, which manifests do not have. Throws Error.

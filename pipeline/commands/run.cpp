@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 /// Prints each error once, with the tasks that it stopped.
-void tell_faults(const TaskGraph& graph, const RunResult& result, const Console& console) {
+void print_faults(const TaskGraph& graph, const RunResult& result, const Console& console) {
   std::map<std::string, std::string> tasks_by_error;
   for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
     if (result.outcomes[i].state != TaskState::failed) continue;
@@ -37,7 +37,7 @@ void tell_faults(const TaskGraph& graph, const RunResult& result, const Console&
   for (const Nondeterminism& met : result.nondeterminism) console.err << to_string(met) << '\n';
 }
 
-void tell_summary(const RunResult& result, const fs::path& folder, const Console& console) {
+void print_summary(const RunResult& result, const fs::path& folder, const Console& console) {
   console.out << folder.string() << ": " << counted_tasks(result) << '\n';
 }
 
@@ -48,8 +48,8 @@ ordered_json tasks_in(const TaskGraph& graph, const RunResult& result, TaskState
   return ids;
 }
 
-void tell_json(const Production& production, const RunResult& result, const fs::path& folder,
-               const Console& console) {
+void print_json(const Production& production, const RunResult& result, const fs::path& folder,
+                const Console& console) {
   ordered_json failed = ordered_json::array();
   ordered_json artifacts = ordered_json::array();
   for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
@@ -89,18 +89,18 @@ int exit_code(const RunResult& result) {
   return result.nondeterminism.empty() ? exit_done : exit_failed;
 }
 
-void tell_changes(const fs::path& file, const Manifest& manifest, const Console& console) {
+void print_changes(const fs::path& file, const Manifest& manifest, const Console& console) {
   if (!study_record_in(file)) return;
   for (const std::string& change : changes_since(file, manifest))
     console.err << "warning: " << file.string() << ": " << change << '\n';
 }
 
 int run_production(const ProductionArguments& arguments, const Console& console) {
-  const fs::path file = manifest_meant(arguments.manifest, console);
+  const fs::path file = resolve_manifest(arguments.manifest, console);
   Production production(load_manifest(file, process_environment(), arguments.out),
                         options_of(arguments));
   tell_warnings(production.manifest().renamed, console);
-  tell_changes(file, production.manifest(), console);
+  print_changes(file, production.manifest(), console);
   const fs::path folder = folder_of(arguments, production.manifest());
   RunResult result;
   {
@@ -109,12 +109,12 @@ int run_production(const ProductionArguments& arguments, const Console& console)
     result = run(production, folder, jobs_of(arguments), console.stop, progress.observer(),
                  arguments.exclusive ? Sharing::exclusive : Sharing::shared);
   }
-  tell_faults(production.graph(), result, console);
+  print_faults(production.graph(), result, console);
   if (arguments.json) {
-    tell_json(production, result, folder, console);
+    print_json(production, result, folder, console);
   } else {
-    tell_summary(result, folder, console);
-    tell_stale(shown_paths(stale_in(folder, production)), arguments, console);
+    print_summary(result, folder, console);
+    print_stale_artifacts(shown_paths(stale_in(folder, production)), arguments, console);
   }
   return exit_code(result);
 }

@@ -39,7 +39,7 @@ std::string elsewhere_text(const StudyContents& contents) {
 }
 
 /// Prints intentionally removed files by folder: "not kept  metrics: 23 files".
-void tell_not_kept(const Verification& verification, const Console& console) {
+void print_removed(const Verification& verification, const Console& console) {
   std::map<std::string, int> by_folder;
   for (const Finding& finding : verification.findings)
     if (finding.kind == Finding::Kind::not_kept)
@@ -56,13 +56,14 @@ Verification verified(const StudyContents& contents, int threads, const Console&
                 [&](double share, const std::string& path) { bar.show(share, path); });
 }
 
-void tell(const Verification& verification, const StudyContents& contents, const Console& console) {
+void print_result(const Verification& verification, const StudyContents& contents,
+                  const Console& console) {
   for (const Finding& finding : verification.findings) {
     if (finding.kind == Finding::Kind::not_kept) continue;
     console.out << fmt::format("{:<9} {}{}{}\n", name_of(finding.kind), finding.path,
                                finding.what.empty() ? "" : ": ", finding.what);
   }
-  tell_not_kept(verification, console);
+  print_removed(verification, console);
   console.out << fmt::format("{}: {} and {}, {}; {} and {} decoded: {}\n", contents.folder.string(),
                              counted(verification.artifacts, "artifact"),
                              counted(verification.inputs, "input") + elsewhere_text(contents),

@@ -14,7 +14,8 @@ namespace mien::pipeline {
 Verification verified(const StudyContents& contents, int threads, const Console& console);
 
 /// Prints one line per finding and a summary.
-void tell(const Verification& verification, const StudyContents& contents, const Console& console);
+void print_result(const Verification& verification, const StudyContents& contents,
+                  const Console& console);
 
 nlohmann::ordered_json as_json(const Verification& verification, const StudyContents& contents);
 

@@ -51,18 +51,18 @@ Rerendered rerender(const StudyContents& contents, const VerifyOptions& options,
   const Manifest manifest = load_manifest(contents.provenance(), process_environment());
   Rerendered result{options.seed.value_or(contents.seed), {}, {}};
   result.changes = changes_since(contents.provenance(), manifest);
-  const std::vector<KeptFilm> films = kept_films(manifest, contents);
+  const std::vector<ComparableFilm> films = comparable_films(manifest, contents);
   if (films.empty())
     throw Error({contents.folder.string()}, "has neither frames nor videos with records",
                 "omit --rerender; mien clean --keep videos,metrics keeps what it needs");
   ProgressBar bar(console.err, console.err_is_terminal);
-  result.frames = rerender(manifest, contents, drawn_by_lot(films, options.rerender, result.seed),
+  result.frames = rerender(manifest, contents, sampled_frames(films, options.rerender, result.seed),
                            options.threads(), console.stop,
                            [&](double share, const std::string& film) { bar.show(share, film); });
   return result;
 }
 
-void tell(const Rerendered& drawn, const Console& console) {
+void print_result(const Rerendered& drawn, const Console& console) {
   for (const std::string& change : drawn.changes) console.err << "warning: " << change << '\n';
   for (const RerenderedFrame& frame : drawn.frames)
     console.out << fmt::format("{:<9} frame {} of {}, against {}: {}\n",
@@ -87,7 +87,7 @@ ordered_json as_json(const Rerendered& drawn) {
 int run_verify(const VerifyOptions& options, const Console& console) {
   const StudyContents contents = contents_of(options.study);
   const Verification verification = verified(contents, options.threads(), console);
-  if (!options.json) tell(verification, contents, console);
+  if (!options.json) print_result(verification, contents, console);
   std::optional<Rerendered> drawn;
   if (options.rerender > 0) drawn = rerender(contents, options, console);
   if (options.json) {
@@ -96,7 +96,7 @@ int run_verify(const VerifyOptions& options, const Console& console) {
     const auto replace = ordered_json::error_handler_t::replace;
     console.out << result.dump(2, ' ', false, replace) << '\n';
   } else if (drawn) {
-    tell(*drawn, console);
+    print_result(*drawn, console);
   }
   return verification.is_sound() && (!drawn || drawn->all_agree()) ? exit_done : exit_failed;
 }

@@ -6,7 +6,7 @@
 
 #include "motion/text/as_number.h"
 #include "pipeline/farm/film_lengths.h"
-#include "pipeline/farm/jobs/silent_jobs.h"
+#include "pipeline/farm/jobs/unresponsive_jobs.h"
 #include "pipeline/farm/stages.h"
 #include "pipeline/farm/submission.h"
 #include "pipeline/tasks/disk_fault.h"
@@ -25,15 +25,16 @@ std::string share_of(const Task& task) {
   return task.kind == "dots" ? "dots" : stage_of(task);
 }
 
-std::vector<Share> stage_shares(const TaskGraph& graph, const std::vector<TaskOutcome>& outcomes) {
-  std::vector<Share> shares;
+std::vector<StageProgress> stage_shares(const TaskGraph& graph,
+                                        const std::vector<TaskOutcome>& outcomes) {
+  std::vector<StageProgress> shares;
   for (const char* name : share_names) shares.push_back({name, 0, 0});
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const auto share = std::ranges::find(shares, share_of(graph.tasks[i]), &Share::name);
+    const auto share = std::ranges::find(shares, share_of(graph.tasks[i]), &StageProgress::name);
     ++share->total;
     share->done += outcomes[i].state == TaskState::cached ? 1 : 0;
   }
-  std::erase_if(shares, [](const Share& share) { return share.total == 0; });
+  std::erase_if(shares, [](const StageProgress& share) { return share.total == 0; });
   return shares;
 }
 
@@ -49,9 +50,9 @@ KeptFrames kept_frames(const TaskGraph& graph, const fs::path& folder) {
   return kept;
 }
 
-Share frames_share(const Production& production, const std::vector<TaskOutcome>& outcomes,
-                   const KeptFrames& kept, const fs::path& folder) {
-  Share frames{"frames", 0, 0};
+StageProgress frames_share(const Production& production, const std::vector<TaskOutcome>& outcomes,
+                           const KeptFrames& kept, const fs::path& folder) {
+  StageProgress frames{"frames", 0, 0};
   const std::map<std::string, int> lengths = film_lengths(production, folder);
   const TaskGraph& graph = production.graph();
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -96,9 +97,9 @@ void add_workers(const std::vector<WorkerReport>& reports, FarmStatus& status) {
   }
 }
 
-void add_jobs(const std::vector<JobFate>& fates, FarmStatus& status) {
-  for (const JobFate& fate : fates) {
-    for (const QueueRow& row : fate.live()) {
+void add_jobs(const std::vector<JobStatus>& statuses, FarmStatus& status) {
+  for (const JobStatus& job_status : statuses) {
+    for (const QueueRow& row : job_status.live()) {
       if (is_stuck(row)) continue;  // reported as a problem
       if (row.node.empty() || row.state == "PENDING") {
         ++status.waiting[row.reason];
@@ -110,11 +111,11 @@ void add_jobs(const std::vector<JobFate>& fates, FarmStatus& status) {
 }
 
 /// Nothing is written of it where a log would be, on that disk.
-std::string ailment_now(const fs::path& folder, const std::string& key,
-                        const std::optional<std::vector<QueueRow>>& queue) {
+std::string disk_problem_now(const fs::path& folder, const std::string& key,
+                             const std::optional<std::vector<QueueRow>>& queue) {
   std::error_code unknown;
-  if (fs::exists(folder, unknown)) return disk_ailment(folder);
-  const bool has_jobs = queue && !live_jobs_called(*queue, key).empty();
+  if (fs::exists(folder, unknown)) return current_disk_problem(folder);
+  const bool has_jobs = queue && !live_jobs_of_graph(*queue, key).empty();
   return has_jobs ? folder.string() +
                         " does not exist, but Slurm has jobs that work in it: check that its disk "
                         "is mounted on this machine"
@@ -158,7 +159,7 @@ int frames_in_the_making(const fs::path& folder, const std::string& film) {
 
 StudyState study_state(const Production& production, const fs::path& folder,
                        const std::string& words) {
-  return state_of(production, glance(production.graph(), folder), folder, words);
+  return state_of(production, quick_plan(production.graph(), folder), folder, words);
 }
 
 FarmStatus farm_status(const Production& production, const fs::path& folder,
@@ -170,26 +171,26 @@ FarmStatus farm_status(const Production& production, const fs::path& folder,
   status.words = words;
   // Before the films: a film that is made now loses its frames only when it is there itself.
   const KeptFrames kept = kept_frames(production.graph(), folder);
-  const std::vector<TaskOutcome> outcomes = glance(production.graph(), folder);
+  const std::vector<TaskOutcome> outcomes = quick_plan(production.graph(), folder);
   status.stages = stage_shares(production.graph(), outcomes);
   status.frames = frames_share(production, outcomes, kept, folder);
   const StudyState state = state_of(production, outcomes, folder, words);
   status.is_complete = state.is_complete;
-  status.disk = ailment_now(folder, state.graph_key, queue);
+  status.disk = disk_problem_now(folder, state.graph_key, queue);
   status.failed = failed_items(folder);
   const std::vector<WorkerReport> workers = worker_reports(folder);
   add_workers(workers, status);
   if (queue) {
     const JournalContent journal = SubmissionJournal(folder).read();
-    const std::vector<JobFate> fates = job_fates(journal, *queue, folder);
-    add_jobs(fates, status);
-    status.troubles = job_troubles(fates, state);
-    std::erase_if(status.troubles, [](const JobTrouble& trouble) {
-      return trouble.kind == JobTrouble::Kind::cancelled;
+    const std::vector<JobStatus> statuses = job_statuses(journal, *queue, folder);
+    add_jobs(statuses, status);
+    status.problems = job_problems(statuses, state);
+    std::erase_if(status.problems, [](const JobProblem& problem) {
+      return problem.kind == JobProblem::Kind::cancelled;
     });
-    std::ranges::move(silent_jobs(fates, {workers, nodes, status.disk.empty()}, words),
-                      std::back_inserter(status.troubles));
-    if (!status.is_complete) status.losses = told_losses(fates);
+    std::ranges::move(unresponsive_jobs(statuses, {workers, nodes, status.disk.empty()}, words),
+                      std::back_inserter(status.problems));
+    if (!status.is_complete) status.losses = lost_job_messages(statuses);
   } else {
     status.without_slurm = fault;
   }

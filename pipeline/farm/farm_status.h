@@ -8,14 +8,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/farm/jobs/job_troubles.h"
+#include "pipeline/farm/jobs/job_problems.h"
 #include "pipeline/farm/jobs/worker_reports.h"
 #include "pipeline/production/run/production.h"
 
 namespace mien::pipeline {
 
 /// Progress of one stage: number of completed units out of all.
-struct Share {
+struct StageProgress {
   std::string name;  ///< "films"
   int done = 0;
   int total = 0;
@@ -35,13 +35,13 @@ struct FarmStatus {
   std::string study;
   std::string folder;
   std::string words;  ///< arguments that name the study in commands: "my.yaml --out /scratch"
-  std::vector<Share> stages;  ///< tasks: motions, films, clips, sheets, study
-  Share frames;               ///< of all films, including stored frames of incomplete ones
+  std::vector<StageProgress> stages;  ///< tasks: motions, films, clips, sheets, study
+  StageProgress frames;               ///< of all films, including stored frames of incomplete ones
   std::vector<NodeStatus> nodes;
   std::map<std::string, int> waiting;  ///< pending elements by Slurm's reason
-  std::vector<JobTrouble> troubles;
+  std::vector<JobProblem> problems;
   std::vector<FailedItem> failed;
-  std::vector<std::string> losses;     ///< told_losses
+  std::vector<std::string> losses;     ///< lost_job_messages
   std::string disk;                    ///< current problem of the study's folder; empty if none
   std::optional<double> seconds_left;  ///< estimate at the current rate; empty while none is drawn
   bool is_complete = false;            ///< all products exist, including the study's record
@@ -59,7 +59,7 @@ FarmStatus farm_status(const Production& production, const std::filesystem::path
                        const std::optional<std::vector<QueueRow>>& queue, const std::string& fault,
                        const std::string& words, const NodeStates& nodes = {});
 
-/// The study's present state, against which `job_troubles` compares jobs.
+/// The study's present state, against which `job_problems` compares jobs.
 StudyState study_state(const Production& production, const std::filesystem::path& folder,
                        const std::string& words);
 

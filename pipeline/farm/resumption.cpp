@@ -12,15 +12,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Elements, from 1, whose last attempt was short of memory.
-std::set<std::size_t> short_of_memory(const JobFate& fate, const fs::path& folder) {
+std::set<std::size_t> diagnose_out_of_memory(const JobStatus& job_status, const fs::path& folder) {
   std::set<std::size_t> elements;
-  for (const QueueRow& row : fate.rows) {
+  for (const QueueRow& row : job_status.rows) {
     if (row.state == "OUT_OF_MEMORY" && row.index) {
       elements.insert(static_cast<std::size_t>(*row.index));
     }
   }
-  for (const auto& [element, end] : ends_in(folder / "farm" / fate.journal.submission)) {
-    if (element.first == fate.journal.name && end.lacked_memory)
+  for (const auto& [element, end] :
+       read_element_exits(folder / "farm" / job_status.journal.submission)) {
+    if (element.first == job_status.journal.name && end.out_of_memory)
       elements.insert(static_cast<std::size_t>(element.second));
   }
   return elements;
@@ -28,38 +29,39 @@ std::set<std::size_t> short_of_memory(const JobFate& fate, const fs::path& folde
 
 }  // namespace
 
-std::set<std::string> covered_items(const std::vector<JobFate>& fates, const fs::path& folder) {
+std::set<std::string> covered_items(const std::vector<JobStatus>& statuses,
+                                    const fs::path& folder) {
   std::set<std::string> covered;
-  for (const JobFate& fate : fates) {
-    if (fate.kind != JobFate::Kind::live || fate.journal.elements == 0) continue;
-    const auto lines = lines_of_list(list_of(fate.journal, folder));
-    for (const QueueRow& row : fate.live()) {
+  for (const JobStatus& job_status : statuses) {
+    if (job_status.kind != JobStatus::Kind::live || job_status.journal.elements == 0) continue;
+    const auto lines = lines_of_list(list_of(job_status.journal, folder));
+    for (const QueueRow& row : job_status.live()) {
       const auto line = static_cast<std::size_t>(row.index.value_or(0));
-      if (!goes_on(row) || line < 1 || line > lines.size()) continue;
+      if (!will_proceed(row) || line < 1 || line > lines.size()) continue;
       covered.insert(lines[line - 1].begin(), lines[line - 1].end());
     }
   }
   return covered;
 }
 
-std::vector<std::string> obsolete_jobs(const std::vector<JobFate>& fates) {
+std::vector<std::string> obsolete_jobs(const std::vector<JobStatus>& statuses) {
   std::vector<std::string> jobs;
-  for (const JobFate& fate : fates) {
-    for (const QueueRow& row : fate.live()) {
-      const bool is_waiting_rest = fate.journal.elements == 0 && row.state == "PENDING";
+  for (const JobStatus& job_status : statuses) {
+    for (const QueueRow& row : job_status.live()) {
+      const bool is_waiting_rest = job_status.journal.elements == 0 && row.state == "PENDING";
       if (is_waiting_rest || is_stuck(row)) jobs.push_back(name_of(row));
     }
   }
   return jobs;
 }
 
-MemoryNeeds memory_needs(const std::vector<JobFate>& fates, const fs::path& folder) {
+MemoryNeeds memory_needs(const std::vector<JobStatus>& statuses, const fs::path& folder) {
   MemoryNeeds needs;
-  for (const JobFate& fate : fates) {
-    const std::set<std::size_t> elements = short_of_memory(fate, folder);
+  for (const JobStatus& job_status : statuses) {
+    const std::set<std::size_t> elements = diagnose_out_of_memory(job_status, folder);
     if (elements.empty()) continue;
-    const auto lines = lines_of_list(list_of(fate.journal, folder));
-    const std::string twice = twice_the_memory(fate.journal.memory);
+    const auto lines = lines_of_list(list_of(job_status.journal, folder));
+    const std::string twice = doubled_memory(job_status.journal.memory);
     for (const std::size_t element : elements) {
       if (element < 1 || element > lines.size()) continue;
       for (const std::string& item : lines[element - 1]) {
@@ -74,7 +76,7 @@ MemoryNeeds memory_needs(const std::vector<JobFate>& fates, const fs::path& fold
   return needs;
 }
 
-std::string twice_the_memory(const std::string& memory) {
+std::string doubled_memory(const std::string& memory) {
   long long amount = 0;
   const char* end = memory.data() + memory.size();
   const auto [unit, error] = std::from_chars(memory.data(), end, amount);

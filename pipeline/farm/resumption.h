@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/farm/jobs/job_fates.h"
+#include "pipeline/farm/jobs/job_status.h"
 
 namespace mien::pipeline {
 
 /// Items of live jobs that will proceed without intervention. `folder`: the study's.
-std::set<std::string> covered_items(const std::vector<JobFate>& fates,
+std::set<std::string> covered_items(const std::vector<JobStatus>& statuses,
                                     const std::filesystem::path& folder);
 
 /// Names of live jobs that a new submission replaces: held ones, and the final jobs of earlier
 /// submissions.
-std::vector<std::string> obsolete_jobs(const std::vector<JobFate>& fates);
+std::vector<std::string> obsolete_jobs(const std::vector<JobStatus>& statuses);
 
 /// Tasks whose jobs ran out of memory, and how much to request next.
 struct MemoryNeeds {
@@ -26,10 +26,11 @@ struct MemoryNeeds {
 
 /// Based on squeue and on out-of-memory kills that jobs recorded in ends/. SIGKILL alone does not
 /// count, because it may have another cause. `folder`: the study's.
-MemoryNeeds memory_needs(const std::vector<JobFate>& fates, const std::filesystem::path& folder);
+MemoryNeeds memory_needs(const std::vector<JobStatus>& statuses,
+                         const std::filesystem::path& folder);
 
 /// Twice an amount of memory in Slurm's notation: "4G" for "2G", "3000M" for "1500"; empty if the
 /// text is not an amount.
-std::string twice_the_memory(const std::string& memory);
+std::string doubled_memory(const std::string& memory);
 
 }  // namespace mien::pipeline

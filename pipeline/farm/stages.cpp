@@ -14,7 +14,7 @@ constexpr double encoding_share = 0.1;
 /// Fills one element after the other; a new one is begun where the next item does not fit.
 class Packer {
  public:
-  Packer(std::string name, const Cutting& cutting) : cutting_(cutting) {
+  Packer(std::string name, const Chunking& chunking) : chunking_(chunking) {
     stage_.name = std::move(name);
   }
 
@@ -34,13 +34,13 @@ class Packer {
  private:
   bool fits(const Element& element, double seconds, int frames) const {
     if (element.items.empty()) return true;
-    if (cutting_.chunk_frames > 0 && frames > 0) {
-      return element.frames == 0 || element.frames + frames <= cutting_.chunk_frames;
+    if (chunking_.chunk_frames > 0 && frames > 0) {
+      return element.frames == 0 || element.frames + frames <= chunking_.chunk_frames;
     }
-    return element.seconds + seconds <= cutting_.element_seconds;
+    return element.seconds + seconds <= chunking_.element_seconds;
   }
 
-  const Cutting& cutting_;
+  const Chunking& chunking_;
   Stage stage_;
 };
 
@@ -48,25 +48,25 @@ struct Due {
   const TaskGraph& graph;
   const std::vector<bool>& is_due;
   const std::map<std::string, int>& frames;
-  const Cutting& cutting;
-  const std::map<std::string, FilmPieces>& pieces;
+  const Chunking& chunking;
+  const std::map<std::string, FilmProgress>& film_progress;
 
   int frames_of(const Task& task) const {
     const auto found = frames.find(task.id);
     return found == frames.end() ? 0 : std::max(found->second, 1);
   }
 
-  double seconds_of(const Task& task) const { return task.cost_seconds * cutting.pace; }
+  double seconds_of(const Task& task) const { return task.cost_seconds * chunking.pace; }
 
   /// For the frames from `first` to before `end`.
   int missing_of(const Task& task, int first, int end) const {
-    const auto found = pieces.find(task.id);
-    if (found == pieces.end()) return end - first;
-    const std::vector<bool>& is_there = found->second.is_there;
+    const auto found = film_progress.find(task.id);
+    if (found == film_progress.end()) return end - first;
+    const std::vector<bool>& has_frame = found->second.has_frame;
     int missing = 0;
     for (int frame = first; frame < end; ++frame) {
       const auto at = static_cast<std::size_t>(frame);
-      missing += at < is_there.size() && is_there[at] ? 0 : 1;
+      missing += at < has_frame.size() && has_frame[at] ? 0 : 1;
     }
     return missing;
   }
@@ -79,14 +79,14 @@ struct Due {
   int chunks_of(const Task& task) const {
     const int count = frames_of(task);
     if (count == 0) return 1;
-    const auto begun = pieces.find(task.id);
-    if (begun != pieces.end() && begun->second.chunks > 0) return begun->second.chunks;
-    int in_one = cutting.chunk_frames;
+    const auto begun = film_progress.find(task.id);
+    if (begun != film_progress.end() && begun->second.chunks > 0) return begun->second.chunks;
+    int in_one = chunking.chunk_frames;
     if (in_one == 0) {
       const double frame = seconds_of(task) / count;
-      in_one = frame * count <= cutting.element_seconds
+      in_one = frame * count <= chunking.element_seconds
                    ? count
-                   : std::max(1, static_cast<int>(cutting.element_seconds / frame));
+                   : std::max(1, static_cast<int>(chunking.element_seconds / frame));
     }
     return (count + in_one - 1) / in_one;
   }
@@ -100,14 +100,14 @@ struct Due {
 };
 
 Stage grouped(const Due& due, const std::string& name) {
-  Packer packer(name, due.cutting);
+  Packer packer(name, due.chunking);
   due.each(name, [&](const Task& task) { packer.add(task.id, due.seconds_of(task), 0); });
   return std::move(packer).done();
 }
 
 /// Motions first; what is found of all of them together begins after them.
 Stage motions_stage(const Due& due) {
-  Packer packer("motions", due.cutting);
+  Packer packer("motions", due.chunking);
   bool are_motions = true;
   due.each("motions", [&](const Task& task) {
     if (are_motions && task.kind != "motion") packer.begin();
@@ -120,7 +120,7 @@ Stage motions_stage(const Due& due) {
 }
 
 Stage frames_stage(const Due& due) {
-  Packer packer("frames", due.cutting);
+  Packer packer("frames", due.chunking);
   due.each("films", [&](const Task& task) {
     const int chunks = due.chunks_of(task);
     if (chunks == 1) return;
@@ -136,7 +136,7 @@ Stage frames_stage(const Due& due) {
 }
 
 Stage films_stage(const Due& due) {
-  Packer packer("films", due.cutting);
+  Packer packer("films", due.chunking);
   due.each("films", [&](const Task& task) {
     const int frames = due.frames_of(task);
     const double drawing = frames == 0 ? due.seconds_of(task) * (1.0 - encoding_share)
@@ -178,9 +178,9 @@ std::string stage_of(const Task& task) {
 }
 
 std::vector<Stage> stages_of(const TaskGraph& graph, const std::vector<bool>& is_due,
-                             const std::map<std::string, int>& frames, const Cutting& cutting,
-                             const std::map<std::string, FilmPieces>& pieces) {
-  const Due due{graph, is_due, frames, cutting, pieces};
+                             const std::map<std::string, int>& frames, const Chunking& chunking,
+                             const std::map<std::string, FilmProgress>& film_progress) {
+  const Due due{graph, is_due, frames, chunking, film_progress};
   std::vector<Stage> stages = {motions_stage(due), frames_stage(due), films_stage(due),
                                grouped(due, "sheets"), study_stage(due)};
   std::erase_if(stages, [](const Stage& stage) { return stage.elements.empty(); });

@@ -26,25 +26,25 @@ struct Stage {
 };
 
 /// How a study is split into elements.
-struct Cutting {
+struct Chunking {
   int chunk_frames = 0;            ///< maximum number of frames per element; 0: by element_seconds
   double element_seconds = 300.0;  ///< intended maximum duration of an element
   double pace = 1.0;               ///< measured seconds per estimated second of a task
 };
 
 /// Progress of a film that is due.
-struct FilmPieces {
-  std::vector<bool> is_there;  ///< by frame: stored, or assigned to a live job; may be empty
-  int chunks = 0;              ///< number of chunks used by live jobs; 0 if not split yet
+struct FilmProgress {
+  std::vector<bool> has_frame;  ///< by frame: stored, or assigned to a live job; may be empty
+  int chunks = 0;               ///< number of chunks used by live jobs; 0 if not split yet
 };
 
 /// The stages motions, frames, films, sheets and study of the tasks that are due (one flag per
 /// task), without empty ones. A task is in exactly one element. The chunks of a film that is drawn
 /// in several cover it, except those whose frames all exist. `frames`: number of frames of each
-/// film by its task; `pieces`: progress of films that have been started, by task.
+/// film by its task; `film_progress`: progress of films that have been started, by task.
 std::vector<Stage> stages_of(const TaskGraph& graph, const std::vector<bool>& is_due,
-                             const std::map<std::string, int>& frames, const Cutting& cutting,
-                             const std::map<std::string, FilmPieces>& pieces = {});
+                             const std::map<std::string, int>& frames, const Chunking& chunking,
+                             const std::map<std::string, FilmProgress>& film_progress = {});
 
 /// Stage of a task: "motions", "films", "sheets" or "study".
 std::string stage_of(const Task& task);

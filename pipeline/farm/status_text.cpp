@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string share_text(const Share& share) {
+std::string share_text(const StageProgress& share) {
   return fmt::format("  {:<8} {:>7} of {}\n", share.name, share.done, share.total);
 }
 
@@ -58,7 +58,7 @@ std::string disk_text(const FarmStatus& status) {
   return fmt::format(
       "{}\n  running jobs wait for it, {} per attempt, and continue on their own when it is "
       "available; after {} attempts they are held\n",
-      status.disk, as_duration(folder_patience_seconds), most_restarts + 1);
+      status.disk, as_duration(folder_wait_limit_seconds), most_restarts + 1);
 }
 
 ordered_json node_json(const NodeStatus& node) {
@@ -69,17 +69,17 @@ ordered_json node_json(const NodeStatus& node) {
           {"frames_per_s", node.frames_per_second}};
 }
 
-ordered_json troubles_json(const FarmStatus& status, JobTrouble::Kind kind) {
-  ordered_json told = ordered_json::array();
-  for (const JobTrouble& one : status.troubles) {
+ordered_json problems_json(const FarmStatus& status, JobProblem::Kind kind) {
+  ordered_json result = ordered_json::array();
+  for (const JobProblem& one : status.problems) {
     if (one.kind != kind) continue;
-    told.push_back({{"job", one.job},
-                    {"element", one.submission + "/" + one.element},
-                    {"reason", one.reason},
-                    {"cause", one.cause},
-                    {"remedy", one.remedy}});
+    result.push_back({{"job", one.job},
+                      {"element", one.submission + "/" + one.element},
+                      {"reason", one.reason},
+                      {"cause", one.cause},
+                      {"remedy", one.remedy}});
   }
-  return told;
+  return result;
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ std::string status_text(const FarmStatus& status) {
   } else {
     text += status.is_active() ? "\n" : " no worker is active\n";
   }
-  for (const Share& share : status.stages) {
+  for (const StageProgress& share : status.stages) {
     text += share_text(share);
     if (share.name == "motions") text += share_text(status.frames);
   }
@@ -100,7 +100,7 @@ std::string status_text(const FarmStatus& status) {
   for (const NodeStatus& node : status.nodes) text += node_text(node);
   text += waiting_text(status);
   text += disk_text(status);
-  text += troubles_text(status.troubles);
+  text += problems_text(status.problems);
   if (!status.failed.empty())
     text += "failed (mien farm logs " + status.words + " shows details):\n";
   for (const FailedItem& failed : status.failed) text += failed_text(failed);
@@ -119,11 +119,11 @@ std::string status_text(const FarmStatus& status) {
 }
 
 ordered_json status_json(const FarmStatus& status) {
-  const auto share_json = [](const Share& share) {
+  const auto share_json = [](const StageProgress& share) {
     return ordered_json{{"done", share.done}, {"total", share.total}};
   };
   ordered_json stages = ordered_json::object();
-  for (const Share& share : status.stages) stages[share.name] = share_json(share);
+  for (const StageProgress& share : status.stages) stages[share.name] = share_json(share);
   ordered_json nodes = ordered_json::array();
   for (const NodeStatus& node : status.nodes) nodes.push_back(node_json(node));
   ordered_json failed = ordered_json::array();
@@ -136,27 +136,28 @@ ordered_json status_json(const FarmStatus& status) {
                       {"attempts", one.attempts},
                       {"command", one.command}});
   }
-  ordered_json told = {{"study", status.study},
-                       {"folder", status.folder},
-                       {"complete", status.is_complete},
-                       {"active", status.is_active()},
-                       {"stages", stages},
-                       {"frames", share_json(status.frames)},
-                       {"running", status.running()},
-                       {"nodes", nodes},
-                       {"waiting", status.waiting},
-                       {"held", troubles_json(status, JobTrouble::Kind::held)},
-                       {"outdated", troubles_json(status, JobTrouble::Kind::outdated)},
-                       {"silent", troubles_json(status, JobTrouble::Kind::silent)},
-                       {"ended", troubles_json(status, JobTrouble::Kind::ended)},
-                       {"failed", failed},
-                       {"lost", status.losses},
-                       {"disk", nullptr},
-                       {"left_s", nullptr},
-                       {"slurm", status.without_slurm.empty() ? "present" : status.without_slurm}};
-  if (status.seconds_left) told["left_s"] = *status.seconds_left;
-  if (!status.disk.empty()) told["disk"] = status.disk;
-  return told;
+  ordered_json result = {
+      {"study", status.study},
+      {"folder", status.folder},
+      {"complete", status.is_complete},
+      {"active", status.is_active()},
+      {"stages", stages},
+      {"frames", share_json(status.frames)},
+      {"running", status.running()},
+      {"nodes", nodes},
+      {"waiting", status.waiting},
+      {"held", problems_json(status, JobProblem::Kind::held)},
+      {"outdated", problems_json(status, JobProblem::Kind::outdated)},
+      {"silent", problems_json(status, JobProblem::Kind::unresponsive)},
+      {"ended", problems_json(status, JobProblem::Kind::ended)},
+      {"failed", failed},
+      {"lost", status.losses},
+      {"disk", nullptr},
+      {"left_s", nullptr},
+      {"slurm", status.without_slurm.empty() ? "present" : status.without_slurm}};
+  if (status.seconds_left) result["left_s"] = *status.seconds_left;
+  if (!status.disk.empty()) result["disk"] = status.disk;
+  return result;
 }
 
 }  // namespace mien::pipeline

@@ -48,15 +48,16 @@ std::string comment_of(const std::string& key, const std::string& number, const 
 /// Elements of a stage in arrays: those of one memory together, and no more than fit.
 class Arrays {
  public:
-  Arrays(std::string name, const std::string& key, const JournalSubmission& asked, std::size_t most)
-      : name_(std::move(name)), key_(key), asked_(asked), most_(most) {}
+  Arrays(std::string name, const std::string& key, const JournalSubmission& requested,
+         std::size_t most)
+      : name_(std::move(name)), key_(key), requested_(requested), most_(most) {}
 
   void add(const Element& element, const std::string& memory) {
-    const std::string asked = memory.empty() ? asked_.request.memory : memory;
+    const std::string requested = memory.empty() ? requested_.request.memory : memory;
     auto open = std::find_if(jobs_.begin(), jobs_.end(), [&](const SubmissionJob& job) {
-      return job.request.memory == asked && job.elements.size() < most_;
+      return job.request.memory == requested && job.elements.size() < most_;
     });
-    if (open == jobs_.end()) open = jobs_.insert(jobs_.end(), new_job(asked));
+    if (open == jobs_.end()) open = jobs_.insert(jobs_.end(), new_job(requested));
     open->elements.push_back(element);
     open->job.elements = static_cast<int>(open->elements.size());
   }
@@ -66,33 +67,33 @@ class Arrays {
  private:
   SubmissionJob new_job(const std::string& memory) const {
     SubmissionJob job;
-    job.job.submission = asked_.number;
+    job.job.submission = requested_.number;
     job.job.name = jobs_.empty() ? name_ : fmt::format("{}-{}", name_, jobs_.size() + 1);
-    job.job.comment = comment_of(key_, asked_.number, job.job.name);
-    job.request = asked_.request;
+    job.job.comment = comment_of(key_, requested_.number, job.job.name);
+    job.request = requested_.request;
     job.request.memory = memory;
     return job;
   }
 
   std::string name_;
   const std::string& key_;
-  const JournalSubmission& asked_;
+  const JournalSubmission& requested_;
   std::size_t most_;
   std::vector<SubmissionJob> jobs_;
 };
 
-SubmissionJob rest_job(const std::string& key, const JournalSubmission& asked) {
+SubmissionJob rest_job(const std::string& key, const JournalSubmission& requested) {
   SubmissionJob rest;
-  rest.job.submission = asked.number;
+  rest.job.submission = requested.number;
   rest.job.name = fmt::format("{}-rest", rest_place);
-  rest.job.comment = comment_of(key, asked.number, rest.job.name);
-  rest.request = asked.request;
+  rest.job.comment = comment_of(key, requested.number, rest.job.name);
+  rest.request = requested.request;
   return rest;
 }
 
 /// The number of a job that Slurm accepted without answering, found by its comment. Empty if Slurm
 /// has no such job or does not answer.
-std::string job_after_silence(const Slurm& slurm, const BatchJob& job) {
+std::string job_after_timeout(const Slurm& slurm, const BatchJob& job) {
   std::string why;
   const auto queue = slurm.queue_if_any(why);
   if (!queue) return "";
@@ -106,12 +107,12 @@ std::string submitted(const fs::path& script, const BatchJob& job, const Slurm& 
                       const std::vector<std::string>& after) {
   try {
     return slurm.submit(script, after);
-  } catch (const SlurmSilence&) {
-    const std::string found = job_after_silence(slurm, job);
+  } catch (const SlurmTimeout&) {
+    const std::string found = job_after_timeout(slurm, job);
     if (found.empty()) throw;
     return found;
-  } catch (const SlurmIsFull&) {  // the last of its tries may have been taken
-    const std::string found = job_after_silence(slurm, job);
+  } catch (const SlurmQueueFull&) {  // the last of its tries may have been taken
+    const std::string found = job_after_timeout(slurm, job);
     if (found.empty()) throw;
     return found;
   }
@@ -163,11 +164,11 @@ std::string undo(const Submission& submission, const std::vector<SubmittedJob>& 
 
 /// If the journal is not writable any more, the job is still identified by its comment.
 void note_number(const SubmissionJournal& journal, const BatchJob& job, const std::string& number,
-                 std::string& unnoted) {
+                 std::string& unrecorded) {
   try {
     journal.note_job(job.comment, number);
   } catch (const std::exception& fault) {
-    unnoted = fault.what();
+    unrecorded = fault.what();
   }
 }
 
@@ -179,14 +180,14 @@ std::string submit_one(const Submission& submission, const SubmissionJob& one,
   try {
     done.jobs.push_back(
         {one.job.name, submitted(script, one.job, slurm, before), one.job.elements});
-  } catch (const SlurmSilence& silence) {
-    throw SlurmSilence(silence.what() +
+  } catch (const SlurmTimeout& timeout) {
+    throw SlurmTimeout(timeout.what() +
                        std::string("\nthe jobs accepted so far remain: mien farm status shows "
                                    "them, mien farm resume submits the rest"));
   } catch (const std::exception& fault) {
     throw SlurmFault(fault.what() + undo(submission, done.jobs, slurm, journal, fault.what()));
   }
-  note_number(journal, one.job, done.jobs.back().job, done.unnoted);
+  note_number(journal, one.job, done.jobs.back().job, done.unrecorded);
   return done.jobs.back().job;
 }
 
@@ -218,12 +219,12 @@ std::string graph_key(const TaskGraph& graph, const fs::path& study_folder) {
 }
 
 Submission submission_of(const std::vector<Stage>& stages, const ItemNeeds& needs,
-                         const std::string& graph_key, JournalSubmission asked,
+                         const std::string& graph_key, JournalSubmission requested,
                          const fs::path& study_folder, const StudyCall& call,
                          const SlurmSite& site) {
   Submission submission;
-  submission.asked = std::move(asked);
-  submission.folder = study_folder / "farm" / submission.asked.number;
+  submission.requested = std::move(requested);
+  submission.folder = study_folder / "farm" / submission.requested.number;
   submission.call = call;
   submission.site = site;
   // Lines are counted from 1, and an index is below the limit.
@@ -231,13 +232,13 @@ Submission submission_of(const std::vector<Stage>& stages, const ItemNeeds& need
   for (const Stage& whole : stages) {
     const Stage stage = without(whole, needs.covered);
     const std::string name = fmt::format("{}-{}", place_of(stage.name), stage.name);
-    Arrays arrays(name, graph_key, submission.asked, most);
+    Arrays arrays(name, graph_key, submission.requested, most);
     for (const Element& element : stage.elements) arrays.add(element, memory_of(element, needs));
     if (auto jobs = std::move(arrays).done(); !jobs.empty()) {
       submission.stages.push_back({place_of(stage.name), std::move(jobs)});
     }
   }
-  submission.stages.push_back({rest_place, {rest_job(graph_key, submission.asked)}});
+  submission.stages.push_back({rest_place, {rest_job(graph_key, submission.requested)}});
   return submission;
 }
 
@@ -269,7 +270,7 @@ void write_submission(const Submission& submission, const SubmissionJournal& jou
   }
   try {
     write_files(submission, files);
-    journal.note_submission(submission.asked, intents_of(submission));
+    journal.note_submission(submission.requested, intents_of(submission));
   } catch (...) {
     std::error_code ignored;
     fs::remove_all(submission.folder, ignored);

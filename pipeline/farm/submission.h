@@ -30,7 +30,7 @@ struct SubmissionStage {
 /// one for all. They wait for the end of those jobs only, not for success, because a job produces
 /// its missing inputs itself.
 struct Submission {
-  JournalSubmission asked;
+  JournalSubmission requested;
   std::filesystem::path folder;  ///< out/<study>/farm/0001, absolute
   StudyCall call;
   SlurmSite site;
@@ -58,7 +58,7 @@ std::string graph_key(const TaskGraph& graph, const std::filesystem::path& study
 /// Distributes stages over job arrays of the site's maximum size and adds the final job that
 /// completes the study.
 Submission submission_of(const std::vector<Stage>& stages, const ItemNeeds& needs,
-                         const std::string& graph_key, JournalSubmission asked,
+                         const std::string& graph_key, JournalSubmission requested,
                          const std::filesystem::path& study_folder, const StudyCall& call,
                          const SlurmSite& site);
 
@@ -87,7 +87,7 @@ struct SubmittedJob {
 /// The accepted jobs of a submission.
 struct Submitted {
   std::vector<SubmittedJob> jobs;
-  std::string unnoted;  ///< why the journal lacks a job's number; empty if it has all
+  std::string unrecorded;  ///< why the journal lacks a job's number; empty if it has all
 };
 
 /// Submits a written submission to Slurm. Films and later stages also wait for the jobs `live` of

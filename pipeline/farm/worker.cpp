@@ -88,7 +88,7 @@ class ItemGraph {
 
 int code_of(const TaskOutcome& outcome) {
   if (outcome.is_bad_input) return worker_bad_input;
-  if (outcome.is_disk_fault) return worker_no_disk;
+  if (outcome.is_disk_fault) return worker_disk_unavailable;
   return outcome.is_transient ? worker_transient : worker_gave_up;
 }
 
@@ -104,26 +104,28 @@ const TaskOutcome* cause_of(const TaskGraph& graph, const std::vector<TaskOutcom
 
 int attempts_before(const fs::path& file) {
   const motion::FileReading text = motion::bytes_of_file(file, motion::max_document_bytes);
-  const ordered_json told =
+  const ordered_json record =
       text.bytes ? ordered_json::parse(*text.bytes, nullptr, false) : ordered_json::object();
-  const bool is_told = told.is_object() && told.contains("attempts");
-  return is_told && told["attempts"].is_number_integer() ? told["attempts"].get<int>() : 0;
+  const bool is_record = record.is_object() && record.contains("attempts");
+  return is_record && record["attempts"].is_number_integer() ? record["attempts"].get<int>() : 0;
 }
 
-void tell_failure(const fs::path& folder, const FailedWork& failed, const std::string& command,
-                  const WorkerRecord& self) {
+void write_failure_record(const fs::path& folder, const FailedWork& failed,
+                          const std::string& command, const WorkerRecord& self) {
   const fs::path file = failure_path(folder, failed.item);
-  const ordered_json told = {{"item", failed.item},
-                             {"error", failed.error},
-                             {"code", failed.code},
-                             {"host", self.host},
-                             {"when", utc_now()},
-                             {"attempts", attempts_before(file) + 1},
-                             {"command", command + " --tasks " + motion::shell_word(failed.item)}};
+  const ordered_json record = {
+      {"item", failed.item},
+      {"error", failed.error},
+      {"code", failed.code},
+      {"host", self.host},
+      {"when", utc_now()},
+      {"attempts", attempts_before(file) + 1},
+      {"command", command + " --tasks " + motion::shell_word(failed.item)}};
   make_folder(file.parent_path());
   fs::path next = file;
   next += "." + self.name + ".new";
-  replace_file(file, next, told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  replace_file(file, next,
+               record.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace
@@ -138,7 +140,7 @@ TaskGraph graph_of_items(const TaskGraph& graph, const std::vector<std::string>&
 int WorkResult::code() const {
   if (was_interrupted) return worker_transient;
   constexpr std::array rising = {0, worker_bad_input, worker_gave_up, worker_transient,
-                                 worker_no_disk};
+                                 worker_disk_unavailable};
   auto most = std::find(rising.begin(), rising.end(), nondeterminism.empty() ? 0 : worker_gave_up);
   for (const FailedWork& item : failed)
     most = std::max(most, std::find(rising.begin(), rising.end(), item.code));
@@ -165,7 +167,7 @@ WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
     if (cause != nullptr) {
       result.failed.push_back({name, cause->error, code_of(*cause)});
       try {
-        tell_failure(folder, result.failed.back(), command, store.presence().self());
+        write_failure_record(folder, result.failed.back(), command, store.heartbeat().self());
       } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the disk is full, perhaps,
       }                                  // and the failure itself is in the job's log
     } else if (outcomes[index].state == TaskState::interrupted ||

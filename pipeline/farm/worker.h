@@ -18,7 +18,7 @@ TaskGraph graph_of_items(const TaskGraph& graph, const std::vector<std::string>&
 struct FailedWork {
   std::string item;
   std::string error;
-  int code = 0;  ///< worker_bad_input, worker_no_disk, worker_transient or another
+  int code = 0;  ///< worker_bad_input, worker_disk_unavailable, worker_transient or another
 };
 
 /// How a worker's work ended.

@@ -22,7 +22,7 @@ template <class Value>
 void add_fields(KeyBuilder& key, const std::string& name, const Value& value, unsigned concerned,
                 FileKeys& files) {
   static const std::vector<FieldEntry> usual = entries_of(Value{}, {.for_key = true});
-  const Writing how{.for_key = true, .concerned = concerned};
+  const WritingOptions how{.for_key = true, .concerned = concerned};
   for (const FieldEntry& entry : differences(entries_of(value, how), usual)) {
     key.add(name + entry.path, entry.value.dump());
     for (const std::filesystem::path& file : entry.files) key.add("file", files.of(file));
@@ -58,7 +58,7 @@ Hash libraries_key() {
 Hash repertoire_key(const Manifest& manifest, FileKeys& files) {
   KeyBuilder key;
   key.add("seed", static_cast<std::int64_t>(manifest.seed));
-  const Writing how{.for_key = true, .concerned = concerns::repertoire};
+  const WritingOptions how{.for_key = true, .concerned = concerns::repertoire};
   for (const FieldEntry& entry : entries_of(manifest, how)) key.add(entry.path, entry.value.dump());
   for (const std::filesystem::path& file : repertoire_files(manifest))
     key.add("file", files.of(file));
@@ -104,7 +104,7 @@ void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
 }
 
 void add_page(KeyBuilder& key, const Manifest& manifest) {
-  const Writing how{.for_key = true, .concerned = concerns::page};
+  const WritingOptions how{.for_key = true, .concerned = concerns::page};
   for (const FieldEntry& entry : entries_of(manifest, how)) key.add(entry.path, entry.value.dump());
   for (const Stimulus& stimulus : manifest.stimuli) {
     for (const auto& [factor, level] : stimulus.factors)

@@ -18,8 +18,8 @@ struct Examples;
 
 /// `labels:` of a folder: a rule, or a map.
 struct LabelsForm {
-  static void read(const Given& given, Examples& examples);
-  static nlohmann::ordered_json write(const Examples& examples, const Writing& how);
+  static void read(const DocumentValue& given, Examples& examples);
+  static nlohmann::ordered_json write(const Examples& examples, const WritingOptions& how);
 };
 
 /// The motions that are blended: a built-in set or the files of a folder.
@@ -57,8 +57,8 @@ void fields_of(auto&& field, MaybeConst<Examples> auto& examples) {
 
 /// `set:`: a built-in set, or a folder.
 struct ExampleSetForm {
-  static void read(const Given& given, Examples& examples);
-  static nlohmann::ordered_json write(const Examples& examples, const Writing& how);
+  static void read(const DocumentValue& given, Examples& examples);
+  static nlohmann::ordered_json write(const Examples& examples, const WritingOptions& how);
   static void walk(auto& names) { names.template of<Examples>(); }
 };
 
@@ -81,8 +81,8 @@ inline constexpr Words<bool> unknown_words = {{"error", false}, {"ignore", true}
 
 /// `ratings:`: a word, or a file.
 struct RatingsForm {
-  static void read(const Given& given, Ratings& ratings);
-  static nlohmann::ordered_json write(const Ratings& ratings, const Writing& how);
+  static void read(const DocumentValue& given, Ratings& ratings);
+  static nlohmann::ordered_json write(const Ratings& ratings, const WritingOptions& how);
 };
 
 void fields_of(auto&& field, MaybeConst<Expectation> auto& expected) {
@@ -104,8 +104,8 @@ ScaleSet scales_of(const ScalesSource& source);
 
 /// `scales:`: builtin, or a file.
 struct ScalesForm {
-  static void read(const Given& given, ScalesSource& scales);
-  static nlohmann::ordered_json write(const ScalesSource& scales, const Writing& how);
+  static void read(const DocumentValue& given, ScalesSource& scales);
+  static nlohmann::ordered_json write(const ScalesSource& scales, const WritingOptions& how);
 };
 
 }  // namespace mien::pipeline

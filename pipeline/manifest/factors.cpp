@@ -42,7 +42,7 @@ Factors plain_levels(const Stimulus& stimulus) {
 
 }  // namespace
 
-void FactorsForm::read(const Given& given, Factors& factors) {
+void FactorsForm::read(const DocumentValue& given, Factors& factors) {
   if (!given.value.is_object()) return;
   factors.clear();
   for (const std::string& name : written_order(given.value, given.path, given.context.places)) {
@@ -51,7 +51,7 @@ void FactorsForm::read(const Given& given, Factors& factors) {
   }
 }
 
-OrderedJson FactorsForm::write(const Factors& factors, const Writing&) {
+OrderedJson FactorsForm::write(const Factors& factors, const WritingOptions&) {
   if (factors.empty()) return {};
   OrderedJson map;
   for (const auto& [name, level] : factors) map[name] = level;

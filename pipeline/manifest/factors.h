@@ -18,8 +18,8 @@ using Factors = std::vector<std::pair<std::string, std::string>>;
 
 /// `factors:` whose levels may be texts, numbers and truth values.
 struct FactorsForm {
-  static void read(const Given& given, Factors& factors);
-  static nlohmann::ordered_json write(const Factors& factors, const Writing&);
+  static void read(const DocumentValue& given, Factors& factors);
+  static nlohmann::ordered_json write(const Factors& factors, const WritingOptions&);
 };
 
 /// The levels of a stimulus: those that it states and, of these four, what it does not state but is

@@ -48,7 +48,7 @@ ModificationStep without(ModificationStep step, FoilAspect aspect) {
 }
 
 /// What the stimulus makes, with the modifications that are left.
-void make_like(const Stimulus& original, bool foil_says_on_fault, Stimulus& foil) {
+void copy_motion_settings(const Stimulus& original, bool foil_says_on_fault, Stimulus& foil) {
   foil.adjectives = original.adjectives;
   foil.hold = original.hold;
   foil.features = original.features;
@@ -120,7 +120,7 @@ std::vector<Fault> resolve_foils(Manifest& manifest) {
     }
     const Stimulus* original = original_of(foil, manifest, list);
     if (original == nullptr) continue;
-    make_like(*original, list.was_given(member_path(foil.path, "on_fault")), foil);
+    copy_motion_settings(*original, list.was_given(member_path(foil.path, "on_fault")), foil);
     check_original(*original, foil, list);
   }
   return list.take();

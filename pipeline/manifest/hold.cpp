@@ -8,14 +8,14 @@
 
 namespace mien::pipeline {
 
-void HoldForm::read(const Given& given, Hold& hold) {
+void HoldForm::read(const DocumentValue& given, Hold& hold) {
   hold = Hold();
   hold.others = given.value == "others";
   pipeline::read(given, hold.names);
   pipeline::read(given, hold.values);
 }
 
-OrderedJson HoldForm::write(const Hold& hold, const Writing& how) {
+OrderedJson HoldForm::write(const Hold& hold, const WritingOptions& how) {
   if (hold.others) return "others";
   return hold.names.empty() ? written(hold.values, how) : written(hold.names, how);
 }

@@ -29,8 +29,8 @@ struct Hold {
 
 /// `hold:`: "others", names, or values by name.
 struct HoldForm {
-  static void read(const Given& given, Hold& hold);
-  static nlohmann::ordered_json write(const Hold& hold, const Writing& how);
+  static void read(const DocumentValue& given, Hold& hold);
+  static nlohmann::ordered_json write(const Hold& hold, const WritingOptions& how);
 };
 
 /// Gives each hold its reference. Foils are resolved before (foil.h).

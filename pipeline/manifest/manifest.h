@@ -26,48 +26,52 @@ struct RecipesSource {
 
 /// `recipes:`: builtin, fig29, or a file.
 struct RecipesForm {
-  static void read(const Given& given, RecipesSource& recipes);
-  static nlohmann::ordered_json write(const RecipesSource& recipes, const Writing& how);
+  static void read(const DocumentValue& given, RecipesSource& recipes);
+  static nlohmann::ordered_json write(const RecipesSource& recipes, const WritingOptions& how);
 };
 
 /// The stimuli that share one equalized value: all of the study, or those of one kind of figure.
-enum class Among { study, figure };
+enum class EqualizeGroup { study, figure };
 
-inline constexpr Words<Among> among_words = {{"study", Among::study}, {"figure", Among::figure}};
+inline constexpr Words<EqualizeGroup> equalize_group_words = {{"study", EqualizeGroup::study},
+                                                              {"figure", EqualizeGroup::figure}};
 
 /// Properties of films that are equalized across stimuli; none by default.
 struct Equalize {
-  std::optional<Among> luminance;  ///< mean luminance of the films, by the exposure
-  std::optional<Among> size;       ///< pixels that figures are tall, by the camera's distance
-  std::optional<Among> place;  ///< where figures stand in the picture, by the shift of its middle
-  bool duration = false;       ///< number of frames: that of the shortest
+  std::optional<EqualizeGroup> luminance;  ///< mean luminance of the films, by the exposure
+  std::optional<EqualizeGroup> size;  ///< pixels that figures are tall, by the camera's distance
+  std::optional<EqualizeGroup>
+      place;              ///< where figures stand in the picture, by the shift of its middle
+  bool duration = false;  ///< number of frames: that of the shortest
 
   friend bool operator==(const Equalize&, const Equalize&) = default;
 };
 
 /// `luminance: true`, or `luminance: {by: figure}`.
-struct AlikeForm {
-  static void read(const Given& given, std::optional<Among>& among);
-  static nlohmann::ordered_json write(const std::optional<Among>& among, const Writing&);
+struct EqualizeGroupForm {
+  static void read(const DocumentValue& given, std::optional<EqualizeGroup>& group_by);
+  static nlohmann::ordered_json write(const std::optional<EqualizeGroup>& group_by,
+                                      const WritingOptions&);
   static void walk(auto& names) { names.add("by"); }
 };
 
 void fields_of(auto&& field, MaybeConst<Equalize> auto& equalize) {
-  field.by("luminance", equalize.luminance, concerns::picture, AlikeForm());
-  field.by("size", equalize.size, concerns::picture, AlikeForm());
-  field.by("place", equalize.place, concerns::picture, AlikeForm());
+  field.by("luminance", equalize.luminance, concerns::picture, EqualizeGroupForm());
+  field.by("size", equalize.size, concerns::picture, EqualizeGroupForm());
+  field.by("place", equalize.place, concerns::picture, EqualizeGroupForm());
   field("duration", equalize.duration, concerns::picture);
 }
 
 /// `equalize:`: an array of names, or a map.
 struct EqualizeForm {
-  static void read(const Given& given, Equalize& equalize);
-  static nlohmann::ordered_json write(const Equalize& equalize, const Writing& how);
+  static void read(const DocumentValue& given, Equalize& equalize);
+  static nlohmann::ordered_json write(const Equalize& equalize, const WritingOptions& how);
   static void walk(auto& names) { names.template of<Equalize>(); }
 };
 
 /// The stimuli in groups, each of which is equalized within itself, in the order of the manifest.
-std::vector<std::vector<const Stimulus*>> alike(const std::vector<Stimulus>& stimuli, Among among);
+std::vector<std::vector<const Stimulus*>> equalized_groups(const std::vector<Stimulus>& stimuli,
+                                                           EqualizeGroup group_by);
 
 /// A production as its author wrote it, defaults filled in and overrides merged.
 struct Manifest {

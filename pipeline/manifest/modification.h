@@ -27,8 +27,8 @@ struct PoseSource {
 
 /// The motion of a pose: a file when the text ends like one, else an example.
 struct PoseMotionForm {
-  static void read(const Given& given, PoseSource& pose);
-  static nlohmann::ordered_json write(const PoseSource& pose, const Writing& how);
+  static void read(const DocumentValue& given, PoseSource& pose);
+  static nlohmann::ordered_json write(const PoseSource& pose, const WritingOptions& how);
 };
 
 void fields_of(auto&& field, MaybeConst<PoseSource> auto& pose) {
@@ -71,15 +71,15 @@ void fields_of(auto&& field, MaybeConst<motion::PathGains> auto& gains) {
 
 /// `limbs: [head, left-hand]`: head, hands, feet and single ones of these.
 struct LimbsForm {
-  static void read(const Given& given, motion::Limbs& limbs);
-  static nlohmann::ordered_json write(const motion::Limbs& limbs, const Writing&);
+  static void read(const DocumentValue& given, motion::Limbs& limbs);
+  static nlohmann::ordered_json write(const motion::Limbs& limbs, const WritingOptions&);
 };
 
 /// `posture: {head-flexion: 12}`: units that it names take the place of the same units.
 struct PostureForm {
-  static void read(const Given& given, std::vector<motion::PostureChange>& posture);
+  static void read(const DocumentValue& given, std::vector<motion::PostureChange>& posture);
   static nlohmann::ordered_json write(const std::vector<motion::PostureChange>& posture,
-                                      const Writing&);
+                                      const WritingOptions&);
   static void walk(auto& names) {
     for (const motion::PostureUnitName& unit : motion::posture_units())
       names.add(std::string(unit.name));
@@ -112,8 +112,8 @@ struct ModificationEdit {
 
 /// The members of a map that say something of a modification.
 struct EditForm {
-  static void read(const Given& given, ModificationEdit& edit);
-  static nlohmann::ordered_json write(const ModificationEdit& edit, const Writing& how);
+  static void read(const DocumentValue& given, ModificationEdit& edit);
+  static nlohmann::ordered_json write(const ModificationEdit& edit, const WritingOptions& how);
   static void walk(auto& names) {
     names.template of<motion::Modification>();
     std::optional<PoseDifferenceSource> pose;
@@ -166,8 +166,9 @@ struct ModificationStep {
 
 /// The members of a map that name an older method and its options.
 struct StyleForm {
-  static void read(const Given& given, std::optional<StyleStep>& style);
-  static nlohmann::ordered_json write(const std::optional<StyleStep>& style, const Writing& how);
+  static void read(const DocumentValue& given, std::optional<StyleStep>& style);
+  static nlohmann::ordered_json write(const std::optional<StyleStep>& style,
+                                      const WritingOptions& how);
   static void walk(auto& names) { names.template of<StyleStep>(); }
 };
 

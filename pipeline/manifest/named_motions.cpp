@@ -39,7 +39,7 @@ std::vector<NamedMotion> named_motions(const Stimulus& stimulus) {
   return motions;
 }
 
-std::string silent_take(const NamedMotion& motion) {
+std::string default_take_note(const NamedMotion& motion) {
   if (!motion.take.empty() || !motion::may_hold_takes(motion.file)) return "";
   const motion::Recording recording = motion::read_motion(motion.file);
   return recording.takes.size() > 1 ? recording.notes.front() : "";

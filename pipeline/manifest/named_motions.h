@@ -25,7 +25,7 @@ std::vector<NamedMotion> named_motions(const Stimulus& stimulus);
 
 /// A sentence that the file has several motions, and which is the default; empty where one was
 /// chosen or there is only one. Throws Error where the file cannot be read.
-std::string silent_take(const NamedMotion& motion);
+std::string default_take_note(const NamedMotion& motion);
 
 /// What is wrong with a frame that is asked for: `it has 173 frames, so frame 400 does not exist`,
 /// of a file with several takes with the take's name. Empty when there is such a frame.

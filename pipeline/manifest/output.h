@@ -62,14 +62,15 @@ void fields_of(auto&& field, MaybeConst<Presentation> auto& shown) {
 
 /// `clips: [bvh, glb]`: in the order of motion::motion_formats().
 struct ClipsForm {
-  static void read(const Given& given, std::vector<std::string>& clips);
-  static nlohmann::ordered_json write(const std::vector<std::string>& clips, const Writing&);
+  static void read(const DocumentValue& given, std::vector<std::string>& clips);
+  static nlohmann::ordered_json write(const std::vector<std::string>& clips, const WritingOptions&);
 };
 
 /// `video: [mp4, gif]`: in the order of render::video_kinds().
 struct VideoKindsForm {
-  static void read(const Given& given, std::vector<render::VideoKind>& video);
-  static nlohmann::ordered_json write(const std::vector<render::VideoKind>& video, const Writing&);
+  static void read(const DocumentValue& given, std::vector<render::VideoKind>& video);
+  static nlohmann::ordered_json write(const std::vector<render::VideoKind>& video,
+                                      const WritingOptions&);
 };
 
 /// What is written for a stimulus, and how large.

@@ -136,37 +136,40 @@ struct Questionnaire {
   AnalysisPlan analysis;
 };
 
-void fields_of(auto&& field, MaybeConst<Questionnaire> auto& asked) {
-  field("title", asked.title, concerns::nothing);
-  field("language", asked.language, concerns::nothing, language_words);
-  field("participants", asked.participants, concerns::required);
-  field.by("consent", asked.consent, concerns::nothing, TextForm());
-  field.by("instructions", asked.instructions, concerns::nothing, TextForm());
-  field.by("ending", asked.ending, concerns::nothing, TextForm());
-  field("question", asked.question, concerns::nothing);
-  field.by("stimuli", asked.stimuli, concerns::nothing, StimulusChoiceForm());
-  field("per_participant", asked.per_participant, concerns::nothing);
-  field("trials", asked.trials, concerns::nothing, trial_form_words);
-  field.by("scales", asked.scales, concerns::nothing, ScaleChoiceForm());
-  field.by("choices", asked.choices, concerns::nothing, ChoicesForm());
-  field("pairs", asked.pairs, concerns::nothing);
-  field("answer", asked.answer, concerns::nothing);
-  field.by("order", asked.order, concerns::nothing, TrialOrderForm());
-  field("no_repeats", asked.no_repeats, concerns::nothing);
-  field("practice", asked.practice, concerns::nothing);
-  field("warm_up", asked.warm_up, concerns::nothing);
-  field.group("attention",
-              [&](auto& checks) { checks("every", asked.attention_every, concerns::nothing); });
-  field.group("catch", [&](auto& trials) { trials("repeat", asked.repeated, concerns::nothing); });
-  field.by("replays", asked.replays, concerns::nothing, ReplaysForm());
-  field("watch", asked.watch, concerns::nothing, watching_words);
-  field("comments", asked.comments, concerns::nothing);
-  field("reference", asked.reference, concerns::nothing);
-  field("view", asked.view, concerns::nothing, shown_as_words);
-  field("phones", asked.phones, concerns::nothing, phones_words);
-  field.each("demographics", asked.demographics, concerns::nothing, [] { return Demographic(); });
-  field("pace", asked.pace, concerns::nothing);
-  field("analysis", asked.analysis, concerns::nothing);
+void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
+  field("title", questionnaire.title, concerns::nothing);
+  field("language", questionnaire.language, concerns::nothing, language_words);
+  field("participants", questionnaire.participants, concerns::required);
+  field.by("consent", questionnaire.consent, concerns::nothing, TextForm());
+  field.by("instructions", questionnaire.instructions, concerns::nothing, TextForm());
+  field.by("ending", questionnaire.ending, concerns::nothing, TextForm());
+  field("question", questionnaire.question, concerns::nothing);
+  field.by("stimuli", questionnaire.stimuli, concerns::nothing, StimulusChoiceForm());
+  field("per_participant", questionnaire.per_participant, concerns::nothing);
+  field("trials", questionnaire.trials, concerns::nothing, trial_form_words);
+  field.by("scales", questionnaire.scales, concerns::nothing, ScaleChoiceForm());
+  field.by("choices", questionnaire.choices, concerns::nothing, ChoicesForm());
+  field("pairs", questionnaire.pairs, concerns::nothing);
+  field("answer", questionnaire.answer, concerns::nothing);
+  field.by("order", questionnaire.order, concerns::nothing, TrialOrderForm());
+  field("no_repeats", questionnaire.no_repeats, concerns::nothing);
+  field("practice", questionnaire.practice, concerns::nothing);
+  field("warm_up", questionnaire.warm_up, concerns::nothing);
+  field.group("attention", [&](auto& checks) {
+    checks("every", questionnaire.attention_every, concerns::nothing);
+  });
+  field.group("catch",
+              [&](auto& trials) { trials("repeat", questionnaire.repeated, concerns::nothing); });
+  field.by("replays", questionnaire.replays, concerns::nothing, ReplaysForm());
+  field("watch", questionnaire.watch, concerns::nothing, watching_words);
+  field("comments", questionnaire.comments, concerns::nothing);
+  field("reference", questionnaire.reference, concerns::nothing);
+  field("view", questionnaire.view, concerns::nothing, shown_as_words);
+  field("phones", questionnaire.phones, concerns::nothing, phones_words);
+  field.each("demographics", questionnaire.demographics, concerns::nothing,
+             [] { return Demographic(); });
+  field("pace", questionnaire.pace, concerns::nothing);
+  field("analysis", questionnaire.analysis, concerns::nothing);
 }
 
 }  // namespace mien::pipeline

@@ -13,33 +13,33 @@ constexpr Words<OrderKind> order_words = {
     {"full", OrderKind::full}, {"fixed", OrderKind::fixed}, {"latin", OrderKind::latin}};
 
 /// A member of a map, if it is there.
-void read_member(const Given& given, const char* key, auto& value) {
+void read_member(const DocumentValue& given, const char* key, auto& value) {
   const nlohmann::json* found = member(given.value, key);
   if (found != nullptr) read({*found, member_path(given.path, key), given.context}, value);
 }
 
 }  // namespace
 
-void TextForm::read(const Given& given, TextSource& source) {
+void TextForm::read(const DocumentValue& given, TextSource& source) {
   assign(&given.value, source.text);
   read_member(given, "file", source.file);
 }
 
-OrderedJson TextForm::write(const TextSource& source, const Writing& how) {
+OrderedJson TextForm::write(const TextSource& source, const WritingOptions& how) {
   if (!source.file.empty()) return {{"file", written(source.file, how)}};
   return source.text.empty() ? OrderedJson() : OrderedJson(source.text);
 }
 
-void StimulusChoiceForm::read(const Given& given, StimulusChoice& choice) {
+void StimulusChoiceForm::read(const DocumentValue& given, StimulusChoice& choice) {
   pipeline::read(given, choice.ids);
   pipeline::read(given, choice.levels);
 }
 
-OrderedJson StimulusChoiceForm::write(const StimulusChoice& choice, const Writing& how) {
+OrderedJson StimulusChoiceForm::write(const StimulusChoice& choice, const WritingOptions& how) {
   return choice.levels.empty() ? written(choice.ids, how) : written(choice.levels, how);
 }
 
-void ScaleChoiceForm::read(const Given& given, ScaleChoice& choice) {
+void ScaleChoiceForm::read(const DocumentValue& given, ScaleChoice& choice) {
   choice.all = given.value == "all";
   choice.emotions = given.value == "emotions";
   pipeline::read(given, choice.ids);
@@ -48,7 +48,7 @@ void ScaleChoiceForm::read(const Given& given, ScaleChoice& choice) {
   if (!choice.file.empty() && choice.ids.empty()) choice.all = true;
 }
 
-OrderedJson ScaleChoiceForm::write(const ScaleChoice& choice, const Writing& how) {
+OrderedJson ScaleChoiceForm::write(const ScaleChoice& choice, const WritingOptions& how) {
   if (!choice.file.empty()) {
     OrderedJson map = {{"file", written(choice.file, how)}};
     if (!choice.all) map["ask"] = written(choice.ids, how);
@@ -58,7 +58,7 @@ OrderedJson ScaleChoiceForm::write(const ScaleChoice& choice, const Writing& how
   return choice.emotions ? OrderedJson("emotions") : written(choice.ids, how);
 }
 
-void ChoicesForm::read(const Given& given,
+void ChoicesForm::read(const DocumentValue& given,
                        std::vector<std::pair<std::string, std::string>>& choices) {
   if (given.value.is_object()) return pipeline::read(given, choices);
   std::vector<std::string> ids;
@@ -68,7 +68,7 @@ void ChoicesForm::read(const Given& given,
 }
 
 OrderedJson ChoicesForm::write(const std::vector<std::pair<std::string, std::string>>& choices,
-                               const Writing& how) {
+                               const WritingOptions& how) {
   std::vector<std::string> ids;
   for (const auto& [id, shown] : choices) {
     if (shown != id) return written(choices, how);
@@ -77,35 +77,35 @@ OrderedJson ChoicesForm::write(const std::vector<std::pair<std::string, std::str
   return written(ids, how);
 }
 
-void AnswerChoiceForm::read(const Given& given, AnswerChoice& answer) {
+void AnswerChoiceForm::read(const DocumentValue& given, AnswerChoice& answer) {
   answer.is_number = given.value == "number";
   pipeline::read(given, answer.choices);
 }
 
-OrderedJson AnswerChoiceForm::write(const AnswerChoice& answer, const Writing& how) {
+OrderedJson AnswerChoiceForm::write(const AnswerChoice& answer, const WritingOptions& how) {
   if (!answer.choices.empty()) return written(answer.choices, how);
   return answer.is_number ? "number" : "text";
 }
 
-void TrialOrderForm::read(const Given& given, TrialOrder& order) {
+void TrialOrderForm::read(const DocumentValue& given, TrialOrder& order) {
   order = {};
   assign(&given.value, order.kind, order_words);
   assign(member(given.value, "blocked"), order.factor);
   if (given.value.is_object()) order.kind = OrderKind::blocked;
 }
 
-OrderedJson TrialOrderForm::write(const TrialOrder& order, const Writing&) {
+OrderedJson TrialOrderForm::write(const TrialOrder& order, const WritingOptions&) {
   if (order.kind == OrderKind::blocked) return {{"blocked", order.factor}};
   return word_of(order_words, order.kind);
 }
 
-void ReplaysForm::read(const Given& given, Replays& replays) {
+void ReplaysForm::read(const DocumentValue& given, Replays& replays) {
   replays.most.reset();
   if (given.value == "none") replays.most = 0;
   if (given.value.is_number_integer()) assign(&given.value, replays.most);
 }
 
-OrderedJson ReplaysForm::write(const Replays& replays, const Writing&) {
+OrderedJson ReplaysForm::write(const Replays& replays, const WritingOptions&) {
   if (!replays.most) return "counted";
   return *replays.most == 0 ? OrderedJson("none") : OrderedJson(*replays.most);
 }

@@ -24,8 +24,8 @@ struct TextSource {
 
 /// `consent: |` …, or `consent: {file: consent.txt}`.
 struct TextForm {
-  static void read(const Given& given, TextSource& source);
-  static nlohmann::ordered_json write(const TextSource& source, const Writing& how);
+  static void read(const DocumentValue& given, TextSource& source);
+  static nlohmann::ordered_json write(const TextSource& source, const WritingOptions& how);
   static void walk(auto& names) { names.add("file"); }
 };
 
@@ -38,8 +38,8 @@ struct StimulusChoice {
 
 /// `stimuli: [a, b]`, or `stimuli: {made: [acted, modified]}`.
 struct StimulusChoiceForm {
-  static void read(const Given& given, StimulusChoice& choice);
-  static nlohmann::ordered_json write(const StimulusChoice& choice, const Writing& how);
+  static void read(const DocumentValue& given, StimulusChoice& choice);
+  static nlohmann::ordered_json write(const StimulusChoice& choice, const WritingOptions& how);
 };
 
 /// Which scales are asked.
@@ -53,8 +53,8 @@ struct ScaleChoice {
 
 /// `scales: [sad-happy]`, `scales: all`, `scales: emotions`, or `scales: {file: …, ask: […]}`.
 struct ScaleChoiceForm {
-  static void read(const Given& given, ScaleChoice& choice);
-  static nlohmann::ordered_json write(const ScaleChoice& choice, const Writing& how);
+  static void read(const DocumentValue& given, ScaleChoice& choice);
+  static nlohmann::ordered_json write(const ScaleChoice& choice, const WritingOptions& how);
   static void walk(auto& names) {
     names.add("file");
     names.add("ask");
@@ -63,9 +63,10 @@ struct ScaleChoiceForm {
 
 /// `choices: [sad, happy]`, or `choices: {sad: 悲しい, happy: 嬉しい}`.
 struct ChoicesForm {
-  static void read(const Given& given, std::vector<std::pair<std::string, std::string>>& choices);
+  static void read(const DocumentValue& given,
+                   std::vector<std::pair<std::string, std::string>>& choices);
   static nlohmann::ordered_json write(
-      const std::vector<std::pair<std::string, std::string>>& choices, const Writing& how);
+      const std::vector<std::pair<std::string, std::string>>& choices, const WritingOptions& how);
 };
 
 /// What answers a question about the participant.
@@ -76,8 +77,8 @@ struct AnswerChoice {
 
 /// `answer: number`, `answer: text`, or `answer: [one, other]`.
 struct AnswerChoiceForm {
-  static void read(const Given& given, AnswerChoice& answer);
-  static nlohmann::ordered_json write(const AnswerChoice& answer, const Writing& how);
+  static void read(const DocumentValue& given, AnswerChoice& answer);
+  static nlohmann::ordered_json write(const AnswerChoice& answer, const WritingOptions& how);
 };
 
 /// In which order a participant sees the stimuli.
@@ -90,8 +91,8 @@ struct TrialOrder {
 
 /// `order: latin`, or `order: {blocked: actor}`.
 struct TrialOrderForm {
-  static void read(const Given& given, TrialOrder& order);
-  static nlohmann::ordered_json write(const TrialOrder& order, const Writing& how);
+  static void read(const DocumentValue& given, TrialOrder& order);
+  static nlohmann::ordered_json write(const TrialOrder& order, const WritingOptions& how);
   static void walk(auto& names) { names.add("blocked"); }
 };
 
@@ -102,8 +103,8 @@ struct Replays {
 
 /// `replays: counted`, `replays: none`, or `replays: 3`.
 struct ReplaysForm {
-  static void read(const Given& given, Replays& replays);
-  static nlohmann::ordered_json write(const Replays& replays, const Writing& how);
+  static void read(const DocumentValue& given, Replays& replays);
+  static nlohmann::ordered_json write(const Replays& replays, const WritingOptions& how);
 };
 
 }  // namespace mien::pipeline

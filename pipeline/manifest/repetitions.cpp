@@ -14,27 +14,27 @@ constexpr char repetition_remedy[] =
     "change the motion or look of one of them; ignore this if the repetition is intended";
 
 /// Whether its pictures depend on the stimulus's id.
-bool is_own_by_chance(const scenes::PointLightOptions& dots) {
+bool is_random_per_id(const scenes::PointLightOptions& dots) {
   const bool is_random = dots.scrambled || dots.phase_scrambled || dots.lifetime > 0 ||
                          dots.noise > 0 || dots.mask > 0;
   return is_random && !dots.seed;
 }
 
 /// The stimulus without what does not affect its pictures.
-Stimulus as_seen(Stimulus stimulus) {
+Stimulus as_rendered(Stimulus stimulus) {
   const auto* dots = std::get_if<scenes::PointLightOptions>(&stimulus.look.figure);
-  if (dots == nullptr || !is_own_by_chance(*dots)) stimulus.id.clear();
+  if (dots == nullptr || !is_random_per_id(*dots)) stimulus.id.clear();
   // Dots have the colour that they are given; bodies have that of their role.
   if (dots != nullptr) stimulus.role = Role::created;
   return stimulus;
 }
 
-Hash key_of_what_is_seen(const Stimulus& stimulus, FileKeys& files) {
-  const Stimulus seen = as_seen(stimulus);
+Hash appearance_key(const Stimulus& stimulus, FileKeys& files) {
+  const Stimulus rendered = as_rendered(stimulus);
   KeyBuilder key;
-  add_motion(key, seen, files);
-  add_film(key, seen, files);
-  add_presentation(key, seen.output.presentation);
+  add_motion(key, rendered, files);
+  add_film(key, rendered, files);
+  add_presentation(key, rendered.output.presentation);
   return key.key();
 }
 
@@ -45,8 +45,7 @@ std::vector<Repetition> repetitions_in(const Manifest& manifest) {
   std::map<Hash, std::string> first_ids;
   std::vector<Repetition> repetitions;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const auto [first, is_new] =
-        first_ids.emplace(key_of_what_is_seen(stimulus, files), stimulus.id);
+    const auto [first, is_new] = first_ids.emplace(appearance_key(stimulus, files), stimulus.id);
     if (!is_new) repetitions.push_back({stimulus.path, stimulus.id, first->second});
   }
   return repetitions;
@@ -56,14 +55,14 @@ std::string to_sentence(const Repetition& repetition) {
   return "looks identical to \"" + repetition.first + "\"; " + repetition_remedy;
 }
 
-std::vector<std::string> told_repetitions(const Manifest& manifest) {
-  std::vector<std::string> told;
+std::vector<std::string> repetition_warnings(const Manifest& manifest) {
+  std::vector<std::string> warnings;
   for (const Repetition& repetition : repetitions_in(manifest))
-    told.push_back(repetition.id + ": " + to_sentence(repetition));
-  return told;
+    warnings.push_back(repetition.id + ": " + to_sentence(repetition));
+  return warnings;
 }
 
-Fault told_at_its_place(const Repetition& repetition, const Places& places) {
+Fault repetition_fault(const Repetition& repetition, const Places& places) {
   return {place_of(places, repetition.path), repetition.path,
           "\"" + repetition.id + "\" looks identical to \"" + repetition.first + "\"",
           repetition_remedy};

@@ -25,9 +25,9 @@ std::vector<Repetition> repetitions_in(const Manifest& manifest);
 std::string to_sentence(const Repetition& repetition);
 
 /// A warning for each repetition, with its id: "b: a rater sees the same as of …".
-std::vector<std::string> told_repetitions(const Manifest& manifest);
+std::vector<std::string> repetition_warnings(const Manifest& manifest);
 
 /// The repetition at its place in the manifest; a warning only, as both may be shown on purpose.
-Fault told_at_its_place(const Repetition& repetition, const Places& places);
+Fault repetition_fault(const Repetition& repetition, const Places& places);
 
 }  // namespace mien::pipeline

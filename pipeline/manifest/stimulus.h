@@ -84,9 +84,9 @@ inline std::string_view name_of(Role role) { return word_of(role_words, role); }
 
 /// `modify:`: one step, or several.
 struct StepsForm {
-  static void read(const Given& given, std::vector<ModificationStep>& steps);
+  static void read(const DocumentValue& given, std::vector<ModificationStep>& steps);
   static nlohmann::ordered_json write(const std::vector<ModificationStep>& steps,
-                                      const Writing& how);
+                                      const WritingOptions& how);
   static void walk(auto& names) { names.template of<ModificationStep>(); }
 };
 

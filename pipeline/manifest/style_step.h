@@ -50,8 +50,8 @@ struct StyleStep {
 
 /// `repair: none` leaves the feet alone.
 struct StyleRepairForm {
-  static void read(const Given& given, bool& feet);
-  static nlohmann::ordered_json write(bool feet, const Writing&);
+  static void read(const DocumentValue& given, bool& feet);
+  static nlohmann::ordered_json write(bool feet, const WritingOptions&);
 };
 
 void fields_of(auto&& field, MaybeConst<StyleStep> auto& style) {

@@ -46,13 +46,13 @@ std::string described(const WalkStep& step) {
 
 }  // namespace
 
-void WalkPathForm::read(const Given& given, std::optional<WalkPath>& path) {
+void WalkPathForm::read(const DocumentValue& given, std::optional<WalkPath>& path) {
   path.emplace();
   if (given.value.is_array()) return pipeline::read(given, path->script);
   pipeline::read(given, *path);
 }
 
-OrderedJson WalkPathForm::write(const std::optional<WalkPath>& path, const Writing& how) {
+OrderedJson WalkPathForm::write(const std::optional<WalkPath>& path, const WritingOptions& how) {
   if (!path) return {};
   return is_script_alone(*path) ? written(path->script, how) : written(*path, how);
 }

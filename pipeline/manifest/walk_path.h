@@ -98,8 +98,9 @@ void fields_of(auto&& field, MaybeConst<WalkPath> auto& path) {
 
 /// `path:`: steps, or a map.
 struct WalkPathForm {
-  static void read(const Given& given, std::optional<WalkPath>& path);
-  static nlohmann::ordered_json write(const std::optional<WalkPath>& path, const Writing& how);
+  static void read(const DocumentValue& given, std::optional<WalkPath>& path);
+  static nlohmann::ordered_json write(const std::optional<WalkPath>& path,
+                                      const WritingOptions& how);
   static void walk(auto& names) { names.template of<WalkPath>(); }
 };
 

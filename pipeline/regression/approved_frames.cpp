@@ -18,7 +18,7 @@ namespace {
 }
 
 template <class Read>
-auto read_or_tell(const std::filesystem::path& file, const Read& read) {
+auto read_with_remedy(const std::filesystem::path& file, const Read& read) {
   try {
     return read(file);
   } catch (const std::exception& error) {
@@ -30,8 +30,8 @@ auto read_or_tell(const std::filesystem::path& file, const Read& read) {
 
 motion::Clip approved_clip(const Baseline& baseline, const std::string& id,
                            const motion::Clip& like) {
-  const auto recording = read_or_tell(baseline.motion_file(id),
-                                      [](const auto& file) { return motion::read_motion(file); });
+  const auto recording = read_with_remedy(
+      baseline.motion_file(id), [](const auto& file) { return motion::read_motion(file); });
   motion::Clip clip = like;
   clip.frames_per_second = recording.frames_per_second;
   clip.body = recording.skeleton;
@@ -42,7 +42,7 @@ motion::Clip approved_clip(const Baseline& baseline, const std::string& id,
 render::Image8 approved_picture(const Baseline& baseline, const std::string& id, int frame) {
   const std::filesystem::path file = baseline.picture_file(id, frame);
   render::Image8 picture =
-      read_or_tell(file, [](const auto& path) { return render::read_png8(path); });
+      read_with_remedy(file, [](const auto& path) { return render::read_png8(path); });
   const auto& frames = baseline.find(id)->key_frames;
   const auto key = std::ranges::find(frames, frame, &KeyFrame::frame);
   if (key == frames.end() || key->pixels != hash_of_pixels(picture))
@@ -51,8 +51,8 @@ render::Image8 approved_picture(const Baseline& baseline, const std::string& id,
 }
 
 BlockStatistics approved_blocks(const Baseline& baseline, const std::string& id, int frame) {
-  return read_or_tell(baseline.blocks_file(id, frame),
-                      [](const auto& file) { return read_blocks(file); });
+  return read_with_remedy(baseline.blocks_file(id, frame),
+                          [](const auto& file) { return read_blocks(file); });
 }
 
 Hash hash_of_pixels(const render::Image8& picture) {

@@ -109,7 +109,7 @@ double shapley(Member member, const Exchanged& can, const std::map<Exchanged, do
 
 }  // namespace
 
-std::string asked_text(const StimulusStates& states, Aspect aspect) {
+std::string requested_changes(const StimulusStates& states, Aspect aspect) {
   std::vector<std::string> own, all;
   for (const SettingChange& change : changes_between(states.then.settings, states.now.settings)) {
     all.push_back(change_text(change));
@@ -121,7 +121,7 @@ std::string asked_text(const StimulusStates& states, Aspect aspect) {
 
 std::vector<Attribution> motion_causes(const StimulusStates& states) {
   std::vector<Attribution> causes;
-  if (states.motion_remade()) {
+  if (states.is_motion_remade()) {
     const auto files = lost(states, Aspect::motion);
     if (!files.empty()) {
       causes.push_back({Cause::motion,
@@ -134,10 +134,10 @@ std::vector<Attribution> motion_causes(const StimulusStates& states) {
                              "made again from the approved inputs, the motion differs");
     }
   }
-  if (states.motion_asked())
+  if (states.is_motion_requested())
     causes.push_back(
         {Cause::motion,
-         asked_text(states, Aspect::motion),
+         requested_changes(states, Aspect::motion),
          "with this program, the approved and the current specification give different motions",
          {}});
   return causes;
@@ -145,7 +145,7 @@ std::vector<Attribution> motion_causes(const StimulusStates& states) {
 
 std::vector<Attribution> program_causes(const StimulusStates& states) {
   const auto files = lost(states, Aspect::scene);
-  if (states.scene_remade() && !files.empty())
+  if (states.is_scene_remade() && !files.empty())
     return {{Cause::scene,
              joined(files),
              "a file from which the approved scene was made has changed",

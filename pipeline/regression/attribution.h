@@ -14,17 +14,17 @@ struct StimulusStates {
   const StimulusFacts& then;      ///< what was approved, as this program makes it
   const StimulusFacts& now;       ///< as the manifest describes it now
 
-  bool motion_remade() const { return then.motion != approved.motion; }
-  bool motion_asked() const { return now.motion != then.motion; }
-  bool scene_remade() const { return then.scene != approved.scene; }
-  bool scene_asked() const { return now.scene != then.scene; }
-  bool drawing_asked() const { return now.drawing != then.drawing; }
+  bool is_motion_remade() const { return then.motion != approved.motion; }
+  bool is_motion_requested() const { return now.motion != then.motion; }
+  bool is_scene_remade() const { return then.scene != approved.scene; }
+  bool is_scene_requested() const { return now.scene != then.scene; }
+  bool is_drawing_requested() const { return now.drawing != then.drawing; }
 };
 
 /// The changed settings of one aspect: "weights.sad 0.4 → 0.41; …". Without any, all changed
 /// settings: a seed may change a motion too, by the ratings that it simulates. Without any at all,
 /// a sentence that the change comes from other stimuli.
-std::string asked_text(const StimulusStates& states, Aspect aspect);
+std::string requested_changes(const StimulusStates& states, Aspect aspect);
 
 /// What made the motion another, without shares. Empty when it is the same.
 std::vector<Attribution> motion_causes(const StimulusStates& states);

@@ -49,7 +49,7 @@ struct StimulusFacts {
   Origin origin;
   std::vector<Setting> settings;
   NamedValues weights;
-  NamedValues asked;
+  NamedValues requested;
   NamedValues reached;
   std::vector<std::string> findings;  ///< of the lint, a sentence each
   Hash motion;                        ///< of every number of the clip shown

@@ -80,7 +80,7 @@ void fields_of(auto&& field, MaybeConst<StimulusFacts> auto& facts) {
   field("origin", facts.origin);
   field("settings", facts.settings);
   field("weights", facts.weights);
-  field("asked", facts.asked);
+  field("asked", facts.requested);
   field("reached", facts.reached);
   field("findings", facts.findings);
   field("motion", facts.motion);

@@ -14,7 +14,7 @@ namespace mien::pipeline {
 namespace {
 
 /// Whether frames are known to be the same without drawing them.
-bool is_drawn_alike(const StimulusFacts& before, const StimulusFacts& now) {
+bool renders_identically(const StimulusFacts& before, const StimulusFacts& now) {
   return before.motion == now.motion && before.scene == now.scene &&
          before.drawing == now.drawing && before.origin.film_code == now.origin.film_code &&
          before.origin.libraries == now.origin.libraries &&
@@ -29,26 +29,26 @@ class StimulusComparer {
     result_.id = now.id;
   }
 
-  StimulusComparison compare(bool draw_anyway) {
+  StimulusComparison compare(bool always_draw) {
     result_.settings = changes_between(before_.settings, now_.settings);
     result_.weights = value_changes(before_.weights, now_.weights);
     result_.parameters = value_changes(before_.reached, now_.reached);
     result_.videos = video_changes(before_.videos, now_.videos);
     const bool is_moved = before_.motion != now_.motion;
     if (is_moved) compare_motions();
-    if (draw_anyway || !is_drawn_alike(before_, now_)) {
+    if (always_draw || !renders_identically(before_, now_)) {
       compare_frames();
     } else {
       result_.frames_reused = static_cast<int>(before_.key_frames.size());
     }
-    if (is_moved || looks_otherwise()) find_causes();
-    if (!looks_otherwise() && !is_moved && !result_.videos.empty())
+    if (is_moved || has_changed_pictures()) find_causes();
+    if (!has_changed_pictures() && !is_moved && !result_.videos.empty())
       result_.causes.push_back(encoder_cause(before_, now_));
     return std::move(result_);
   }
 
  private:
-  bool looks_otherwise() const {
+  bool has_changed_pictures() const {
     return std::ranges::any_of(result_.frames, [](const auto& frame) { return !frame.same; });
   }
 
@@ -64,15 +64,15 @@ class StimulusComparer {
 
   /// Whether this program can make what was approved: a file that it was made from may be gone.
   bool can_remake() {
-    if (!hindrance_) {
-      hindrance_ = "";
+    if (!remake_error_) {
+      remake_error_ = "";
       try {
         then();
       } catch (const Error& error) {
-        hindrance_ = error.what();
+        remake_error_ = error.what();
       }
     }
-    return hindrance_->empty();
+    return remake_error_->empty();
   }
 
   /// Where this program makes another motion of what was approved, the approved one is what it is
@@ -189,7 +189,7 @@ class StimulusComparer {
   }
 
   /// An approved motion that was read from its file is a little off, and so is what is drawn of it.
-  bool is_redrawn_with_bias(int frame) {
+  bool is_remade_with_bias(int frame) {
     return noise_test(approved_blocks(frame),
                       measured_blocks(staged_as({}), {frame}, study_.stop).front(),
                       suite_pictures())
@@ -205,13 +205,13 @@ class StimulusComparer {
   void guess_causes() {
     const StimulusStates states{before_, before_, now_};
     add_causes(motion_causes(states), {});
-    if (states.scene_asked()) add_settings(Cause::scene, Aspect::scene, states, {});
-    if (states.drawing_asked()) add_settings(Cause::drawing, Aspect::drawing, states, {});
+    if (states.is_scene_requested()) add_settings(Cause::scene, Aspect::scene, states, {});
+    if (states.is_drawing_requested()) add_settings(Cause::drawing, Aspect::drawing, states, {});
     if (result_.causes.empty()) add_causes(program_causes(states), {});
     for (Attribution& cause : result_.causes)
       cause.evidence =
           "the approved state cannot be made again, so causes could not be isolated: " +
-          hindrance_.value();
+          remake_error_.value();
   }
 
   void find_causes() {
@@ -221,16 +221,16 @@ class StimulusComparer {
     }
     const StimulusStates states{before_, then(), now_};
     const FrameComparison* worst = worst_frame();
-    const Exchanged can{before_.motion != now_.motion, states.scene_asked(),
-                        states.drawing_asked()};
+    const Exchanged can{before_.motion != now_.motion, states.is_scene_requested(),
+                        states.is_drawing_requested()};
     CauseShares shares;
-    bool is_redrawn_otherwise = false;
+    bool is_program_a_cause = false;
     if (worst != nullptr) {
       const render::Image8 before = approved_picture(worst->frame);
       const render::Image8 none = drawn(staged_as({}), {worst->frame}, study_.stop).front();
       double program_error = squared_error(before, none);
-      if (states.motion_remade() && !is_redrawn_with_bias(worst->frame)) program_error = 0.0;
-      is_redrawn_otherwise = program_error > 0.0;
+      if (states.is_motion_remade() && !is_remade_with_bias(worst->frame)) program_error = 0.0;
+      is_program_a_cause = program_error > 0.0;
       shares = cause_shares(can, program_error, [&](const Exchanged& set) {
         return squared_error(none, drawn(staged_as(set), {worst->frame}, study_.stop).front());
       });
@@ -239,11 +239,11 @@ class StimulusComparer {
       return worst != nullptr ? std::optional(value) : std::nullopt;
     };
     add_causes(motion_causes(states), share(shares.motion));
-    if (states.scene_asked())
+    if (states.is_scene_requested())
       add_settings(Cause::scene, Aspect::scene, states, share(shares.scene));
-    if (states.drawing_asked())
+    if (states.is_drawing_requested())
       add_settings(Cause::drawing, Aspect::drawing, states, share(shares.drawing));
-    if (is_redrawn_otherwise) add_causes(program_causes(states), share(shares.program));
+    if (is_program_a_cause) add_causes(program_causes(states), share(shares.program));
     result_.interaction = shares.interaction;
     std::ranges::stable_sort(result_.causes, std::greater{},
                              [](const Attribution& one) { return one.share.value_or(0.0); });
@@ -259,7 +259,7 @@ class StimulusComparer {
 
   void add_settings(Cause cause, Aspect aspect, const StimulusStates& states,
                     std::optional<double> share) {
-    result_.causes.push_back({cause, asked_text(states, aspect),
+    result_.causes.push_back({cause, requested_changes(states, aspect),
                               aspect == Aspect::scene
                                   ? "changing the scene alone changes the image"
                                   : "same motion and scene, different rendering",
@@ -272,7 +272,7 @@ class StimulusComparer {
   Rendition* approved_ = nullptr;
   std::optional<StimulusFacts> then_;
   std::optional<std::string>
-      hindrance_;  ///< why the approved state cannot be made; empty if it can; set by can_remake
+      remake_error_;  ///< why the approved state cannot be made; empty if it can; set by can_remake
   std::optional<motion::Clip> resampled_;
   StimulusComparison result_;
 };
@@ -283,8 +283,8 @@ bool ComparedStudy::compares(const std::string& id) const {
   return only.empty() || std::ranges::find(only, id) != only.end();
 }
 
-StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool draw_anyway) {
-  return StimulusComparer(now, study).compare(draw_anyway);
+StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool always_draw) {
+  return StimulusComparer(now, study).compare(always_draw);
 }
 
 }  // namespace mien::pipeline

@@ -28,9 +28,9 @@ struct ComparedStudy {
 };
 
 /// Compares a stimulus that both have on every level, and finds out why it differs. `now` are its
-/// facts, with the videos that were made of it, if any. `draw_anyway`: draws its key frames
+/// facts, with the videos that were made of it, if any. `always_draw`: draws its key frames
 /// although nothing that they depend on has changed. Throws Error and Interrupted.
-StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool draw_anyway);
+StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool always_draw);
 
 /// Videos that are not as they were, by their kind. None where none were made now.
 std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,

@@ -50,8 +50,8 @@ std::string place_text(const motion::MotionDifference& motion, const std::string
                      worst.peak.frame / motion.frames_per_second());
 }
 
-std::string both_told(fmt::format_string<std::string, std::string> text,
-                      std::pair<std::string, std::string> both) {
+std::string before_and_now(fmt::format_string<std::string, std::string> text,
+                           std::pair<std::string, std::string> both) {
   return fmt::format(text, std::move(both.first), std::move(both.second));
 }
 
@@ -60,11 +60,11 @@ std::string excess_text(const motion::MotionDifference& motion, const motion::Ex
   const motion::MotionLength& before = motion.timing.before;
   const motion::MotionLength& now = motion.timing.now;
   if (excess.measure == "frame-rate")
-    return both_told("frame-rate: {} → {} frames per second",
-                     distinct_numbers(before.frames_per_second, now.frames_per_second, 4));
+    return before_and_now("frame-rate: {} → {} frames per second",
+                          distinct_numbers(before.frames_per_second, now.frames_per_second, 4));
   if (excess.measure == "duration")
-    return both_told("duration: {} s → {} s; the limit is ",
-                     distinct_numbers(before.seconds, now.seconds, 4)) +
+    return before_and_now("duration: {} s → {} s; the limit is ",
+                          distinct_numbers(before.seconds, now.seconds, 4)) +
            measured_text(excess, excess.tolerance) + " apart";
   return fmt::format("{}: {}{}; the limit is {}", excess.measure,
                      measured_text(excess, excess.measured), place_text(motion, excess.measure),
@@ -167,7 +167,7 @@ void judge_frames(StimulusComparison& comparison, const RegressionLimits& limits
 
 /// Whether the frames are others and their encoding is not: how well a video shows them is then
 /// another thing too.
-bool is_drawn_otherwise(const StimulusComparison& comparison) {
+bool is_rendered_differently(const StimulusComparison& comparison) {
   const bool is_of_the_same = std::ranges::all_of(comparison.frames, &FrameComparison::same);
   return !is_of_the_same && std::ranges::none_of(comparison.settings, [](const auto& change) {
     return change.aspect == Aspect::video;
@@ -176,7 +176,7 @@ bool is_drawn_otherwise(const StimulusComparison& comparison) {
 
 void judge_videos(StimulusComparison& comparison, const RegressionLimits& limits) {
   if (!comparison.reasons.empty()) return;
-  const bool loses = !is_drawn_otherwise(comparison);
+  const bool loses = !is_rendered_differently(comparison);
   const bool differ = std::ranges::any_of(comparison.videos, [&](const VideoChange& video) {
     return !video.same_frames || (loses && video.psnr_lost_db > limits.psnr_db);
   });

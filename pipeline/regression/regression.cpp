@@ -8,7 +8,7 @@
 #include "motion/measures/distance/body_part.h"
 #include "motion/text/shell_word.h"
 #include "pipeline/base/reading/field_writer.h"
-#include "pipeline/manifest/own_seed.h"
+#include "pipeline/manifest/derived_seed.h"
 #include "pipeline/manifest/regression_limits.h"
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/regression/approved_frames.h"
@@ -26,7 +26,7 @@ constexpr float planted_light = 0.01f;  // where it is black
 /// A number below `count` that the baseline's last decision chooses.
 std::size_t chosen(const Baseline& baseline, const std::string& what, std::size_t count) {
   const std::string decision = baseline.approvals.empty() ? "" : baseline.approvals.back().when;
-  return own_seed(baseline.approvals.size(), what + decision) % count;
+  return derived_seed(baseline.approvals.size(), what + decision) % count;
 }
 
 void plant_in_motion(const ComparedStudy& study, Gate& gate) {
@@ -60,7 +60,7 @@ void plant_in_picture(const ComparedStudy& study, int frame, Gate& gate) {
 }
 
 /// The frame of a stimulus without a counterpart: one picture that is compared with none.
-FrameComparison lone_frame(int frame) {
+FrameComparison single_frame(int frame) {
   return {.frame = frame, .same = false, .same_size = false};
 }
 
@@ -72,7 +72,7 @@ bool is_motion_of(const StimulusFacts& approved, motion::Clip clip) {
 }
 
 /// The approved stimulus that is gone and had the same motion and scene, if any.
-const StimulusFacts* former(const std::string& id, const ComparedStudy& study) {
+const StimulusFacts* approved_before_renaming(const std::string& id, const ComparedStudy& study) {
   const Hash scene = study.now.scene_key(id);
   const auto& all = study.baseline.stimuli;
   const auto same = std::ranges::find_if(all, [&](const StimulusFacts& facts) {
@@ -88,7 +88,7 @@ void show_now(StimulusComparison& comparison, const ComparedStudy& study) {
       staged(comparison.id, {&study.now, &study.now, &study.now}, study.threads);
   const int middle = film.shot.frame_count() / 2;
   study.pictures->put_now(comparison.id, middle, drawn(film, {middle}, study.stop).front());
-  comparison.frames = {lone_frame(middle)};
+  comparison.frames = {single_frame(middle)};
 }
 
 /// A stimulus that the baseline has not, with a picture of it. Where the baseline has one that is
@@ -96,7 +96,7 @@ void show_now(StimulusComparison& comparison, const ComparedStudy& study) {
 /// Error and Interrupted.
 StimulusComparison appeared(const std::string& id, const ComparedStudy& study) {
   StimulusComparison comparison{.id = id, .verdict = Verdict::appeared};
-  const StimulusFacts* before = former(id, study);
+  const StimulusFacts* before = approved_before_renaming(id, study);
   if (before != nullptr) {
     comparison.former_id = before->id;
     comparison.reasons.push_back(
@@ -118,15 +118,15 @@ StimulusComparison gone(const StimulusFacts& approved, const ComparedStudy& stud
   comparison.reasons.emplace_back(
       "is in the baseline but no longer in the manifest; approving it removes it from the "
       "baseline");
-  const auto heir = std::ranges::find(others, approved.id, &StimulusComparison::former_id);
-  if (heir != others.end())
+  const auto renamed = std::ranges::find(others, approved.id, &StimulusComparison::former_id);
+  if (renamed != others.end())
     comparison.reasons.push_back(
-        fmt::format("was renamed to {}: motion and scene are the same", heir->id));
+        fmt::format("was renamed to {}: motion and scene are the same", renamed->id));
   if (study.pictures == nullptr || approved.key_frames.empty()) return comparison;
   const int frame = approved.key_frames[approved.key_frames.size() / 2].frame;
   study.pictures->put_before(approved.id, frame,
                              approved_picture(study.baseline, approved.id, frame));
-  comparison.frames = {lone_frame(frame)};
+  comparison.frames = {single_frame(frame)};
   return comparison;
 }
 
@@ -156,10 +156,11 @@ std::vector<std::string> wider_limits(const RegressionLimits& approved,
 
 /// Whether a stimulus that need not be drawn is part of the random audit.
 bool is_audited(const Baseline& baseline, const std::string& id, double share) {
-  constexpr std::uint64_t lots = 1'000'000;
+  constexpr std::uint64_t bucket_count = 1'000'000;
   const std::string decision = baseline.approvals.empty() ? "" : baseline.approvals.back().when;
-  const std::uint64_t lot = own_seed(baseline.approvals.size(), "audit " + decision + id) % lots;
-  return static_cast<double>(lot) < share * static_cast<double>(lots);
+  const std::uint64_t bucket =
+      derived_seed(baseline.approvals.size(), "audit " + decision + id) % bucket_count;
+  return static_cast<double>(bucket) < share * static_cast<double>(bucket_count);
 }
 
 void add_to_groups(std::vector<CauseGroup>& groups, const StimulusComparison& comparison) {

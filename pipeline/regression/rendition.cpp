@@ -5,7 +5,7 @@
 
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/field_writer.h"
-#include "pipeline/manifest/own_seed.h"
+#include "pipeline/manifest/derived_seed.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/production/synthesis/motion_record.h"
@@ -160,7 +160,7 @@ std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::
   // One thread a pattern: small pictures leave more of them little to do.
   for_each_of(noise_patterns, film.settings.threads, stop, [&](std::size_t k) {
     StagedFilm pattern{film.shot, film.settings};
-    pattern.settings.seed = own_seed(film.settings.seed, "pattern " + std::to_string(k + 1));
+    pattern.settings.seed = derived_seed(film.settings.seed, "pattern " + std::to_string(k + 1));
     pattern.settings.threads = 1;
     const std::vector<render::Image8> pictures = drawn(pattern, frames, stop);
     for (std::size_t i = 0; i < frames.size(); ++i) patterns[i][k] = as_light(pictures[i]);
@@ -180,7 +180,7 @@ StimulusFacts facts_of(const std::string& id, Rendition& rendition) {
                       .origin = this_origin(),
                       .settings = settings_of(stimulus, rendition.manifest(), rendition.files()),
                       .weights = {},
-                      .asked = made.asked,
+                      .requested = made.requested,
                       .reached = made.reached,
                       .findings = {},
                       .motion = digest_of(clip),

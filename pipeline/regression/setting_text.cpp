@@ -22,7 +22,7 @@ OrderedJson files_in(const std::string& value) {
 
 /// "clip content: walk.bvh is another (0123abcd → 4567cdef)"
 std::string content_text(const SettingChange& change) {
-  constexpr std::size_t most_told = 8;
+  constexpr std::size_t most_listed = 8;
   const OrderedJson before = files_in(change.before), now = files_in(change.now);
   std::vector<std::string> texts;
   for (const auto& [name, content] : before.items()) {
@@ -34,10 +34,10 @@ std::string content_text(const SettingChange& change) {
   }
   for (const auto& [name, content] : now.items())
     if (!before.contains(name)) texts.push_back(name + " is new");
-  const auto told = std::span(texts).first(std::min(texts.size(), most_told));
-  std::string text = fmt::to_string(fmt::join(told, ", "));
-  if (texts.size() > most_told)
-    text += " and " + std::to_string(texts.size() - most_told) + " more files";
+  const auto listed_texts = std::span(texts).first(std::min(texts.size(), most_listed));
+  std::string text = fmt::to_string(fmt::join(listed_texts, ", "));
+  if (texts.size() > most_listed)
+    text += " and " + std::to_string(texts.size() - most_listed) + " more files";
   return change.path + (text.empty() ? " has changed" : ": " + text);
 }
 

@@ -108,8 +108,8 @@ void add_examples(std::vector<Setting>& settings, const Manifest& manifest, File
 
 /// Settings that are shared by all stimuli. Which examples there are follows from their content.
 std::vector<FieldEntry> study_entries(const Manifest& manifest) {
-  const Writing how{.for_key = true,
-                    .concerned = concerns::repertoire | concerns::motion | concerns::picture};
+  const WritingOptions how{
+      .for_key = true, .concerned = concerns::repertoire | concerns::motion | concerns::picture};
   std::vector<FieldEntry> entries = entries_of(manifest, how);
   std::erase_if(entries, [](const FieldEntry& entry) {
     return entry.path != "recipes" && !entry.path.starts_with("examples") &&
@@ -178,9 +178,9 @@ std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manif
                                  FileKeys& files) {
   Stimulus itself = stimulus;
   itself.foil.reset();
-  const Writing how{.for_key = true,
-                    .concerned = concerns::motion | concerns::picture | concerns::stored |
-                                 concerns::shown | concerns::files};
+  const WritingOptions how{.for_key = true,
+                           .concerned = concerns::motion | concerns::picture | concerns::stored |
+                                        concerns::shown | concerns::files};
   std::vector<Setting> settings;
   const std::vector<FieldEntry> entries = entries_of(itself, how);
   add_entries(settings, entries, files);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "pipeline/tasks/worker_presence.h"
+#include "pipeline/tasks/worker_heartbeat.h"
 
 namespace mien::pipeline {
 

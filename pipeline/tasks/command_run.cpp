@@ -93,7 +93,7 @@ bool take(int from, std::string& text) {
 }
 
 /// Reads both pipes until the child has closed them; false when time is up before.
-bool read_both(Pipe& output, Pipe& errors, CommandEnd& end, Clock::time_point until) {
+bool read_both(Pipe& output, Pipe& errors, CommandResult& end, Clock::time_point until) {
   std::array<pollfd, 2> open = {pollfd{output.from(), POLLIN, 0}, pollfd{errors.from(), POLLIN, 0}};
   while (open[0].fd >= 0 || open[1].fd >= 0) {
     const auto left =
@@ -119,7 +119,7 @@ int wait_for(pid_t child) {
 
 }  // namespace
 
-CommandEnd run_command(const std::vector<std::string>& words, std::chrono::milliseconds limit) {
+CommandResult run_command(const std::vector<std::string>& words, std::chrono::milliseconds limit) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -128,7 +128,7 @@ CommandEnd run_command(const std::vector<std::string>& words, std::chrono::milli
   const FileActions files(output, errors);
   const PlainSignals signals;
 
-  CommandEnd end;
+  CommandResult end;
   pid_t child = 0;
   const int fault = ::posix_spawnp(&child, arguments[0], &files.actions, &signals.attributes,
                                    arguments.data(), environ);

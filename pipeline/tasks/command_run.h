@@ -7,18 +7,18 @@
 namespace mien::pipeline {
 
 /// Exit status and output of a system command.
-struct CommandEnd {
+struct CommandResult {
   int code = 0;             ///< exit code, or 128 + signal number
   bool is_missing = false;  ///< the program was not found
   bool timed_out = false;   ///< it exceeded the time limit and was killed
   std::string output;       ///< standard output
   std::string errors;       ///< standard error
 
-  bool is_done() const { return code == 0 && !is_missing && !timed_out; }
+  bool succeeded() const { return code == 0 && !is_missing && !timed_out; }
 };
 
 /// Runs a program found through PATH with these arguments, without a shell and with empty standard
 /// input. It is killed after `limit`. Throws std::system_error if no process can be started.
-CommandEnd run_command(const std::vector<std::string>& words, std::chrono::milliseconds limit);
+CommandResult run_command(const std::vector<std::string>& words, std::chrono::milliseconds limit);
 
 }  // namespace mien::pipeline

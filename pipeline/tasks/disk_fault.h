@@ -23,6 +23,6 @@ std::string disk_fault(const std::filesystem::path& folder, const std::exception
 
 /// The present problem of the disk that holds a folder, without a remedy; empty if there is none or
 /// the folder does not exist.
-std::string disk_ailment(const std::filesystem::path& folder);
+std::string current_disk_problem(const std::filesystem::path& folder);
 
 }  // namespace mien::pipeline

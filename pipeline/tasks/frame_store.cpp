@@ -104,7 +104,7 @@ fs::path FrameStore::put(const std::string& name, const Store::Write& write,
     verify(drawn);
     const FrameReceipt frame{name, hash_of_file(drawn), fs::file_size(drawn)};
     compare_with_earlier(frame);
-    store_->make_way(file.lexically_relative(store_->folder).generic_string(), false);
+    store_->clear_path_for(file.lexically_relative(store_->folder).generic_string(), false);
     fs::rename(drawn, file);
     add_note(frame);
     remember(name, {frame, file});
@@ -215,7 +215,7 @@ void FrameStore::read_new_notes() {
 /// Opened and closed for each note, so that other machines see it.
 void FrameStore::add_note(const FrameReceipt& frame) {
   const fs::path notes = folder_ / "notes" / store_->worker();
-  store_->make_way(notes.lexically_relative(store_->folder).generic_string(), false);
+  store_->clear_path_for(notes.lexically_relative(store_->folder).generic_string(), false);
   const std::lock_guard guard(mutex_);
   std::ofstream stream(notes, std::ios::app | std::ios::binary);
   stream << note_line(frame, store_->self()) << std::flush;

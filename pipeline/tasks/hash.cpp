@@ -22,7 +22,7 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-struct FreeState {
+struct StateDeleter {
   void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
 };
 
@@ -35,10 +35,10 @@ struct FreeState {
 Hash hash_of(std::string_view bytes) { return as_text(XXH3_128bits(bytes.data(), bytes.size())); }
 
 Hash hash_of_file(const std::filesystem::path& file) {
-  refuse_what_is_no_file(file);
+  refuse_special_file(file);
   const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(file.c_str(), "rb"));
   if (!stream) throw_errno(file);
-  const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
+  const std::unique_ptr<XXH3_state_t, StateDeleter> state(XXH3_createState());
   XXH3_128bits_reset(state.get());
   auto buffer = std::make_unique<std::array<char, 1 << 16>>();
   while (const std::size_t count = std::fread(buffer->data(), 1, buffer->size(), stream.get())) {

@@ -14,7 +14,7 @@ namespace mien::pipeline {
 
 namespace {
 
-bool takes_time(const TaskOutcome& planned) { return planned.state != TaskState::cached; }
+bool is_to_be_made(const TaskOutcome& planned) { return planned.state != TaskState::cached; }
 
 constexpr double seconds_between_lines = 10.0;
 constexpr double seconds_between_bars = 0.1;
@@ -27,7 +27,7 @@ Progress::Progress(std::ostream& out, bool terminal, const TaskGraph& graph,
                    const std::vector<TaskOutcome>& plan, ProgressBar::Clock clock)
     : out_(out), terminal_(terminal), bar_(out, terminal, std::move(clock)) {
   for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
-    if (takes_time(plan[i])) total_cost_ += graph.tasks[i].cost_seconds;
+    if (is_to_be_made(plan[i])) total_cost_ += graph.tasks[i].cost_seconds;
   }
   bar_.expect(total_cost_);
 }

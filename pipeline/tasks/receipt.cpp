@@ -131,7 +131,7 @@ bool artifact_agrees(const fs::path& folder, const Receipt& receipt) {
   return holds_for_files(folder, receipt, agrees);
 }
 
-bool artifact_seems_there(const fs::path& folder, const Receipt& receipt) {
+bool artifact_seems_present(const fs::path& folder, const Receipt& receipt) {
   return holds_for_files(
       folder, receipt,
       [](const fs::path& file, const Hash&, std::uint64_t size) { return has_size(file, size); });

@@ -63,6 +63,6 @@ bool agrees(const std::filesystem::path& file, const Hash& hash, std::uint64_t s
 bool artifact_agrees(const std::filesystem::path& folder, const Receipt& receipt);
 
 /// Whether the files of a receipt's artifact exist with the stated sizes; their bytes are not read.
-bool artifact_seems_there(const std::filesystem::path& folder, const Receipt& receipt);
+bool artifact_seems_present(const std::filesystem::path& folder, const Receipt& receipt);
 
 }  // namespace mien::pipeline

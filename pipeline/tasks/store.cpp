@@ -4,7 +4,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/disk_fault.h"
-#include "pipeline/tasks/remains.h"
+#include "pipeline/tasks/stale_files.h"
 #include "pipeline/tasks/store_state.h"
 
 namespace mien::pipeline {
@@ -63,11 +63,11 @@ std::unique_ptr<Claim> Store::claim(const std::string& what) {
   return Claim::take(state_->folder, what, state_->worker(), state_->watch);
 }
 
-void Store::remove_workings() {
-  pipeline::remove_workings(state_->folder, state_->presence.file(), state_->worker());
+void Store::remove_intermediates() {
+  pipeline::remove_intermediates(state_->folder, state_->heartbeat.file(), state_->worker());
 }
 
-WorkerPresence& Store::presence() { return state_->presence; }
+WorkerHeartbeat& Store::heartbeat() { return state_->heartbeat; }
 
 std::vector<Nondeterminism> Store::nondeterminism() const {
   const std::lock_guard guard(state_->mutex);

@@ -12,7 +12,7 @@
 
 #include "pipeline/tasks/claim.h"
 #include "pipeline/tasks/receipt.h"
-#include "pipeline/tasks/worker_presence.h"
+#include "pipeline/tasks/worker_heartbeat.h"
 
 namespace mien::pipeline {
 
@@ -80,10 +80,10 @@ class Store {
 
   /// Removes claims, and unpublished frames unless other processes are drawing. For complete
   /// studies.
-  void remove_workings();
+  void remove_intermediates();
 
   /// The record of this process that others read.
-  WorkerPresence& presence();
+  WorkerHeartbeat& heartbeat();
 
   /// All nondeterminism met so far, by path.
   std::vector<Nondeterminism> nondeterminism() const;

@@ -10,7 +10,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/disk_fault.h"
-#include "pipeline/tasks/remains.h"
+#include "pipeline/tasks/stale_files.h"
 
 namespace mien::pipeline {
 
@@ -60,25 +60,25 @@ std::optional<std::uint64_t> disk_of(const fs::path& folder) {
 
 Store::State::State(fs::path at, Sharing sharing)
     : folder(std::move(at)),
-      presence(folder, sharing == Sharing::exclusive),
+      heartbeat(folder, sharing == Sharing::exclusive),
       disk(disk_of(folder).value_or(0)),
       watch(folder) {
-  refuse_company(sharing);
-  remove_what_the_dead_left(folder, presence.file());
+  refuse_other_workers(sharing);
+  remove_stale_files(folder, heartbeat.file());
 }
 
 /// Also removes the files of processes killed in the meantime.
 Store::State::~State() {
   std::error_code ignored;
   fs::remove_all(internal() / "attempts" / worker(), ignored);
-  remove_what_the_dead_left(folder, presence.file());
+  remove_stale_files(folder, heartbeat.file());
 }
 
 /// Each process writes its record before reading the others, so that of two processes starting at
 /// the same time at least one sees the other.
-void Store::State::refuse_company(Sharing sharing) {
+void Store::State::refuse_other_workers(Sharing sharing) {
   for (const WorkerRecord& other : read_worker_records(folder)) {
-    if (other.name == worker() || !works_now(folder, other, presence.file())) continue;
+    if (other.name == worker() || !works_now(folder, other, heartbeat.file())) continue;
     if (sharing == Sharing::shared && !other.exclusive) continue;
     throw StoreBusy("another process works in " + folder.string() + " (number " +
                     std::to_string(other.pid) + " on " + other.host +
@@ -91,7 +91,7 @@ fs::path Store::State::new_attempt() {
 }
 
 /// An unmounted disk leaves its empty mount point behind; files written there would be lost.
-void Store::State::refuse_absence() const {
+void Store::State::refuse_missing_folder() const {
   const auto now = disk_of(folder);
   if (now && *now == disk) return;
   throw DiskFault(folder.string() +
@@ -100,7 +100,7 @@ void Store::State::refuse_absence() const {
 }
 
 void Store::State::in_attempt(const std::function<void(const fs::path&)>& work) {
-  refuse_absence();
+  refuse_missing_folder();
   const Attempt attempt(new_attempt());
   try {
     work(attempt.folder());
@@ -129,7 +129,7 @@ void Store::State::move_into_place(const fs::path& attempt, const Receipt& recei
   const fs::path target = folder / receipt.path;
   const bool is_folder = !receipt.frames.empty();
   for (int tries = 1;; ++tries) {
-    make_way(receipt.path, is_folder);
+    clear_path_for(receipt.path, is_folder);
     if (is_folder && exchange(attempt, target)) break;
     if (is_folder && fs::exists(target)) {  // no folder takes the place of one that is not empty
       const Attempt away(new_attempt());
@@ -154,12 +154,12 @@ void Store::State::write_receipt(const Receipt& receipt) {
   write_file(written, to_json(receipt));
   flush_to_disk(written);
   const fs::path target = receipt_path(folder, receipt.path);
-  make_way(target.lexically_relative(folder).generic_string(), false);
+  clear_path_for(target.lexically_relative(folder).generic_string(), false);
   fs::rename(written, target);
   flush_to_disk(target.parent_path());
 }
 
-void Store::State::make_way(const std::string& path, bool for_folder) {
+void Store::State::clear_path_for(const std::string& path, bool for_folder) {
   std::error_code error;
   fs::path above = folder;
   for (const fs::path& part : fs::path(path).parent_path()) {

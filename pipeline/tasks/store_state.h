@@ -21,8 +21,8 @@ struct Store::State {
   State& operator=(const State&) = delete;
 
   std::filesystem::path internal() const { return folder / ".mien"; }
-  const std::string& worker() const { return presence.self().name; }
-  Maker self() const { return {presence.self().host, presence.self().instruction_set}; }
+  const std::string& worker() const { return heartbeat.self().name; }
+  Maker self() const { return {heartbeat.self().host, heartbeat.self().instruction_set}; }
 
   /// Calls `work` with a new empty folder that no other attempt uses, and removes it afterwards.
   /// Throws DiskFault if the disk is the reason for a failure, which is checked before the
@@ -43,10 +43,10 @@ struct Store::State {
 
   /// Creates the parent folders of `path`, relative to the study. Files in place of these folders,
   /// and an entry of the wrong kind at the path itself, are set aside, since they may be a user's.
-  void make_way(const std::string& path, bool for_folder);
+  void clear_path_for(const std::string& path, bool for_folder);
 
   std::filesystem::path folder;
-  WorkerPresence presence;
+  WorkerHeartbeat heartbeat;
   const std::uint64_t disk;  ///< that holds the folder, as the system numbers it
   WorkerWatch watch;
   std::atomic<int> attempts = 0;
@@ -55,8 +55,8 @@ struct Store::State {
   std::set<std::string> repairs;
 
  private:
-  void refuse_company(Sharing sharing);
-  void refuse_absence() const;
+  void refuse_other_workers(Sharing sharing);
+  void refuse_missing_folder() const;
   std::filesystem::path new_attempt();
   void move_into_place(const std::filesystem::path& attempt, const Receipt& receipt);
   void write_receipt(const Receipt& receipt);

@@ -19,20 +19,21 @@ std::vector<const TaskOutcome*> inputs_of(const TaskGraph& graph, const Task& ta
 }
 
 /// Frames are not counted: a study may have millions.
-bool seems_there(const std::filesystem::path& folder, const Receipt& receipt) {
+bool seems_present(const std::filesystem::path& folder, const Receipt& receipt) {
   std::error_code error;
-  return receipt.frames.empty() ? artifact_seems_there(folder, receipt)
+  return receipt.frames.empty() ? artifact_seems_present(folder, receipt)
                                 : std::filesystem::is_directory(folder / receipt.path, error);
 }
 
 /// The products' receipts when all of them seem to be there with these keys.
-std::optional<std::vector<Receipt>> products_seen(const Task& task, const std::vector<Hash>& keys,
-                                                  const std::filesystem::path& folder) {
+std::optional<std::vector<Receipt>> quickly_found_products(const Task& task,
+                                                           const std::vector<Hash>& keys,
+                                                           const std::filesystem::path& folder) {
   std::vector<Receipt> receipts;
   for (std::size_t i = 0; i < task.products.size(); ++i) {
     std::optional<Receipt> receipt = read_receipt(folder, task.products[i].path);
     if (!receipt || receipt->key != keys[i] || receipt->path != task.products[i].path ||
-        !seems_there(folder, *receipt))
+        !seems_present(folder, *receipt))
       return std::nullopt;
     receipts.push_back(std::move(*receipt));
   }
@@ -153,8 +154,8 @@ std::vector<TaskOutcome> plan(const TaskGraph& graph, const std::filesystem::pat
   return outcomes_by(find_products, graph, folder);
 }
 
-std::vector<TaskOutcome> glance(const TaskGraph& graph, const std::filesystem::path& folder) {
-  return outcomes_by(products_seen, graph, folder);
+std::vector<TaskOutcome> quick_plan(const TaskGraph& graph, const std::filesystem::path& folder) {
+  return outcomes_by(quickly_found_products, graph, folder);
 }
 
 }  // namespace mien::pipeline

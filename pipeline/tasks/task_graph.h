@@ -127,7 +127,7 @@ std::vector<TaskOutcome> plan(const TaskGraph& graph, const std::filesystem::pat
 /// A fast `plan`, based on receipts and file sizes and, for frames, on the existence of their
 /// folder; no file is read. Damage that leaves a file's size unchanged is only detected by `plan`
 /// and `run`.
-std::vector<TaskOutcome> glance(const TaskGraph& graph, const std::filesystem::path& folder);
+std::vector<TaskOutcome> quick_plan(const TaskGraph& graph, const std::filesystem::path& folder);
 
 /// Callbacks during a run; called from several threads, one call at a time.
 struct RunObserver {

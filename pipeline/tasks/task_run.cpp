@@ -45,11 +45,11 @@ std::string without_attempts(std::string text, const std::filesystem::path& fold
 
 /// Number of attempts after transient failures, and the pause before the second; the third waits
 /// twice as long.
-constexpr int tries_of_a_task = 3;
+constexpr int attempts_per_task = 3;
 constexpr std::chrono::milliseconds pause_after_failure{300};
 
 /// Interval at which tasks claimed by other processes are checked.
-constexpr std::chrono::milliseconds between_looks{200};
+constexpr std::chrono::milliseconds claim_check_interval{200};
 
 TaskOutcome failure(const std::exception& error, const std::filesystem::path& folder) {
   TaskOutcome outcome = without_products(TaskState::failed);
@@ -104,9 +104,9 @@ class Runner {
     while (ended_ < graph_.tasks.size()) {
       if (const auto next = take_next()) {
         perform(*next, lock);
-      } else if (!elsewhere_.empty()) {
-        changed_.wait_for(lock, between_looks);
-        ready_.merge(elsewhere_);
+      } else if (!claimed_elsewhere_.empty()) {
+        changed_.wait_for(lock, claim_check_interval);
+        ready_.merge(claimed_elsewhere_);
       } else if (ended_ < graph_.tasks.size()) {
         changed_.wait(lock);
       }
@@ -160,16 +160,16 @@ class Runner {
     std::optional<TaskOutcome> outcome;
     // Counted however often the task waits in between: two processes that take turns in failing
     // come to an end.
-    for (int& tries = tries_[index]; tries < tries_of_a_task;) {
+    for (int& tries = tries_[index]; tries < attempts_per_task;) {
       outcome = outcome_of(task, task_key, keys);
       if (!outcome || !outcome->is_transient || stop_.stop_requested()) break;
-      if (++tries < tries_of_a_task) std::this_thread::sleep_for(tries * pause_after_failure);
+      if (++tries < attempts_per_task) std::this_thread::sleep_for(tries * pause_after_failure);
     }
     lock.lock();
     if (outcome) {
       end(index, *std::move(outcome));
     } else {
-      elsewhere_.insert(index);
+      claimed_elsewhere_.insert(index);
     }
   }
 
@@ -222,20 +222,20 @@ class Runner {
       if (observer_.started) observer_.started(task);
     });
     const auto progress = [&](double share) {
-      store_.presence().works_on(task.id, share);
+      store_.heartbeat().report_progress(task.id, share);
       notify([&] {
         if (observer_.progressed) observer_.progressed(task, share);
       });
     };
-    store_.presence().works_on(task.id, 0.0);
+    store_.heartbeat().report_progress(task.id, 0.0);
     TaskRun task_run{store_, task, task_key, keys, stop_, progress};
     try {
       task.make(task_run);
     } catch (...) {
-      store_.presence().leaves(task.id);
+      store_.heartbeat().end_task(task.id);
       throw;
     }
-    store_.presence().leaves(task.id);
+    store_.heartbeat().end_task(task.id);
   }
 
   template <class Call>
@@ -265,9 +265,9 @@ class Runner {
   std::vector<TaskOutcome> outcomes_;
   std::vector<std::vector<std::size_t>> dependents_;  ///< of each task
   std::vector<std::size_t> awaited_;                  ///< inputs of each that have not ended
-  std::vector<int> tries_;           ///< of each that failed by the machine's fault
-  std::set<std::size_t> ready_;      ///< whose inputs have ended
-  std::set<std::size_t> elsewhere_;  ///< that other processes are making
+  std::vector<int> tries_;                   ///< of each that failed by the machine's fault
+  std::set<std::size_t> ready_;              ///< whose inputs have ended
+  std::set<std::size_t> claimed_elsewhere_;  ///< that other processes are making
   std::size_t ended_ = 0;
 };
 

@@ -67,8 +67,8 @@ std::string start_of(std::int64_t process) {
 
 /// A process on another machine without an update for so long is dead, or will notice that its
 /// attempts were removed.
-constexpr double dead_after_seconds = 24.0 * 3600.0;
-constexpr double silent_after_seconds = 60.0;
+constexpr double remote_timeout_seconds = 24.0 * 3600.0;
+constexpr double report_timeout_seconds = 60.0;
 
 /// Whether the process can be checked from this machine.
 bool is_of_this_machine(const WorkerRecord& record) {
@@ -179,12 +179,13 @@ bool is_gone(const WorkerRecord& record) {
 }
 
 bool works_now(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {
-  return !is_gone(record) && seconds_silent(folder, record, now) < silent_after_seconds;
+  return !is_gone(record) && seconds_since_record(folder, record, now) < report_timeout_seconds;
 }
 
 bool is_dead(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {
   if (is_gone(record)) return true;
-  return !is_of_this_machine(record) && seconds_silent(folder, record, now) > dead_after_seconds;
+  return !is_of_this_machine(record) &&
+         seconds_since_record(folder, record, now) > remote_timeout_seconds;
 }
 
 double seconds_between(const fs::path& one, const fs::path& other) {
@@ -193,7 +194,8 @@ double seconds_between(const fs::path& one, const fs::path& other) {
   return begin && end ? *end - *begin : 0.0;
 }
 
-double seconds_silent(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {
+double seconds_since_record(const fs::path& folder, const WorkerRecord& record,
+                            const fs::path& now) {
   return seconds_between(worker_record_path(folder, record.name), now);
 }
 

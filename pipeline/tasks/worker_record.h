@@ -67,7 +67,7 @@ double seconds_between(const std::filesystem::path& one, const std::filesystem::
 
 /// Age of a worker's record, seconds, by the file system's clock. `now` is a file just written
 /// there. Negative if the clock was set back.
-double seconds_silent(const std::filesystem::path& folder, const WorkerRecord& record,
-                      const std::filesystem::path& now);
+double seconds_since_record(const std::filesystem::path& folder, const WorkerRecord& record,
+                            const std::filesystem::path& now);
 
 }  // namespace mien::pipeline

@@ -39,8 +39,8 @@ Box box_of(const Triangle& triangle) {
 }
 
 template <class Shape>
-void give_bounds(const std::vector<Shape>& opening, const std::vector<Shape>& closing,
-                 const RTCBoundsFunctionArguments* arguments) {
+void set_bounds(const std::vector<Shape>& opening, const std::vector<Shape>& closing,
+                const RTCBoundsFunctionArguments* arguments) {
   const bool moves = arguments->timeStep > 0;
   const Box box = box_of((moves ? closing : opening)[arguments->primID]);
   // Wider than any rounding, in Embree or in the intersection, so that no box hides a hit.
@@ -57,12 +57,12 @@ void give_bounds(const std::vector<Shape>& opening, const std::vector<Shape>& cl
 
 void bounds_of_cone(const RTCBoundsFunctionArguments* arguments) {
   const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
-  give_bounds(shapes.cones, shapes.closing_cones, arguments);
+  set_bounds(shapes.cones, shapes.closing_cones, arguments);
 }
 
 void bounds_of_triangle(const RTCBoundsFunctionArguments* arguments) {
   const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
-  give_bounds(shapes.triangles, shapes.closing_triangles, arguments);
+  set_bounds(shapes.triangles, shapes.closing_triangles, arguments);
 }
 
 // Embree's ray packets of N rays are arrays of N values, field by field.

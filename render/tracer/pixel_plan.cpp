@@ -303,7 +303,7 @@ BackgroundLight PixelPlanner::background_at(int x, int y) {
 }
 
 PixelPlan PixelPlanner::plan(int x, int y) {
-  const bool somebody = prepared_.bounds.radius >= 0.0f;
+  const bool figure_exists = prepared_.bounds.radius >= 0.0f;
   const bool solid =
       prepared_.static_solids != nullptr && prepared_.background.may_show_solid(x, y);
   const bool figure = ((figure_rows_ >> (y - first_row_)) & 1u) != 0 &&
@@ -315,10 +315,11 @@ PixelPlan PixelPlanner::plan(int x, int y) {
   }
   if (figure) {
     plan.kind = PixelKind::figure;
-  } else if (solid && somebody) {
+  } else if (solid && figure_exists) {
     plan.kind = PixelKind::static_solid;
   }
-  if (prepared_.background.shows_floor(x, y) && somebody) plan.shadow_lights = shadow_lights(x, y);
+  if (prepared_.background.shows_floor(x, y) && figure_exists)
+    plan.shadow_lights = shadow_lights(x, y);
   if (plan.kind == PixelKind::background && plan.shadow_lights != 0)
     plan.kind = PixelKind::shadowed_floor;
   return plan;

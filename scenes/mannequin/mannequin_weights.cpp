@@ -107,7 +107,7 @@ double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
 }
 
 /// The flesh round the collar bone goes with it, away from the neck.
-void give_to_clavicle(const Weigher& weigher, BodyJoint clavicle, Weights& weights) {
+void weight_to_clavicle(const Weigher& weigher, BodyJoint clavicle, Weights& weights) {
   const auto shoulder = BodyJoint(clavicle + 1);
   const Vec3 along = weigher.at(shoulder) - weigher.at(clavicle);
   const double length = along.norm();
@@ -154,7 +154,7 @@ std::vector<Influence> mannequin_weights(const motion::Skeleton& body,
   for (Hinge& hinge : hinges) hinge = set_in_flesh(weigher, hinge);
   share_along(weigher, motion::Pelvis, hinges, 0, 1.0, trunk_weights);
   for (const BodyJoint clavicle : {motion::LeftClavicle, motion::RightClavicle}) {
-    give_to_clavicle(weigher, clavicle, trunk_weights);
+    weight_to_clavicle(weigher, clavicle, trunk_weights);
   }
   Weights weights{};
   for (size_t j = 0; j < weights.size(); ++j) weights[j] = (1.0 - arms - legs) * trunk_weights[j];

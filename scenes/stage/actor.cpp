@@ -19,7 +19,7 @@ namespace {
 
 /// Assigns the part `body` to the solids from index `first` on whose part is still 0 (none).
 template <class Solids>
-void give_part(Solids& solids, std::size_t first, int body) {
+void assign_part(Solids& solids, std::size_t first, int body) {
   for (std::size_t i = first; i < solids.size(); ++i) {
     if (solids[i].part == 0) solids[i].part = body;
   }
@@ -140,9 +140,9 @@ void draw_as_figure(render::Scene& scene, const std::string& name, float opacity
   for (std::size_t p = static_cast<std::size_t>(body) + 1; p < scene.parts.size(); ++p) {
     scene.parts[p].figure = figure;
   }
-  give_part(scene.solids.spheres, spheres, body);
-  give_part(scene.solids.round_cones, round_cones, body);
-  give_part(scene.solids.meshes, meshes, body);
+  assign_part(scene.solids.spheres, spheres, body);
+  assign_part(scene.solids.round_cones, round_cones, body);
+  assign_part(scene.solids.meshes, meshes, body);
 }
 
 }  // namespace mien::scenes

@@ -126,7 +126,7 @@ Figures resumed_on_full_disks() {
   return figures;
 }
 
-Figures jobs_on_ailing_disks() {
+Figures jobs_on_failing_disks() {
   Figures figures{.fault = "jobs whose folder is full or read-only for a while"};
   with_own_mounts(figures, [](Figures& own) {
     const Scratch scratch;

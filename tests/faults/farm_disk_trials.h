@@ -11,6 +11,6 @@ Figures resumed_on_full_disks();
 
 /// Batch files whose study's folder is full or read-only for a while: they wait and continue, and
 /// `mien farm status` shows the problem.
-Figures jobs_on_ailing_disks();
+Figures jobs_on_failing_disks();
 
 }  // namespace mien::test

@@ -58,7 +58,7 @@ TEST_F(Faults, AReadOnlyStoreIsToldOnce) { expect_sound(read_only_stores(trial()
 
 TEST_F(Faults, ResumingOnAFullDiskTakesNoJobBack) { expect_sound(resumed_on_full_disks()); }
 
-TEST_F(Faults, JobsWaitForAFolderThatIsFullOrReadOnly) { expect_sound(jobs_on_ailing_disks()); }
+TEST_F(Faults, JobsWaitForAFolderThatIsFullOrReadOnly) { expect_sound(jobs_on_failing_disks()); }
 
 /// What the comparison must see: a finished study in which something is wrong.
 class FaultChecks : public Faults {

@@ -12,7 +12,7 @@ namespace mien::motion {
 namespace {
 
 /// A stand by time, seconds: from its first frame to the one after its last.
-struct Stand {
+struct PlantInterval {
   double begin = 0.0;
   double end = 0.0;
 };
@@ -31,16 +31,16 @@ struct Feet {
   }
 };
 
-Stand stand_of(const FootPlant& plant, double rate) {
+PlantInterval plant_interval(const FootPlant& plant, double rate) {
   return {plant.first / rate, (plant.last + 1) / rate};
 }
 
-double overlap(const Stand& a, const Stand& b) {
+double overlap(const PlantInterval& a, const PlantInterval& b) {
   return std::min(a.end, b.end) - std::max(a.begin, b.begin);
 }
 
 /// Index of the stand that overlaps this one longest; −1 none does.
-int longest_overlap(const Stand& stand, const std::vector<Stand>& others) {
+int longest_overlap(const PlantInterval& stand, const std::vector<PlantInterval>& others) {
   int best = -1;
   double longest = 0.0;
   for (std::size_t i = 0; i < others.size(); ++i) {
@@ -51,13 +51,13 @@ int longest_overlap(const Stand& stand, const std::vector<Stand>& others) {
   return best;
 }
 
-std::vector<ContactChange> contact_changes(const std::vector<Stand>& before,
-                                           const std::vector<Stand>& now) {
+std::vector<ContactChange> contact_changes(const std::vector<PlantInterval>& before,
+                                           const std::vector<PlantInterval>& now) {
   using enum ContactChange::Kind;
   std::vector<ContactChange> changes;
   std::vector<bool> taken(now.size(), false);
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const Stand& was = before[i];
+    const PlantInterval& was = before[i];
     const int there = longest_overlap(was, now);
     if (there < 0 || longest_overlap(now[there], before) != static_cast<int>(i)) {
       changes.push_back({gone, was.begin, was.end, 0.0, 0.0});
@@ -115,13 +115,13 @@ void add_slide(FootDifference& foot, const Feet& before, const Feet& now, bool l
 FootDifference foot_difference(const Feet& before, const Feet& now, bool left) {
   const std::vector<FootPlant> was = before.plants(left);
   const double rate = before.clip.frames_per_second;
-  std::vector<Stand> stands_before, stands_now;
-  for (const FootPlant& plant : was) stands_before.push_back(stand_of(plant, rate));
+  std::vector<PlantInterval> plants_before, plants_now;
+  for (const FootPlant& plant : was) plants_before.push_back(plant_interval(plant, rate));
   for (const FootPlant& plant : now.plants(left))
-    stands_now.push_back(stand_of(plant, now.clip.frames_per_second));
+    plants_now.push_back(plant_interval(plant, now.clip.frames_per_second));
   FootDifference foot;
   foot.frames = frames_otherwise(before, now, left);
-  foot.changes = contact_changes(stands_before, stands_now);
+  foot.changes = contact_changes(plants_before, plants_now);
   add_slide(foot, before, now, left);
   return foot;
 }

@@ -27,7 +27,8 @@ namespace mien::pipeline {
 /// - `whole(key, value, concerns)`: a map that replaces the value instead of being merged into it;
 /// - `each(key, vector, concerns, prototype)`: an array of maps, each merged into `prototype()`;
 /// - `by(key, value, concerns, Form())`: a value with a custom notation: Form has static functions
-///   `read(Given, value)`, `write(value, Writing)` and, if the value has members, `walk(names)`;
+///   `read(DocumentValue, value)`, `write(value, WritingOptions)` and, if the value has members,
+///   `walk(names)`;
 /// - `inside(value, concerns, Form())`: a custom notation whose members are in the same map.
 ///
 namespace concerns {
@@ -51,8 +52,8 @@ enum : unsigned {
 }  // namespace concerns
 
 // field_values.h, value_forms.h
-struct Given;
-struct Writing;
+struct DocumentValue;
+struct WritingOptions;
 
 /// Whether O is Struct or const Struct.
 template <class O, class Struct>

@@ -85,7 +85,7 @@ class CsvWriter {
 // pipeline/study/page/src/questionnaire/rows.ts does the same.
 
 /// Whether a field needs the mark; leading apostrophes and blanks are ignored.
-bool is_like_formula(std::string_view field);
+bool looks_like_formula(std::string_view field);
 
 std::string with_formula_mark(std::string field);
 std::string without_formula_mark(std::string field);

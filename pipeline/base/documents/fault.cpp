@@ -41,12 +41,12 @@ std::string to_string(const Fault& fault) {
 
 std::string fault_lines(const std::vector<Fault>& faults, std::string_view beginning) {
   std::string text;
-  for (std::size_t i = 0; i < faults.size() && i < most_told_faults; ++i) {
+  for (std::size_t i = 0; i < faults.size() && i < most_listed_faults; ++i) {
     if (i > 0) text += '\n';
     text.append(beginning).append(to_string(faults[i]));
   }
-  if (faults.size() <= most_told_faults) return text;
-  return text + "\nand " + std::to_string(faults.size() - most_told_faults) + " more";
+  if (faults.size() <= most_listed_faults) return text;
+  return text + "\nand " + std::to_string(faults.size() - most_listed_faults) + " more";
 }
 
 std::vector<Fault> in_reading_order(std::vector<Fault> faults) {

@@ -23,9 +23,9 @@ struct Fault {
 std::string to_string(const Fault& fault);
 
 /// Maximum number of faults that are listed individually.
-inline constexpr std::size_t most_told_faults = 20;
+inline constexpr std::size_t most_listed_faults = 20;
 
-/// A line for each of the first most_told_faults, prefixed with `beginning`, followed by "and 3
+/// A line for each of the first most_listed_faults, prefixed with `beginning`, followed by "and 3
 /// more" if there are more. No line end after the last.
 std::string fault_lines(const std::vector<Fault>& faults, std::string_view beginning = "");
 

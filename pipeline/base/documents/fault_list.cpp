@@ -19,11 +19,11 @@ void append(std::vector<Fault>& faults, std::vector<Fault> more) {
 
 std::vector<Fault> merged_faults(std::vector<std::vector<Fault>> lists) {
   std::vector<Fault> faults;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (std::vector<Fault>& list : lists) {
-    std::erase_if(list, [&](const Fault& fault) { return told.contains(fault.path); });
+    std::erase_if(list, [&](const Fault& fault) { return reported.contains(fault.path); });
     for (const Fault& fault : list)
-      if (!fault.path.empty()) told.insert(fault.path);
+      if (!fault.path.empty()) reported.insert(fault.path);
     append(faults, std::move(list));
   }
   return in_reading_order(std::move(faults));
@@ -37,8 +37,8 @@ void FaultList::add_at_key(const std::string& path, std::string wrong, std::stri
   faults_.push_back({key_place_of(places_, path), path, std::move(wrong), std::move(remedy)});
 }
 
-void FaultList::check_word(const std::string& path, const std::string& name,
-                           const std::string& what, const std::vector<std::string>& known) {
+void FaultList::check_known_name(const std::string& path, const std::string& name,
+                                 const std::string& what, const std::vector<std::string>& known) {
   if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
   // Searching many names for the most similar one is slow, so the number of remedies is limited.
   constexpr std::size_t most_remedies = 1000;

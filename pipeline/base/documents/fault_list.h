@@ -34,8 +34,8 @@ class FaultList {
 
   /// Adds a fault unless `name` is among `known`. Does nothing if `known` is empty, since the
   /// reason for that has been reported already.
-  void check_word(const std::string& path, const std::string& name, const std::string& what,
-                  const std::vector<std::string>& known);
+  void check_known_name(const std::string& path, const std::string& name, const std::string& what,
+                        const std::vector<std::string>& known);
   /// Adds a fault unless the file exists and has at most `most_bytes` bytes. `expected` states in
   /// the remedy what may be named.
   void check_file(const std::string& path, const std::filesystem::path& file,

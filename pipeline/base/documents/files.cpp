@@ -44,7 +44,7 @@ std::string read_file(const std::filesystem::path& file) {
   throw std::runtime_error(file.string() + ": " + reading.error);
 }
 
-void refuse_what_is_no_file(const std::filesystem::path& file) {
+void refuse_special_file(const std::filesystem::path& file) {
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown)) return;
   const std::string problem = motion::read_error(file, motion::any_size);

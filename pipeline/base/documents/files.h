@@ -17,7 +17,7 @@ using motion::ResultFile;
 std::string read_file(const std::filesystem::path& file);
 
 /// Throws Error if the path is not a regular file, since reading a pipe or device might never end.
-void refuse_what_is_no_file(const std::filesystem::path& file);
+void refuse_special_file(const std::filesystem::path& file);
 
 /// Creates or replaces a file atomically (ResultFile). Throws WriteFailure, also on a full disk.
 void write_file(const std::filesystem::path& file, std::string_view bytes);

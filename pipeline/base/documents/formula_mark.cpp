@@ -44,7 +44,7 @@ bool is_of_numbers(std::string_view text) {
 
 }  // namespace
 
-bool is_like_formula(std::string_view field) {
+bool looks_like_formula(std::string_view field) {
   constexpr std::array<std::string_view, 11> beginnings = {
       "=", "+", "-", "@", "\t", "\r", "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
   field.remove_prefix(std::min(field.find_first_not_of(mark), field.size()));
@@ -54,12 +54,12 @@ bool is_like_formula(std::string_view field) {
 }
 
 std::string with_formula_mark(std::string field) {
-  if (is_like_formula(field)) field.insert(field.begin(), mark);
+  if (looks_like_formula(field)) field.insert(field.begin(), mark);
   return field;
 }
 
 std::string without_formula_mark(std::string field) {
-  if (field.starts_with(mark) && is_like_formula(field)) field.erase(field.begin());
+  if (field.starts_with(mark) && looks_like_formula(field)) field.erase(field.begin());
   return field;
 }
 

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 namespace {
 
 /// Number of bytes of an incomplete UTF-8 character at the text's end.
-std::size_t begun_character(std::string_view text) {
+std::size_t incomplete_character_bytes(std::string_view text) {
   for (std::size_t back = 1; back <= std::min<std::size_t>(3, text.size()); ++back) {
     const auto byte = static_cast<unsigned char>(text[text.size() - back]);
     if ((byte & 0xC0U) == 0x80U) continue;
@@ -22,15 +22,15 @@ std::size_t begun_character(std::string_view text) {
   return 0;
 }
 
-bool is_order(char character) {
+bool is_control_character(char character) {
   const auto code = static_cast<unsigned char>(character);
   return code < 0x20 && character != '\n' && character != '\t' && character != '\r';
 }
 
-std::string without_orders(std::string_view text) {
+std::string with_escaped_controls(std::string_view text) {
   std::string shown;
   for (const char character : text) {
-    if (is_order(character)) {
+    if (is_control_character(character)) {
       shown += motion::printable({&character, 1});
     } else {
       shown += character;
@@ -65,7 +65,9 @@ class PrintableStream::Buffer : public std::streambuf {
   std::streamsize xsputn(const char* text, std::streamsize size) override {
     const std::lock_guard lock(mutex_);
     waiting_.append(text, static_cast<std::size_t>(size));
-    return pass_on(reader_ == StreamReader::terminal ? begun_character(waiting_) : 0) ? size : 0;
+    return pass_on(reader_ == StreamReader::terminal ? incomplete_character_bytes(waiting_) : 0)
+               ? size
+               : 0;
   }
 
   int sync() override {
@@ -79,7 +81,7 @@ class PrintableStream::Buffer : public std::streambuf {
     const std::string_view whole = std::string_view(waiting_).substr(0, waiting_.size() - last);
     const std::string shown = reader_ == StreamReader::terminal
                                   ? motion::printable(whole, motion::LineEnds::kept)
-                                  : without_orders(whole);
+                                  : with_escaped_controls(whole);
     waiting_.erase(0, whole.size());
     return static_cast<bool>(
         target_.write(shown.data(), static_cast<std::streamsize>(shown.size())));

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 namespace {
 
 constexpr double least_p = 1e-300;
-constexpr char below_least[] = "< 1e-300";
+constexpr char below_smallest_p[] = "< 1e-300";
 
 constexpr auto codebook_columns = table_of<DescribedColumn>(
     "codebook.csv", "column of a table",
@@ -52,18 +52,18 @@ std::string markdown_of(const TableForm& form) {
   return text;
 }
 
-std::string given_or_simulated(bool is_simulated) { return is_simulated ? "simulated" : "given"; }
+std::string origin_text(bool is_simulated) { return is_simulated ? "simulated" : "given"; }
 
 std::string field_text(double number) { return std::isfinite(number) ? shortest(number) : ""; }
 
-std::string p_of_table(double p) {
+std::string p_field(double p) {
   if (std::isnan(p)) return "";
-  return p < least_p ? below_least : shortest(p);
+  return p < least_p ? below_smallest_p : shortest(p);
 }
 
-std::string p_for_people(double p) {
+std::string p_label(double p) {
   if (std::isnan(p)) return "–";
-  if (p < least_p) return below_least;
+  if (p < least_p) return below_smallest_p;
   return p < 0.001 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
 }
 

@@ -49,7 +49,7 @@ struct WrittenTable {
 };
 
 /// "simulated" or "given": the origin of the ratings, answers or sessions on which a row is based.
-std::string given_or_simulated(bool is_simulated);
+std::string origin_text(bool is_simulated);
 
 // Values as fields of tables. Numbers are the shortest decimals that read back as the same, and
 // empty if not finite; Booleans are 1 or 0; missing values are empty.
@@ -106,7 +106,7 @@ struct ColumnOf : Column {
 
 /// A result, and whether the ratings or answers behind it are simulated; a row of result tables.
 template <class Result>
-struct GivenOrSimulated {
+struct WithOrigin {
   bool simulated;
   const Result& of;
 };
@@ -114,7 +114,7 @@ struct GivenOrSimulated {
 /// Column with the origin of a row's ratings, from its member `simulated`.
 inline constexpr SharedColumn whose_ratings_column = {
     "ratings", "", "given (by people) or simulated",
-    [](auto& r) { return given_or_simulated(r.simulated); }};
+    [](auto& r) { return origin_text(r.simulated); }};
 
 /// The declaration of a table: one list of columns that defines header, rows and codebook.
 template <class Row, std::size_t count>
@@ -169,10 +169,10 @@ constexpr Table<Row, count> table_of(std::string_view path, std::string_view row
 /// A p value for tables: the shortest decimal that reads back as the same ("0.034", "3.2e-15"),
 /// "< 1e-300" below that, including values too small for a double, and "" for NaN. Never "0", since
 /// no tested result has that probability.
-std::string p_of_table(double p);
+std::string p_field(double p);
 
 /// A p value for reports, rounded for reading: "0.034", "3.2e-15", "< 1e-300", "–" for NaN.
-std::string p_for_people(double p);
+std::string p_label(double p);
 
 /// A row of codebook.csv: one column of a table.
 struct DescribedColumn {

@@ -104,19 +104,19 @@ std::string printed(const BarChart& chart, double value) {
                                    : fmt::format("{:.{}f}", value, chart.decimals));
 }
 
-std::string words_of(const BarChart& chart) {
+std::string axis_label(const BarChart& chart) {
   return chart.whiskers.empty() ? chart.axis : chart.axis + "; whiskers: " + chart.whiskers;
 }
 
 /// Width needed by the texts above the bars, points.
-double width_of_words(const BarChart& chart) {
+double width_of_texts(const BarChart& chart) {
   constexpr double letter = 4.7;  // of these sizes, rather more than usual
-  return 2.0 * margin + letter * static_cast<double>(words_of(chart).size());
+  return 2.0 * margin + letter * static_cast<double>(axis_label(chart).size());
 }
 
 void draw_header(Canvas& canvas, const BarChart& chart, const Box& place) {
   canvas.text({place.x, place.y + 12.0}, chart.title, {.size = 12.0, .bold = true});
-  canvas.text({place.x, place.y + 27.0}, words_of(chart), {.size = 8.5, .colour = quiet_ink});
+  canvas.text({place.x, place.y + 27.0}, axis_label(chart), {.size = 8.5, .colour = quiet_ink});
 }
 
 void draw_axis(Canvas& canvas, const BarChart& chart, const Scale& scale) {
@@ -220,7 +220,7 @@ double height_of(const BarChart& chart) {
 
 Plot bar_chart_plot(const BarChart& chart) {
   const double width =
-      std::max({least_width, 2.0 * margin + width_of(chart), width_of_words(chart)});
+      std::max({least_width, 2.0 * margin + width_of(chart), width_of_texts(chart)});
   return {chart.title, width, 2.0 * margin + height_of(chart), [chart, width](Canvas& canvas) {
             draw_chart(canvas, chart, {margin, margin, width - 2.0 * margin, height_of(chart)});
             if (!chart.simulated) return;

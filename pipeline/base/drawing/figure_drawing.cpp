@@ -11,7 +11,7 @@ namespace {
 
 using motion::Vec3;
 
-Seen seen(const Vec3& p) {
+ViewPosition seen(const Vec3& p) {
   const double turn = 25.0 * motion::radians_per_degree;
   return {p.x() * std::sin(turn) + p.z() * std::cos(turn), p.y(),
           p.x() * std::cos(turn) - p.z() * std::sin(turn)};
@@ -43,7 +43,7 @@ void draw_head(Canvas& canvas, const Limb& limb, const FigureStyle& style,
 void draw_limb(Canvas& canvas, const Limb& limb, const FigureStyle& style,
                const FigureScale& scale) {
   std::vector<Point> points;
-  for (const Seen& p : limb.joints) points.push_back(scale.at(p));
+  for (const ViewPosition& p : limb.joints) points.push_back(scale.at(p));
   const double width = std::max(0.9, limb.width * scale.points_per_metre) * style.thickness;
   if (style.halo) {
     // Not round the first bone, where the limb grows out of the trunk.
@@ -69,13 +69,13 @@ Figure figure_of(const motion::Skeleton& body, const motion::Pose& pose) {
     figure.push_back(std::move(limb));
   }
   figure.push_back({{seen(world.positions[motion::Head]), tip_of(motion::Head)}, 0.2, false, true});
-  std::ranges::stable_sort(figure, std::greater{}, &Limb::away);  // painter's order
+  std::ranges::stable_sort(figure, std::greater{}, &Limb::depth);  // painter's order
   return figure;
 }
 
 void FigureExtent::include(const Figure& figure) {
   for (const Limb& limb : figure) {
-    for (const Seen& p : limb.joints) {
+    for (const ViewPosition& p : limb.joints) {
       left = std::min(left, p.right);
       right = std::max(right, p.right);
       bottom = std::min(bottom, p.up);

@@ -12,22 +12,22 @@ namespace mien::pipeline {
 
 /// A point of a figure in view space, metres. The view is orthographic and level, from the figure's
 /// right and slightly in front, so that a figure walking forward (+Z) moves to the right.
-struct Seen {
+struct ViewPosition {
   double right;
   double up;
-  double away;
+  double depth;
 };
 
 /// A chain of bones drawn in one stroke, or the head.
 struct Limb {
-  std::vector<Seen> joints;
+  std::vector<ViewPosition> joints;
   double width;  ///< metres
   bool left = false;
   bool head = false;
 
-  double away() const {
+  double depth() const {
     double sum = 0.0;
-    for (const Seen& p : joints) sum += p.away;
+    for (const ViewPosition& p : joints) sum += p.depth;
     // A head is a ball whose front hides the neck.
     return sum / static_cast<double>(joints.size()) - (head ? 0.1 : 0.0);
   }
@@ -59,7 +59,7 @@ struct FigureScale {
   double points_per_metre;
   Point origin;  ///< below the pelvis, on the floor
 
-  Point at(const Seen& p) const {
+  Point at(const ViewPosition& p) const {
     return {origin.x + points_per_metre * p.right, origin.y - points_per_metre * p.up};
   }
 };

@@ -3,26 +3,26 @@
 #include <vector>
 
 #include "pipeline/base/reading/field_values.h"
-#include "pipeline/base/reading/value_forms.h"
+#include "pipeline/base/reading/value_codecs.h"
 
 namespace mien::pipeline {
 
 /// Merges a map into a struct: options that it does not contain stay unchanged.
 class FieldReader {
  public:
-  explicit FieldReader(const Given& given) : given_(given) {}
+  explicit FieldReader(const DocumentValue& given) : given_(given) {}
 
   void operator()(const char* key, auto& value, unsigned concerned) {
-    with(key, concerned, [&](const Given& member) { read(member, value); });
+    with(key, concerned, [&](const DocumentValue& member) { read(member, value); });
   }
 
   template <class Enum>
   void operator()(const char* key, Enum& value, unsigned concerned, Words<Enum> words) {
-    with(key, concerned, [&](const Given& member) { assign(&member.value, value, words); });
+    with(key, concerned, [&](const DocumentValue& member) { assign(&member.value, value, words); });
   }
 
   void group(const char* key, auto&& walk) {
-    with(key, concerns::nothing, [&](const Given& member) {
+    with(key, concerns::nothing, [&](const DocumentValue& member) {
       FieldReader inner(member);
       walk(inner);
     });
@@ -30,7 +30,7 @@ class FieldReader {
 
   template <class Value>
   void whole(const char* key, Value& value, unsigned concerned) {
-    with(key, concerned, [&](const Given& member) {
+    with(key, concerned, [&](const DocumentValue& member) {
       value = Value{};
       read(member, value);
     });
@@ -39,7 +39,7 @@ class FieldReader {
   template <class Element, class Prototype>
   void each(const char* key, std::vector<Element>& list, unsigned concerned,
             Prototype&& prototype) {
-    with(key, concerned, [&](const Given& member) {
+    with(key, concerned, [&](const DocumentValue& member) {
       if (!member.value.is_array()) return;
       list.clear();
       for (std::size_t i = 0; i < member.value.size(); ++i) {
@@ -51,7 +51,7 @@ class FieldReader {
 
   template <class Value, class Form>
   void by(const char* key, Value& value, unsigned concerned, Form) {
-    with(key, concerned, [&](const Given& member) { Form::read(member, value); });
+    with(key, concerned, [&](const DocumentValue& member) { Form::read(member, value); });
   }
 
   template <class Value, class Form>
@@ -69,15 +69,15 @@ class FieldReader {
     if (found != given_.value.end()) use({*found, member_path(given_.path, key), given_.context});
   }
 
-  const Given& given_;
+  const DocumentValue& given_;
 };
 template <class Value>
-void read(const Given& given, Value& value) {
+void read(const DocumentValue& given, Value& value) {
   if constexpr (HasFields<Value>) {
     FieldReader reader(given);
     fields_of(reader, value);
-  } else if constexpr (HasForm<Value>) {
-    ValueForm<Value>::read(given, value);
+  } else if constexpr (HasCodec<Value>) {
+    ValueCodec<Value>::read(given, value);
   } else {
     assign(&given.value, value);
   }

@@ -26,7 +26,7 @@ struct ReadingContext {
 };
 
 /// A value of a document that has been checked against the schema.
-struct Given {
+struct DocumentValue {
   const nlohmann::json& value;
   std::string path;  ///< "stimuli[2].output"
   const ReadingContext& context;
@@ -34,7 +34,7 @@ struct Given {
 
 /// How values are written: as in a document, or for the key of an artifact. A key depends on a
 /// file's name and contents: the name is written, and the file is added to `files`.
-struct Writing {
+struct WritingOptions {
   bool for_key = false;
   std::vector<std::filesystem::path>* files = nullptr;
   std::filesystem::path folder = {};          ///< of the document; paths are written relative to it
@@ -50,10 +50,10 @@ concept HasFields = requires(FieldNames& names, Value& value) {
 
 /// Merges a document's value into `value` (field_reader.h).
 template <class Value>
-void read(const Given& given, Value& value);
+void read(const DocumentValue& given, Value& value);
 
 /// A value as written in a document; null if it is omitted there (field_writer.h).
 template <class Value>
-OrderedJson written(const Value& value, const Writing& how);
+OrderedJson written(const Value& value, const WritingOptions& how);
 
 }  // namespace mien::pipeline

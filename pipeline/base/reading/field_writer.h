@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/base/reading/field_values.h"
-#include "pipeline/base/reading/value_forms.h"
+#include "pipeline/base/reading/value_codecs.h"
 
 namespace mien::pipeline {
 
@@ -23,7 +23,7 @@ struct FieldEntry {
 class FieldWriter {
  public:
   /// Adds what it writes to `entries`.
-  FieldWriter(const Writing& how, std::vector<FieldEntry>& entries, std::string prefix = "")
+  FieldWriter(const WritingOptions& how, std::vector<FieldEntry>& entries, std::string prefix = "")
       : how_(how), entries_(entries), prefix_(std::move(prefix)) {}
 
   template <class Value>
@@ -31,20 +31,21 @@ class FieldWriter {
     if constexpr (HasFields<const Value>) {
       nested(key, [&](FieldWriter& inner) { fields_of(inner, value); });
     } else {
-      add(key, concerns, [&](const Writing& how) { return written(value, how); });
+      add(key, concerns, [&](const WritingOptions& how) { return written(value, how); });
     }
   }
 
   template <class Enum>
   void operator()(const char* key, const Enum& value, unsigned concerns, Words<Enum> words) {
     for (const auto& [word, meaning] : words)
-      if (meaning == value) add(key, concerns, [&](const Writing&) { return OrderedJson(word); });
+      if (meaning == value)
+        add(key, concerns, [&](const WritingOptions&) { return OrderedJson(word); });
   }
 
   void group(const char* key, auto&& walk) { nested(key, walk); }
 
   void whole(const char* key, const auto& value, unsigned concerns) {
-    add(key, concerns, [&](const Writing& how) { return written(value, how); });
+    add(key, concerns, [&](const WritingOptions& how) { return written(value, how); });
   }
 
   template <class Element, class Prototype>
@@ -53,12 +54,12 @@ class FieldWriter {
 
   template <class Value, class Form>
   void by(const char* key, const Value& value, unsigned concerns, Form) {
-    add(key, concerns, [&](const Writing& how) { return Form::write(value, how); });
+    add(key, concerns, [&](const WritingOptions& how) { return Form::write(value, how); });
   }
 
   template <class Value, class Form>
   void inside(const Value& value, unsigned concerns, Form) {
-    if (!is_asked(concerns)) return;
+    if (!is_selected(concerns)) return;
     const OrderedJson map = Form::write(value, of_members());
     for (const auto& [key, member] : map.items())
       entries_.push_back({prefix_ + key, concerns, member, {}});
@@ -70,32 +71,32 @@ class FieldWriter {
     walk(inner);
   }
 
-  bool is_asked(unsigned concerns) const {
+  bool is_selected(unsigned concerns) const {
     return how_.concerned == concerns::everything || (concerns & how_.concerned) != 0;
   }
 
   /// Members of a selected option are all written.
-  Writing of_members() const {
-    Writing how = how_;
+  WritingOptions of_members() const {
+    WritingOptions how = how_;
     how.concerned = concerns::everything;
     return how;
   }
 
   void add(const char* key, unsigned concerns, auto&& write) {
-    if (!is_asked(concerns)) return;
+    if (!is_selected(concerns)) return;
     FieldEntry entry{prefix_ + key, concerns, {}, {}};
-    Writing how = of_members();
+    WritingOptions how = of_members();
     how.files = &entry.files;
     entry.value = write(how);
     entries_.push_back(std::move(entry));
   }
 
-  const Writing& how_;
+  const WritingOptions& how_;
   std::vector<FieldEntry>& entries_;
   std::string prefix_;
 };
 
-std::vector<FieldEntry> entries_of(const auto& value, const Writing& how) {
+std::vector<FieldEntry> entries_of(const auto& value, const WritingOptions& how) {
   constexpr std::size_t usual_count = 64;
   std::vector<FieldEntry> entries;
   entries.reserve(usual_count);
@@ -114,7 +115,7 @@ OrderedJson nested_map(const std::vector<FieldEntry>& entries);
 
 /// The map that turns the value with the entries `base` into `value` when merged into it.
 OrderedJson written_over(const auto& value, const std::vector<FieldEntry>& base,
-                         const Writing& how) {
+                         const WritingOptions& how) {
   const std::vector<FieldEntry> entries = differences(entries_of(value, how), base);
   if (how.files != nullptr)
     for (const FieldEntry& entry : entries)
@@ -123,11 +124,11 @@ OrderedJson written_over(const auto& value, const std::vector<FieldEntry>& base,
 }
 
 template <class Value>
-OrderedJson written(const Value& value, const Writing& how) {
+OrderedJson written(const Value& value, const WritingOptions& how) {
   if constexpr (HasFields<const Value>) {
     return written_over(value, entries_of(Value{}, how), how);
-  } else if constexpr (HasForm<Value>) {
-    return ValueForm<Value>::write(value, how);
+  } else if constexpr (HasCodec<Value>) {
+    return ValueCodec<Value>::write(value, how);
   } else {
     static_assert(std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string> ||
                   std::is_same_v<Value, std::array<int, 2>> ||
@@ -139,7 +140,7 @@ OrderedJson written(const Value& value, const Writing& how) {
 template <class Element, class Prototype>
 void FieldWriter::each(const char* key, const std::vector<Element>& list, unsigned concerns,
                        Prototype&& prototype) {
-  add(key, concerns, [&](const Writing& how) {
+  add(key, concerns, [&](const WritingOptions& how) {
     OrderedJson array;
     const std::vector<FieldEntry> base = entries_of(Element(prototype()), how);
     for (const Element& one : list) array.push_back(written_over(one, base, how));

@@ -23,11 +23,11 @@ JsonReading read_options(const std::string& yaml, const nlohmann::json& schema,
   try {
     return read_valid_json(yaml, options_name, schema, environment);
   } catch (const Faults& faults) {
-    throw as_options(faults.list());
+    throw as_option_faults(faults.list());
   }
 }
 
-Faults as_options(std::vector<Fault> faults) {
+Faults as_option_faults(std::vector<Fault> faults) {
   for (Fault& fault : faults) {
     if (!fault.place.file.empty() && fault.place.file != options_name) continue;
     fault.place = {};

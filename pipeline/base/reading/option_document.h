@@ -14,11 +14,11 @@ namespace mien::pipeline {
 // Command-line options that correspond to a document's options: a key and its YAML text each.
 
 /// The document formed by these options, checked against the schema. Throws Faults, worded as by
-/// `as_options`.
+/// `as_option_faults`.
 JsonReading read_options(const std::string& yaml, const nlohmann::json& schema,
                          const Environment& environment);
 
 /// Faults worded for command-line options instead of a file: "--size: …".
-Faults as_options(std::vector<Fault> faults);
+Faults as_option_faults(std::vector<Fault> faults);
 
 }  // namespace mien::pipeline

@@ -37,7 +37,7 @@ bool has_type_of(const json& branch, const json& value) {
 
 SchemaNode root_of(const json& schema) { return {&schema, &schema}; }
 
-SchemaNode narrowed(SchemaNode node, const json& value) {
+SchemaNode resolved_schema(SchemaNode node, const json& value) {
   node = dereferenced(node);
   const json* union_of = node ? find(*node.node, "oneOf") : nullptr;
   if (union_of == nullptr) return node;
@@ -66,8 +66,8 @@ std::optional<std::string> name_now(SchemaNode node, const std::string& former) 
   return now == nullptr ? std::nullopt : std::optional(now->get<std::string>());
 }
 
-bool takes_text(SchemaNode node) {
-  node = narrowed(node, json(""));
+bool accepts_text(SchemaNode node) {
+  node = resolved_schema(node, json(""));
   return node && has_type_of(*node.node, json(""));
 }
 

@@ -36,19 +36,19 @@ SchemaNode root_of(const nlohmann::json& schema);
 
 /// The node with $ref resolved and, for a oneOf of types, the branch that accepts `value`'s type. A
 /// union without such a branch is returned unchanged.
-SchemaNode narrowed(SchemaNode node, const nlohmann::json& value);
+SchemaNode resolved_schema(SchemaNode node, const nlohmann::json& value);
 
 /// The schema of a member of an object, or of the elements of an array. `node` must have been
-/// resolved by `narrowed`.
+/// resolved by `resolved_schema`.
 SchemaNode member_schema(SchemaNode node, const std::string& key);
 SchemaNode element_schema(SchemaNode node);
 
 /// The present name of a member whose schema states it for its former name:
-/// "faintest": {"deprecated": true, "x-now": "min_opacity"}. `node` must be narrowed.
+/// "faintest": {"deprecated": true, "x-now": "min_opacity"}. `node` must be resolved_schema.
 std::optional<std::string> name_now(SchemaNode node, const std::string& former);
 
 /// Whether the schema accepts a text.
-bool takes_text(SchemaNode node);
+bool accepts_text(SchemaNode node);
 
 /// Validates a document (valijson) and returns faults that state what is wrong and how to fix it.
 std::vector<Fault> check_schema(const nlohmann::json& document, const nlohmann::json& schema,

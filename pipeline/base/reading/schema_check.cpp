@@ -33,7 +33,7 @@ std::optional<Located> locate(const json& document, const json& schema,
   Located here{&document, root_of(schema), ""};
   for (std::size_t i = 1; i < context.size(); ++i) {
     const std::string key = context[i].substr(1, context[i].size() - 2);
-    const SchemaNode node = narrowed(here.schema, *here.value);
+    const SchemaNode node = resolved_schema(here.schema, *here.value);
     if (here.value->is_object() && here.value->contains(key)) {
       here = {&(*here.value)[key], member_schema(node, key), member_path(here.path, key)};
     } else if (here.value->is_array()) {

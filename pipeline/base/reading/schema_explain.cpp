@@ -115,7 +115,7 @@ class Explainer {
     if (!node_.contains("oneOf")) return false;
     std::string types;
     for (const json& branch : node_["oneOf"]) {
-      const SchemaNode resolved = narrowed({schema_.root, &branch}, {});
+      const SchemaNode resolved = resolved_schema({schema_.root, &branch}, {});
       if (!types.empty()) types += " or ";
       types += named((*resolved.node)["type"]);
     }
@@ -210,7 +210,7 @@ class Explainer {
       const std::string name = key.get<std::string>();
       if (value_.contains(name) || is_misspelt({name})) continue;
       std::string remedy = "add it";
-      const SchemaNode member = narrowed(member_schema(schema_, name), {});
+      const SchemaNode member = resolved_schema(member_schema(schema_, name), {});
       if (member && member.node->contains("examples"))
         remedy += ", for example " + name + ": " + as_yaml((*member.node)["examples"][0]);
       faults_.push_back({place_of(places_, path_), member_path(path_, name), "missing", remedy});
@@ -260,7 +260,7 @@ class Explainer {
 
 std::vector<Fault> explain(const json& value, SchemaNode node, const std::string& path,
                            const Places& places) {
-  node = narrowed(node, value);
+  node = resolved_schema(node, value);
   if (!node) return {};
   return Explainer(value, node, path, places).faults();
 }

@@ -70,9 +70,9 @@ class Converter {
       case YamlNode::Kind::scalar:
         return scalar(node, schema, path);
       case YamlNode::Kind::sequence:
-        return sequence(node, narrowed(schema, json::array()), path);
+        return sequence(node, resolved_schema(schema, json::array()), path);
       case YamlNode::Kind::map:
-        return map(node, narrowed(schema, json::object()), path);
+        return map(node, resolved_schema(schema, json::object()), path);
       case YamlNode::Kind::null:
         break;
     }
@@ -132,7 +132,7 @@ class Converter {
       faults_.push_back({node.place, path, expansion.wrong, expansion.remedy});
       return {};
     }
-    const bool is_text = expansion.expanded ? takes_text(schema) : node.quoted;
+    const bool is_text = expansion.expanded ? accepts_text(schema) : node.quoted;
     if (is_text) return expansion.text;
     if (is_infinity_or_nan(expansion.text))
       faults_.push_back({node.place, path, "not a finite number", "write a finite one"});

@@ -118,7 +118,7 @@ double total_squares(const RatedCells& rated) {
 
 double part_of(double part, double whole) { return whole == 0.0 ? no_reliability : part / whole; }
 
-void set_one_way(Intraclass& result, double total, double within) {
+void set_one_way_icc(Intraclass& result, double total, double within) {
   const double n = result.stimuli;
   const double msb = (total - within) / (n - 1.0);
   const double msw = within / (result.answers - n);
@@ -126,7 +126,7 @@ void set_one_way(Intraclass& result, double total, double within) {
   result.one_k = part_of(msb - msw, msb);
 }
 
-void set_two_way(Intraclass& result, const Residuals& residuals) {
+void set_two_way_icc(Intraclass& result, const Residuals& residuals) {
   const double n = result.stimuli;
   const double k = result.raters;
   const double all = result.answers;
@@ -177,8 +177,8 @@ Intraclass intraclass(const Eigen::MatrixXd& answers) {
   if (total == 0.0) return result;
   const Residuals residuals = residuals_of(rated);
   result.is_connected = residuals.is_connected;
-  set_one_way(result, total, residuals.of_stimuli);
-  set_two_way(result, residuals);
+  set_one_way_icc(result, total, residuals.of_stimuli);
+  set_two_way_icc(result, residuals);
   return result;
 }
 

@@ -46,9 +46,9 @@ Moments moments_of(const std::vector<double>& a, const std::vector<double>& b) {
 
 Correlation pearson(const std::vector<double>& a, const std::vector<double>& b, double confidence) {
   assert(a.size() == b.size());
-  constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const Moments moments = moments_of(a, b);
-  Correlation result{moments.pairs, not_there, not_there, not_there, not_there, not_there};
+  Correlation result{moments.pairs, unknown, unknown, unknown, unknown, unknown};
   if (moments.pairs < 3 || moments.aa == 0.0 || moments.bb == 0.0) return result;
   result.r = std::clamp(moments.ab / std::sqrt(moments.aa * moments.bb), -1.0, 1.0);
   const double degrees = moments.pairs - 2.0;

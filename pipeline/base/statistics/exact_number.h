@@ -37,8 +37,8 @@ class ExactNumber {
  private:
   /// Numerator and positive denominator in lowest terms.
   struct Fraction {
-    std::int64_t above = 0;
-    std::int64_t below = 1;
+    std::int64_t numerator = 0;
+    std::int64_t denominator = 1;
   };
 
   explicit ExactNumber(std::optional<Fraction> fraction, double rounded);

@@ -65,8 +65,8 @@ int clusters_by_largest_gap(const Linkage& linkage) {
   int best = 2;
   double widest = -1.0;
   for (int clusters = 2; clusters < linkage.leaves; ++clusters) {
-    const auto undone = static_cast<size_t>(linkage.leaves - clusters);
-    const double gap = linkage.merges[undone].height - linkage.merges[undone - 1].height;
+    const auto next_merge = static_cast<size_t>(linkage.leaves - clusters);
+    const double gap = linkage.merges[next_merge].height - linkage.merges[next_merge - 1].height;
     if (gap > widest * (1.0 + 1e-12)) {
       widest = gap;
       best = clusters;

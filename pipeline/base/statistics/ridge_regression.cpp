@@ -49,7 +49,7 @@ std::vector<std::vector<Eigen::Index>> members_of(std::span<const int> group) {
 }
 
 /// Squared errors of groups predicted without them: (I − H_GG)⁻¹ e_G, H the hat matrix.
-Eigen::VectorXd left_out_errors(const Eigen::MatrixXd& hat, const Eigen::VectorXd& values,
+Eigen::VectorXd held_out_errors(const Eigen::MatrixXd& hat, const Eigen::VectorXd& values,
                                 const std::vector<std::vector<Eigen::Index>>& groups) {
   const Eigen::VectorXd residuals = values - hat * values;
   Eigen::VectorXd errors(static_cast<Eigen::Index>(groups.size()));
@@ -122,7 +122,7 @@ double best_penalty(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& va
     const Eigen::VectorXd shrinkage = (squares.array() / (squares.array() + penalty)).matrix();
     Eigen::MatrixXd hat = svd.u * shrinkage.asDiagonal() * svd.u.transpose();
     hat.array() += 1.0 / model.observations;
-    const Eigen::VectorXd errors = left_out_errors(hat, values, groups);
+    const Eigen::VectorXd errors = held_out_errors(hat, values, groups);
     sums.push_back(errors.sum());
     if (sums.back() >= least) continue;
     least = sums.back();
@@ -155,16 +155,16 @@ CrossValidation cross_validate(const Eigen::MatrixXd& predictors, const Eigen::V
   assert(groups.size() >= 2);
   for (const auto& left_out : groups) {
     std::vector<Eigen::Index> kept;
-    std::vector<int> kept_group;
+    std::vector<int> training_group;
     const int out = group[static_cast<std::size_t>(left_out.front())];
     for (std::size_t i = 0; i < group.size(); ++i) {
       if (group[i] == out) continue;
       kept.push_back(static_cast<Eigen::Index>(i));
-      kept_group.push_back(group[i]);
+      training_group.push_back(group[i]);
     }
     const Eigen::MatrixXd seen = predictors(kept, Eigen::all);
     const Eigen::VectorXd known = values(kept);
-    const RidgeModel model = fit_ridge(seen, known, best_penalty(seen, known, kept_group));
+    const RidgeModel model = fit_ridge(seen, known, best_penalty(seen, known, training_group));
     for (const Eigen::Index i : left_out) {
       result.predicted[i] = predicted(model, predictors.row(i));
       result.mean_predicted[i] = known.mean();

@@ -30,7 +30,7 @@ Deviation deviation_of(const std::vector<double>& values) {
 
 /// Variance (n − 1); exactly 0 if values differ by rounding errors only.
 double variance_of(const std::vector<double>& values) {
-  if (all_alike(values)) return 0.0;
+  if (all_equal(values)) return 0.0;
   return deviation_of(values).squares / static_cast<double>(values.size() - 1);
 }
 
@@ -62,7 +62,7 @@ double hedges_correction(double degrees) {
 double TTest::low(double confidence) const { return mean - margin(*this, confidence); }
 double TTest::high(double confidence) const { return mean + margin(*this, confidence); }
 
-bool all_alike(const std::vector<double>& values) {
+bool all_equal(const std::vector<double>& values) {
   if (values.empty()) return true;
   const auto [least, most] = std::ranges::minmax(values);
   return most - least <= 1e-12 * std::max({1.0, std::abs(least), std::abs(most)});

@@ -18,7 +18,7 @@ struct TTest {
 };
 
 /// Whether values are equal except for rounding errors.
-bool all_alike(const std::vector<double>& values);
+bool all_equal(const std::vector<double>& values);
 
 /// t test of paired differences. With fewer than two, t and p are NaN. If all are equal, t is
 /// infinite and p is 0; if all are 0, t is NaN and p is 1.

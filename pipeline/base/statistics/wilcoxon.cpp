@@ -174,8 +174,8 @@ Wilcoxon wilcoxon(const std::vector<double>& differences, WilcoxonMode mode, Wil
 
 HodgesLehmann hodges_lehmann(const std::vector<double>& differences, double confidence) {
   if (differences.empty()) {
-    constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
-    return {not_there, not_there, not_there, not_there};
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {unknown, unknown, unknown, unknown};
   }
   const std::vector<double> means = means_of_pairs(differences);
   const double half_alpha = 0.5 * (1.0 - confidence);

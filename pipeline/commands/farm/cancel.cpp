@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/farm/farm.h"
-#include "pipeline/farm/jobs/job_fates.h"
+#include "pipeline/farm/jobs/job_status.h"
 #include "pipeline/farm/slurm/slurm.h"
 
 namespace mien::pipeline {
@@ -17,11 +17,12 @@ struct CancelCommand {
 
 /// Records cancelled jobs in the journal. A failure to write is only reported, since the jobs are
 /// cancelled nevertheless.
-void note_cancelled(const std::vector<JobFate>& fates, const SubmissionJournal& journal,
+void note_cancelled(const std::vector<JobStatus>& statuses, const SubmissionJournal& journal,
                     const Console& console) {
   try {
-    for (const JobFate& fate : fates)
-      if (!fate.live().empty()) journal.note_cancel(fate.journal.comment, fate.journal.job);
+    for (const JobStatus& job_status : statuses)
+      if (!job_status.live().empty())
+        journal.note_cancel(job_status.journal.comment, job_status.journal.job);
   } catch (const std::exception& fault) {
     console.err << "note: " << fault.what() << "; the jobs are cancelled nevertheless\n";
   }
@@ -32,12 +33,12 @@ int cancel_study(const CancelCommand& command, const Console& console) {
   const SubmissionJournal journal(study.folder);
   const JournalContent content = journal.read();
   const Slurm slurm;
-  const std::vector<JobFate> fates = content.jobs.empty()
-                                         ? std::vector<JobFate>()
-                                         : job_fates(content, slurm.queue(), study.folder);
-  const std::vector<std::string> jobs = live_jobs(fates);
+  const std::vector<JobStatus> statuses = content.jobs.empty()
+                                              ? std::vector<JobStatus>()
+                                              : job_statuses(content, slurm.queue(), study.folder);
+  const std::vector<std::string> jobs = live_jobs(statuses);
   slurm.cancel(jobs);
-  note_cancelled(fates, journal, console);
+  note_cancelled(statuses, journal, console);
   if (command.json) {
     console.out << nlohmann::ordered_json{{"study", study.production.manifest().study},
                                           {"cancelled", jobs}}

@@ -23,10 +23,10 @@ int export_study(const ExportCommand& command, const Console& console) {
   SubmissionOptions options;
   options.chunk = command.chunk;
   options.jobs = command.jobs;
-  const JournalSubmission asked = asked_for(options, {});
+  const JournalSubmission requested = requested_submission(options, {});
   FarmStudy study(command.study, console);
   const nlohmann::ordered_json job =
-      open_job_template(all_stages(study, asked), study.call(command.study), asked.request);
+      open_job_template(all_stages(study, requested), study.call(command.study), requested.request);
   if (command.file.empty()) {
     console.out << open_job_text(job, "job.json");
     return exit_done;

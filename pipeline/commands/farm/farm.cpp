@@ -37,7 +37,7 @@ std::vector<CommandOption> farm_options(FarmArguments& arguments) {
 }
 
 FarmStudy::FarmStudy(const FarmArguments& arguments, const Console& console)
-    : file(absolute_path(manifest_meant(arguments.manifest, console))),
+    : file(absolute_path(resolve_manifest(arguments.manifest, console))),
       production(load_manifest(file, process_environment(), arguments.out),
                  production_options(arguments)),
       folder(absolute_path(arguments.out) / production.manifest().study) {}
@@ -54,11 +54,11 @@ StudyCall FarmStudy::call(const FarmArguments& arguments) const {
   return call;
 }
 
-std::string study_words(const FarmArguments& arguments) {
-  std::string words = motion::shell_path(arguments.manifest);
-  if (arguments.out != "out") words += " --out " + motion::shell_path(arguments.out);
-  if (!arguments.quality.empty()) words += " --quality " + arguments.quality;
-  return words;
+std::string study_arguments(const FarmArguments& arguments) {
+  std::string study_text = motion::shell_path(arguments.manifest);
+  if (arguments.out != "out") study_text += " --out " + motion::shell_path(arguments.out);
+  if (!arguments.quality.empty()) study_text += " --quality " + arguments.quality;
+  return study_text;
 }
 
 Command farm_command() {

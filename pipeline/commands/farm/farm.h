@@ -33,7 +33,7 @@ struct FarmStudy {
 };
 
 /// The study's arguments for suggested commands: "my.yaml --out /scratch".
-std::string study_words(const FarmArguments& arguments);
+std::string study_arguments(const FarmArguments& arguments);
 
 // Subcommands of `mien farm`, one per source file.
 Command farm_cancel_command();

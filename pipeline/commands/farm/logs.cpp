@@ -32,7 +32,7 @@ class LogList {
   void show(int lines, const Console& console) const {
     for (const ElementLog& log : logs_)
       console.out << "==> " << log.item << ": " << log.file.string() << '\n'
-                  << tail_of(log.file, lines);
+                  << last_lines(log.file, lines);
   }
 
   bool empty() const { return logs_.empty(); }
@@ -43,43 +43,43 @@ class LogList {
 };
 
 /// Problems according to the records of jobs and, if Slurm is available, squeue.
-std::vector<JobTrouble> troubles_of(const FarmStudy& study, const std::string& words) {
+std::vector<JobProblem> problems_of(const FarmStudy& study, const std::string& study_text) {
   const JournalContent journal = SubmissionJournal(study.folder).read();
   if (journal.jobs.empty()) return {};
   std::string why;
   const auto queue = Slurm().queue_if_any(why).value_or(std::vector<QueueRow>());
-  return job_troubles(job_fates(journal, queue, study.folder),
-                      study_state(study.production, study.folder, words));
+  return job_problems(job_statuses(journal, queue, study.folder),
+                      study_state(study.production, study.folder, study_text));
 }
 
 /// Shows the logs of failures: those recorded by workers, and those of failed or held jobs of all
 /// submissions.
 void show_failures(const FarmStudy& study, const LogsCommand& command, const Console& console) {
-  std::vector<JobTrouble> troubles = troubles_of(study, study_words(command.study));
+  std::vector<JobProblem> problems = problems_of(study, study_arguments(command.study));
   const auto cancelled = std::stable_partition(
-      troubles.begin(), troubles.end(),
-      [](const JobTrouble& trouble) { return trouble.kind != JobTrouble::Kind::cancelled; });
-  const auto cancelled_count = std::distance(cancelled, troubles.end());
-  troubles.erase(cancelled, troubles.end());
+      problems.begin(), problems.end(),
+      [](const JobProblem& problem) { return problem.kind != JobProblem::Kind::cancelled; });
+  const auto cancelled_count = std::distance(cancelled, problems.end());
+  problems.erase(cancelled, problems.end());
   LogList logs;
   for (const FailedItem& failed : failed_items(study.folder))
-    logs.add(logs_of(failed.item, study.folder));
-  logs.add(logs_of(troubles, study.folder));
+    logs.add(find_logs(failed.item, study.folder));
+  logs.add(find_logs(problems, study.folder));
   logs.show(command.lines, console);
-  std::erase_if(troubles, [&](const JobTrouble& trouble) {
-    return !logs_of(std::vector<JobTrouble>{trouble}, study.folder).empty();
+  std::erase_if(problems, [&](const JobProblem& problem) {
+    return !find_logs(std::vector<JobProblem>{problem}, study.folder).empty();
   });
-  if (!troubles.empty()) console.out << "without a log:\n" << troubles_text(troubles);
-  if (logs.empty() && troubles.empty())
+  if (!problems.empty()) console.out << "without a log:\n" << problems_text(problems);
+  if (logs.empty() && problems.empty())
     console.out << study.folder.string() << ": no logs of failed jobs\n";
   if (cancelled_count > 0)
     console.out << "cancelled jobs are not shown: " << cancelled_count << "; mien farm logs "
-                << study_words(command.study) << " ITEM shows the log of one item\n";
+                << study_arguments(command.study) << " ITEM shows the log of one item\n";
 }
 
 void show_item(const FarmStudy& study, const LogsCommand& command, const Console& console) {
   LogList logs;
-  logs.add(logs_of(command.item, study.folder));
+  logs.add(find_logs(command.item, study.folder));
   if (logs.empty()) {
     (void)graph_of_items(study.production.graph(), {command.item});  // says what was meant
     throw Error("no job for " + command.item + " has written a log",

@@ -18,18 +18,18 @@ struct ResumeCommand {
 };
 
 /// Records the numbers of jobs that Slurm accepted without the client receiving its answer.
-void note_adopted(const std::vector<JobFate>& fates, const SubmissionJournal& journal) {
-  for (const JobFate& fate : fates)
-    if (fate.is_adopted) journal.note_job(fate.journal.comment, fate.journal.job);
+void record_adopted_jobs(const std::vector<JobStatus>& statuses, const SubmissionJournal& journal) {
+  for (const JobStatus& job_status : statuses)
+    if (job_status.is_adopted) journal.note_job(job_status.journal.comment, job_status.journal.job);
 }
 
-std::vector<std::string> arrays_that_live(const std::vector<JobFate>& fates,
-                                          const std::vector<std::string>& obsolete) {
+std::vector<std::string> live_arrays(const std::vector<JobStatus>& statuses,
+                                     const std::vector<std::string>& obsolete) {
   std::vector<std::string> arrays;
-  for (const JobFate& fate : fates) {
-    for (const QueueRow& row : fate.live()) {
-      const bool is_kept = goes_on(row) && std::find(obsolete.begin(), obsolete.end(),
-                                                     name_of(row)) == obsolete.end();
+  for (const JobStatus& job_status : statuses) {
+    for (const QueueRow& row : job_status.live()) {
+      const bool is_kept = will_proceed(row) && std::find(obsolete.begin(), obsolete.end(),
+                                                          name_of(row)) == obsolete.end();
       if (is_kept && std::find(arrays.begin(), arrays.end(), row.array) == arrays.end())
         arrays.push_back(row.array);
     }
@@ -39,30 +39,32 @@ std::vector<std::string> arrays_that_live(const std::vector<JobFate>& fates,
 
 /// Removes and returns the jobs of an earlier state of the manifest or program, whose workers no
 /// longer produce anything.
-std::vector<JobFate> take_outdated(std::vector<JobFate>& fates, const std::string& graph_key) {
-  const auto outdated = std::stable_partition(fates.begin(), fates.end(), [&](const auto& fate) {
-    return fate.journal.comment.starts_with("mien:" + graph_key + ":");
-  });
-  std::vector<JobFate> taken(std::make_move_iterator(outdated),
-                             std::make_move_iterator(fates.end()));
-  fates.erase(outdated, fates.end());
+std::vector<JobStatus> take_outdated(std::vector<JobStatus>& statuses,
+                                     const std::string& graph_key) {
+  const auto outdated =
+      std::stable_partition(statuses.begin(), statuses.end(), [&](const auto& job_status) {
+        return job_status.journal.comment.starts_with("mien:" + graph_key + ":");
+      });
+  std::vector<JobStatus> taken(std::make_move_iterator(outdated),
+                               std::make_move_iterator(statuses.end()));
+  statuses.erase(outdated, statuses.end());
   return taken;
 }
 
-bool waits_for_rest(const std::vector<JobFate>& fates) {
-  return std::any_of(fates.begin(), fates.end(), [](const JobFate& fate) {
-    if (fate.journal.elements != 0) return false;
-    const std::vector<QueueRow> live = fate.live();
-    return std::any_of(live.begin(), live.end(), goes_on);
+bool waits_for_rest(const std::vector<JobStatus>& statuses) {
+  return std::any_of(statuses.begin(), statuses.end(), [](const JobStatus& job_status) {
+    if (job_status.journal.elements != 0) return false;
+    const std::vector<QueueRow> live = job_status.live();
+    return std::any_of(live.begin(), live.end(), will_proceed);
   });
 }
 
-ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
+ItemNeeds needs_of(const std::vector<JobStatus>& statuses, const FarmStudy& study,
                    const SubmissionOptions& options, const Console& console) {
   ItemNeeds needs;
-  needs.covered = covered_items(fates, study.folder);
+  needs.covered = covered_items(statuses, study.folder);
   if (!options.memory.empty()) return needs;  // given by the user
-  MemoryNeeds memory = memory_needs(fates, study.folder);
+  MemoryNeeds memory = memory_needs(statuses, study.folder);
   needs.memory = std::move(memory.more);
   if (!memory.unknown.empty())
     console.err << "note: " << memory.unknown.front()
@@ -72,28 +74,28 @@ ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
 }
 
 /// The options of the last accepted submission, overridden by those of this one.
-JournalSubmission asked_again(const ResumeCommand& command, const JournalContent& journal,
-                              const FarmStudy& study) {
+JournalSubmission requested_resubmission(const ResumeCommand& command,
+                                         const JournalContent& journal, const FarmStudy& study) {
   const JournalSubmission* earlier = last_accepted(journal);
   if (earlier == nullptr)
     throw Error(study.folder.string() + ": nothing has been submitted yet" +
                     (journal.submissions.empty() ? "" : " (Slurm refused earlier submissions)"),
-                "use mien farm submit " + study_words(command.study) +
-                    ", or without Slurm mien run " + study_words(command.study));
-  JournalSubmission asked = asked_for(command.options, *earlier);
-  asked.quality = command.study.quality;
-  return asked;
+                "use mien farm submit " + study_arguments(command.study) +
+                    ", or without Slurm mien run " + study_arguments(command.study));
+  JournalSubmission requested = requested_submission(command.options, *earlier);
+  requested.quality = command.study.quality;
+  return requested;
 }
 
 /// Jobs that a new submission replaces.
-struct InTheWay {
+struct SupersededJobs {
   std::vector<std::string> outdated;
   std::vector<std::string> obsolete;
 };
 
 /// Cancels jobs, or in a dry run only reports it.
-void take_back(const std::vector<std::string>& jobs, const char* why, const ResumeCommand& command,
-               const Slurm& slurm, const Console& console) {
+void cancel_superseded(const std::vector<std::string>& jobs, const char* why,
+                       const ResumeCommand& command, const Slurm& slurm, const Console& console) {
   if (jobs.empty()) return;
   if (!command.dry_run) slurm.cancel(jobs);
   console.err << "note: " << jobs.size() << (jobs.size() == 1 ? " job is " : " jobs are ") << why
@@ -101,20 +103,20 @@ void take_back(const std::vector<std::string>& jobs, const char* why, const Resu
               << (command.dry_run ? " to be cancelled\n" : " cancelled\n");
 }
 
-void take_back(const InTheWay& jobs, const ResumeCommand& command, const Slurm& slurm,
-               const Console& console) {
-  take_back(jobs.outdated, "of the study before it was edited", command, slurm, console);
-  take_back(jobs.obsolete, "held, or waiting for what is missing", command, slurm, console);
+void cancel_superseded(const SupersededJobs& jobs, const ResumeCommand& command, const Slurm& slurm,
+                       const Console& console) {
+  cancel_superseded(jobs.outdated, "of the study before it was edited", command, slurm, console);
+  cancel_superseded(jobs.obsolete, "held, or waiting for what is missing", command, slurm, console);
 }
 
 /// The new jobs are recorded before others are cancelled, so that a full disk leaves the queue
 /// unchanged.
-Submitted replace(const InTheWay& jobs, const Submission& submission,
+Submitted replace(const SupersededJobs& jobs, const Submission& submission,
                   const std::vector<std::string>& live, const ResumeCommand& command,
                   const Slurm& slurm, const SubmissionJournal& journal, const Console& console) {
   write_submission(submission, journal);
   try {
-    take_back(jobs, command, slurm, console);
+    cancel_superseded(jobs, command, slurm, console);
   } catch (const std::exception& fault) {
     withdraw(submission, journal, fault.what());
     throw;
@@ -126,45 +128,45 @@ int resume_study(const ResumeCommand& command, const Console& console) {
   FarmStudy study(command.study, console);
   const SubmissionJournal journal(study.folder);
   const JournalContent content = journal.read();
-  JournalSubmission asked = asked_again(command, content, study);
+  JournalSubmission requested = requested_resubmission(command, content, study);
   const Slurm slurm;
   const SlurmSite site = slurm.site();
-  refuse_too_many_processors(asked.request, slurm);
+  refuse_too_many_processors(requested.request, slurm);
   const std::vector<QueueRow> queue = slurm.queue();
-  std::vector<JobFate> fates = job_fates(content, queue, study.folder);
-  if (!command.dry_run) note_adopted(fates, journal);
-  for (const std::string& loss : told_losses(fates)) console.err << loss << '\n';
+  std::vector<JobStatus> statuses = job_statuses(content, queue, study.folder);
+  if (!command.dry_run) record_adopted_jobs(statuses, journal);
+  for (const std::string& loss : lost_job_messages(statuses)) console.err << loss << '\n';
   const std::string key = graph_key(study.production.graph(), study.folder);
-  const std::vector<JobFate> all_fates = fates;
-  InTheWay in_the_way{live_jobs(take_outdated(fates, key)), {}};
+  const std::vector<JobStatus> all_statuses = statuses;
+  SupersededJobs superseded{live_jobs(take_outdated(statuses, key)), {}};
 
-  const DueWork work = due_work(study, asked, fates);
-  if (!command.dry_run) sweep_submissions(all_fates, work, study, console);
+  const DueWork work = due_work(study, requested, statuses);
+  if (!command.dry_run) remove_old_submissions(all_statuses, work, study, console);
   if (work.is_done(study)) {
-    take_back(in_the_way, command, slurm, console);
+    cancel_superseded(superseded, command, slurm, console);
     console.out << study.folder.string() << ": nothing to do, everything is done\n";
     return exit_done;
   }
-  asked.number = next_submission(study.folder);
-  const Submission submission = fitting_submission(study, study.call(command.study), work,
-                                                   needs_of(fates, study, command.options, console),
-                                                   asked, site, queue, console);
-  if (submission.elements() == 0 && waits_for_rest(fates)) {
-    take_back(in_the_way, command, slurm, console);
+  requested.number = next_submission(study.folder);
+  const Submission submission = fitting_submission(
+      study, study.call(command.study), work, needs_of(statuses, study, command.options, console),
+      requested, site, queue, console);
+  if (submission.elements() == 0 && waits_for_rest(statuses)) {
+    cancel_superseded(superseded, command, slurm, console);
     console.out << study.folder.string()
                 << ": nothing to submit; queued and running jobs make what is missing\n";
     return exit_done;
   }
-  in_the_way.obsolete = obsolete_jobs(fates);
+  superseded.obsolete = obsolete_jobs(statuses);
   if (command.dry_run) {
-    take_back(in_the_way, command, slurm, console);
-    tell_dry_run(submission, console);
+    cancel_superseded(superseded, command, slurm, console);
+    print_dry_run(submission, console);
     return exit_done;
   }
-  tell_submitted(submission,
-                 replace(in_the_way, submission, arrays_that_live(fates, in_the_way.obsolete),
-                         command, slurm, journal, console),
-                 command.study, command.json, console);
+  print_submitted(submission,
+                  replace(superseded, submission, live_arrays(statuses, superseded.obsolete),
+                          command, slurm, journal, console),
+                  command.study, command.json, console);
   return exit_done;
 }
 

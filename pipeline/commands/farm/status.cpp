@@ -26,7 +26,7 @@ FarmStatus status_of(const FarmStudy& study, const FarmArguments& arguments) {
   std::string fault;
   const Slurm slurm;
   const auto queue = slurm.queue_if_any(fault);
-  return farm_status(study.production, study.folder, queue, fault, study_words(arguments),
+  return farm_status(study.production, study.folder, queue, fault, study_arguments(arguments),
                      queue ? slurm.node_states() : NodeStates());
 }
 
@@ -62,7 +62,7 @@ int watch_study(const FarmStudy& study, const StatusCommand& command, const Cons
     show(status, command, console);
     if (status.is_complete) return exit_done;
     if (!status.is_active() && status.without_slurm.empty()) {
-      console.err << "no worker is active; mien farm resume " << study_words(command.study)
+      console.err << "no worker is active; mien farm resume " << study_arguments(command.study)
                   << " submits what is missing\n";
       return exit_failed;
     }

@@ -10,9 +10,9 @@
 #include "motion/error.h"
 #include "motion/text/as_number.h"
 #include "pipeline/farm/film_lengths.h"
-#include "pipeline/farm/job_room.h"
-#include "pipeline/farm/jobs/job_fates.h"
+#include "pipeline/farm/jobs/job_status.h"
 #include "pipeline/farm/jobs/worker_reports.h"
+#include "pipeline/farm/queue_capacity.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
@@ -30,15 +30,15 @@ int chunk_frames(const std::string& chunk) {
 
 /// Throws Error unless the value matches a form. `option` and its kind of value: "--mem", "amount
 /// of memory".
-void refuse_unlike(const std::string& value, const char* form, const std::string& option,
-                   const std::string& what, const std::string& remedy) {
+void require_form(const std::string& value, const char* form, const std::string& option,
+                  const std::string& what, const std::string& remedy) {
   if (value.empty() || std::regex_match(value, std::regex(form))) return;
   throw Error(option + ": \"" + value + "\" is not a valid " + what, remedy);
 }
 
 /// Measured seconds per estimated second of drawing, according to this study's workers.
 double measured_pace(const FarmStudy& study, const std::map<std::string, int>& frames) {
-  const double measured = seconds_a_frame(worker_reports(study.folder));
+  const double measured = seconds_per_frame(worker_reports(study.folder));
   double seconds = 0.0;
   double count = 0.0;
   for (const Task& task : study.production.graph().tasks) {
@@ -50,27 +50,28 @@ double measured_pace(const FarmStudy& study, const std::map<std::string, int>& f
   return measured > 0.0 && seconds > 0.0 ? measured / (seconds / count) : 1.0;
 }
 
-Cutting cutting_of(const DueWork& work, const JournalSubmission& asked) {
-  Cutting cutting;
-  cutting.chunk_frames = asked.chunk_frames;
-  cutting.pace = work.pace;
-  return cutting;
+Chunking chunking_of(const DueWork& work, const JournalSubmission& requested) {
+  Chunking chunking;
+  chunking.chunk_frames = requested.chunk_frames;
+  chunking.pace = work.pace;
+  return chunking;
 }
 
-std::vector<Stage> stages_that(const FarmStudy& study, const DueWork& work,
-                               const Cutting& cutting) {
-  return stages_of(study.production.graph(), work.is_due, work.frames, cutting, work.pieces);
+std::vector<Stage> stages_of_due_work(const FarmStudy& study, const DueWork& work,
+                                      const Chunking& chunking) {
+  return stages_of(study.production.graph(), work.is_due, work.frames, chunking,
+                   work.film_progress);
 }
 
-void tell_longer_elements(const FittingSubmission& fitting, const Cutting& asked,
+void note_longer_elements(const FittingSubmission& fitting, const Chunking& requested,
                           const Console& console) {
-  if (fitting.cutting.element_seconds <= asked.element_seconds) return;
-  console.err << "note: array elements of up to " << as_duration(fitting.cutting.element_seconds)
-              << " instead of " << as_duration(asked.element_seconds)
+  if (fitting.chunking.element_seconds <= requested.element_seconds) return;
+  console.err << "note: array elements of up to " << as_duration(fitting.chunking.element_seconds)
+              << " instead of " << as_duration(requested.element_seconds)
               << ", because Slurm accepts no more jobs here (MaxJobCount)\n";
 }
 
-std::string element_words(int elements) {
+std::string element_count_text(int elements) {
   return elements == 0 ? "the rest"
                        : fmt::format("{} element{}", elements, elements == 1 ? "" : "s");
 }
@@ -109,15 +110,16 @@ const JournalSubmission* last_accepted(const JournalContent& journal) {
   return found == journal.submissions.rend() ? nullptr : &*found;
 }
 
-JournalSubmission asked_for(const SubmissionOptions& options, JournalSubmission earlier) {
-  refuse_unlike(options.time, R"((\d+|(\d+-)?\d+(:\d+){0,2}))", "--time", "Slurm time limit",
-                "write minutes (90), HH:MM:SS (1:30:00) or D-HH:MM:SS (1-12:00:00)");
-  refuse_unlike(options.memory, R"(\d+[KMGT]?)", "--mem", "amount of memory",
-                "write one like 500M or 2G");
-  refuse_unlike(options.partition, R"([\w.,+-]+)", "--partition", "partition name",
-                "sinfo lists the partitions");
-  refuse_unlike(options.account, R"([\w.,+-]+)", "--account", "account name",
-                "write letters and digits");
+JournalSubmission requested_submission(const SubmissionOptions& options,
+                                       JournalSubmission earlier) {
+  require_form(options.time, R"((\d+|(\d+-)?\d+(:\d+){0,2}))", "--time", "Slurm time limit",
+               "write minutes (90), HH:MM:SS (1:30:00) or D-HH:MM:SS (1-12:00:00)");
+  require_form(options.memory, R"(\d+[KMGT]?)", "--mem", "amount of memory",
+               "write one like 500M or 2G");
+  require_form(options.partition, R"([\w.,+-]+)", "--partition", "partition name",
+               "sinfo lists the partitions");
+  require_form(options.account, R"([\w.,+-]+)", "--account", "account name",
+               "write letters and digits");
   const auto take = [](const std::string& given, std::string& to) {
     if (!given.empty()) to = given;
   };
@@ -149,85 +151,86 @@ bool DueWork::is_done(const FarmStudy& study) const {
          std::filesystem::exists(study.folder / "provenance.json", error);
 }
 
-DueWork due_work(FarmStudy& study, const JournalSubmission& asked,
-                 const std::vector<JobFate>& fates) {
+DueWork due_work(FarmStudy& study, const JournalSubmission& requested,
+                 const std::vector<JobStatus>& statuses) {
   DueWork work;
   const TaskGraph& graph = study.production.graph();
   const std::vector<TaskOutcome> planned = plan(graph, study.folder);
   for (const TaskOutcome& one : planned) work.is_due.push_back(one.state != TaskState::cached);
   work.frames = measured_film_lengths(study.production, study.folder);
-  work.pieces = kept_pieces(graph, planned, work.frames, study.folder);
-  add_live_pieces(fates, work.frames, study.folder, work.pieces);
-  work.pace = measured_pace(study, work.frames) / asked.request.processors;
+  work.film_progress = stored_film_progress(graph, planned, work.frames, study.folder);
+  add_frames_of_live_jobs(statuses, work.frames, study.folder, work.film_progress);
+  work.pace = measured_pace(study, work.frames) / requested.request.processors;
   return work;
 }
 
-void sweep_submissions(const std::vector<JobFate>& fates, const DueWork& work,
-                       const FarmStudy& study, const Console& console) {
+void remove_old_submissions(const std::vector<JobStatus>& statuses, const DueWork& work,
+                            const FarmStudy& study, const Console& console) {
   const TaskGraph& graph = study.production.graph();
   std::set<std::string> due;
   for (std::size_t i = 0; i < graph.tasks.size(); ++i)
     if (work.is_due[i]) due.insert(graph.tasks[i].id);
-  const int removed = remove_submissions(spent_submissions(fates, due, study.folder), study.folder);
+  const int removed =
+      remove_submissions(removable_submissions(statuses, due, study.folder), study.folder);
   if (removed == 0) return;
   console.err << "note: batch files and logs of " << removed << " older submission"
               << (removed == 1 ? "" : "s") << " removed (finished or obsolete)\n";
 }
 
-std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked) {
+std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& requested) {
   DueWork work;
   work.is_due.assign(study.production.graph().tasks.size(), true);
   work.frames = measured_film_lengths(study.production, study.folder);
-  work.pace = measured_pace(study, work.frames) / asked.request.processors;
-  return stages_that(study, work, cutting_of(work, asked));
+  work.pace = measured_pace(study, work.frames) / requested.request.processors;
+  return stages_of_due_work(study, work, chunking_of(work, requested));
 }
 
 Submission fitting_submission(const FarmStudy& study, const StudyCall& call, const DueWork& work,
-                              const ItemNeeds& needs, const JournalSubmission& asked,
+                              const ItemNeeds& needs, const JournalSubmission& requested,
                               const SlurmSite& site, const std::vector<QueueRow>& queue,
                               const Console& console) {
   const std::string key = graph_key(study.production.graph(), study.folder);
-  const auto cut = [&](const Cutting& cutting) {
-    return submission_of(stages_that(study, work, cutting), needs, key, asked, study.folder, call,
-                         site);
+  const auto cut = [&](const Chunking& chunking) {
+    return submission_of(stages_of_due_work(study, work, chunking), needs, key, requested,
+                         study.folder, call, site);
   };
-  const Cutting cutting = cutting_of(work, asked);
+  const Chunking chunking = chunking_of(work, requested);
   FittingSubmission fitting =
-      fitting_submission(cut, cutting, longest_element_seconds(asked.request.time),
+      fitting_submission(cut, chunking, longest_element_seconds(requested.request.time),
                          {site.max_job_count, static_cast<int>(queue.size())});
-  tell_longer_elements(fitting, cutting, console);
+  note_longer_elements(fitting, chunking, console);
   return std::move(fitting.submission);
 }
 
-void tell_submitted(const Submission& submission, const Submitted& submitted,
-                    const FarmArguments& arguments, bool json, const Console& console) {
-  if (!submitted.unnoted.empty())
+void print_submitted(const Submission& submission, const Submitted& submitted,
+                     const FarmArguments& arguments, bool json, const Console& console) {
+  if (!submitted.unrecorded.empty())
     console.err
-        << "note: " << submitted.unnoted
+        << "note: " << submitted.unrecorded
         << "; the jobs are submitted nevertheless, and mien farm resume records their numbers\n";
   if (json) {
     ordered_json rows = ordered_json::array();
     for (const SubmittedJob& job : submitted.jobs)
       rows.push_back({{"name", job.name}, {"job", job.job}, {"elements", job.elements}});
-    const ordered_json told = {{"study", submission.call.study},
-                               {"submission", submission.asked.number},
-                               {"folder", submission.folder.string()},
-                               {"elements", submission.elements()},
-                               {"jobs", rows}};
-    console.out << told.dump(2) << '\n';
+    const ordered_json summary = {{"study", submission.call.study},
+                                  {"submission", submission.requested.number},
+                                  {"folder", submission.folder.string()},
+                                  {"elements", submission.elements()},
+                                  {"jobs", rows}};
+    console.out << summary.dump(2) << '\n';
     return;
   }
   console.out << submission.folder.string() << ":\n";
   for (const SubmittedJob& job : submitted.jobs)
     console.out << fmt::format("  job {:<8} {:<12} {}\n", job.job, job.name,
-                               element_words(job.elements));
-  console.out << "mien farm status " << study_words(arguments) << " shows the progress\n";
+                               element_count_text(job.elements));
+  console.out << "mien farm status " << study_arguments(arguments) << " shows the progress\n";
 }
 
-void tell_dry_run(const Submission& submission, const Console& console) {
+void print_dry_run(const Submission& submission, const Console& console) {
   for (const SubmissionStage& stage : submission.stages) {
     for (const SubmissionJob& job : stage.jobs) {
-      console.out << fmt::format("{:<12} {}", job.job.name, element_words(job.job.elements));
+      console.out << fmt::format("{:<12} {}", job.job.name, element_count_text(job.job.elements));
       if (!job.elements.empty()) {
         const double seconds = longest(job);
         console.out << (seconds < 1.0

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "pipeline/commands/farm/farm.h"
-#include "pipeline/farm/film_pieces.h"
-#include "pipeline/farm/jobs/job_fates.h"
+#include "pipeline/farm/film_progress.h"
+#include "pipeline/farm/jobs/job_status.h"
 #include "pipeline/farm/submission.h"
 
 namespace mien::pipeline {
@@ -30,7 +30,7 @@ const JournalSubmission* last_accepted(const JournalContent& journal);
 
 /// The options, with those not given taken from an earlier submission (which may be empty). Throws
 /// Error for an invalid value.
-JournalSubmission asked_for(const SubmissionOptions& options, JournalSubmission earlier);
+JournalSubmission requested_submission(const SubmissionOptions& options, JournalSubmission earlier);
 
 /// Throws Error if an element requests more processors than any node of its partition has, since
 /// its job would never start. Accepts any number if sinfo fails.
@@ -40,7 +40,7 @@ void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm);
 struct DueWork {
   std::vector<bool> is_due;           ///< by task
   std::map<std::string, int> frames;  ///< number of frames of each film, by its task
-  PiecesByFilm pieces;                ///< progress of films that have been started
+  ProgressByFilm film_progress;       ///< progress of films that have been started
   double pace = 1.0;                  ///< measured seconds per estimated second of a task
 
   /// Whether all products exist, including the study's record.
@@ -49,29 +49,29 @@ struct DueWork {
 
 /// All tasks missing from the store, without frames that are stored or assigned to live jobs. Films
 /// keep the number of chunks that those jobs use.
-DueWork due_work(FarmStudy& study, const JournalSubmission& asked,
-                 const std::vector<JobFate>& fates);
+DueWork due_work(FarmStudy& study, const JournalSubmission& requested,
+                 const std::vector<JobStatus>& statuses);
 
 /// The stages of all tasks, whether or not they have been done.
-std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked);
+std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& requested);
 
 /// A submission of the remaining tasks that fits into Slurm's queue. Reports if elements are longer
 /// than usual for that reason. Throws Error if it does not fit.
 Submission fitting_submission(const FarmStudy& study, const StudyCall& call, const DueWork& work,
-                              const ItemNeeds& needs, const JournalSubmission& asked,
+                              const ItemNeeds& needs, const JournalSubmission& requested,
                               const SlurmSite& site, const std::vector<QueueRow>& queue,
                               const Console& console);
 
-/// Removes the folders of older submissions that are no longer needed, and reports it. `fates`: of
-/// all jobs in the journal.
-void sweep_submissions(const std::vector<JobFate>& fates, const DueWork& work,
-                       const FarmStudy& study, const Console& console);
+/// Removes the folders of older submissions that are no longer needed, and reports it. `statuses`:
+/// of all jobs in the journal.
+void remove_old_submissions(const std::vector<JobStatus>& statuses, const DueWork& work,
+                            const FarmStudy& study, const Console& console);
 
 /// Prints what was submitted and what to do next.
-void tell_submitted(const Submission& submission, const Submitted& submitted,
-                    const FarmArguments& arguments, bool json, const Console& console);
+void print_submitted(const Submission& submission, const Submitted& submitted,
+                     const FarmArguments& arguments, bool json, const Console& console);
 
 /// Prints the submission instead of submitting it: its stages and the texts of its files.
-void tell_dry_run(const Submission& submission, const Console& console);
+void print_dry_run(const Submission& submission, const Console& console);
 
 }  // namespace mien::pipeline

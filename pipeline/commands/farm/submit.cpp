@@ -4,7 +4,7 @@
 
 #include "motion/error.h"
 #include "pipeline/commands/farm/submission_options.h"
-#include "pipeline/farm/jobs/job_fates.h"
+#include "pipeline/farm/jobs/job_status.h"
 
 namespace mien::pipeline {
 
@@ -23,7 +23,7 @@ void refuse_absent_folder(const JournalContent& journal, const std::vector<Queue
                           const FarmStudy& study) {
   if (!journal.jobs.empty()) return;
   const std::string key = graph_key(study.production.graph(), study.folder);
-  const std::vector<std::string> live = live_jobs_called(queue, key);
+  const std::vector<std::string> live = live_jobs_of_graph(queue, key);
   if (live.empty()) return;
   throw Error("Slurm has jobs of this study (" + live.front() +
                   (live.size() > 1 ? fmt::format(" and {} more", live.size() - 1) : "") +
@@ -34,12 +34,13 @@ void refuse_absent_folder(const JournalContent& journal, const std::vector<Queue
 
 void refuse_second(const std::vector<std::string>& live, const FarmArguments& arguments) {
   if (live.empty()) return;
-  const std::string words = study_words(arguments);
+  const std::string study_text = study_arguments(arguments);
   throw Error("the study has been submitted already: " + std::to_string(live.size()) +
                   (live.size() == 1 ? " of its jobs is queued or running"
                                     : " of its jobs are queued or running"),
-              "mien farm status " + words + " shows them, mien farm resume " + words +
-                  " submits what they do not cover, mien farm cancel " + words + " cancels them");
+              "mien farm status " + study_text + " shows them, mien farm resume " + study_text +
+                  " submits what they do not cover, mien farm cancel " + study_text +
+                  " cancels them");
 }
 
 /// The site's limits, or the usual ones if Slurm is not available.
@@ -53,39 +54,40 @@ SlurmSite site_for_dry_run(const Slurm& slurm, const Console& console) {
 }
 
 int submit_study(const SubmitCommand& command, const Console& console) {
-  JournalSubmission asked = asked_for(command.options, {});
-  asked.quality = command.study.quality;
+  JournalSubmission requested = requested_submission(command.options, {});
+  requested.quality = command.study.quality;
   FarmStudy study(command.study, console);
   const Slurm slurm;
-  asked.number = next_submission(study.folder);
+  requested.number = next_submission(study.folder);
   const StudyCall call = study.call(command.study);
   if (command.dry_run) {
     const SlurmSite site = site_for_dry_run(slurm, console);
     std::string why;
     const auto queue = slurm.queue_if_any(why).value_or(std::vector<QueueRow>());
-    const DueWork work = due_work(study, asked, {});
-    tell_dry_run(fitting_submission(study, call, work, {}, asked, site, queue, console), console);
+    const DueWork work = due_work(study, requested, {});
+    print_dry_run(fitting_submission(study, call, work, {}, requested, site, queue, console),
+                  console);
     return exit_done;
   }
   const SlurmSite site = slurm.site();
-  refuse_too_many_processors(asked.request, slurm);
+  refuse_too_many_processors(requested.request, slurm);
   const SubmissionJournal journal(study.folder);
   const std::vector<QueueRow> queue = slurm.queue();
   const JournalContent content = journal.read();
   refuse_absent_folder(content, queue, study);
-  const std::vector<JobFate> fates = job_fates(content, queue, study.folder);
-  refuse_second(live_jobs(fates), command.study);
-  const DueWork work = due_work(study, asked, {});
-  sweep_submissions(fates, work, study, console);
+  const std::vector<JobStatus> statuses = job_statuses(content, queue, study.folder);
+  refuse_second(live_jobs(statuses), command.study);
+  const DueWork work = due_work(study, requested, {});
+  remove_old_submissions(statuses, work, study, console);
   if (work.is_done(study)) {
     console.out << study.folder.string() << ": nothing to do, everything is done\n";
     return exit_done;
   }
   const Submission submission =
-      fitting_submission(study, call, work, {}, asked, site, queue, console);
+      fitting_submission(study, call, work, {}, requested, site, queue, console);
   write_submission(submission, journal);
-  tell_submitted(submission, submit(submission, slurm, journal, {}), command.study, command.json,
-                 console);
+  print_submitted(submission, submit(submission, slurm, journal, {}), command.study, command.json,
+                  console);
   return exit_done;
 }
 

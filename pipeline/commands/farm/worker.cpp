@@ -43,7 +43,7 @@ struct WorkerArguments {
   std::string expected;  ///< key of the graph that was submitted
 };
 
-std::vector<std::string> words_of(const std::string& text) {
+std::vector<std::string> split_words(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;
   for (std::string word; stream >> word;) words.push_back(word);
@@ -64,7 +64,7 @@ std::vector<std::string> items_in_line(const std::string& file, int line) {
 std::vector<std::string> items_of(const WorkerArguments& arguments, const Console& console) {
   std::vector<std::string> items;
   for (const std::string& text : arguments.tasks)
-    for (std::string& word : words_of(text)) items.push_back(std::move(word));
+    for (std::string& word : split_words(text)) items.push_back(std::move(word));
   if (arguments.list.empty() && items.empty())
     throw WrongSetup("no items were given", "name items with --tasks, or --list and --line");
   if (arguments.list.empty()) return items;
@@ -77,8 +77,8 @@ std::vector<std::string> items_of(const WorkerArguments& arguments, const Consol
 }
 
 /// Reports chunks without frames, because their film has fewer frames than chunks.
-void tell_empty_chunks(const std::vector<std::string>& items, const Production& production,
-                       const fs::path& folder, const Console& console) {
+void print_empty_chunks(const std::vector<std::string>& items, const Production& production,
+                        const fs::path& folder, const Console& console) {
   const auto has_chunk = [](const std::string& item) { return item.ends_with(']'); };
   if (std::none_of(items.begin(), items.end(), has_chunk)) return;
   const std::map<std::string, int> lengths = film_lengths(production, folder);
@@ -93,7 +93,7 @@ void tell_empty_chunks(const std::vector<std::string>& items, const Production& 
   }
 }
 
-void tell(const WorkResult& result, const Console& console) {
+void print_result(const WorkResult& result, const Console& console) {
   for (const std::string& repair : result.repairs) console.err << "note: " << repair << '\n';
   std::map<std::string, std::string> items_by_error;
   for (const FailedWork& failed : result.failed) {
@@ -120,7 +120,7 @@ std::string command_for(const WorkerArguments& arguments) {
 int make_items(const WorkerArguments& arguments, const Console& console) {
   const std::vector<std::string> items = items_of(arguments, console);
   if (items.empty()) return exit_done;
-  const fs::path file = manifest_meant(arguments.production.manifest, console);
+  const fs::path file = resolve_manifest(arguments.production.manifest, console);
   if (!fs::exists(file))
     throw WrongSetup(file.string() + ": does not exist",
                      "check that this machine has access to the shared folder");
@@ -141,8 +141,8 @@ int make_items(const WorkerArguments& arguments, const Console& console) {
     result = work(graph, items, folder, jobs_of(arguments.production), console.stop,
                   progress.observer(), command_for(arguments));
   }
-  tell(result, console);
-  tell_empty_chunks(items, production, folder, console);
+  print_result(result, console);
+  print_empty_chunks(items, production, folder, console);
   return result.code();
 }
 
@@ -157,7 +157,7 @@ int worker(const WorkerArguments& arguments, const Console& console) {
     return worker_bad_input;
   } catch (const DiskFault& fault) {
     console.err << "mien: " << fault.what() << '\n';
-    return worker_no_disk;
+    return worker_disk_unavailable;
   } catch (const std::exception& error) {  // the folder cannot be written to
     console.err << "mien: " << failure_text(error) << '\n';
     return worker_transient;

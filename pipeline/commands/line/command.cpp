@@ -186,15 +186,15 @@ std::vector<CommandOption> Command::named_options() const {
   return result;
 }
 
-std::vector<CommandPage> every_page(const Command& program) {
+std::vector<CommandPage> all_command_pages(const Command& program) {
   std::vector<CommandPage> pages = {{program.name, program}};
   for (const Command& command : program.commands)
-    for (const CommandPage& below : every_page(command))
+    for (const CommandPage& below : all_command_pages(command))
       pages.push_back({program.name + " " + below.name, below.command});
   return pages;
 }
 
-const Command* command_below(const Command& command, const std::string& name) {
+const Command* subcommand_named(const Command& command, const std::string& name) {
   const auto found = std::ranges::find(command.commands, name, &Command::name);
   return found == command.commands.end() ? nullptr : &*found;
 }

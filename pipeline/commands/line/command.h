@@ -145,9 +145,9 @@ struct CommandPage {
 };
 
 /// The command and all its subcommands, parents first.
-std::vector<CommandPage> every_page(const Command& program);
+std::vector<CommandPage> all_command_pages(const Command& program);
 
 /// The direct subcommand of that name; null if there is none.
-const Command* command_below(const Command& command, const std::string& name);
+const Command* subcommand_named(const Command& command, const std::string& name);
 
 }  // namespace mien::pipeline

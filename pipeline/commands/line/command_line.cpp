@@ -16,7 +16,7 @@
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/commands/line/command_line_fault.h"
-#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/line/program.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/task_graph.h"
@@ -141,7 +141,7 @@ void fill(CLI::App& app, const Command& command, std::ostream& err) {
 const Command& typed_command(const CLI::App& app, const Command& command) {
   if (!app.get_subcommands().empty()) {
     const CLI::App& below = *app.get_subcommands().front();
-    return typed_command(below, *command_below(command, below.get_name()));
+    return typed_command(below, *subcommand_named(command, below.get_name()));
   }
   for (const CommandOption& option : command.options)
     if (option.given != nullptr && app.get_option(option.names.back())->count() > 0)
@@ -154,7 +154,7 @@ std::string unknown_command(const Command& program, const std::vector<std::strin
   const Command* at = &program;
   for (const std::string& word : words) {
     if (at->commands.empty() || word.starts_with('-')) return "";
-    const Command* below = command_below(*at, word);
+    const Command* below = subcommand_named(*at, word);
     if (below == nullptr && !at->arguments().empty()) return "";
     if (below == nullptr) {
       std::vector<std::string> known;
@@ -168,7 +168,7 @@ std::string unknown_command(const Command& program, const std::vector<std::strin
 }
 
 /// `mien help render` means `mien render --help`.
-std::vector<std::string> words_of(int argc, const char* const* argv) {
+std::vector<std::string> arguments_of(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
@@ -224,7 +224,7 @@ int run_command_line(const Command& program, int argc, const char* const* argv,
   }
   CLI::App app(program.summary, program.name);
   fill(app, program, console.err);
-  const std::optional<int> code = parse(app, program, words_of(argc, argv), console);
+  const std::optional<int> code = parse(app, program, arguments_of(argc, argv), console);
   return code ? *code : perform(typed_command(app, program), console);
 }
 

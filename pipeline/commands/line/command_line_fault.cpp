@@ -15,7 +15,7 @@ namespace mien::pipeline {
 namespace {
 
 /// The innermost command that was typed.
-const CLI::App& command_meant(const CLI::App& app) {
+const CLI::App& innermost_command(const CLI::App& app) {
   const CLI::App* at = &app;
   while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
   return *at;
@@ -94,7 +94,7 @@ std::string unknown_flag_fault(const CLI::App& command, const std::string& given
 }
 
 /// The message of CLI11 for an invalid value.
-std::string told_by_parser(const CLI::App& command, const CLI::ParseError& fault) {
+std::string parser_fault(const CLI::App& command, const CLI::ParseError& fault) {
   std::string wrong = fault.what();
   const std::size_t end = wrong.find_last_not_of(" \n");
   wrong.erase(end == std::string::npos ? 0 : end + 1);
@@ -117,7 +117,7 @@ std::string no_command_fault(const CLI::App& command) {
                      help_line(command));
 }
 
-std::string told_fault(const CLI::App& command, const std::vector<std::string>& extras,
+std::string fault_text(const CLI::App& command, const std::vector<std::string>& extras,
                        const CLI::ParseError& fault) {
   const auto flag = std::ranges::find_if(extras, is_flag);
   if (flag != extras.end()) return unknown_flag_fault(command, *flag);
@@ -131,15 +131,15 @@ std::string told_fault(const CLI::App& command, const std::vector<std::string>& 
   if (fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extras.empty())
     return fmt::format("unexpected argument {}; {}", motion::in_quotes(extras.front()),
                        help_line(command));
-  const std::string told = valueless_fault(command, fault);
-  return told.empty() ? told_by_parser(command, fault) : told;
+  const std::string fault_text = valueless_fault(command, fault);
+  return fault_text.empty() ? parser_fault(command, fault) : fault_text;
 }
 
 }  // namespace
 
 std::string command_line_fault(const CLI::App& app, const CLI::ParseError& fault) {
-  const CLI::App& command = command_meant(app);
-  return name_with_parents(command) + ": " + told_fault(command, app.remaining(true), fault);
+  const CLI::App& command = innermost_command(app);
+  return name_with_parents(command) + ": " + fault_text(command, app.remaining(true), fault);
 }
 
 }  // namespace mien::pipeline

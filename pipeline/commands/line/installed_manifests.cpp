@@ -46,7 +46,7 @@ std::vector<std::string> manifest_names(const fs::path& folder) {
   return names;
 }
 
-std::optional<fs::path> file_among(const fs::path& folder, const std::string& name) {
+std::optional<fs::path> find_named_file(const fs::path& folder, const std::string& name) {
   const fs::path wanted(name);
   if (folder.empty() || !wanted.has_filename()) return std::nullopt;
   if (wanted.has_parent_path() && wanted.parent_path() != "manifests") return std::nullopt;
@@ -57,16 +57,16 @@ std::optional<fs::path> file_among(const fs::path& folder, const std::string& na
   return std::nullopt;
 }
 
-std::string given_or_installed(const std::string& name, const Console& console) {
+std::string resolve_input_file(const std::string& name, const Console& console) {
   if (is_file(name)) return name;
-  const auto file = file_among(installed_manifests(), name);
+  const auto file = find_named_file(installed_manifests(), name);
   if (!file) return name;
   console.err << "using " << file->string() << '\n';
   return file->string();
 }
 
-std::string manifest_meant(const std::string& name, const Console& console) {
-  const std::string file = given_or_installed(name, console);
+std::string resolve_manifest(const std::string& name, const Console& console) {
+  const std::string file = resolve_input_file(name, console);
   const bool is_word = !fs::path(file).has_parent_path() && !fs::path(file).has_extension();
   std::error_code error;
   if (!is_word || fs::exists(file, error)) return file;

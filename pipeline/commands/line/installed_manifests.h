@@ -25,15 +25,15 @@ std::vector<std::string> manifest_names(const std::filesystem::path& folder);
 
 /// The file of `folder` named `name` or "manifests/<name>", with or without ".yaml". Empty if there
 /// is none, or if `name` contains another folder.
-std::optional<std::filesystem::path> file_among(const std::filesystem::path& folder,
-                                                const std::string& name);
+std::optional<std::filesystem::path> find_named_file(const std::filesystem::path& folder,
+                                                     const std::string& name);
 
 /// `name` if that file exists; otherwise the installed file of that name, which is reported on
 /// `console.err`; otherwise `name`.
-std::string given_or_installed(const std::string& name, const Console& console);
+std::string resolve_input_file(const std::string& name, const Console& console);
 
-/// Like given_or_installed, for a manifest. Throws Error for a single word that is neither a file
+/// Like resolve_input_file, for a manifest. Throws Error for a single word that is neither a file
 /// nor the name of an installed manifest.
-std::string manifest_meant(const std::string& name, const Console& console);
+std::string resolve_manifest(const std::string& name, const Console& console);
 
 }  // namespace mien::pipeline

@@ -53,8 +53,8 @@ void tell_warnings(const std::vector<Fault>& warnings, const Console& console) {
   if (!warnings.empty()) console.err << fault_lines(warnings, "warning: ") << '\n';
 }
 
-void tell_stale(const std::vector<std::string>& stale, const ProductionArguments& arguments,
-                const Console& console) {
+void print_stale_artifacts(const std::vector<std::string>& stale,
+                           const ProductionArguments& arguments, const Console& console) {
   if (stale.empty()) return;
   console.out << "left over from earlier runs:\n";
   for (const std::string& path : stale) console.out << "  " << path << '\n';

@@ -36,8 +36,8 @@ ProductionOptions options_of(const ProductionArguments& arguments);
 void tell_warnings(const std::vector<Fault>& warnings, const Console& console);
 
 /// Lists stale artifacts of earlier runs and how to remove them; prints nothing if there are none.
-void tell_stale(const std::vector<std::string>& stale, const ProductionArguments& arguments,
-                const Console& console);
+void print_stale_artifacts(const std::vector<std::string>& stale,
+                           const ProductionArguments& arguments, const Console& console);
 
 /// Runs the missing tasks of a study, with progress on `console.err`. Throws the error of the first
 /// failed task, and Interrupted.

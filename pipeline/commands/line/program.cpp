@@ -20,7 +20,7 @@
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/printable_stream.h"
-#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/external_programs.h"
 #include "pipeline/tasks/interruption.h"
 
 namespace mien::pipeline {
@@ -123,7 +123,7 @@ constexpr char examples[] = R"(Examples:
 )";
 
 /// "Exit codes: 0 done, …"
-std::string told_exit_codes() {
+std::string exit_codes_text() {
   std::string text;
   for (const ExitCode& exit : exit_codes)
     text += (text.empty() ? "Exit codes: " : ", ") + std::to_string(exit.code) + " " + exit.meaning;
@@ -132,7 +132,7 @@ std::string told_exit_codes() {
 
 /// Makes the allocator return full-size images to the system when they are freed. By default it
 /// would keep them after the first one and split them for smaller allocations.
-void give_back_pictures() {
+void return_freed_images() {
 #ifdef __GLIBC__
   constexpr int picture_bytes = 4 << 20;
   mallopt(M_MMAP_THRESHOLD, picture_bytes);
@@ -162,16 +162,16 @@ Command program_of(std::vector<Command> commands) {
               "sheets.",
           .options = {flag("--version", {}, "Show the version and exit")},
           .commands = std::move(commands),
-          .notes = examples + ("\n" + told_exit_codes()) +
+          .notes = examples + ("\n" + exit_codes_text()) +
                    "Progress and faults go to standard error, results to standard output."};
 }
 
 int run_program(int argc, char** argv, const std::function<Command()>& program) {
-  give_back_pictures();
+  return_freed_images();
   std::set_terminate(end_at_once);
   keep_standard_streams_open();
-  refuse_other_version();
-  become_other_program(argc, argv);
+  refuse_version_mismatch();
+  exec_external_program(argc, argv);
   const SignalWatch signals;
   StandardOutput output;
   PrintableStream err(std::cerr, StreamReader::terminal);

@@ -25,8 +25,8 @@ using motion::read_take;
 
 /// Reads the motion of a file and prints the reader's notes as warnings: which take it chose if
 /// none is named, and which figure. Throws Error.
-inline motion::Recording read_told(const std::string& file, const std::string& take,
-                                   const Console& console) {
+inline motion::Recording read_with_warnings(const std::string& file, const std::string& take,
+                                            const Console& console) {
   motion::Recording recording = motion::read_take(file, take);
   for (const std::string& note : recording.notes)
     console.err << "warning: " << file << ": " << note << '\n';

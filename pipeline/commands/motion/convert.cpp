@@ -22,7 +22,7 @@ struct ConvertOptions {
 
 int convert(const ConvertOptions& options, const Console& console) {
   refuse_own_input(options.in, options.out);
-  motion::Recording recording = read_told(options.in, options.take, console);
+  motion::Recording recording = read_with_warnings(options.in, options.take, console);
   const motion::MotionFormat* format = motion::motion_format(options.out);
   if (options.body) {
     recording = motion::to_recording(motion::to_body(recording));

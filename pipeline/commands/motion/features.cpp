@@ -50,7 +50,7 @@ motion::FeatureOptions feature_options(const FeaturesOptions& options) {
 
 MeasuredFile measured(const std::string& file, const std::string& take,
                       const motion::FeatureOptions& options, const Console& console) {
-  const motion::Recording recording = read_told(file, take, console);
+  const motion::Recording recording = read_with_warnings(file, take, console);
   const motion::Clip clip = motion::to_body(recording);
   motion::PreparedExample prepared = motion::prepare_example(clip);
   const motion::FeatureValues values = motion::measure_features(prepared.example, options);

@@ -63,7 +63,7 @@ motion::Clip as_loop(motion::Clip clip) {
   return clip;
 }
 
-motion::Clip as_asked(motion::Clip clip, bool loop) {
+motion::Clip looped_if_requested(motion::Clip clip, bool loop) {
   return loop ? as_loop(std::move(clip)) : clip;
 }
 
@@ -71,8 +71,8 @@ LintedFile linted(const std::string& file, const LintCommand& command, const mot
                   const Console& console) {
   motion::LintOptions options;
   options.body_mass_kg = command.mass_kg;
-  const motion::Recording recording = read_told(file, command.take, console);
-  const motion::Clip clip = as_asked(clip_of(recording), command.loop);
+  const motion::Recording recording = read_with_warnings(file, command.take, console);
+  const motion::Clip clip = looped_if_requested(clip_of(recording), command.loop);
   LintedFile result;
   result.file = file;
   result.take = chosen_take(recording);
@@ -196,8 +196,9 @@ int show_findings(const LintCommand& command, const Console& console) {
   require_timeline(command);
   std::optional<motion::Clip> original;
   if (!command.original.empty()) {
-    original = as_asked(clip_of(read_told(command.original, command.original_take, console)),
-                        command.loop);
+    original = looped_if_requested(
+        clip_of(read_with_warnings(command.original, command.original_take, console)),
+        command.loop);
     if (!motion::is_body(original->body))
       throw Error(fmt::format("no human body was recognised in \"{}\"", command.original),
                   "the original must be a human motion");

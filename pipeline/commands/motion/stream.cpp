@@ -109,7 +109,7 @@ std::string error_text(const motion::StreamError& error) {
                      1000.0 * error.rms_metres);
 }
 
-void tell(const LiveReport& report, const Console& console) {
+void print_result(const LiveReport& report, const Console& console) {
   const double milliseconds = 1000.0 / report.frames_per_second;
   for (const std::string& warning : report.warnings) console.err << "warning: " << warning << '\n';
   console.err << fmt::format(
@@ -158,7 +158,8 @@ class Pace {
 };
 
 /// Processes all frames. Returns false if the reader has closed the pipe.
-bool pass_on(MotionSource& source, LiveStream& live, bool paced, const std::stop_token& stop) {
+bool process_frames(MotionSource& source, LiveStream& live, bool paced,
+                    const std::stop_token& stop) {
   motion::BvhStream text(source.name());
   Pace pace(paced);
   bool is_read = true;
@@ -189,12 +190,12 @@ int stream_motion(const StreamOptions& options, const Console& console) {
   MotionSink sink(console.out, options.out,
                   options.lines ? MotionSink::Form::lines : MotionSink::Form::bvh);
   LiveStream live(live_options(options, source.name()), sink);
-  const bool is_read = pass_on(source, live, options.paced, console.stop);
+  const bool is_read = process_frames(source, live, options.paced, console.stop);
   if (console.stop.stop_requested() && !live.has_begun()) return exit_interrupted;
   const LiveReport report = live.finish();
   sink.publish();
   if (!is_read) console.err << "the reader closed the stream\n";
-  tell(report, console);
+  print_result(report, console);
   if (!options.json.empty()) write_file(options.json, as_json(report).dump(2) + "\n");
   return console.stop.stop_requested() ? exit_interrupted : exit_done;
 }

@@ -10,7 +10,7 @@
 #include "motion/math/geometry.h"
 #include "motion/measures/differences/motion_tolerance.h"
 #include "pipeline/base/documents/fault.h"
-#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/regress/regress_study.h"
 #include "pipeline/regression/comparison/compared_media.h"
@@ -67,7 +67,7 @@ void require_file(const std::string& file) {
 
 /// Prints how two files differ to `console.out` and returns the exit code.
 template <class Compared>
-int told(const Compared& files, const RegressOptions& options, const Console& console) {
+int print_comparison(const Compared& files, const RegressOptions& options, const Console& console) {
   if (options.json) {
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;
     console.out << as_json(files).dump(2, ' ', false, replace) << '\n';
@@ -85,13 +85,15 @@ int regress_files(const RegressOptions& options, const Console& console) {
   require_file(options.now);
   if (both([](const std::string& file) { return motion::is_motion_file(file); })) {
     const auto takes = takes_of(options.takes, {options.before, options.now});
-    return told(compared_motion_files(options.before, options.now, options.tolerance, takes),
-                options, console);
+    return print_comparison(
+        compared_motion_files(options.before, options.now, options.tolerance, takes), options,
+        console);
   }
   if (both([](const std::string& file) { return is_media(file); })) {
     if (!options.takes.empty())
       throw Error({"--take"}, "applies to motions, not to images and videos", "omit it");
-    return told(compared_media(options.before, options.now, options.perceptual), options, console);
+    return print_comparison(compared_media(options.before, options.now, options.perceptual),
+                            options, console);
   }
   throw Error({options.now}, "cannot be compared with " + options.before,
               "name two motions: " + motion::formats_read() +

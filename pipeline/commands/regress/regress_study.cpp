@@ -32,35 +32,35 @@ namespace {
 namespace fs = std::filesystem;
 using Videos = std::map<std::string, std::vector<VideoFacts>>;
 
-bool is_asked(const std::vector<std::string>& only, const std::string& id) {
+bool is_selected(const std::vector<std::string>& only, const std::string& id) {
   return only.empty() || std::ranges::find(only, id) != only.end();
 }
 
 /// The study and its products.
-struct MadeStudy {
+struct ProducedStudy {
   std::unique_ptr<Production> production;
   fs::path folder;
   Videos videos;
 };
 
-void make(MadeStudy& study, const StudyArguments& arguments, const Console& console) {
+void make(ProducedStudy& study, const StudyArguments& arguments, const Console& console) {
   Production& production = *study.production;
   make_study(production, study.folder, arguments.production, console);
   for (const Stimulus& stimulus : production.manifest().stimuli)
-    if (is_asked(arguments.production.only, stimulus.id))
+    if (is_selected(arguments.production.only, stimulus.id))
       study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
 }
 
 /// Reads and plans the study without running it; selected stimuli that are not in the manifest are
 /// ignored.
-MadeStudy planned(const StudyArguments& arguments, const Console& console) {
-  const fs::path file = manifest_meant(arguments.production.manifest, console);
+ProducedStudy planned(const StudyArguments& arguments, const Console& console) {
+  const fs::path file = resolve_manifest(arguments.production.manifest, console);
   const Manifest manifest = load_manifest(file, process_environment(), arguments.production.out);
   tell_warnings(manifest.renamed, console);
   ProductionOptions options = options_of(arguments.production);
   std::erase_if(options.only,
                 [&](const std::string& id) { return find_stimulus(manifest, id) == nullptr; });
-  MadeStudy study;
+  ProducedStudy study;
   study.production = std::make_unique<Production>(manifest, options);
   study.folder = folder_of(arguments.production, study.production->manifest());
   return study;
@@ -165,12 +165,12 @@ std::string now_text() {
 
 /// Default name of the approving person: the user name of git in the study's folder, or else that
 /// of the system.
-std::string own_name(const Manifest& manifest) {
+std::string user_name(const Manifest& manifest) {
   const fs::path folder = fs::absolute(manifest.file).parent_path();
-  const CommandEnd git =
+  const CommandResult git =
       run_command({"git", "-C", folder.string(), "config", "user.name"}, std::chrono::seconds(10));
   const std::string name = git.output.substr(0, git.output.find('\n'));
-  if (git.is_done() && !name.empty()) return name;
+  if (git.succeeded() && !name.empty()) return name;
   const char* user = std::getenv("USER");
   return user != nullptr && *user != '\0' ? user : "unknown";
 }
@@ -191,8 +191,8 @@ void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifes
 }  // namespace
 
 int regress_study(const StudyArguments& arguments, const Console& console) {
-  MadeStudy made_study = planned(arguments, console);
-  const Manifest& manifest = made_study.production->manifest();
+  ProducedStudy produced_study = planned(arguments, console);
+  const Manifest& manifest = produced_study.production->manifest();
   const fs::path folder = cleared_report_folder(arguments, manifest);
   const FoundBaseline found = find_baseline(arguments.baseline, manifest);
   const Baseline baseline = read_baseline(found.folder);
@@ -207,9 +207,9 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
         << ": this baseline has no checksums, so damage to it may go unnoticed; approve again\n";
   const std::vector<std::string>& only = arguments.production.only;
   refuse_unknown(only, manifest, baseline);
-  const bool is_any_there = std::ranges::any_of(
-      manifest.stimuli, [&](const Stimulus& one) { return is_asked(only, one.id); });
-  if (!arguments.without_videos && is_any_there) make(made_study, arguments, console);
+  const bool has_selected_stimulus = std::ranges::any_of(
+      manifest.stimuli, [&](const Stimulus& one) { return is_selected(only, one.id); });
+  if (!arguments.without_videos && has_selected_stimulus) make(produced_study, arguments, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
   Rendition now(manifest, scratch.path(), threads, console.stop);
@@ -227,12 +227,12 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
   {
     ProgressBar bar(console.err, console.err_is_terminal);
     regression =
-        regress(study, made_study.videos, {.audit_share = arguments.audits},
+        regress(study, produced_study.videos, {.audit_share = arguments.audits},
                 [&](double share, const StimulusComparison& one) { bar.show(share, one.id); });
   }
   regression.repetitions = repeated(study, arguments.repeat);
   write_reports(regression, study, folder,
-                arguments.without_videos ? fs::path() : made_study.folder, console);
+                arguments.without_videos ? fs::path() : produced_study.folder, console);
   if (arguments.production.json) {
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;
     console.out << as_json(regression).dump(2, ' ', false, replace) << '\n';
@@ -247,26 +247,26 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
     throw Error({"--keep-videos"}, "there are none with --without-videos", "leave one of them out");
   StudyArguments whole = arguments;
   whole.production.only.clear();
-  MadeStudy made_study = planned(whole, console);
-  const Manifest& manifest = made_study.production->manifest();
+  ProducedStudy produced_study = planned(whole, console);
+  const Manifest& manifest = produced_study.production->manifest();
   const fs::path folder = new_baseline(arguments.baseline, manifest);
   refuse_other_folder(folder);
   const Baseline before = is_baseline(folder) ? read_baseline(folder) : Baseline{};
   refuse_unknown(arguments.production.only, manifest, before);
-  if (!arguments.without_videos) make(made_study, whole, console);
+  if (!arguments.without_videos) make(produced_study, whole, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
   Rendition now(manifest, scratch.path(), threads, console.stop);
   ProgressBar bar(console.err, console.err_is_terminal);
   const Baseline baseline =
       approve(now, folder,
-              {.who = arguments.approver.empty() ? own_name(manifest) : arguments.approver,
+              {.who = arguments.approver.empty() ? user_name(manifest) : arguments.approver,
                .when = now_text(),
                .why = arguments.reason,
                .only = arguments.production.only},
-              made_study.videos, made_study.production->inputs(),
+              produced_study.videos, produced_study.production->inputs(),
               {.key_frames = arguments.key_frames,
-               .videos_from = arguments.keep_videos ? made_study.folder : fs::path(),
+               .videos_from = arguments.keep_videos ? produced_study.folder : fs::path(),
                .threads = threads},
               console.stop, [&](double share) { bar.show(share, "approving"); });
   const std::size_t approved = arguments.production.only.empty() ? baseline.stimuli.size()

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::minutes git_limit{5};
 
-CommandEnd git(const fs::path& folder, std::vector<std::string> words) {
+CommandResult git(const fs::path& folder, std::vector<std::string> words) {
   words.insert(words.begin(), {"git", "-C", folder.empty() ? "." : folder.string()});
   return run_command(words, git_limit);
 }
@@ -47,7 +47,7 @@ void link_surroundings(const fs::path& folder, const fs::path& tree) {
 /// (LFS).
 FoundBaseline baseline_of_commit(const std::string& commit, const Manifest& manifest) {
   const fs::path folder = manifest.file.parent_path();
-  const CommandEnd top = git(folder, {"rev-parse", "--show-toplevel"});
+  const CommandResult top = git(folder, {"rev-parse", "--show-toplevel"});
   const fs::path root = first_line(top.output);
   const fs::path path = fs::proximate(fs::weakly_canonical(usual_baseline(manifest)), root);
   FoundBaseline found{.folder = {}, .scratch = std::make_unique<ScratchFolder>()};
@@ -61,31 +61,31 @@ FoundBaseline baseline_of_commit(const std::string& commit, const Manifest& mani
     return run_command(words, git_limit);
   };
   // The whole commit, because .gitattributes define which files are stored in LFS.
-  CommandEnd end = with_own_index({"read-tree", commit});
-  if (end.is_done())
+  CommandResult end = with_own_index({"read-tree", commit});
+  if (end.succeeded())
     end = with_own_index({"checkout", "--force", commit, "--", path.generic_string()});
-  if (!end.is_done())
+  if (!end.succeeded())
     throw Error({commit}, "has no baseline: " + first_line(end.errors),
                 "commit the folder that mien regress approve wrote, or name another commit");
   found.folder = files / path;
   return found;
 }
 
-CommandEnd shown_commit(const std::string& name, const Manifest& manifest) {
+CommandResult shown_commit(const std::string& name, const Manifest& manifest) {
   return git(manifest.file.parent_path(),
              {"log", "-1", "--format=%H", "--end-of-options", name, "--"});
 }
 
 bool is_commit(const std::string& name, const Manifest& manifest) {
-  return shown_commit(name, manifest).is_done();
+  return shown_commit(name, manifest).succeeded();
 }
 
 /// Throws Error for a name that is neither a folder nor a commit, with git's message.
 [[noreturn]] void throw_unknown(const std::string& name, const Manifest& manifest) {
-  const CommandEnd end = shown_commit(name, manifest);
+  const CommandResult end = shown_commit(name, manifest);
   const std::string says = end.is_missing ? "; git is not installed, so commits cannot be looked up"
                                           : "; git says: " + first_line(end.errors);
-  const CommandEnd shallow =
+  const CommandResult shallow =
       git(manifest.file.parent_path(), {"rev-parse", "--is-shallow-repository"});
   throw Error({name}, "there is no folder or commit of that name" + says,
               first_line(shallow.output) == "true"

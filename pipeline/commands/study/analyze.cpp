@@ -37,7 +37,7 @@ fs::path folder_of_study(const fs::path& study) {
 
 /// The scales file stored with a study's results in inputs/; none if it uses the built-in pairs or
 /// stores no inputs. `study` is its folder, or its metrics/parameters.csv.
-std::optional<fs::path> kept_scales(const fs::path& study) {
+std::optional<fs::path> stored_scales(const fs::path& study) {
   const auto record = study_record_in(folder_of_study(study) / "provenance.json");
   if (!record || !fs::is_regular_file(record->as_run)) return std::nullopt;
   // Motions of the study may no longer exist: only faults of the scales matter, which are reported
@@ -91,12 +91,12 @@ void show_text(const Analysis& analysis, const ScaleSet& scales, const fs::path&
     return std::ranges::count_if(analysis.quantities, condition);
   };
   console.out << fmt::format("{} of {} scales kept; {} removed as neutral, {} for disagreement\n",
-                             count([](const Quantity& q) { return q.kept(); }),
+                             count([](const Quantity& q) { return q.retained(); }),
                              analysis.quantities.size(),
                              count([](const Quantity& q) { return q.neutral; }),
                              count([](const Quantity& q) { return q.disputed; }));
   console.out << fmt::format("{} clusters of {} scales; the largest gap suggests {}\n",
-                             analysis.clusters.size(), analysis.none_kept ? "all" : "the kept",
+                             analysis.clusters.size(), analysis.none_retained ? "all" : "the kept",
                              analysis.suggested_clusters);
   for (const ScaleCluster& cluster : analysis.clusters)
     console.out << fmt::format("  {:14} {:3} scale{} around {}\n", cluster.name,
@@ -105,7 +105,8 @@ void show_text(const Analysis& analysis, const ScaleSet& scales, const fs::path&
   for (const PublishedComparison& c : compare_with_published(analysis))
     console.out << fmt::format(
         "{}: {} pairs kept in both, {} only here, {} only there; Rand {:.3f}, adjusted {:.3f}\n",
-        c.table, c.kept_in_both, c.kept_only_here, c.kept_only_there, c.rand, c.adjusted_rand);
+        c.table, c.retained_in_both, c.retained_only_here, c.retained_only_published, c.rand,
+        c.adjusted_rand);
   if (analysis.impressions.simulated) console.out << "simulated ratings\n";
   console.out << folder.string() << '\n';
 }
@@ -123,14 +124,14 @@ ordered_json as_json(const Analysis& analysis, const ScaleSet& scales, const fs:
   ordered_json published = ordered_json::array();
   for (const PublishedComparison& c : compare_with_published(analysis))
     published.push_back({{"table", c.table},
-                         {"kept_in_both", c.kept_in_both},
+                         {"kept_in_both", c.retained_in_both},
                          {"rand", c.rand},
                          {"adjusted_rand", c.adjusted_rand}});
   return {{"folder", folder.string()},
           {"ratings", analysis.impressions.simulated ? "simulated" : "given"},
           {"scales", analysis.quantities.size()},
-          {"kept", std::ranges::count_if(analysis.quantities, &Quantity::kept)},
-          {"clusters_are_of", analysis.none_kept ? "all" : "kept"},
+          {"kept", std::ranges::count_if(analysis.quantities, &Quantity::retained)},
+          {"clusters_are_of", analysis.none_retained ? "all" : "kept"},
           {"suggested_clusters", analysis.suggested_clusters},
           {"clusters", clusters},
           {"published", published},
@@ -161,17 +162,17 @@ void show_corrections(const Calibration& calibration, const fs::path& folder,
 /// The scales given on the command line, or those of the study, which is reported.
 ScaleSet scales_of_answers(const AnalyzeOptions& options, const Console& console) {
   if (!options.scales.empty()) return read_scales(options.scales);
-  const std::optional<fs::path> kept = kept_scales(options.stimuli);
-  if (!kept) return builtin_scales();
-  console.out << "scales of the study: " << kept->string() << '\n';
-  return read_scales(*kept);
+  const std::optional<fs::path> retained = stored_scales(options.stimuli);
+  if (!retained) return builtin_scales();
+  console.out << "scales of the study: " << retained->string() << '\n';
+  return read_scales(*retained);
 }
 
 /// Analyses ratings of a study's stimuli: compares requested with perceived parameters.
 int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
   const ScaleSet scales = scales_of_answers(options, console);
   std::vector<Fault> warnings;
-  const std::vector<MadeParameter> made = read_made_parameters(options.stimuli, warnings);
+  const std::vector<StimulusParameter> made = read_stimulus_parameters(options.stimuli, warnings);
   tell_warnings(warnings, console);
   AnswerRules rules = options.rules;
   rules.left_out = other_stimuli(options.stimuli, made);

@@ -13,9 +13,9 @@
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/production/run/study_inputs.h"
@@ -44,7 +44,7 @@ void add_dummy_report(ZipFiles& files, const Manifest& manifest,
                       const std::vector<SessionPlan>& plans) {
   const ScratchFolder folder;
   const std::vector<AnswerRow> rows = dummy_answers(manifest, plans);
-  const Results results = results_of(gather(manifest, rows), rows, {});
+  const Results results = results_of(collect_answers(manifest, rows), rows, {});
   write_results(results, rows, {}, folder.path());
   add_folder(files, folder.path(), "dummy-report");
 }
@@ -78,13 +78,13 @@ struct DesignCommand {
   std::string ratings;
   std::vector<double> spread;
   std::vector<std::string> between;
-  PowerQuestion question;
+  PowerOptions question;
   std::string frozen;
   std::string out = "out";
 };
 
 /// Joins the parts of "made=acted,modified", which was split at the comma.
-void take_between(const std::vector<std::string>& parts, PowerQuestion& question) {
+void take_between(const std::vector<std::string>& parts, PowerOptions& question) {
   if (parts.empty()) return;
   const std::size_t equals = parts[0].find('=');
   if (parts.size() != 2 || equals == std::string::npos)
@@ -105,40 +105,40 @@ RatingSpread spread_of(const DesignCommand& command, const Manifest& manifest) {
   return {command.spread[0], command.spread[1], command.spread[2]};
 }
 
-void tell_power(const DesignCommand& command, const Manifest& manifest, const Console& console,
-                std::ostream& out) {
-  PowerQuestion question = command.question;
+void print_power(const DesignCommand& command, const Manifest& manifest, const Console& console,
+                 std::ostream& out) {
+  PowerOptions question = command.question;
   question.seed = manifest.seed;
   question.spread = spread_of(command, manifest);
   take_between(command.between, question);
   const PowerEstimate estimate = estimate_power(manifest, question);
   out << '\n';
   for (const std::string& sentence : power_sentences(question, estimate)) out << sentence << '\n';
-  if (is_test_misled(question, estimate))
+  if (is_false_positive_rate_inflated(question, estimate))
     console.err << fmt::format(
         "warning: the false-positive rate of the simulated studies is {:.0f} % instead of {:g} %; "
         "do not rely on this power estimate\n",
-        100.0 * estimate.false_alarms.share, 100.0 * question.alpha);
+        100.0 * estimate.false_positives.share, 100.0 * question.alpha);
 }
 
 std::string minutes(double seconds) { return fmt::format("{:.1f} min", seconds / 60.0); }
 
-void tell_duration(const std::vector<SessionPlan>& plans, const Console& console,
-                   std::ostream& out) {
+void print_duration(const std::vector<SessionPlan>& plans, const Console& console,
+                    std::ostream& out) {
   const auto [shortest, longest] =
       std::ranges::minmax_element(plans, {}, &SessionPlan::expected_seconds);
   const std::string least = minutes(shortest->expected_seconds);
   const std::string most = minutes(longest->expected_seconds);
   out << "Expected duration of a session: " << (least == most ? most : least + " to " + most)
       << ".\n";
-  if (longest->expected_seconds <= longest_good_session_seconds) return;
-  console.err << "warning: a session of more than " << minutes(longest_good_session_seconds)
+  if (longest->expected_seconds <= recommended_session_seconds) return;
+  console.err << "warning: a session of more than " << minutes(recommended_session_seconds)
               << " is long; show each participant fewer stimuli (questionnaire.per_participant) or "
                  "ask fewer scales\n";
 }
 
-void tell_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
-                 const Balance& balance, const Console& console, std::ostream& out) {
+void print_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                  const Balance& balance, const Console& console, std::ostream& out) {
   const auto is_analysed = [](const Trial& trial) { return trial.is_analysed(); };
   out << fmt::format("{}: {} participants, {} trials each, of which {} are analysed\n",
                      manifest.study, plans.size(), plans[0].trials.size(),
@@ -146,7 +146,7 @@ void tell_design(const Manifest& manifest, const std::vector<SessionPlan>& plans
   for (const std::string& sentence :
        balance_sentences(manifest, balance, static_cast<int>(plans.size())))
     out << sentence << '\n';
-  tell_duration(plans, console, out);
+  print_duration(plans, console, out);
 }
 
 void warn_of_no_plan(const Manifest& manifest, const Console& console) {
@@ -175,7 +175,7 @@ int design(const DesignCommand& command, const Console& console) {
   const Balance balance = balance_of(manifest, plans);
   const std::vector<NewTable> tables = {{command.plans, plans_csv(plans)},
                                         {command.balance, balance_csv(balance)}};
-  refuse_losing_files(tables, files_of_design(command, manifest), command.frozen);
+  refuse_data_loss(tables, files_of_design(command, manifest), command.frozen);
   std::optional<FrozenArchive> archive;
   if (!command.frozen.empty())
     archive =
@@ -183,9 +183,9 @@ int design(const DesignCommand& command, const Console& console) {
   // The plans go to standard output unless a file is given; messages then go to standard error.
   std::ostream& out = command.plans.empty() ? console.err : console.out;
   if (command.plans.empty()) console.out << tables[0].csv;
-  tell_design(manifest, plans, balance, console, out);
+  print_design(manifest, plans, balance, console, out);
   tell_warnings(questionnaire_warnings(manifest), console);
-  if (command.power) tell_power(command, manifest, console, out);
+  if (command.power) print_power(command, manifest, console, out);
   if (archive) {
     warn_of_no_plan(manifest, console);
     write_archive(*archive);
@@ -236,7 +236,7 @@ Command study_design_command() {
       .name = "design",
       .summary = "Plan the sessions of all participants: order, balance, duration, power",
       .options = all_of(
-          argument("manifest", &options->manifest, asked_manifest_help),
+          argument("manifest", &options->manifest, study_manifest_help),
           option("-o,--output", &options->plans,
                  "CSV of all participants' plans (default: standard output)"),
           option("--balance", &options->balance,

@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 struct EvaluateOptions {
   std::vector<std::string> results;
   std::string out;
-  MatchingTerms terms;
+  MatchingSettings settings;
   bool json = false;
 };
 
@@ -47,8 +47,8 @@ void show_text(const MatchingEvaluation& evaluation, const Console& console) {
       if (c.target != target) continue;
       console.out << fmt::format(
           "{:14} {} − {}: {:.4g}, Wilcoxon p = {} (Holm {}), exact {} (Holm {})\n",
-          name_of(c.measure), c.first, c.second, c.difference.mean, p_for_people(c.paper.p),
-          p_for_people(c.paper_holm), p_for_people(c.exact.p), p_for_people(c.exact_holm));
+          name_of(c.measure), c.first, c.second, c.difference.mean, p_label(c.paper.p),
+          p_label(c.normal_holm), p_label(c.exact.p), p_label(c.exact_holm));
     }
   };
   show_of("");
@@ -57,7 +57,7 @@ void show_text(const MatchingEvaluation& evaluation, const Console& console) {
 
 /// A p value as JSON: null if NaN, a text if it is too small for a double.
 ordered_json p_json(double p) {
-  const std::string text = p_of_table(p);
+  const std::string text = p_field(p);
   return text.starts_with('<') ? ordered_json(text) : ordered_json(p);
 }
 
@@ -89,7 +89,7 @@ ordered_json as_json(const MatchingEvaluation& evaluation, bool simulated, const
                            {"low_90", c.difference.low(0.9)},
                            {"high_90", c.difference.high(0.9)},
                            {"p_paper", p_json(c.paper.p)},
-                           {"p_paper_holm", p_json(c.paper_holm)},
+                           {"p_paper_holm", p_json(c.normal_holm)},
                            {"p_exact", p_json(c.exact.p)},
                            {"p_exact_holm", p_json(c.exact_holm)}});
   return {{"folder", folder.string()},
@@ -120,7 +120,7 @@ void note_ceiling(const MatchingEvaluation& evaluation, const MatchingResults& r
 
 int run_evaluation(const EvaluateOptions& options, const Console& console) {
   const std::vector<fs::path> files(options.results.begin(), options.results.end());
-  const MatchingResults results = read_matching_results(files, options.terms);
+  const MatchingResults results = read_matching_results(files, options.settings);
   const MatchingEvaluation evaluation = evaluate(results);
   const fs::path folder = evaluation_folder(options);
   write_evaluation(evaluation, results, folder);
@@ -148,12 +148,12 @@ Command study_evaluate_command() {
                     "success; one file or several"),
            option("-o,--output", &options->out,
                   "Folder for the results (default: out/<name of the first file>)"),
-           option("--limit", &options->terms.limit_s,
+           option("--limit", &options->settings.limit_s,
                   "Time limit in seconds, also used as the time of trials without success "
                   "(default: as in the files, or 300)")
                .positive(),
            option(
-               "--threshold", &options->terms.threshold_m,
+               "--threshold", &options->settings.threshold_m,
                "Distance D in metres below which motions match (default: as in the files, or 0.06)")
                .positive(),
            flag("--json", &options->json, "Results as JSON on standard output")},

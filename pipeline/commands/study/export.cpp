@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/page_bundle.h"
-#include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/matching_design.h"
+#include "pipeline/commands/study/prepared_questionnaire.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
@@ -30,8 +30,8 @@ int export_matching(const Manifest& manifest, const fs::path& folder, const Cons
   const fs::path module = live_module();
   Motions motions(manifest);
   const MatchingStudy study = matching_study(manifest, motions);
-  tell_matched_at_start(manifest, study, console);
-  refuse_answers_to_another(folder, study.experiment.at("design"));
+  warn_of_matched_at_start(manifest, study, console);
+  refuse_answers_to_other_design(folder, study.experiment.at("design"));
   write_export(exported_matching(manifest, study, pages, module), folder);
   console.out << fmt::format("{}: {} participants, {} trials each\n{}\n{}\n", folder.string(),
                              study.plans.size(), study.plans.front().trials.size(),
@@ -46,8 +46,8 @@ int export_study(const ExportOptions& options, const Console& console) {
   const Manifest asked = participants_manifest(options.study.manifest, console);
   if (asked.matching) return export_matching(asked, options.folder, console);
   const fs::path pages = page_bundle("questionnaire");
-  refuse_answers_to_another(options.folder, design_hash(asked, plan_sessions(asked)));
-  const MadeQuestionnaire made = made_questionnaire(options.study, console);
+  refuse_answers_to_other_design(options.folder, design_hash(asked, plan_sessions(asked)));
+  const PreparedQuestionnaire made = prepared_questionnaire(options.study, console);
   write_export(exported_questionnaire(made.manifest, made.plans, made.media, pages),
                options.folder);
   const fs::path folder = options.folder;

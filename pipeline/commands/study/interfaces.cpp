@@ -35,7 +35,7 @@ void show(const std::vector<InterfaceSummary>& summaries, const Console& console
     console.out << fmt::format(
         "{:17} {:11} {:>12} {:6} {:8.4f} ± {:6.4f} {:6.0f} % {:8.4f} ± {:6.4f} {:6.0f} % {:6.1f}\n",
         motion::name_of(s.method), name_of(s.kind), way, s.count, s.mean_first, s.sd_first,
-        100.0 * s.first_success, s.mean_last, s.sd_last, 100.0 * s.failure, s.mean_looks);
+        100.0 * s.first_success, s.mean_last, s.sd_last, 100.0 * s.failure, s.mean_views);
   }
 }
 

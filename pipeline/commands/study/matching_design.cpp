@@ -7,7 +7,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/new_tables.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/balance.h"
@@ -17,8 +17,8 @@ namespace mien::pipeline {
 
 namespace {
 
-void tell_matching(const Manifest& manifest, const std::vector<SessionPlan>& plans,
-                   std::ostream& out) {
+void print_matching(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                    std::ostream& out) {
   const Matching& matching = *manifest.matching;
   const std::size_t targets = matching_targets(manifest).size();
   const auto practised = std::ranges::count_if(plans[0].trials, &Trial::practice);
@@ -52,27 +52,27 @@ int design_matching(const Manifest& manifest, const MatchingDesign& design,
                     const Console& console) {
   Motions motions(manifest);
   const MatchingStudy study = matching_study(manifest, motions, design.participants);
-  tell_matched_at_start(manifest, study, console);
+  warn_of_matched_at_start(manifest, study, console);
   const std::vector<SessionPlan>& plans = study.plans;
   const std::string csv = plans_csv(plans);
   if (design.plans.empty()) {
     console.out << csv;
-    tell_matching(manifest, plans, console.err);
+    print_matching(manifest, plans, console.err);
     return exit_done;
   }
   std::vector<std::filesystem::path> read;
   for (const InputCopy& input : input_copies(manifest)) read.push_back(input.source);
-  refuse_losing_files({{design.plans, csv}}, read);
-  tell_matching(manifest, plans, console.out);
+  refuse_data_loss({{design.plans, csv}}, read);
+  print_matching(manifest, plans, console.out);
   write_file(design.plans, csv);
   console.out << design.plans.string() << '\n';
   return exit_done;
 }
 
-void tell_matched_at_start(const Manifest& manifest, const MatchingStudy& study,
-                           const Console& console) {
-  const std::string told = matched_at_start(manifest, study);
-  if (!told.empty()) console.err << "warning: " << told << '\n';
+void warn_of_matched_at_start(const Manifest& manifest, const MatchingStudy& study,
+                              const Console& console) {
+  const std::string warning = starting_match_warning(manifest, study);
+  if (!warning.empty()) console.err << "warning: " << warning << '\n';
 }
 
 }  // namespace mien::pipeline

@@ -18,7 +18,7 @@ struct MatchingDesign {
 int design_matching(const Manifest& manifest, const MatchingDesign& design, const Console& console);
 
 /// Warns about trials in which the start already matches the target.
-void tell_matched_at_start(const Manifest& manifest, const MatchingStudy& study,
-                           const Console& console);
+void warn_of_matched_at_start(const Manifest& manifest, const MatchingStudy& study,
+                              const Console& console);
 
 }  // namespace mien::pipeline

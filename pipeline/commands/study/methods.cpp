@@ -21,16 +21,16 @@ struct MethodsCommand {
   StudySubject subject;
   std::vector<std::string> parameters;
   std::vector<motion::InterpolationMethod> methods;
-  MethodTrialOptions trial;
+  MethodComparisonOptions trial;
   std::optional<std::uint64_t> seed;
   std::string out;
 };
 
-void show(const std::vector<MethodTrial>& trials, bool simulated, const Console& console) {
+void show(const std::vector<MethodResult>& trials, bool simulated, const Console& console) {
   if (simulated) console.out << "Simulated ratings.\n\n";
   console.out << fmt::format("{:17} {:>10} {:>11} {:>7} {:>9} {:>8} {:>10}\n", "method",
                              "mean error", "worst error", "jump", "examples", "D (m)", "time (ms)");
-  for (const MethodTrial& t : trials)
+  for (const MethodResult& t : trials)
     console.out << fmt::format("{:17} {:10.4f} {:11.4f} {:7.3f} {:9.1f} {:8.4f} {:10.3f}\n",
                                motion::name_of(t.method), t.mean_error, t.worst_error, t.jump,
                                t.mean_examples, t.mean_distance, 1000.0 * t.seconds);
@@ -44,11 +44,11 @@ int compare(MethodsCommand command, const Console& console) {
   command.trial.seed = command.seed.value_or(manifest.seed);
   if (command.parameters.empty()) command.parameters = primary_adjectives(repertoire);
   if (command.methods.empty()) command.methods = methods_with_parameters();
-  const std::vector<MethodTrial> trials = compare_methods(
+  const std::vector<MethodResult> trials = compare_methods(
       repertoire, command.parameters, command.methods, manifest.interpolation, command.trial);
   show(trials, repertoire.simulated_ratings, console);
   if (command.out.empty()) return exit_done;
-  write_tables(command.out, {method_trials_table(trials, repertoire.simulated_ratings)});
+  write_tables(command.out, {method_results_table(trials, repertoire.simulated_ratings)});
   console.out << '\n' << (fs::path(command.out) / "methods.csv").string() << '\n';
   return exit_done;
 }

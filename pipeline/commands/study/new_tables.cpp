@@ -24,7 +24,7 @@ bool are_same_file(const fs::path& one, const fs::path& other) {
 std::string header_of(const std::string& csv) { return csv.substr(0, csv.find('\n') + 1); }
 
 /// Whether a table of answers has rows of participants, not only simulated ones.
-bool holds_given_answers(const CsvTable& table) {
+bool has_participant_answers(const CsvTable& table) {
   const int simulated = find_column(table, "simulated");
   if (simulated < 0) return false;
   return std::ranges::any_of(table.rows, [&](const auto& row) {
@@ -39,14 +39,14 @@ void refuse_losing(const NewTable& table) {
   if (!kept.starts_with(header_of(table.csv)))
     throw Error({table.file.string()}, "exists already and is not an earlier table of this kind",
                 "name another file");
-  if (holds_given_answers(parse_csv(kept, table.file.string())))
+  if (has_participant_answers(parse_csv(kept, table.file.string())))
     throw Error({table.file.string()}, "holds answers of real participants", "name another file");
 }
 
 }  // namespace
 
-void refuse_losing_files(const std::vector<NewTable>& tables, const std::vector<fs::path>& read,
-                         const fs::path& archive) {
+void refuse_data_loss(const std::vector<NewTable>& tables, const std::vector<fs::path>& read,
+                      const fs::path& archive) {
   for (auto table = tables.begin(); table != tables.end(); ++table) {
     if (table->file.empty()) continue;
     const auto is_it = [&](const fs::path& other) { return are_same_file(table->file, other); };

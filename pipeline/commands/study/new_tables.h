@@ -16,8 +16,8 @@ struct NewTable {
 /// another of `tables` or `archive`, a file that is not an earlier table with the same columns, or
 /// answers of participants (simulated is not 1). Other than regular files, such as /dev/stdout, and
 /// empty files may be written to.
-void refuse_losing_files(const std::vector<NewTable>& tables,
-                         const std::vector<std::filesystem::path>& read,
-                         const std::filesystem::path& archive = {});
+void refuse_data_loss(const std::vector<NewTable>& tables,
+                      const std::vector<std::filesystem::path>& read,
+                      const std::filesystem::path& archive = {});
 
 }  // namespace mien::pipeline

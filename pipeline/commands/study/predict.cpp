@@ -39,7 +39,8 @@ struct Unrated {
 /// Features of a file's motion on the examples' body, as measured for the examples.
 motion::FeatureValues features_of(const std::string& file, const std::string& take,
                                   const Repertoire& repertoire, const Console& console) {
-  motion::Example example = motion::make_example(motion::to_body(read_told(file, take, console)));
+  motion::Example example =
+      motion::make_example(motion::to_body(read_with_warnings(file, take, console)));
   const motion::Skeleton& body = repertoire.examples.examples.front().clip.body;
   example.clip = motion::retarget(example.clip, body);
   return motion::measure_features(example);

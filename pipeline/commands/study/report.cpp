@@ -15,13 +15,13 @@
 
 #include "motion/text/excerpt.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 #include "pipeline/study/results/answer_files.h"
-#include "pipeline/study/results/gathered_answers.h"
+#include "pipeline/study/results/answer_set.h"
 #include "pipeline/study/results/report/results_report.h"
 
 namespace mien::pipeline {
@@ -104,7 +104,7 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
   verdict.differences =
       frozen_differences(options.frozen, manifest, fs::exists(made) ? made : fs::path());
   const std::string frozen = fs::path(options.frozen).filename().string();
-  const std::string run = rows.front().design;  // gather has seen that there is no other
+  const std::string run = rows.front().design;  // collect_answers has seen that there is no other
   const auto design = nlohmann::json::parse(read_zip(options.frozen).at("design.json"));
   compare_choices(options, design.value("analysis", nlohmann::json::object()), verdict.differences);
   if (!run.empty() && run != design.value("design", ""))
@@ -116,18 +116,18 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
   return verdict;
 }
 
-void tell_results(const Results& results, const FrozenVerdict& frozen, const fs::path& folder,
-                  const Console& console) {
-  const Gathered& gathered = results.gathered;
-  for (const std::string& note : gathered.notes) console.err << note << '\n';
-  for (const Attention& own : gathered.attention)
+void print_results(const Results& results, const FrozenVerdict& frozen, const fs::path& folder,
+                   const Console& console) {
+  const AnswerSet& answer_set = results.answer_set;
+  for (const std::string& note : answer_set.notes) console.err << note << '\n';
+  for (const Attention& own : answer_set.attention)
     if (own.is_excluded)
       console.err << fmt::format("participant {} is excluded: {} of {} attention checks passed\n",
                                  motion::in_quotes(own.participant), own.passed, own.checks);
-  if (gathered.simulated) console.out << "simulated answers\n";
-  for (const std::string& sentence : unfinished_sentences(gathered))
+  if (answer_set.simulated) console.out << "simulated answers\n";
+  for (const std::string& sentence : unfinished_sentences(answer_set))
     console.err << sentence << '\n';
-  console.out << people_sentence(gathered) << '\n';
+  console.out << people_sentence(answer_set) << '\n';
   if (!frozen.sentence.empty()) console.out << frozen.sentence << '\n';
   for (const std::string& difference : frozen.differences)
     console.out << "  " << difference << '\n';
@@ -135,7 +135,7 @@ void tell_results(const Results& results, const FrozenVerdict& frozen, const fs:
 }
 
 /// The largest number in names such as p007.
-int most_participants(const std::vector<AnswerRow>& rows) {
+int max_participants(const std::vector<AnswerRow>& rows) {
   int most = 0;
   for (const AnswerRow& row : rows) {
     const std::string& name = row.participant;
@@ -148,24 +148,24 @@ int most_participants(const std::vector<AnswerRow>& rows) {
 
 /// Notes if answers were given to another version of the questionnaire than the manifest's.
 void note_other_design(const Manifest& manifest, const std::vector<AnswerRow>& rows,
-                       Gathered& gathered) {
-  if (gathered.design.empty()) return;
+                       AnswerSet& answer_set) {
+  if (answer_set.design.empty()) return;
   const std::string now = design_hash(manifest, plan_sessions(manifest));
-  if (gathered.design == now) return;
+  if (answer_set.design == now) return;
   const int planned = questionnaire_of(manifest).participants;
-  const int answered = most_participants(rows);
+  const int answered = max_participants(rows);
   Manifest other = manifest;
   other.questionnaire->participants = answered;
   const bool is_of_more =
-      answered != planned && (gathered.design == design_hash(other, plan_sessions(other)) ||
-                              gathered.design == design_hash(manifest, plan_sessions(other)));
-  gathered.notes.push_back(
+      answered != planned && (answer_set.design == design_hash(other, plan_sessions(other)) ||
+                              answer_set.design == design_hash(manifest, plan_sessions(other)));
+  answer_set.notes.push_back(
       is_of_more
           ? fmt::format("The answers are of {} participants, but the manifest plans {}; everything "
                         "else is the same.",
                         answered, planned)
           : fmt::format("The answers were given to design {}; the manifest is now design {}.",
-                        gathered.design, now));
+                        answer_set.design, now));
 }
 
 /// Number of trials of each session plan.
@@ -189,22 +189,22 @@ ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
 
 int report(const ReportCommand& options, const Console& console) {
   const ReportInputs inputs = inputs_of(options);
-  const Manifest manifest = asked_manifest(inputs.manifest.string(), console);
+  const Manifest manifest = questionnaire_manifest(inputs.manifest.string(), console);
   const AnswersOfFiles answers = answers_of_files(inputs.answers);
   const std::vector<AnswerRow>& rows = answers.rows;
   std::vector<ParticipantTable> tables;
   for (const fs::path& file : inputs.participants) tables.push_back(read_participants(file));
   ParticipantTable people = joined(tables);
-  Gathered gathered = gather(manifest, rows, choices_of(options, manifest, people));
-  gathered.notes.insert(gathered.notes.begin(), answers.told.begin(), answers.told.end());
-  note_other_design(manifest, rows, gathered);
+  AnswerSet answer_set = collect_answers(manifest, rows, choices_of(options, manifest, people));
+  answer_set.notes.insert(answer_set.notes.begin(), answers.notes.begin(), answers.notes.end());
+  note_other_design(manifest, rows, answer_set);
   const FrozenVerdict frozen = verdict_on(options, manifest, rows);
-  const Results results = results_of(std::move(gathered), rows, std::move(people));
+  const Results results = results_of(std::move(answer_set), rows, std::move(people));
   const fs::path folder =
       options.out.empty() ? fs::path("out") / (manifest.study + "-results") : fs::path(options.out);
   clear_results_folder(folder);
   write_results(results, rows, frozen, folder);
-  tell_results(results, frozen, folder, console);
+  print_results(results, frozen, folder, console);
   return exit_done;
 }
 

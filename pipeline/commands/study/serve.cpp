@@ -11,8 +11,8 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/page_bundle.h"
-#include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/matching_design.h"
+#include "pipeline/commands/study/prepared_questionnaire.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/page/served_page.h"
@@ -75,7 +75,7 @@ void write_links(const fs::path& file, const std::string& text) {
   write_file(file, text);
 }
 
-void tell_places(const ServeOptions& options, const ServedFiles& files, const std::string& base,
+void print_links(const ServeOptions& options, const ServedFiles& files, const std::string& base,
                  const StudySessions& sessions, const Console& console) {
   const std::string lab = base + "/lab/" + sessions.lab_link() + "/";
   const std::string join = base + "/join/" + sessions.join_link() + "/";
@@ -101,20 +101,20 @@ void tell_places(const ServeOptions& options, const ServedFiles& files, const st
 }
 
 /// Prints failures of the running server; a repeated one is printed once.
-class Troubles {
+class FailureReporter {
  public:
-  explicit Troubles(const Console& console) : console_(console) {}
+  explicit FailureReporter(const Console& console) : console_(console) {}
 
-  void tell(const std::string& trouble) {
+  void report(const std::string& last_failure) {
     const std::lock_guard lock(mutex_);
-    if (trouble == last_) return;
-    last_ = trouble;
-    if (!trouble.empty()) console_.err << "mien: " << trouble << std::endl;
+    if (last_failure == last_) return;
+    last_ = last_failure;
+    if (!last_failure.empty()) console_.err << "mien: " << last_failure << std::endl;
   }
 
   void wait(const QuestionnaireService& service) {
     while (!console_.stop.stop_requested()) {
-      tell(service.trouble());
+      report(service.last_failure());
       std::unique_lock lock(wait_mutex_);
       std::condition_variable_any().wait_for(lock, console_.stop, std::chrono::seconds(1),
                                              [] { return false; });
@@ -161,16 +161,16 @@ HttpSettings settings_of(const ServeOptions& options, const ServedStudy& study) 
 int serve_study(const ServedStudy& study, SessionStore& store, const ServeOptions& options,
                 const ServedFiles& files, const Console& console) {
   QuestionnaireService service(study, store);
-  Troubles troubles(console);
+  FailureReporter failures(console);
   {
     const HttpServer server(
         settings_of(options, study),
         [&](const HttpRequest& request) { return service.answer(request); },
-        [&](const std::string& failure) { troubles.tell(failure); });
+        [&](const std::string& failure) { failures.report(failure); });
     const std::string base = base_url(options, server.port());
     write_links(files.links, links_csv(service.sessions(), base));
-    tell_places(options, files, base, service.sessions(), console);
-    troubles.wait(service);
+    print_links(options, files, base, service.sessions(), console);
+    failures.wait(service);
   }
   int finished = 0;
   for (const SessionState& state : service.sessions().states())
@@ -185,7 +185,7 @@ int serve_matching(const Manifest& manifest, const ServeOptions& options, const 
   const ServedFiles files = served_files(options, manifest);
   Motions motions(manifest);
   MatchingStudy made = matching_study(manifest, motions);
-  tell_matched_at_start(manifest, made, console);
+  warn_of_matched_at_start(manifest, made, console);
   ServedStudy study = served_matching(std::move(made), pages);
   study.lab = served_page(page_bundle("lab"));
   make_folder(files.answers.parent_path());
@@ -209,7 +209,7 @@ int serve(const ServeOptions& options, const Console& console) {
   const fs::path pages = page_bundle("questionnaire");
   const ServedFiles files = served_files(options, asked);
   std::unique_ptr<SessionStore> opened = store_so_far(files.answers, asked);
-  const MadeQuestionnaire made = made_questionnaire(options.study, console);
+  const PreparedQuestionnaire made = prepared_questionnaire(options.study, console);
   ServedStudy study = served_study(made.manifest, made.plans, made.media, pages);
   study.lab = served_page(page_bundle("lab"));
   if (!opened) opened = std::make_unique<SessionStore>(files.answers);

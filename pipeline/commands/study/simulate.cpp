@@ -9,7 +9,7 @@
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/synthesis/repertoire.h"
@@ -31,7 +31,7 @@ struct SimulateCommand {
   int raters = 14;
   std::uint64_t seed = 0;
   int participants = 0;
-  SimulatedPeople people;
+  SimulatedParticipants people;
 };
 
 /// Input files of the simulation, which must not be overwritten.
@@ -50,7 +50,7 @@ int put_answers(const SimulateCommand& command, const Manifest& manifest, const 
   if (command.out.empty()) {
     console.out << csv;
   } else {
-    refuse_losing_files({{command.out, csv}}, files_simulated_from(command, manifest));
+    refuse_data_loss({{command.out, csv}}, files_simulated_from(command, manifest));
     write_file(command.out, csv);
     console.out << command.out << ": answers of " << whose << '\n';
   }
@@ -71,7 +71,7 @@ int simulate_examples(const SimulateCommand& command, const Console& console) {
 /// The stated truth; not required if there are only emotions and choices in words.
 StatedTruth truth_of(const SimulateCommand& command, const Manifest& manifest) {
   if (!command.truth.empty()) return read_truth(manifest, command.truth);
-  return asked_scales(manifest).scales.empty() ? StatedTruth{} : measured_truth(manifest);
+  return questionnaire_scales(manifest).scales.empty() ? StatedTruth{} : measured_truth(manifest);
 }
 
 int simulate_matched(const SimulateCommand& command, const Manifest& manifest,
@@ -80,7 +80,7 @@ int simulate_matched(const SimulateCommand& command, const Manifest& manifest,
     throw Error("--truth applies to questionnaires only", "omit it for a matching experiment");
   Motions motions(manifest);
   const MatchingStudy study = matching_study(manifest, motions, command.participants);
-  tell_matched_at_start(manifest, study, console);
+  warn_of_matched_at_start(manifest, study, console);
   const std::vector<MatchedTrial> trials = simulated_matching(manifest, motions, study);
   return put_answers(
       command, manifest, matching_trials_csv(trials),
@@ -108,7 +108,7 @@ int simulate(const SimulateCommand& command, const Console& console) {
                                   : simulate_questionnaire(command, console);
 }
 
-std::vector<CommandOption> people_options(SimulateCommand& options) {
+std::vector<CommandOption> simulation_options(SimulateCommand& options) {
   return {option("--truth", &options.truth,
                  "CSV (stimulus, scale, value) of true mean ratings (default: derived from the "
                  "motions by simulated raters)"),
@@ -125,7 +125,8 @@ std::vector<CommandOption> people_options(SimulateCommand& options) {
               .formerly("--residual")
               .between(0.0, 1000.0)
               .with_default(),
-          option("--attentive", &options.people.attentive, "Proportion of attention checks passed")
+          option("--attentive", &options.people.attention_pass_rate,
+                 "Proportion of attention checks passed")
               .between(0.0, 1.0)
               .with_default()};
 }
@@ -138,8 +139,8 @@ Command study_simulate_command() {
       .name = "simulate",
       .summary = "Simulate answers to a questionnaire, ratings of examples, or matching trials",
       .options = all_of(
-          argument("manifest", &options->manifest, asked_manifest_help).optional(),
-          people_options(*options),
+          argument("manifest", &options->manifest, study_manifest_help).optional(),
+          simulation_options(*options),
           option(
               "--examples", &options->examples,
               std::string("Rate examples instead of answering a questionnaire: ") + examples_help),

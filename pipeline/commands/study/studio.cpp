@@ -13,8 +13,8 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/page_bundle.h"
 #include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/line/installed_manifests.h"
-#include "pipeline/commands/line/other_programs.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/server/http_server.h"
 #include "pipeline/study/studio/open_browser.h"
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 /// The manifest with which the studio starts if none is named, and the file to which it is saved.
 constexpr char first_manifest[] = "quickstart";
-constexpr char own_file[] = "studio.yaml";
+constexpr char default_file[] = "studio.yaml";
 
 constexpr std::size_t most_body_bytes = 4 << 20;
 
@@ -48,13 +48,13 @@ std::unique_ptr<ManifestFile> opened(const std::string& name, const Console& con
   const Environment environment = process_environment();
   if (!name.empty() && fs::exists(name)) return std::make_unique<ManifestFile>(name, environment);
   const fs::path folder = installed_manifests();
-  const auto installed = file_among(folder, name.empty() ? first_manifest : name);
+  const auto installed = find_named_file(folder, name.empty() ? first_manifest : name);
   if (!installed) {
-    manifest_meant(name, console);  // throws Error for an unknown name
+    resolve_manifest(name, console);  // throws Error for an unknown name
     throw Error({name}, "there is no such file",
                 "name an existing manifest, or omit it for a new one");
   }
-  const fs::path own = name.empty() ? fs::path(own_file) : installed->filename();
+  const fs::path own = name.empty() ? fs::path(default_file) : installed->filename();
   if (fs::exists(own)) return std::make_unique<ManifestFile>(own, environment);
   console.err << fmt::format("note: it will be saved to {}\n", own.string());
   return std::make_unique<ManifestFile>(own, environment, read_file(*installed));
@@ -81,11 +81,11 @@ fs::path folder_for(const StudioOptions& options, const ManifestFile& file) {
   return fs::path(options.out) / (document.at("study").get<std::string>() + ".studio");
 }
 
-void tell_link(const StudioOptions& options, const std::string& link, const ManifestFile& file,
-               const Console& console) {
+void print_link(const StudioOptions& options, const std::string& link, const ManifestFile& file,
+                const Console& console) {
   if (options.json) {
-    const nlohmann::ordered_json told = {{"link", link}, {"manifest", file.file().string()}};
-    console.out << told.dump() << std::endl;
+    const nlohmann::ordered_json link_json = {{"link", link}, {"manifest", file.file().string()}};
+    console.out << link_json.dump() << std::endl;
     return;
   }
   console.out << fmt::format("{} in the studio: {}\nStop with Ctrl-C.\n", file.file().string(),
@@ -115,10 +115,10 @@ int run_studio(const StudioOptions& options, const Console& console) {
         const std::lock_guard lock(telling);
         console.err << "mien: " << failure << std::endl;
       });
-  service.listens_at(server.port());
+  service.set_port(server.port());
   const std::string link = fmt::format("http://127.0.0.1:{}/{}/{}", server.port(), service.link(),
                                        options.walk ? walker_page : "");
-  tell_link(options, link, *file, console);
+  print_link(options, link, *file, console);
   std::optional<OpenedBrowser> browser;
   if (!options.no_browser && !options.json) browser.emplace(link);
   wait_for_stop(console.stop);

@@ -3,12 +3,12 @@
 #include <filesystem>
 
 #include "pipeline/base/documents/environment.h"
+#include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/line/installed_manifests.h"
-#include "pipeline/commands/line/other_programs.h"
 #include "pipeline/commands/line/production_options.h"
 #include "pipeline/commands/line/program.h"
-#include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/archive/tar_archive.h"
 #include "pipeline/study/analysis/scales_yaml.h"
@@ -45,15 +45,15 @@ CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
                 "Interpolation methods to try, separated by commas; " + otherwise);
 }
 
-Manifest asked_manifest(const std::string& name, const Console& console) {
-  Manifest manifest = load_manifest(manifest_meant(name, console), process_environment());
+Manifest questionnaire_manifest(const std::string& name, const Console& console) {
+  Manifest manifest = load_manifest(resolve_manifest(name, console), process_environment());
   questionnaire_of(manifest);
   tell_warnings(manifest.renamed, console);
   return manifest;
 }
 
 Manifest participants_manifest(const std::string& name, const Console& console) {
-  Manifest manifest = load_manifest(manifest_meant(name, console), process_environment());
+  Manifest manifest = load_manifest(resolve_manifest(name, console), process_environment());
   if (!manifest.matching) questionnaire_of(manifest);
   tell_warnings(manifest.renamed, console);
   return manifest;
@@ -63,7 +63,7 @@ Manifest manifest_of(const StudySubject& subject, const Console& console) {
   const std::filesystem::path file(subject.examples);
   Manifest manifest;
   if (file.extension() == ".yaml" || file.extension() == ".yml") {
-    manifest = load_manifest(given_or_installed(subject.examples, console), process_environment());
+    manifest = load_manifest(resolve_input_file(subject.examples, console), process_environment());
     refuse_unblendable(manifest.examples);
   } else {
     manifest.examples = parse_examples(subject.examples);

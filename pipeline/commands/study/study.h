@@ -18,13 +18,13 @@ CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
 
 /// Reads the manifest of that name, which must have a questionnaire. Throws Faults, or Error if it
 /// has none.
-Manifest asked_manifest(const std::string& name, const Console& console);
+Manifest questionnaire_manifest(const std::string& name, const Console& console);
 
 /// Reads the manifest of that name, which must have a questionnaire or a matching experiment.
 /// Throws Faults, or Error if it has neither.
 Manifest participants_manifest(const std::string& name, const Console& console);
 
-inline constexpr char asked_manifest_help[] =
+inline constexpr char study_manifest_help[] =
     "Manifest (YAML) with a questionnaire or a matching experiment, the name of one of mien "
     "manifests, or a study's "
     "provenance.json";

@@ -67,7 +67,7 @@ Manifest matching_manifest(const Manifest& source, const TargetSet& set) {
   Manifest manifest = target_manifest(source, set);
   Motions motions(manifest);
   const MatchingStudy study = matching_study(manifest, motions);
-  manifest.matching->threshold_m = fitting_threshold(starting_distances(manifest, study));
+  manifest.matching->threshold_m = suggested_threshold(starting_distances(manifest, study));
   return manifest;
 }
 
@@ -116,7 +116,7 @@ Command study_targets_command() {
               .positive()
               .with_default(),
           choice("--unreachable", options->sampling.unreachable,
-                 {{"reject", Unreachable::reject}, {"project", Unreachable::project}},
+                 {{"reject", UnreachablePolicy::reject}, {"project", UnreachablePolicy::project}},
                  "Samples that no blend of the examples reaches: reject draws another, project "
                  "moves to the nearest feasible point"),
           choice(

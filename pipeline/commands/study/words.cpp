@@ -64,7 +64,7 @@ void write_report(const WordAnswers& words, const std::filesystem::path& folder)
                respelled_columns.of(words.respelled), stimulus_counts_columns.of(words.stimuli)});
 }
 
-void tell_coverage(const WordAnswers& words, std::ostream& out) {
+void print_coverage(const WordAnswers& words, std::ostream& out) {
   for (const WordCoverage& language : words.coverage) {
     if (language.answers == 0) continue;
     fmt::print(out, "{}: {} of {} answers understood ({:.0f} %), {} of {} modifiers ({:.0f} %)\n",
@@ -77,7 +77,7 @@ void tell_coverage(const WordAnswers& words, std::ostream& out) {
                language.count, language.text);
 }
 
-void tell_stimuli(const WordAnswers& words, std::ostream& out) {
+void print_stimuli(const WordAnswers& words, std::ostream& out) {
   const auto [least, most] = std::minmax_element(
       words.stimuli.begin(), words.stimuli.end(),
       [](const StimulusCount& a, const StimulusCount& b) { return a.answers < b.answers; });
@@ -85,7 +85,7 @@ void tell_stimuli(const WordAnswers& words, std::ostream& out) {
              most->answers);
 }
 
-void tell_words(const WordAnswers& words, std::ostream& out) {
+void print_words(const WordAnswers& words, std::ostream& out) {
   if (!words.respelled.empty()) {
     out << "corrected spellings:";
     for (std::size_t i = 0; i < std::min(shown_words, words.respelled.size()); ++i) {
@@ -103,14 +103,14 @@ void tell_words(const WordAnswers& words, std::ostream& out) {
 }
 
 int turn_words_into_answers(const WordsOptions& options, const Console& console) {
-  const ScaleSet scales = read_scales(given_or_installed(options.lexicon, console));
+  const ScaleSet scales = read_scales(resolve_input_file(options.lexicon, console));
   const WordAnswers words =
       answers_from_words(read_csv(options.words), scales, options.unmentioned);
   write_file(options.out, to_csv(words.answers));
   if (!options.report.empty()) write_report(words, options.report);
-  tell_coverage(words, console.out);
-  tell_stimuli(words, console.out);
-  tell_words(words, console.out);
+  print_coverage(words, console.out);
+  print_stimuli(words, console.out);
+  print_words(words, console.out);
   fmt::print(console.out, "{}: {} answers\n", options.out, words.answers.answers.size());
   return exit_done;
 }

@@ -78,17 +78,17 @@ std::vector<ElementLog> logs_in(const fs::path& submission, const std::string& i
 
 }  // namespace
 
-std::vector<ElementLog> logs_of(const std::string& item, const fs::path& folder) {
+std::vector<ElementLog> find_logs(const std::string& item, const fs::path& folder) {
   for (const fs::path& submission : submissions_in(folder)) {
     if (auto logs = logs_in(submission, item); !logs.empty()) return logs;
   }
   return {};
 }
 
-std::vector<ElementLog> logs_of(const std::vector<JobTrouble>& troubles, const fs::path& folder) {
+std::vector<ElementLog> find_logs(const std::vector<JobProblem>& problems, const fs::path& folder) {
   std::map<std::string, std::map<std::string, fs::path>> logs;  // by submission and element
   std::vector<ElementLog> found;
-  for (const JobTrouble& one : troubles) {
+  for (const JobProblem& one : problems) {
     const auto [submission, is_new] = logs.try_emplace(one.submission);
     if (is_new) submission->second = logs_by_element(folder / "farm" / one.submission);
     const auto log = submission->second.find(one.element);
@@ -98,7 +98,7 @@ std::vector<ElementLog> logs_of(const std::vector<JobTrouble>& troubles, const f
   return found;
 }
 
-std::string tail_of(const fs::path& file, int lines) {
+std::string last_lines(const fs::path& file, int lines) {
   constexpr std::streamoff most = 65536;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream) return "";

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/farm/jobs/job_troubles.h"
+#include "pipeline/farm/jobs/job_problems.h"
 
 namespace mien::pipeline {
 
@@ -16,14 +16,14 @@ struct ElementLog {
 
 /// The newest log of each element that contains the item, from the newest submission with any. If
 /// the item is a task ("film:walk"), logs of its chunks are included. `folder`: the study's.
-std::vector<ElementLog> logs_of(const std::string& item, const std::filesystem::path& folder);
+std::vector<ElementLog> find_logs(const std::string& item, const std::filesystem::path& folder);
 
 /// The newest log of each of these elements, if it has written one, with the heading
 /// "0001/2-frames.3, failed (exit code 70)". `folder`: the study's.
-std::vector<ElementLog> logs_of(const std::vector<JobTrouble>& troubles,
-                                const std::filesystem::path& folder);
+std::vector<ElementLog> find_logs(const std::vector<JobProblem>& problems,
+                                  const std::filesystem::path& folder);
 
 /// The last `lines` lines of a file, from its last 64 KiB only; empty if it cannot be opened.
-std::string tail_of(const std::filesystem::path& file, int lines);
+std::string last_lines(const std::filesystem::path& file, int lines);
 
 }  // namespace mien::pipeline

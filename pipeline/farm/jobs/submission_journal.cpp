@@ -22,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-JobRequest request_in(const ordered_json& told) {
-  return {.partition = told.value("partition", ""),
-          .time = told.value("time", ""),
-          .memory = told.value("mem", ""),
-          .account = told.value("account", ""),
-          .array_limit = told.value("array_limit", 0),
-          .processors = told.value("jobs", 1)};
+JobRequest request_in(const ordered_json& entry) {
+  return {.partition = entry.value("partition", ""),
+          .time = entry.value("time", ""),
+          .memory = entry.value("mem", ""),
+          .account = entry.value("account", ""),
+          .array_limit = entry.value("array_limit", 0),
+          .processors = entry.value("jobs", 1)};
 }
 
 /// The last job with that comment; comments are unique within a study.
@@ -39,8 +39,8 @@ JournalJob* job_called(JournalContent& content, const std::string& comment) {
 }
 
 /// A member that names a folder or file of the farm. Throws Error if it is not a plain name.
-std::string own_name(const ordered_json& told, const char* member) {
-  return motion::safe_component(told.at(member).get<std::string>(), {});
+std::string checked_component(const ordered_json& entry, const char* member) {
+  return motion::safe_component(entry.at(member).get<std::string>(), {});
 }
 
 std::string line_of(const JournalSubmission& submission) {
@@ -67,24 +67,24 @@ std::string line_of(const JournalJob& intent) {
       .dump();
 }
 
-void take_line(const ordered_json& told, JournalContent& content) {
-  const std::string event = told.at("event");
+void apply_entry(const ordered_json& entry, JournalContent& content) {
+  const std::string event = entry.at("event");
   if (event == "submission") {
-    content.submissions.push_back({own_name(told, "submission"), told.value("when", ""),
-                                   told.value("quality", ""), told.value("chunk", 0),
-                                   request_in(told)});
+    content.submissions.push_back({checked_component(entry, "submission"), entry.value("when", ""),
+                                   entry.value("quality", ""), entry.value("chunk", 0),
+                                   request_in(entry)});
     return;
   }
-  const std::string comment = told.at("comment");
+  const std::string comment = entry.at("comment");
   if (event == "intent") {
-    content.jobs.push_back({.submission = own_name(told, "submission"),
-                            .name = own_name(told, "name"),
+    content.jobs.push_back({.submission = checked_component(entry, "submission"),
+                            .name = checked_component(entry, "name"),
                             .comment = comment,
-                            .elements = told.at("elements"),
-                            .memory = told.value("mem", ""),
-                            .when = told.value("when", "")});
+                            .elements = entry.at("elements"),
+                            .memory = entry.value("mem", ""),
+                            .when = entry.value("when", "")});
   } else if (JournalJob* job = job_called(content, comment)) {
-    if (event == "submitted") job->job = told.at("job");
+    if (event == "submitted") job->job = entry.at("job");
     if (event == "refused") job->was_refused = true;
     if (event == "cancelled") job->was_cancelled = true;
   }
@@ -104,7 +104,7 @@ JournalContent SubmissionJournal::read() const {
   std::istringstream lines(read_file(file_));
   for (std::string line; std::getline(lines, line);) {
     try {
-      take_line(ordered_json::parse(line), content);
+      apply_entry(ordered_json::parse(line), content);
     } catch (const std::exception&) {  // of the JSON, or Error
       continue;
     }

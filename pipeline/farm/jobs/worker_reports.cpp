@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // A worker writes every few seconds; a shared file system may show it late.
-constexpr double silent_after_s = 90.0;
+constexpr double alive_within_s = 90.0;
 
 double age_of(const fs::path& file) {
   std::error_code gone;
@@ -27,7 +27,7 @@ double age_of(const fs::path& file) {
 
 }  // namespace
 
-bool WorkerReport::is_alive() const { return !has_ended && silent_s < silent_after_s; }
+bool WorkerReport::is_alive() const { return !has_ended && report_age_s < alive_within_s; }
 
 double WorkerReport::frames_per_second() const {
   return frame_seconds > 0.0 ? static_cast<double>(frames) / frame_seconds : 0.0;
@@ -36,15 +36,15 @@ double WorkerReport::frames_per_second() const {
 std::vector<WorkerReport> worker_reports(const fs::path& folder) {
   std::vector<WorkerReport> reports;
   for (const WorkerRecord& record : read_worker_records(folder)) {
-    const double silent_s = age_of(worker_record_path(folder, record.name));
-    reports.push_back({record, is_gone(record), silent_s});
+    const double report_age_s = age_of(worker_record_path(folder, record.name));
+    reports.push_back({record, is_gone(record), report_age_s});
   }
   std::ranges::sort(reports, {},
                     [](const WorkerReport& report) { return std::tuple(report.host, report.pid); });
   return reports;
 }
 
-double seconds_a_frame(const std::vector<WorkerReport>& reports) {
+double seconds_per_frame(const std::vector<WorkerReport>& reports) {
   long long frames = 0;
   double seconds = 0.0;
   for (const WorkerReport& report : reports) {
@@ -59,10 +59,10 @@ std::vector<FailedItem> failed_items(const fs::path& folder) {
   for (const fs::path& file : paths_in(folder / "farm" / "failures")) {
     if (file.extension() != ".json") continue;
     try {
-      const json told = json::parse(read_file(file));
-      failed.push_back({told.at("item"), told.value("error", ""), told.value("code", 0),
-                        told.value("host", ""), told.value("when", ""), told.value("attempts", 0),
-                        told.value("command", "")});
+      const json failure = json::parse(read_file(file));
+      failed.push_back({failure.at("item"), failure.value("error", ""), failure.value("code", 0),
+                        failure.value("host", ""), failure.value("when", ""),
+                        failure.value("attempts", 0), failure.value("command", "")});
     } catch (const std::exception&) {
       continue;  // half-written: it will be whole the next time
     }

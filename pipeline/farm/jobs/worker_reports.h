@@ -11,7 +11,7 @@ namespace mien::pipeline {
 /// The record that a worker process writes every few seconds, and its age.
 struct WorkerReport : WorkerRecord {
   bool has_ended = false;
-  double silent_s = 0.0;  ///< seconds since its last record
+  double report_age_s = 0.0;  ///< seconds since its last record
 
   /// Whether it is working now: it has not ended and its last record is recent.
   bool is_alive() const;
@@ -22,7 +22,7 @@ struct WorkerReport : WorkerRecord {
 std::vector<WorkerReport> worker_reports(const std::filesystem::path& folder);
 
 /// Mean time per frame, seconds; 0 if none has been drawn.
-double seconds_a_frame(const std::vector<WorkerReport>& reports);
+double seconds_per_frame(const std::vector<WorkerReport>& reports);
 
 /// A failed item as recorded in farm/failures/<item>.json.
 struct FailedItem {

@@ -65,7 +65,7 @@ std::string paths(const BatchJob& job, const fs::path& folder, const StudyCall& 
       "patience={}  # seconds that the job waits for a folder that is full, read-only or away\n\n",
       in_single_quotes(call.program.string()), in_single_quotes(call.manifest.string()),
       in_single_quotes(call.out.string()), in_single_quotes(folder.string()),
-      in_single_quotes(call.started.string()), folder_patience_seconds);
+      in_single_quotes(call.started.string()), folder_wait_limit_seconds);
   if (job.elements > 0) {
     text +=
         "element=${SLURM_ARRAY_TASK_ID:-1}\n"
@@ -127,7 +127,7 @@ std::string ending(const BatchJob& job, const SlurmSite& site) {
       back_into_queue("hold", "scontrol requeuehold State=SpecialExit", site.holds_wrong_setup,
                       worker_wrong_setup);
   text += "\n[ $code -ne 0 ] || { rm -f -- \"$ended\"; exit 0; }\n" +
-          fmt::format(memory_check, lack_of_memory) +
+          fmt::format(memory_check, out_of_memory_note) +
           "echo \"$code $restarts ${SLURMD_NODENAME:-$(hostname)} $lack\" >\"$ended\"\n"
           "echo \"mien farm: ended with $code on ${SLURMD_NODENAME:-$(hostname)} after $restarts "
           "restarts\"\n";
@@ -150,7 +150,7 @@ std::string ending(const BatchJob& job, const SlurmSite& site) {
       "  *) exit \"$code\" ;;\n"
       "esac\n",
       again, most_restarts, worker_gave_up, wrong, worker_bad_input, worker_wrong_setup,
-      worker_no_disk);
+      worker_disk_unavailable);
   return text;
 }
 

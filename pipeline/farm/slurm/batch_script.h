@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/farm/slurm/slurm_answers.h"
+#include "pipeline/farm/slurm/slurm_output.h"
 
 namespace mien::pipeline {
 

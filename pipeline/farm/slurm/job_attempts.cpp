@@ -94,8 +94,8 @@ trap - TERM INT
 
 std::string job_attempts(const std::string& call, int stopped) {
   return functions + ("work() {\n  " + call + " &\n") + until_it_ends +
-         fmt::format(loop, fmt::arg("no_disk", worker_no_disk), fmt::arg("stopped", stopped),
-                     fmt::arg("wrong_setup", worker_wrong_setup));
+         fmt::format(loop, fmt::arg("no_disk", worker_disk_unavailable),
+                     fmt::arg("stopped", stopped), fmt::arg("wrong_setup", worker_wrong_setup));
 }
 
 }  // namespace mien::pipeline

@@ -6,13 +6,13 @@ namespace mien::pipeline {
 
 /// Total time in seconds that an attempt of a job waits for a study's folder that is full,
 /// read-only or unavailable.
-inline constexpr int folder_patience_seconds = 3600;
+inline constexpr int folder_wait_limit_seconds = 3600;
 
 /// The part of a batch file that runs the command `call` and stores its exit code in $code:
-/// worker_no_disk if the study's folder stayed unusable for $patience seconds, `stopped` if the job
-/// received a stop signal before it started. If the command fails while the folder is full,
-/// read-only or unavailable, it is repeated when the folder is usable again. Requires the shell
-/// variables $folder, $started, $log, $job and $patience.
+/// worker_disk_unavailable if the study's folder stayed unusable for $patience seconds, `stopped`
+/// if the job received a stop signal before it started. If the command fails while the folder is
+/// full, read-only or unavailable, it is repeated when the folder is usable again. Requires the
+/// shell variables $folder, $started, $log, $job and $patience.
 std::string job_attempts(const std::string& call, int stopped);
 
 }  // namespace mien::pipeline

@@ -90,18 +90,18 @@ void refuse_missing_configuration() {
 }
 
 /// Whether sbatch was still retrying at the time limit because no job is accepted at present.
-bool is_full(const CommandEnd& end) {
+bool is_full(const CommandResult& end) {
   return end.timed_out && end.errors.find("retrying") != std::string::npos;
 }
 
 /// Whether a submission may have been accepted although the command failed.
-bool is_silent(const CommandEnd& end) {
+bool is_unanswered(const CommandResult& end) {
   return end.timed_out || end.errors.find("Socket timed out") != std::string::npos ||
          end.errors.find("Zero Bytes were transmitted") != std::string::npos;
 }
 
 /// Whether scancel has nothing to complain of but that jobs were over.
-bool had_ended(const CommandEnd& end) {
+bool had_ended(const CommandResult& end) {
   if (end.is_missing || end.timed_out) return false;
   std::istringstream lines(end.errors);
   for (std::string line; std::getline(lines, line);) {
@@ -115,7 +115,7 @@ bool had_ended(const CommandEnd& end) {
 
 }  // namespace
 
-std::string slurm_fault(const std::string& program, const CommandEnd& end) {
+std::string slurm_fault(const std::string& program, const CommandResult& end) {
   if (end.is_missing) {
     return program +
            " was not found: Slurm is not installed on this machine; log in to a machine of the "
@@ -133,14 +133,14 @@ std::string slurm_fault(const std::string& program, const CommandEnd& end) {
   return program + " failed: " + words;
 }
 
-CommandEnd Slurm::run(const std::vector<std::string>& words) const {
+CommandResult Slurm::run(const std::vector<std::string>& words) const {
   refuse_missing_configuration();
-  CommandEnd end = run_command(words, limit_);
-  if (!end.is_done()) throw SlurmFault(slurm_fault(words.front(), end));
+  CommandResult end = run_command(words, limit_);
+  if (!end.succeeded()) throw SlurmFault(slurm_fault(words.front(), end));
   return end;
 }
 
-SlurmSite Slurm::site() const { return site_told(run({"scontrol", "show", "config"}).output); }
+SlurmSite Slurm::site() const { return parse_site(run({"scontrol", "show", "config"}).output); }
 
 std::vector<NodeShape> Slurm::nodes() const {
   return node_shapes(run_command({"sinfo", "-h", "-N", "-o", node_format}, limit_).output);
@@ -172,14 +172,14 @@ std::string Slurm::submit(const std::filesystem::path& script,
     words.push_back(fmt::format("--dependency=afterany:{}", fmt::join(after, ":")));
   words.insert(words.end(), more.begin(), more.end());
   words.push_back(script.string());
-  const CommandEnd end = run_command(words, limit_);
-  if (is_full(end)) throw SlurmIsFull(slurm_fault("sbatch", end));
-  if (!end.is_done() && is_silent(end)) throw SlurmSilence(slurm_fault("sbatch", end));
-  if (!end.is_done()) throw SlurmFault(slurm_fault("sbatch", end));
+  const CommandResult end = run_command(words, limit_);
+  if (is_full(end)) throw SlurmQueueFull(slurm_fault("sbatch", end));
+  if (!end.succeeded() && is_unanswered(end)) throw SlurmTimeout(slurm_fault("sbatch", end));
+  if (!end.succeeded()) throw SlurmFault(slurm_fault("sbatch", end));
   // "17", or "17;cluster" where there are several.
   const std::string job = end.output.substr(0, end.output.find_first_of(";\n"));
   if (motion::as_number<unsigned>(job)) return job;
-  throw SlurmSilence("sbatch returned no job: " + without_end(end.output));
+  throw SlurmTimeout("sbatch returned no job: " + without_end(end.output));
 }
 
 void Slurm::cancel(const std::vector<std::string>& jobs) const {
@@ -189,8 +189,8 @@ void Slurm::cancel(const std::vector<std::string>& jobs) const {
     const std::size_t last = std::min(jobs.size(), first + at_once);
     words.insert(words.end(), jobs.begin() + static_cast<std::ptrdiff_t>(first),
                  jobs.begin() + static_cast<std::ptrdiff_t>(last));
-    const CommandEnd end = run_command(words, limit_);
-    if (!end.is_done() && !had_ended(end)) throw SlurmFault(slurm_fault("scancel", end));
+    const CommandResult end = run_command(words, limit_);
+    if (!end.succeeded() && !had_ended(end)) throw SlurmFault(slurm_fault("scancel", end));
   }
 }
 

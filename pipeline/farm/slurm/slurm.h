@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/farm/slurm/slurm_answers.h"
+#include "pipeline/farm/slurm/slurm_output.h"
 #include "pipeline/tasks/command_run.h"
 
 namespace mien::pipeline {
@@ -19,13 +19,13 @@ class SlurmFault : public std::runtime_error {
 };
 
 /// Slurm accepts no jobs at present; sbatch was still retrying at the time limit.
-class SlurmIsFull : public SlurmFault {
+class SlurmQueueFull : public SlurmFault {
  public:
   using SlurmFault::SlurmFault;
 };
 
 /// No answer came, so that it is unknown whether a request was carried out.
-class SlurmSilence : public SlurmFault {
+class SlurmTimeout : public SlurmFault {
  public:
   using SlurmFault::SlurmFault;
 };
@@ -51,20 +51,20 @@ class Slurm {
   std::optional<std::vector<QueueRow>> queue_if_any(std::string& why) const;
 
   /// Submits a batch file to run after all of these jobs have ended, successfully or not, and
-  /// returns its job number. `more`: further options of sbatch. Throws SlurmIsFull if Slurm kept
-  /// refusing it, and SlurmSilence if it is unknown whether it was submitted.
+  /// returns its job number. `more`: further options of sbatch. Throws SlurmQueueFull if Slurm kept
+  /// refusing it, and SlurmTimeout if it is unknown whether it was submitted.
   std::string submit(const std::filesystem::path& script, const std::vector<std::string>& after,
                      const std::vector<std::string>& more = {}) const;
 
   void cancel(const std::vector<std::string>& jobs) const;
 
  private:
-  CommandEnd run(const std::vector<std::string>& words) const;
+  CommandResult run(const std::vector<std::string>& words) const;
 
   std::chrono::milliseconds limit_;
 };
 
 /// Why a command of Slurm failed and what to do about it, followed by Slurm's own message.
-std::string slurm_fault(const std::string& program, const CommandEnd& end);
+std::string slurm_fault(const std::string& program, const CommandResult& end);
 
 }  // namespace mien::pipeline

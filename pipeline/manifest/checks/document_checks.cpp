@@ -52,8 +52,8 @@ NamedDocument named_document(DocumentKind kind, const std::string& file) {
 }  // namespace
 
 DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name) {
-  std::vector<Fault> told_later;
-  const YamlNode tree = read_yaml(yaml, name.string(), told_later);
+  std::vector<Fault> ignored_faults;
+  const YamlNode tree = read_yaml(yaml, name.string(), ignored_faults);
   std::pair best{0, kind_by_name(name)};
   const auto consider = [&](DocumentKind kind, const nlohmann::json& schema) {
     const int known = keys_known(tree, schema);
@@ -66,7 +66,7 @@ DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path
   return best.second;
 }
 
-Fault told_as_no_manifest(DocumentKind kind, const std::filesystem::path& file) {
+Fault not_a_manifest_fault(DocumentKind kind, const std::filesystem::path& file) {
   const NamedDocument document = named_document(kind, file.filename().string());
   return {{file.string(), 1, 1},
           "",

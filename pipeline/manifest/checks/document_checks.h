@@ -18,7 +18,7 @@ enum class DocumentKind { manifest, scales, set, recipes };
 DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name);
 
 /// The fault of a file of another kind that was given as a manifest, with how to refer to it.
-Fault told_as_no_manifest(DocumentKind kind, const std::filesystem::path& file);
+Fault not_a_manifest_fault(DocumentKind kind, const std::filesystem::path& file);
 
 /// Faults of a file that is no manifest. Never throws for what its text says.
 std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file);

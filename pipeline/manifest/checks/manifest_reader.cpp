@@ -27,7 +27,7 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
                          std::move(meaning)})};
 }
 
-std::vector<NamedFile> files_named(std::string_view text, const std::filesystem::path& file,
+std::vector<NamedFile> named_files(std::string_view text, const std::filesystem::path& file,
                                    const Environment& environment) {
   std::vector<NamedFile> named;
   std::vector<Fault> faults;
@@ -52,7 +52,7 @@ ManifestReading read_manifest(const std::filesystem::path& file, const Environme
   if (reading.faults.empty()) return reading;
   const DocumentKind kind = kind_of_document(*text.bytes, file);
   if (kind == DocumentKind::manifest) return reading;
-  other.faults.push_back(told_as_no_manifest(kind, file));
+  other.faults.push_back(not_a_manifest_fault(kind, file));
   return other;
 }
 

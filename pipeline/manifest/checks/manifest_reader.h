@@ -32,7 +32,7 @@ struct NamedFile {
 
 /// All that a manifest's text names, wherever in it. Opens none of them. Throws Faults for
 /// what is no YAML; what the schema says of it is not looked at.
-std::vector<NamedFile> files_named(std::string_view text, const std::filesystem::path& file,
+std::vector<NamedFile> named_files(std::string_view text, const std::filesystem::path& file,
                                    const Environment& environment);
 
 /// Like parse_manifest, from a file; a file that cannot be read is a fault too.

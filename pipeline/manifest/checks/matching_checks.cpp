@@ -5,8 +5,8 @@
 
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault_list.h"
-#include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/scales/feature_parameters.h"
 
 namespace mien::pipeline {
@@ -48,7 +48,7 @@ class MatchingCheck {
     std::set<std::string> taken;
     for (std::size_t i = 0; i < names.size(); ++i) {
       const std::string path = element_path(matching_path(key), i);
-      if (!known.empty()) list_.check_word(path, names[i], what, known);
+      if (!known.empty()) list_.check_known_name(path, names[i], what, known);
       if (!taken.insert(names[i]).second)
         list_.add(path, motion::in_quotes(names[i]) + " appears twice", "name it once");
     }

@@ -41,7 +41,7 @@ class StepChecker : FaultList {
       for (const auto& [key, pose] : {std::pair("neutral", step.edit.pose->neutral),
                                       std::pair("posed", step.edit.pose->posed)}) {
         if (pose.example.empty()) continue;
-        check_word(member_path(path, key), pose.example, "example", vocabulary.examples);
+        check_known_name(member_path(path, key), pose.example, "example", vocabulary.examples);
       }
     }
   }
@@ -122,7 +122,7 @@ class StepChecker : FaultList {
     for (const auto& [key, name] :
          {std::pair("neutral", step.style->neutral), std::pair("styled", step.style->styled)}) {
       if (name.empty()) continue;
-      check_word(member_path(step.path, key), name, "example", vocabulary.examples);
+      check_known_name(member_path(step.path, key), name, "example", vocabulary.examples);
     }
   }
 };

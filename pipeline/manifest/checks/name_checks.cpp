@@ -114,8 +114,8 @@ void check_keys(const Stimulus& stimulus, const char* map, const NamedValues& va
 }
 
 /// Parameters of the kind that the stimulus asks for, groups or scales, that it does not name.
-std::size_t others_than_asked(const Stimulus& stimulus, const Names& parameters,
-                              const ScaleSet& scales) {
+std::size_t unnamed_parameter_count(const Stimulus& stimulus, const Names& parameters,
+                                    const ScaleSet& scales) {
   const auto is_group = [&](const std::string& name) {
     return std::ranges::find(scales.groups, name, &ScaleGroup::id) != scales.groups.end();
   };
@@ -131,10 +131,10 @@ void check_hold(const Stimulus& stimulus, const Names& parameters, const ScaleSe
                 FaultList& list) {
   const std::string path = member_path(stimulus.path, "hold");
   for (std::size_t i = 0; i < stimulus.hold.names.size(); ++i)
-    list.check_word(element_path(path, i), stimulus.hold.names[i], "parameter", parameters);
+    list.check_known_name(element_path(path, i), stimulus.hold.names[i], "parameter", parameters);
   check_keys(stimulus, "hold", stimulus.hold.values, "parameter", parameters, list);
   const Hold& hold = stimulus.hold;
-  const std::size_t held = hold.others ? others_than_asked(stimulus, parameters, scales)
+  const std::size_t held = hold.others ? unnamed_parameter_count(stimulus, parameters, scales)
                                        : hold.names.size() + hold.values.size();
   const std::size_t count = stimulus.adjectives.size() + held;
   if (stimulus.interpolation.weights.method != motion::InterpolationMethod::grid || held == 0 ||
@@ -166,7 +166,7 @@ void check_order(const std::string& path, const Names& order, const Names& examp
                  FaultList& list) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::string at = element_path(path, i);
-    list.check_word(at, order[i], "example", examples);
+    list.check_known_name(at, order[i], "example", examples);
     const auto first = std::ranges::find(order, order[i]) - order.begin();
     if (static_cast<std::size_t>(first) == i) continue;
     list.add(at,
@@ -180,8 +180,8 @@ void check_expectations(const Manifest& manifest, const Vocabulary& vocabulary, 
   const std::vector<Expectation>& expected = manifest.ratings.expected;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const std::string path = element_path("examples.expect", i);
-    list.check_word(member_path(path, "parameter"), expected[i].parameter, "parameter",
-                    vocabulary.parameters);
+    list.check_known_name(member_path(path, "parameter"), expected[i].parameter, "parameter",
+                          vocabulary.parameters);
     check_order(member_path(path, "order"), expected[i].order, vocabulary.examples, list);
   }
 }

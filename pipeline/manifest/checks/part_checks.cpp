@@ -37,11 +37,11 @@ bool has_own_place(const scenes::CameraSettings& camera) {
   return camera.position || !camera.path.empty();
 }
 
-std::vector<Fault> check_equalized(const Manifest& manifest, std::optional<Among> among,
+std::vector<Fault> check_equalized(const Manifest& manifest, std::optional<EqualizeGroup> group_by,
                                    bool (*is_given)(const scenes::CameraSettings&),
                                    const std::string& what, const std::string& remedy) {
   FaultList list(manifest.places);
-  if (!among) return {};
+  if (!group_by) return {};
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (is_given(stimulus.look.camera))
       list.add(
@@ -54,7 +54,7 @@ std::vector<Fault> check_equalized(const Manifest& manifest, std::optional<Among
 
 std::vector<Fault> check_looks(const Manifest& manifest) {
   const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
-  SeenFiles characters;
+  CheckedFiles characters;
   std::vector<Fault> faults =
       check_look(manifest.look, "look", manifest.places, joints, characters);
   for (const Stimulus* film : films_of(manifest)) {
@@ -66,8 +66,8 @@ std::vector<Fault> check_looks(const Manifest& manifest) {
 }
 
 /// Questionnaire and matching experiment; not checked where their scales or texts are missing.
-std::vector<Fault> check_asked(const ResolvedManifest& resolved) {
-  if (!resolved.knows_what_is_asked) return {};
+std::vector<Fault> check_experiments(const ResolvedManifest& resolved) {
+  if (!resolved.are_experiments_resolved) return {};
   std::vector<Fault> faults = check_questionnaire(resolved.manifest);
   append(faults, check_matching(resolved.manifest));
   return faults;
@@ -91,8 +91,8 @@ std::vector<Fault> check_parts(const Manifest& manifest) {
 }  // namespace
 
 std::vector<Fault> check_meaning(const ResolvedManifest& resolved) {
-  return merged_faults(
-      {check_parts(resolved.manifest), check_looks(resolved.manifest), check_asked(resolved)});
+  return merged_faults({check_parts(resolved.manifest), check_looks(resolved.manifest),
+                        check_experiments(resolved)});
 }
 
 }  // namespace mien::pipeline

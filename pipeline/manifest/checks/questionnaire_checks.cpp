@@ -7,8 +7,8 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault_list.h"
-#include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 
 namespace mien::pipeline {
@@ -24,8 +24,8 @@ class QuestionnaireCheck {
  public:
   explicit QuestionnaireCheck(const Manifest& manifest)
       : manifest_(manifest),
-        asked_(*manifest.questionnaire),
-        form_(*asked_.trials),
+        questionnaire_(*manifest.questionnaire),
+        form_(*questionnaire_.trials),
         list_(manifest.places) {
     for (const Stimulus& stimulus : manifest.stimuli) ids_.push_back(stimulus.id);
     factors_ = factors_of(manifest);
@@ -48,7 +48,7 @@ class QuestionnaireCheck {
                  const Names& known) {
     std::set<std::string> taken;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      list_.check_word(element_path(path, i), names[i], what, known);
+      list_.check_known_name(element_path(path, i), names[i], what, known);
       if (!taken.insert(names[i]).second)
         list_.add(element_path(path, i), motion::in_quotes(names[i]) + " appears twice",
                   "name it once");
@@ -59,7 +59,7 @@ class QuestionnaireCheck {
     if (factors_.empty())
       return list_.add(path, "the stimuli have no factors",
                        "add factors: {actor: …} to the stimuli");
-    list_.check_word(path, factor, "factor", factors_);
+    list_.check_known_name(path, factor, "factor", factors_);
   }
 
   Names levels_of_factor(const std::string& factor) const {
@@ -73,7 +73,7 @@ class QuestionnaireCheck {
   }
 
   bool are_levels_known() const {
-    return std::ranges::all_of(asked_.stimuli.levels, [&](const auto& wanted) {
+    return std::ranges::all_of(questionnaire_.stimuli.levels, [&](const auto& wanted) {
       const Names known = levels_of_factor(wanted.first);
       return std::ranges::all_of(wanted.second, [&](const std::string& level) {
         return std::ranges::find(known, level) != known.end();
@@ -83,8 +83,8 @@ class QuestionnaireCheck {
 
   void check_stimuli() {
     const std::string path = at("stimuli");
-    check_ids(path, asked_.stimuli.ids, "stimulus", ids_);
-    for (const auto& [factor, levels] : asked_.stimuli.levels) {
+    check_ids(path, questionnaire_.stimuli.ids, "stimulus", ids_);
+    for (const auto& [factor, levels] : questionnaire_.stimuli.levels) {
       const std::string place = member_path(path, factor);
       if (std::ranges::find(factors_, factor) == factors_.end()) {
         list_.add_at_key(place, "unknown factor", motion::did_you_mean(factor, factors_));
@@ -92,15 +92,15 @@ class QuestionnaireCheck {
         check_ids(place, levels, "level", levels_of_factor(factor));
       }
     }
-    check_ids(at("practice"), asked_.practice, "stimulus", ids_);
-    if (!asked_.reference.empty())
-      list_.check_word(at("reference"), asked_.reference, "stimulus", ids_);
-    if (!ids_.empty() && are_levels_known() && asked_stimuli(manifest_).empty())
+    check_ids(at("practice"), questionnaire_.practice, "stimulus", ids_);
+    if (!questionnaire_.reference.empty())
+      list_.check_known_name(at("reference"), questionnaire_.reference, "stimulus", ids_);
+    if (!ids_.empty() && are_levels_known() && questionnaire_stimuli(manifest_).empty())
       list_.add(path, "no stimulus has these levels", "name levels that occur together");
   }
 
   void check_scales() {
-    const ScaleChoice& choice = asked_.scales;
+    const ScaleChoice& choice = questionnaire_.scales;
     const bool is_asked = choice.all || choice.emotions || !choice.ids.empty();
     if (!is_asked && form_.item.empty() && !list_.was_given(at("scales"))) {
       list_.add("questionnaire", "has no scales",
@@ -113,7 +113,7 @@ class QuestionnaireCheck {
   }
 
   void check_answers() {
-    const AnswerSettings& answer = asked_.answer;
+    const AnswerSettings& answer = questionnaire_.answer;
     const std::string path = at("answer");
     const auto one_of = [&](bool chosen, const char* key, const char* other) {
       if (chosen && list_.was_given(member_path(path, key)))
@@ -138,30 +138,31 @@ class QuestionnaireCheck {
         list_.add_at_key(at(form->key), fmt::format("only {} trials have {}", name, form->key),
                          fmt::format("add trials: {}", name));
     }
-    if (form_.offers_choices && asked_.choices.empty() && asked_choices(manifest_).size() < 2) {
+    if (form_.offers_choices && questionnaire_.choices.empty() &&
+        questionnaire_choices(manifest_).size() < 2) {
       list_.add(at("trials"), "there are fewer than two emotions to choose from",
                 "add choices: [sad, happy], or the factor emotion to the stimuli");
     }
-    if (form_.stimuli > 1 && !asked_.reference.empty())
+    if (form_.stimuli > 1 && !questionnaire_.reference.empty())
       list_.add(at("reference"), "the stimuli of a pair are already side by side", "omit it");
-    if (!form_.is_on_scale && asked_.answer.words)
+    if (!form_.is_on_scale && questionnaire_.answer.words)
       list_.add(member_path(at("answer"), "words"), "choices between two stimuli have no words",
                 "omit it");
-    if (asked_.practice.size() % form_.stimuli != 0)
+    if (questionnaire_.practice.size() % form_.stimuli != 0)
       list_.add(at("practice"), "practice with pairs needs an even number of stimuli",
                 "name an even number");
-    for (std::size_t i = 0; i < asked_.pairs.size(); ++i)
-      check_ids(element_path(at("pairs"), i), asked_.pairs[i], "stimulus", ids_);
+    for (std::size_t i = 0; i < questionnaire_.pairs.size(); ++i)
+      check_ids(element_path(at("pairs"), i), questionnaire_.pairs[i], "stimulus", ids_);
   }
 
   void check_order() {
-    for (std::size_t i = 0; i < asked_.no_repeats.size(); ++i)
-      check_factor(element_path(at("no_repeats"), i), asked_.no_repeats[i]);
-    const TrialOrder& order = asked_.order;
+    for (std::size_t i = 0; i < questionnaire_.no_repeats.size(); ++i)
+      check_factor(element_path(at("no_repeats"), i), questionnaire_.no_repeats[i]);
+    const TrialOrder& order = questionnaire_.order;
     if (order.kind == TrialOrder::Kind::blocked) {
       check_factor(member_path(at("order"), "blocked"), order.factor);
-      for (std::size_t i = 0; i < asked_.no_repeats.size(); ++i) {
-        if (asked_.no_repeats[i] == order.factor)
+      for (std::size_t i = 0; i < questionnaire_.no_repeats.size(); ++i) {
+        if (questionnaire_.no_repeats[i] == order.factor)
           list_.add(element_path(at("no_repeats"), i),
                     "blocks contain only one level of this factor",
                     "omit it, or do not block by it");
@@ -169,7 +170,7 @@ class QuestionnaireCheck {
     }
     const bool is_given =
         order.kind == TrialOrder::Kind::fixed || order.kind == TrialOrder::Kind::latin;
-    if (!asked_.no_repeats.empty() && is_given) {
+    if (!questionnaire_.no_repeats.empty() && is_given) {
       list_.add_at_key(at("no_repeats"), "this order already determines the sequence",
                        "omit it, or use order: full");
     }
@@ -178,8 +179,8 @@ class QuestionnaireCheck {
   /// Nobody looks at so many, and laying them out would take all memory.
   bool are_too_many_pairs() {
     constexpr std::size_t most_pairs = 5000;
-    const std::size_t count = asked_stimuli(manifest_).size();
-    if (form_.stimuli == 1 || !asked_.pairs.empty()) return false;
+    const std::size_t count = questionnaire_stimuli(manifest_).size();
+    if (form_.stimuli == 1 || !questionnaire_.pairs.empty()) return false;
     if (count * (count - 1) / 2 <= most_pairs || count == 0) return false;
     list_.add(at("trials"),
               fmt::format("the number of pairs of {} stimuli exceeds {}", count, most_pairs),
@@ -189,24 +190,25 @@ class QuestionnaireCheck {
 
   void check_numbers() {
     if (are_too_many_pairs()) return;
-    const std::size_t trials = asked_subjects(manifest_).size();
+    const std::size_t trials = questionnaire_subjects(manifest_).size();
     if (trials == 0 || ids_.empty()) return;
     const int all = static_cast<int>(trials);
-    const int own = asked_.per_participant == 0 ? all : std::min(asked_.per_participant, all);
+    const int own =
+        questionnaire_.per_participant == 0 ? all : std::min(questionnaire_.per_participant, all);
     const auto at_most = [&](const std::string& path, int number, int most) {
       if (number > most)
         list_.add(path, fmt::format("there are {} to choose from", most),
                   fmt::format("use at most {}", most));
     };
-    at_most(at("per_participant"), asked_.per_participant, all);
-    at_most(at("warm_up"), asked_.warm_up, all);
-    at_most(member_path(at("catch"), "repeat"), asked_.repeated, own);
+    at_most(at("per_participant"), questionnaire_.per_participant, all);
+    at_most(at("warm_up"), questionnaire_.warm_up, all);
+    at_most(member_path(at("catch"), "repeat"), questionnaire_.repeated, own);
   }
 
   void check_demographics() {
     std::set<std::string> taken;
-    for (std::size_t i = 0; i < asked_.demographics.size(); ++i) {
-      const std::string& id = asked_.demographics[i].id;
+    for (std::size_t i = 0; i < questionnaire_.demographics.size(); ++i) {
+      const std::string& id = questionnaire_.demographics[i].id;
       const std::string path = member_path(element_path(at("demographics"), i), "id");
       if (find_column(participant_form, id) != nullptr)
         list_.add(path, "the table of participants has a column with this name",
@@ -218,8 +220,8 @@ class QuestionnaireCheck {
   }
 
   void check_view() {
-    if (asked_.view != ShownAs::turn) return;
-    for (const std::string& id : asked_stimuli(manifest_)) {
+    if (questionnaire_.view != ShownAs::turn) return;
+    for (const std::string& id : questionnaire_stimuli(manifest_)) {
       const auto found = std::ranges::find(manifest_.stimuli, id, &Stimulus::id);
       if (found == manifest_.stimuli.end() || std::ranges::count(found->output.clips, "glb") > 0)
         continue;
@@ -230,7 +232,7 @@ class QuestionnaireCheck {
   }
 
   const Manifest& manifest_;
-  const Questionnaire& asked_;
+  const Questionnaire& questionnaire_;
   const TrialForm& form_;
   FaultList list_;
   Names ids_;

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/fault_list.h"
-#include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/questionnaire_content.h"
 
 namespace mien::pipeline {
 
@@ -19,7 +19,7 @@ bool is_played_by_browsers(render::VideoKind kind) {
 /// How many trials the main part of a session has, warm-up and repeated ones among them.
 int main_trials(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
-  const int all = static_cast<int>(asked_subjects(manifest).size());
+  const int all = static_cast<int>(questionnaire_subjects(manifest).size());
   const int own = asked.per_participant == 0 ? all : std::min(asked.per_participant, all);
   return own + asked.repeated + asked.warm_up;
 }

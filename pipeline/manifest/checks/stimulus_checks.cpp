@@ -63,16 +63,17 @@ void check_shared_interpolation(const Manifest& manifest, FaultList& list) {
   });
 }
 
-void check_wish(const std::string& path, const std::string& what, const NamedValues& wish,
-                Method method, FaultList& list) {
-  if (wish.empty()) return;
+void check_requested_values(const std::string& path, const std::string& what,
+                            const NamedValues& requested, Method method, FaultList& list) {
+  if (requested.empty()) return;
   if (method == Method::direct) {
     list.add(path, "direct interpolation requires weights, not " + what,
              "give weights:, or another method");
   }
   const auto most = static_cast<std::size_t>(motion::max_grid_dimensions);
-  if (method != Method::grid || wish.size() <= most) return;
-  list.add(path, "a grid over " + std::to_string(wish.size()) + " parameters has too many corners",
+  if (method != Method::grid || requested.size() <= most) return;
+  list.add(path,
+           "a grid over " + std::to_string(requested.size()) + " parameters has too many corners",
            "name at most " + std::to_string(most) + ", or use another method");
 }
 
@@ -80,10 +81,10 @@ void check_interpolation(const Stimulus& stimulus, FaultList& list) {
   const motion::InterpolationOptions& options = stimulus.interpolation.weights;
   check_method_options(member_path(stimulus.path, "interpolation"), list,
                        [&](Method method) { return uses(options, method); });
-  check_wish(member_path(stimulus.path, "adjectives"), "adjectives", stimulus.adjectives,
-             options.method, list);
-  check_wish(member_path(stimulus.path, "features"), "features", stimulus.features, options.method,
-             list);
+  check_requested_values(member_path(stimulus.path, "adjectives"), "adjectives",
+                         stimulus.adjectives, options.method, list);
+  check_requested_values(member_path(stimulus.path, "features"), "features", stimulus.features,
+                         options.method, list);
 }
 
 void check_hold(const Stimulus& stimulus, FaultList& list) {

@@ -56,9 +56,9 @@ void check_recording(const NamedMotion& motion, ReadTakes& takes, FaultList& lis
 }
 
 /// What is taken of a file without anybody having said so, and nothing for one that cannot be read.
-void add_silent_take(const NamedMotion& motion, FaultList& list) {
+void add_default_take(const NamedMotion& motion, FaultList& list) {
   try {
-    const std::string note = is_readable(motion) ? silent_take(motion) : "";
+    const std::string note = is_readable(motion) ? default_take_note(motion) : "";
     if (note.empty()) return;
     const std::string own = member_path(motion.path, motion.key);
     list.add(list.was_given(own) ? own : motion.path, motion.file.string() + ": " + note,
@@ -100,16 +100,16 @@ std::vector<Fault> check_recordings(const Manifest& manifest) {
   return list.take();
 }
 
-std::vector<Fault> silent_takes(const Manifest& manifest) {
+std::vector<Fault> default_take_warnings(const Manifest& manifest) {
   FaultList list(manifest.places);
   const Examples& examples = manifest.examples;
   if (examples.builtin.empty() && !examples.folder.empty() && examples.take.empty()) {
     for (const auto& file : motion::example_files(example_folder(examples)))
-      add_silent_take({"examples.set", "folder", file, "", 0, ""}, list);
+      add_default_take({"examples.set", "folder", file, "", 0, ""}, list);
   }
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.foil) continue;
-    for (const NamedMotion& motion : named_motions(stimulus)) add_silent_take(motion, list);
+    for (const NamedMotion& motion : named_motions(stimulus)) add_default_take(motion, list);
   }
   return list.take();
 }

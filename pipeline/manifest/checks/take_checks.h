@@ -26,6 +26,6 @@ std::vector<Fault> check_recordings(const Manifest& manifest);
 
 /// Motion files with several takes of which none is chosen, and which is taken. Reads files
 /// that may hold several; those that cannot be read are passed over.
-std::vector<Fault> silent_takes(const Manifest& manifest);
+std::vector<Fault> default_take_warnings(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -20,7 +20,8 @@ namespace {
 void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
                 const std::vector<std::string>& joints, FaultList& list) {
   for (std::size_t i = 0; i < dots.joints.size(); ++i) {
-    list.check_word(element_path(member_path(path, "joints"), i), dots.joints[i], "joint", joints);
+    list.check_known_name(element_path(member_path(path, "joints"), i), dots.joints[i], "joint",
+                          joints);
   }
   if (dots.scrambled && dots.lifetime > 0) {
     list.add(member_path(path, "lifetime"),
@@ -38,12 +39,13 @@ void check_trail(const scenes::TrailOptions& trail, const std::string& path,
   std::vector<std::string> known = joints;
   if (!known.empty()) known.insert(known.end(), {"feet", "hands", "head", "pelvis"});
   for (std::size_t i = 0; i < trail.traces.size(); ++i) {
-    list.check_word(element_path(member_path(path, "traces"), i), trail.traces[i], "joint", known);
+    list.check_known_name(element_path(member_path(path, "traces"), i), trail.traces[i], "joint",
+                          known);
   }
 }
 
 void check_character(const scenes::CharacterOptions& character, const std::string& path,
-                     FaultList& list, SeenFiles& characters) {
+                     FaultList& list, CheckedFiles& characters) {
   if (characters.contains(character.file)) return;
   list.check_file(
       path, character.file,
@@ -72,7 +74,7 @@ void check_contrast(const Look& look, const std::string& path, FaultList& list) 
 }
 
 void check_figure(const Look& look, const std::string& path, const std::vector<std::string>& joints,
-                  FaultList& list, SeenFiles& characters) {
+                  FaultList& list, CheckedFiles& characters) {
   if (const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure)) {
     check_character(*character, member_path(path, "character"), list, characters);
   }
@@ -167,7 +169,7 @@ std::vector<Fault> resolve_set(Look& look, const std::string& path, const Places
 }
 
 std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places,
-                              const std::vector<std::string>& joints, SeenFiles& characters) {
+                              const std::vector<std::string>& joints, CheckedFiles& characters) {
   FaultList list(places);
   check_figure(look, member_path(path, "figure"), joints, list, characters);
   check_camera(look, member_path(path, "camera"), list);

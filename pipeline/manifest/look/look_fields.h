@@ -19,8 +19,9 @@ void fields_of(auto&& field, MaybeConst<scenes::MannequinOptions> auto& mannequi
 
 /// `joints:` of point lights: a word, or a list.
 struct JointsForm {
-  static void read(const Given& given, scenes::PointLightOptions& dots);
-  static nlohmann::ordered_json write(const scenes::PointLightOptions& dots, const Writing& how);
+  static void read(const DocumentValue& given, scenes::PointLightOptions& dots);
+  static nlohmann::ordered_json write(const scenes::PointLightOptions& dots,
+                                      const WritingOptions& how);
 };
 
 inline constexpr Words<bool> polarity_words = {{"light-on-dark", false}, {"dark-on-light", true}};
@@ -49,8 +50,8 @@ void fields_of(auto&& field, MaybeConst<scenes::PointLightOptions> auto& dots) {
 /// A Figure or BodyFigure: a name, or a map of one figure with its options.
 template <class Figures>
 struct FigureForm {
-  static void read(const Given& given, Figures& figure);
-  static nlohmann::ordered_json write(const Figures& figure, const Writing& how);
+  static void read(const DocumentValue& given, Figures& figure);
+  static nlohmann::ordered_json write(const Figures& figure, const WritingOptions& how);
   static void walk(auto& names) {
     scenes::for_each_kind<Figures>(
         [&](auto options) { names(options.kind.name, options, concerns::picture); });
@@ -60,8 +61,8 @@ struct FigureForm {
 /// `poses:` of a trail: none by default where onion skin or traces are given. So it is always
 /// written.
 struct PosesForm {
-  static void read(const Given& given, scenes::TrailOptions& trail);
-  static nlohmann::ordered_json write(const scenes::TrailOptions& trail, const Writing&);
+  static void read(const DocumentValue& given, scenes::TrailOptions& trail);
+  static nlohmann::ordered_json write(const scenes::TrailOptions& trail, const WritingOptions&);
   static void walk(auto&) {}
 };
 
@@ -96,8 +97,9 @@ void fields_of(auto&& field, MaybeConst<scenes::DepthOfField> auto& lens) {
 
 /// `stereo: {separation: 0.063}`, in metres; that much where it is not said.
 struct StereoForm {
-  static void read(const Given& given, std::optional<double>& separation_m);
-  static nlohmann::ordered_json write(const std::optional<double>& separation_m, const Writing&);
+  static void read(const DocumentValue& given, std::optional<double>& separation_m);
+  static nlohmann::ordered_json write(const std::optional<double>& separation_m,
+                                      const WritingOptions&);
   static void walk(auto& names) { names.add("separation"); }
 };
 
@@ -116,8 +118,8 @@ void fields_of(auto&& field, MaybeConst<scenes::CameraSettings> auto& camera) {
 
 /// `scene:` a set or a file, or {set, background}.
 struct SceneForm {
-  static void read(const Given& given, Look& look);
-  static nlohmann::ordered_json write(const Look& look, const Writing& how);
+  static void read(const DocumentValue& given, Look& look);
+  static nlohmann::ordered_json write(const Look& look, const WritingOptions& how);
   static void walk(auto& names) {
     names.add("set");
     names.add("background");

@@ -27,18 +27,18 @@ auto& under_name(auto& options) {
 
 }  // namespace
 
-void JointsForm::read(const Given& given, scenes::PointLightOptions& dots) {
+void JointsForm::read(const DocumentValue& given, scenes::PointLightOptions& dots) {
   assign(&given.value, dots.joint_set);
   pipeline::read(given, dots.joints);
   if (!dots.joints.empty()) dots.joint_set.clear();
 }
 
-OrderedJson JointsForm::write(const scenes::PointLightOptions& dots, const Writing& how) {
+OrderedJson JointsForm::write(const scenes::PointLightOptions& dots, const WritingOptions& how) {
   return dots.joints.empty() ? OrderedJson(dots.joint_set) : written(dots.joints, how);
 }
 
 template <class Figures>
-void FigureForm<Figures>::read(const Given& given, Figures& figure) {
+void FigureForm<Figures>::read(const DocumentValue& given, Figures& figure) {
   figure = Figures();
   scenes::for_each_kind<Figures>([&]<class Options>(Options options) {
     const char* name = Options::kind.name;
@@ -51,7 +51,7 @@ void FigureForm<Figures>::read(const Given& given, Figures& figure) {
 }
 
 template <class Figures>
-OrderedJson FigureForm<Figures>::write(const Figures& figure, const Writing& how) {
+OrderedJson FigureForm<Figures>::write(const Figures& figure, const WritingOptions& how) {
   const auto map = [&]<class Options>(const Options& options) -> OrderedJson {
     if (std::is_empty_v<Options>) return options.kind.name;
     return {{options.kind.name, written(under_name(options), how)}};
@@ -62,27 +62,27 @@ OrderedJson FigureForm<Figures>::write(const Figures& figure, const Writing& how
 template struct FigureForm<scenes::Figure>;
 template struct FigureForm<scenes::BodyFigure>;
 
-void PosesForm::read(const Given& given, scenes::TrailOptions& trail) {
+void PosesForm::read(const DocumentValue& given, scenes::TrailOptions& trail) {
   const json& map = given.value;
   const bool has_others = map.contains("before") || map.contains("after") || map.contains("traces");
   if (has_others && !map.contains("poses")) trail.poses = 0;
 }
 
-OrderedJson PosesForm::write(const scenes::TrailOptions& trail, const Writing&) {
+OrderedJson PosesForm::write(const scenes::TrailOptions& trail, const WritingOptions&) {
   return {{"poses", trail.poses}};
 }
 
-void StereoForm::read(const Given& given, std::optional<double>& separation_m) {
+void StereoForm::read(const DocumentValue& given, std::optional<double>& separation_m) {
   separation_m = eyes_apart_m;
   assign(member(given.value, "separation"), *separation_m);
 }
 
-OrderedJson StereoForm::write(const std::optional<double>& separation_m, const Writing&) {
+OrderedJson StereoForm::write(const std::optional<double>& separation_m, const WritingOptions&) {
   if (!separation_m) return {};
   return {{"separation", *separation_m}};
 }
 
-void SceneForm::read(const Given& given, Look& look) {
+void SceneForm::read(const DocumentValue& given, Look& look) {
   look.background.clear();
   assign(&given.value, look.scene);
   assign(member(given.value, "set"), look.scene);
@@ -92,7 +92,7 @@ void SceneForm::read(const Given& given, Look& look) {
 }
 
 /// What a set holds counts by itself in keys.
-OrderedJson SceneForm::write(const Look& look, const Writing& how) {
+OrderedJson SceneForm::write(const Look& look, const WritingOptions& how) {
   if (look.scene.empty()) return {};
   // Without the file itself, which `written` would add to the key.
   const std::string name =

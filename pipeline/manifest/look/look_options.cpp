@@ -63,10 +63,10 @@ Look look_of(const LookOptions& options) {
   Look look;
   read({reading.document, "", context}, look);
   ReadSets sets;
-  SeenFiles characters;
+  CheckedFiles characters;
   std::vector<Fault> faults = resolve_set(look, "", reading.places, sets);
   append(faults, check_look(look, "", reading.places, {}, characters));
-  if (!faults.empty()) throw as_options(std::move(faults));
+  if (!faults.empty()) throw as_option_faults(std::move(faults));
   return look;
 }
 

@@ -18,8 +18,8 @@ inline constexpr Words<scenes::Side> side_words = {{"left", scenes::Side::left},
 
 /// `background:` one colour, or those of horizon and zenith.
 struct BackgroundForm {
-  static void read(const Given& given, render::Sky& sky);
-  static nlohmann::ordered_json write(const render::Sky& sky, const Writing& how);
+  static void read(const DocumentValue& given, render::Sky& sky);
+  static nlohmann::ordered_json write(const render::Sky& sky, const WritingOptions& how);
   static void walk(auto& names) {
     names.add("horizon");
     names.add("zenith");
@@ -28,8 +28,8 @@ struct BackgroundForm {
 
 /// `fade: [from, to]`
 struct FadeForm {
-  static void read(const Given& given, render::Ground& ground);
-  static nlohmann::ordered_json write(const render::Ground& ground, const Writing&);
+  static void read(const DocumentValue& given, render::Ground& ground);
+  static nlohmann::ordered_json write(const render::Ground& ground, const WritingOptions&);
 };
 
 void fields_of(auto&& field, MaybeConst<render::Ground> auto& ground) {
@@ -46,9 +46,9 @@ void fields_of(auto&& field, MaybeConst<render::Ground> auto& ground) {
 
 /// A ground is without lines unless its map says so.
 struct GroundForm {
-  static void read(const Given& given, std::optional<render::Ground>& ground);
+  static void read(const DocumentValue& given, std::optional<render::Ground>& ground);
   static nlohmann::ordered_json write(const std::optional<render::Ground>& ground,
-                                      const Writing& how);
+                                      const WritingOptions& how);
   static void walk(auto& names) { names.template of<render::Ground>(); }
 };
 

@@ -52,34 +52,35 @@ std::vector<Fault> faults_of(const scenes::SetPlan& plan, const Places& places) 
 
 }  // namespace
 
-void BackgroundForm::read(const Given& given, render::Sky& sky) {
+void BackgroundForm::read(const DocumentValue& given, render::Sky& sky) {
   assign(&given.value, sky.backdrop_horizon);
   assign(&given.value, sky.backdrop_zenith);
   assign(member(given.value, "horizon"), sky.backdrop_horizon);
   assign(member(given.value, "zenith"), sky.backdrop_zenith);
 }
 
-OrderedJson BackgroundForm::write(const render::Sky& sky, const Writing& how) {
+OrderedJson BackgroundForm::write(const render::Sky& sky, const WritingOptions& how) {
   return {{"horizon", written(sky.backdrop_horizon, how)},
           {"zenith", written(sky.backdrop_zenith, how)}};
 }
 
-void GroundForm::read(const Given& given, std::optional<render::Ground>& ground) {
+void GroundForm::read(const DocumentValue& given, std::optional<render::Ground>& ground) {
   ground.emplace();
   ground->line_spacing = 0.0f;
   pipeline::read(given, *ground);
 }
 
-OrderedJson GroundForm::write(const std::optional<render::Ground>& ground, const Writing& how) {
+OrderedJson GroundForm::write(const std::optional<render::Ground>& ground,
+                              const WritingOptions& how) {
   return ground ? nested_map(entries_of(*ground, how)) : OrderedJson();
 }
 
-void FadeForm::read(const Given& given, render::Ground& ground) {
+void FadeForm::read(const DocumentValue& given, render::Ground& ground) {
   assign(&given.value[0], ground.fade_start);
   assign(&given.value[1], ground.fade_end);
 }
 
-OrderedJson FadeForm::write(const render::Ground& ground, const Writing&) {
+OrderedJson FadeForm::write(const render::Ground& ground, const WritingOptions&) {
   return {ground.fade_start, ground.fade_end};
 }
 

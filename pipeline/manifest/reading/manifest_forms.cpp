@@ -31,7 +31,7 @@ ScaleSet scales_of(const ScalesSource& source) {
   return source.file.empty() ? builtin_scales() : source.set;
 }
 
-void VideoKindsForm::read(const Given& given, std::vector<render::VideoKind>& video) {
+void VideoKindsForm::read(const DocumentValue& given, std::vector<render::VideoKind>& video) {
   if (!given.value.is_array()) return;
   video.clear();
   for (const render::VideoTraits& traits : render::video_kinds()) {
@@ -39,13 +39,14 @@ void VideoKindsForm::read(const Given& given, std::vector<render::VideoKind>& vi
   }
 }
 
-OrderedJson VideoKindsForm::write(const std::vector<render::VideoKind>& video, const Writing&) {
+OrderedJson VideoKindsForm::write(const std::vector<render::VideoKind>& video,
+                                  const WritingOptions&) {
   OrderedJson names = OrderedJson::array();
   for (const render::VideoKind kind : video) names.push_back(render::traits_of(kind).name);
   return names;
 }
 
-void ClipsForm::read(const Given& given, std::vector<std::string>& clips) {
+void ClipsForm::read(const DocumentValue& given, std::vector<std::string>& clips) {
   if (!given.value.is_array()) return;
   clips.clear();
   for (const motion::MotionFormat& format : motion::motion_formats()) {
@@ -54,36 +55,39 @@ void ClipsForm::read(const Given& given, std::vector<std::string>& clips) {
   }
 }
 
-OrderedJson ClipsForm::write(const std::vector<std::string>& clips, const Writing&) {
+OrderedJson ClipsForm::write(const std::vector<std::string>& clips, const WritingOptions&) {
   return clips;
 }
 
-void AlikeForm::read(const Given& given, std::optional<Among>& among) {
-  if (given.value.is_boolean()) among.reset();
+void EqualizeGroupForm::read(const DocumentValue& given, std::optional<EqualizeGroup>& group_by) {
+  if (given.value.is_boolean()) group_by.reset();
   if (given.value == false) return;
-  among = Among::study;
-  if (given.value.is_object()) assign(member(given.value, "by"), *among, among_words);
+  group_by = EqualizeGroup::study;
+  if (given.value.is_object()) assign(member(given.value, "by"), *group_by, equalize_group_words);
 }
 
-OrderedJson AlikeForm::write(const std::optional<Among>& among, const Writing&) {
-  if (among == Among::figure) return {{"by", "figure"}};
-  return among.has_value();
+OrderedJson EqualizeGroupForm::write(const std::optional<EqualizeGroup>& group_by,
+                                     const WritingOptions&) {
+  if (group_by == EqualizeGroup::figure) return {{"by", "figure"}};
+  return group_by.has_value();
 }
 
-void EqualizeForm::read(const Given& given, Equalize& equalize) {
+void EqualizeForm::read(const DocumentValue& given, Equalize& equalize) {
   if (given.value.is_object()) return pipeline::read(given, equalize);
   if (!given.value.is_array()) return;
-  const auto among = [&](const char* word) {
-    return holds(given.value, word) ? std::optional(Among::study) : std::nullopt;
+  const auto group_by = [&](const char* word) {
+    return holds(given.value, word) ? std::optional(EqualizeGroup::study) : std::nullopt;
   };
-  equalize = {.luminance = among("luminance"),
-              .size = among("size"),
-              .place = among("place"),
+  equalize = {.luminance = group_by("luminance"),
+              .size = group_by("size"),
+              .place = group_by("place"),
               .duration = holds(given.value, "duration")};
 }
 
-OrderedJson EqualizeForm::write(const Equalize& equalize, const Writing& how) {
-  const auto is_named = [](const std::optional<Among>& among) { return among != Among::figure; };
+OrderedJson EqualizeForm::write(const Equalize& equalize, const WritingOptions& how) {
+  const auto is_named = [](const std::optional<EqualizeGroup>& group_by) {
+    return group_by != EqualizeGroup::figure;
+  };
   if (!is_named(equalize.luminance) || !is_named(equalize.size) || !is_named(equalize.place))
     return written(equalize, how);
   OrderedJson words = OrderedJson::array();
@@ -94,12 +98,13 @@ OrderedJson EqualizeForm::write(const Equalize& equalize, const Writing& how) {
   return words;
 }
 
-std::vector<std::vector<const Stimulus*>> alike(const std::vector<Stimulus>& stimuli, Among among) {
+std::vector<std::vector<const Stimulus*>> equalized_groups(const std::vector<Stimulus>& stimuli,
+                                                           EqualizeGroup group_by) {
   std::vector<std::string> names;
   std::vector<std::vector<const Stimulus*>> groups;
   for (const Stimulus& stimulus : stimuli) {
-    const std::string name(among == Among::figure ? scenes::kind_of(stimulus.look.figure).name
-                                                  : "");
+    const std::string name(
+        group_by == EqualizeGroup::figure ? scenes::kind_of(stimulus.look.figure).name : "");
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) groups.emplace_back();
     const auto group = static_cast<std::size_t>(found - names.begin());
@@ -109,56 +114,56 @@ std::vector<std::vector<const Stimulus*>> alike(const std::vector<Stimulus>& sti
   return groups;
 }
 
-void LabelsForm::read(const Given& given, Examples& examples) {
+void LabelsForm::read(const DocumentValue& given, Examples& examples) {
   assign(&given.value, examples.labels, label_words);
   pipeline::read(given, examples.given_labels);
 }
 
-OrderedJson LabelsForm::write(const Examples& examples, const Writing& how) {
+OrderedJson LabelsForm::write(const Examples& examples, const WritingOptions& how) {
   if (!examples.given_labels.empty()) return written(examples.given_labels, how);
   return examples.labels == Examples::Labels::from_name ? "from-name" : "file-name";
 }
 
-void ExampleSetForm::read(const Given& given, Examples& examples) {
+void ExampleSetForm::read(const DocumentValue& given, Examples& examples) {
   if (!given.value.is_string()) return pipeline::read(given, examples);
   const auto& name = given.value.get_ref<const std::string&>();
   if (name.starts_with(builtin_prefix)) examples.builtin = name.substr(builtin_prefix.size());
   examples.blendable = examples.builtin != unblendable_set;
 }
 
-OrderedJson ExampleSetForm::write(const Examples& examples, const Writing& how) {
+OrderedJson ExampleSetForm::write(const Examples& examples, const WritingOptions& how) {
   if (!examples.builtin.empty()) return std::string(builtin_prefix) + examples.builtin;
   return examples.folder.empty() ? OrderedJson() : written(examples, how);
 }
 
-void RatingsForm::read(const Given& given, Ratings& ratings) {
+void RatingsForm::read(const DocumentValue& given, Ratings& ratings) {
   if (!given.value.is_string()) return;
   ratings.source = Ratings::Source::file;
   assign(&given.value, ratings.source, ratings_words);
   if (ratings.source == Ratings::Source::file) pipeline::read(given, ratings.file);
 }
 
-OrderedJson RatingsForm::write(const Ratings& ratings, const Writing& how) {
+OrderedJson RatingsForm::write(const Ratings& ratings, const WritingOptions& how) {
   for (const auto& [word, source] : ratings_words) {
     if (source == ratings.source) return word;
   }
   return written(ratings.file, how);
 }
 
-void ScalesForm::read(const Given& given, ScalesSource& scales) {
+void ScalesForm::read(const DocumentValue& given, ScalesSource& scales) {
   if (given.value != "builtin") pipeline::read(given, scales.file);
 }
 
-OrderedJson ScalesForm::write(const ScalesSource& scales, const Writing& how) {
+OrderedJson ScalesForm::write(const ScalesSource& scales, const WritingOptions& how) {
   return scales.file.empty() ? OrderedJson("builtin") : written(scales.file, how);
 }
 
-void RecipesForm::read(const Given& given, RecipesSource& recipes) {
+void RecipesForm::read(const DocumentValue& given, RecipesSource& recipes) {
   assign(&given.value, recipes.name);
   if (builtin_recipes_text(recipes.name).empty()) pipeline::read(given, recipes.file);
 }
 
-OrderedJson RecipesForm::write(const RecipesSource& recipes, const Writing& how) {
+OrderedJson RecipesForm::write(const RecipesSource& recipes, const WritingOptions& how) {
   return recipes.file.empty() ? OrderedJson(recipes.name) : written(recipes.file, how);
 }
 

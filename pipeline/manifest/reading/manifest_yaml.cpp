@@ -53,7 +53,7 @@ std::string part_of(const std::string& key, const OrderedJson& value) {
 }  // namespace
 
 std::string manifest_yaml(const Manifest& manifest, const std::filesystem::path& folder) {
-  OrderedJson map = written(manifest, Writing{.folder = folder.empty() ? "." : folder});
+  OrderedJson map = written(manifest, WritingOptions{.folder = folder.empty() ? "." : folder});
   if (map.contains("examples") && !map["examples"].contains("set")) map.erase("examples");
   std::string text;
   for (const auto& [key, value] : map.items()) text += part_of(key, value);

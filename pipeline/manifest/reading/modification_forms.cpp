@@ -27,7 +27,7 @@ void lay_over(std::vector<motion::PostureChange>& posture, const motion::Posture
 }
 
 /// What an edit names, as a map that can be read again.
-OrderedJson named_map(const ModificationEdit& edit, const Writing& how) {
+OrderedJson named_map(const ModificationEdit& edit, const WritingOptions& how) {
   std::vector<FieldEntry> entries = entries_of(edit.values, how);
   std::erase_if(entries, [&](const FieldEntry& entry) { return !edit.names(entry.path); });
   return nested_map(entries);
@@ -35,7 +35,7 @@ OrderedJson named_map(const ModificationEdit& edit, const Writing& how) {
 
 }  // namespace
 
-void PoseMotionForm::read(const Given& given, PoseSource& pose) {
+void PoseMotionForm::read(const DocumentValue& given, PoseSource& pose) {
   std::string name;
   assign(&given.value, name);
   if (motion::is_motion_file(name)) {
@@ -45,11 +45,11 @@ void PoseMotionForm::read(const Given& given, PoseSource& pose) {
   }
 }
 
-OrderedJson PoseMotionForm::write(const PoseSource& pose, const Writing& how) {
+OrderedJson PoseMotionForm::write(const PoseSource& pose, const WritingOptions& how) {
   return pose.file.empty() ? OrderedJson(pose.example) : written(pose.file, how);
 }
 
-void LimbsForm::read(const Given& given, motion::Limbs& limbs) {
+void LimbsForm::read(const DocumentValue& given, motion::Limbs& limbs) {
   const json& list = given.value;
   if (!list.is_array()) return;
   limbs.head = has(list, "head");
@@ -59,7 +59,7 @@ void LimbsForm::read(const Given& given, motion::Limbs& limbs) {
   limbs.right_foot = has(list, "feet") || has(list, "right-foot");
 }
 
-OrderedJson LimbsForm::write(const motion::Limbs& limbs, const Writing&) {
+OrderedJson LimbsForm::write(const motion::Limbs& limbs, const WritingOptions&) {
   OrderedJson list = OrderedJson::array();
   const auto add = [&](bool is_in, const char* word) {
     if (is_in) list.push_back(word);
@@ -74,7 +74,7 @@ OrderedJson LimbsForm::write(const motion::Limbs& limbs, const Writing&) {
   return list;
 }
 
-void PostureForm::read(const Given& given, std::vector<motion::PostureChange>& posture) {
+void PostureForm::read(const DocumentValue& given, std::vector<motion::PostureChange>& posture) {
   if (!given.value.is_object()) return;
   for (const std::string& key : written_order(given.value, given.path, given.context.places)) {
     const auto unit = motion::posture_unit(key);
@@ -83,7 +83,8 @@ void PostureForm::read(const Given& given, std::vector<motion::PostureChange>& p
   }
 }
 
-OrderedJson PostureForm::write(const std::vector<motion::PostureChange>& posture, const Writing&) {
+OrderedJson PostureForm::write(const std::vector<motion::PostureChange>& posture,
+                               const WritingOptions&) {
   if (posture.empty()) return {};
   OrderedJson map;
   for (const motion::PostureChange& change : posture)
@@ -91,7 +92,7 @@ OrderedJson PostureForm::write(const std::vector<motion::PostureChange>& posture
   return map;
 }
 
-void EditForm::read(const Given& given, ModificationEdit& edit) {
+void EditForm::read(const DocumentValue& given, ModificationEdit& edit) {
   pipeline::read(given, edit.values);
   for (const FieldEntry& entry : entries_of(motion::Modification{}, {})) {
     if (member(given.value, entry.path.c_str())) edit.named.insert(entry.path);
@@ -100,7 +101,7 @@ void EditForm::read(const Given& given, ModificationEdit& edit) {
   reader("pose", edit.pose, concerns::motion);
 }
 
-OrderedJson EditForm::write(const ModificationEdit& edit, const Writing& how) {
+OrderedJson EditForm::write(const ModificationEdit& edit, const WritingOptions& how) {
   OrderedJson map = named_map(edit, how);
   if (edit.pose) map["pose"] = written(*edit.pose, how);
   return map;
@@ -118,22 +119,24 @@ motion::Modification with_edit(motion::Modification modification, const Modifica
   return modification;
 }
 
-void StyleRepairForm::read(const Given& given, bool& feet) { feet = given.value != "none"; }
+void StyleRepairForm::read(const DocumentValue& given, bool& feet) { feet = given.value != "none"; }
 
-OrderedJson StyleRepairForm::write(bool feet, const Writing&) { return feet ? "plants" : "none"; }
+OrderedJson StyleRepairForm::write(bool feet, const WritingOptions&) {
+  return feet ? "plants" : "none";
+}
 
-void StyleForm::read(const Given& given, std::optional<StyleStep>& style) {
+void StyleForm::read(const DocumentValue& given, std::optional<StyleStep>& style) {
   if (!member(given.value, "method")) return;
   style.emplace();
   pipeline::read(given, *style);
 }
 
-OrderedJson StyleForm::write(const std::optional<StyleStep>& style, const Writing& how) {
+OrderedJson StyleForm::write(const std::optional<StyleStep>& style, const WritingOptions& how) {
   return style ? written(*style, how) : OrderedJson::object();
 }
 
-void StepsForm::read(const Given& given, std::vector<ModificationStep>& steps) {
-  const auto add = [&](const Given& one) {
+void StepsForm::read(const DocumentValue& given, std::vector<ModificationStep>& steps) {
+  const auto add = [&](const DocumentValue& one) {
     if (!one.value.is_object()) return;
     steps.push_back({.path = one.path});
     pipeline::read(one, steps.back());
@@ -143,7 +146,8 @@ void StepsForm::read(const Given& given, std::vector<ModificationStep>& steps) {
     add({given.value[i], element_path(given.path, i), given.context});
 }
 
-OrderedJson StepsForm::write(const std::vector<ModificationStep>& steps, const Writing& how) {
+OrderedJson StepsForm::write(const std::vector<ModificationStep>& steps,
+                             const WritingOptions& how) {
   return steps.size() == 1 ? written(steps.front(), how) : written(steps, how);
 }
 

@@ -10,7 +10,7 @@
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/base/reading/yaml_json.h"
-#include "pipeline/manifest/own_seed.h"
+#include "pipeline/manifest/derived_seed.h"
 
 #include "embedded/emotions_recipes.h"
 #include "embedded/fig29_recipes.h"
@@ -48,7 +48,8 @@ std::vector<Fault> faults_of(const RecipeBook& book, const Places& places) {
 
 void resolve(ModificationStep& step, const Recipe* recipe, std::uint64_t study_seed,
              const std::string& stimulus) {
-  step.modification.seed = own_seed(study_seed, "variation of " + stimulus + " by " + step.path);
+  step.modification.seed =
+      derived_seed(study_seed, "variation of " + stimulus + " by " + step.path);
   if (recipe != nullptr) {
     step.modification = with_edit(step.modification, recipe->edit);
     step.pose = recipe->edit.pose;
@@ -91,7 +92,7 @@ void resolve_moods(Stimulus& stimulus, const RecipeBook& book, const Manifest& m
 
 }  // namespace
 
-void RecipesMapForm::read(const Given& given, std::vector<Recipe>& recipes) {
+void RecipesMapForm::read(const DocumentValue& given, std::vector<Recipe>& recipes) {
   std::vector<std::pair<std::string, Recipe>> named;
   pipeline::read(given, named);
   for (auto& [name, recipe] : named) {
@@ -101,7 +102,7 @@ void RecipesMapForm::read(const Given& given, std::vector<Recipe>& recipes) {
 }
 
 nlohmann::ordered_json RecipesMapForm::write(const std::vector<Recipe>& recipes,
-                                             const Writing& how) {
+                                             const WritingOptions& how) {
   OrderedJson map = OrderedJson::object();
   for (const Recipe& recipe : recipes) map[recipe.name] = written(recipe, how);
   return map;

@@ -22,8 +22,9 @@ struct RecipeBook {
 
 /// `recipes:` by their names.
 struct RecipesMapForm {
-  static void read(const Given& given, std::vector<Recipe>& recipes);
-  static nlohmann::ordered_json write(const std::vector<Recipe>& recipes, const Writing& how);
+  static void read(const DocumentValue& given, std::vector<Recipe>& recipes);
+  static nlohmann::ordered_json write(const std::vector<Recipe>& recipes,
+                                      const WritingOptions& how);
   static void walk(auto& names) { names.template of<Recipe>(); }
 };
 

@@ -63,10 +63,10 @@ void resolve_text(const std::string& path, TextSource& source, FaultList& list) 
 }
 
 /// Reads the texts for participants of a questionnaire or a matching experiment.
-void resolve_texts(const std::string& path, auto& asked, FaultList& list) {
-  resolve_text(member_path(path, "consent"), asked.consent, list);
-  resolve_text(member_path(path, "instructions"), asked.instructions, list);
-  resolve_text(member_path(path, "ending"), asked.ending, list);
+void resolve_texts(const std::string& path, auto& experiment, FaultList& list) {
+  resolve_text(member_path(path, "consent"), experiment.consent, list);
+  resolve_text(member_path(path, "instructions"), experiment.instructions, list);
+  resolve_text(member_path(path, "ending"), experiment.ending, list);
 }
 
 std::vector<Fault> resolve_own_scales(ScaleChoice& scales, const Places& places) {
@@ -84,15 +84,15 @@ std::vector<Fault> resolve_own_scales(ScaleChoice& scales, const Places& places)
   return {};
 }
 
-std::vector<Fault> resolve_asked(Manifest& manifest) {
+std::vector<Fault> resolve_experiments(Manifest& manifest) {
   FaultList list(manifest.places);
   if (manifest.matching) resolve_texts("matching", *manifest.matching, list);
   if (!manifest.questionnaire) return list.take();
-  Questionnaire& asked = *manifest.questionnaire;
-  resolve_texts("questionnaire", asked, list);
-  resolve_text("questionnaire.analysis.plan", asked.analysis.plan, list);
+  Questionnaire& experiment = *manifest.questionnaire;
+  resolve_texts("questionnaire", experiment, list);
+  resolve_text("questionnaire.analysis.plan", experiment.analysis.plan, list);
   std::vector<Fault> faults = list.take();
-  append(faults, resolve_own_scales(asked.scales, manifest.places));
+  append(faults, resolve_own_scales(experiment.scales, manifest.places));
   return faults;
 }
 
@@ -104,7 +104,7 @@ void add_builtin_ratings(const json& document, Manifest& manifest) {
   manifest.ratings.source = Ratings::Source::builtin;
 }
 
-void name_places(Manifest& manifest) {
+void set_paths(Manifest& manifest) {
   for (std::size_t i = 0; i < manifest.stimuli.size(); ++i)
     manifest.stimuli[i].path = element_path("stimuli", i);
   for (std::size_t i = 0; i < manifest.overlays.size(); ++i)
@@ -113,18 +113,18 @@ void name_places(Manifest& manifest) {
     manifest.sheets[i].path = element_path("sheets", i);
 }
 
-std::string usual_id(const Sheet& sheet) {
+std::string default_id(const Sheet& sheet) {
   return !sheet.stills.empty()    ? "stills"
          : !sheet.gallery.empty() ? "gallery"
                                   : sheet.target + "_" + sheet.created;
 }
 
-void name_what_has_no_id(Manifest& manifest) {
+void set_default_ids(Manifest& manifest) {
   for (Overlay& overlay : manifest.overlays) {
     if (overlay.film.id.empty()) overlay.film.id = overlay.target + "_with_" + overlay.created;
   }
   for (Sheet& sheet : manifest.sheets) {
-    if (sheet.id.empty()) sheet.id = usual_id(sheet);
+    if (sheet.id.empty()) sheet.id = default_id(sheet);
   }
 }
 
@@ -135,11 +135,11 @@ ResolvedManifest resolve(Manifest manifest) {
   append(faults, resolve_foils(manifest));
   resolve_holds(manifest);
   append(faults, resolve_sets(manifest));
-  std::vector<Fault> in_asked = resolve_scales(manifest.scales);
-  append(in_asked, resolve_asked(manifest));
-  const bool knows_what_is_asked = in_asked.empty();
-  append(faults, std::move(in_asked));
-  return {std::move(manifest), std::move(faults), knows_what_is_asked};
+  std::vector<Fault> experiment_faults = resolve_scales(manifest.scales);
+  append(experiment_faults, resolve_experiments(manifest));
+  const bool are_experiments_resolved = experiment_faults.empty();
+  append(faults, std::move(experiment_faults));
+  return {std::move(manifest), std::move(faults), are_experiments_resolved};
 }
 
 Manifest build_manifest(
@@ -158,8 +158,8 @@ Manifest build_manifest(
   read({reading.document, "", context}, manifest);
   manifest.interpolation.weights.nearest.seed = manifest.seed;
   add_builtin_ratings(reading.document, manifest);
-  name_places(manifest);
-  name_what_has_no_id(manifest);
+  set_paths(manifest);
+  set_default_ids(manifest);
   return manifest;
 }
 

@@ -16,8 +16,8 @@ namespace mien::pipeline {
 /// and texts for participants.
 struct ResolvedManifest {
   Manifest manifest;
-  std::vector<Fault> faults;        ///< what could not be had, and is left as it was
-  bool knows_what_is_asked = true;  ///< the scales and texts are there
+  std::vector<Fault> faults;             ///< what could not be had, and is left as it was
+  bool are_experiments_resolved = true;  ///< the scales and texts are there
 };
 
 /// Resolves a manifest that is as it was written (build_manifest). A file of scales that is not

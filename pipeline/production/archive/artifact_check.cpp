@@ -81,14 +81,14 @@ std::string fault_of_video(const render::VideoSummary& video, const VideoRecord&
 }
 
 /// What a reader throws, in words that follow the file's name.
-std::string fault_told(const fs::path& file, const std::exception& error) {
-  std::string told = error.what();
-  if (told.starts_with(file.string())) told = told.substr(file.string().size());
-  while (told.starts_with(':') || told.starts_with(' ')) told.erase(0, 1);
-  while (told.ends_with('\n')) told.pop_back();
-  for (std::size_t at = told.find('\n'); at != std::string::npos; at = told.find('\n'))
-    told.replace(at, 1, "; ");
-  return "does not decode: " + told;
+std::string reader_fault(const fs::path& file, const std::exception& error) {
+  std::string text = error.what();
+  if (text.starts_with(file.string())) text = text.substr(file.string().size());
+  while (text.starts_with(':') || text.starts_with(' ')) text.erase(0, 1);
+  while (text.ends_with('\n')) text.pop_back();
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n'))
+    text.replace(at, 1, "; ");
+  return "does not decode: " + text;
 }
 
 /// What is wrong with a file that mien wrote, found by reading all of it as what its name says:
@@ -99,7 +99,7 @@ std::string decoding_fault(const fs::path& file) {
     decode_by_ending(file);
     return "";
   } catch (const std::exception& error) {
-    return fault_told(file, error);
+    return reader_fault(file, error);
   }
 }
 
@@ -108,7 +108,7 @@ std::string decoding_fault(const fs::path& file, const VideoRecord& record) {
   try {
     return fault_of_video(render::probe(file), record);
   } catch (const std::exception& error) {
-    return fault_told(file, error);
+    return reader_fault(file, error);
   }
 }
 

@@ -43,7 +43,7 @@ std::optional<FilmRecord> record_of(const std::string& film, const StudyContents
   }
 }
 
-const VideoRecord* kept_video(const FilmRecord& record, const StudyContents& contents) {
+const VideoRecord* best_stored_video(const FilmRecord& record, const StudyContents& contents) {
   const VideoRecord* best = nullptr;
   std::error_code unknown;
   for (const VideoRecord& video : record.videos) {
@@ -66,7 +66,7 @@ FilmSubject subject_named(const std::string& id, const Manifest& manifest, Motio
 class Rerendering {
  public:
   Rerendering(const FilmSubject& subject, const FramesToRerender& wanted, const Manifest& manifest,
-              const Equalized& alike, const StudyContents& contents, int threads)
+              const Equalized& equalized, const StudyContents& contents, int threads)
       : wanted_(wanted),
         contents_(contents),
         output_(subject.film.output),
@@ -74,8 +74,8 @@ class Rerendering {
                   .seed = manifest.seed,
                   .threads = threads,
                   .eyes = subject.film.look.camera.stereo_separation_m ? 2 : 1},
-        shot_(subject.make_shot(alike)) {
-    shot_.tone.exposure_stops += alike.exposure_stops;
+        shot_(subject.make_shot(equalized)) {
+    shot_.tone.exposure_stops += equalized.exposure_stops;
   }
 
   std::vector<RerenderedFrame> draw(const std::stop_token& stop,
@@ -114,7 +114,7 @@ class Rerendering {
   std::vector<RerenderedFrame> against_video(const std::stop_token& stop,
                                              const std::function<void(double)>& progress) const {
     const FilmRecord record = record_of(wanted_.film.id, contents_).value();
-    const VideoRecord& video = *kept_video(record, contents_);
+    const VideoRecord& video = *best_stored_video(record, contents_);
     VideoFrames shown(output_, wanted_.film.frames, settings_.eyes, record.first_film_frame);
     draw_frames(
         shot_, wanted_.frames, settings_, nullptr,
@@ -167,8 +167,9 @@ EqualizedFilms equalized_in_tables(const Manifest& manifest, const fs::path& fol
 
 }  // namespace
 
-std::vector<KeptFilm> kept_films(const Manifest& manifest, const StudyContents& contents) {
-  std::vector<KeptFilm> films;
+std::vector<ComparableFilm> comparable_films(const Manifest& manifest,
+                                             const StudyContents& contents) {
+  std::vector<ComparableFilm> films;
   std::error_code unknown;
   for (const Stimulus* film : films_of(manifest)) {
     const std::string frames = "frames/" + film->id;
@@ -176,26 +177,27 @@ std::vector<KeptFilm> kept_films(const Manifest& manifest, const StudyContents& 
     if (sequence != nullptr && fs::is_directory(contents.folder / frames, unknown)) {
       films.push_back({film->id, sequence->frames, frames});
     } else if (const std::optional<FilmRecord> record = record_of(film->id, contents)) {
-      const VideoRecord* video = kept_video(*record, contents);
+      const VideoRecord* video = best_stored_video(*record, contents);
       if (video != nullptr) films.push_back({film->id, record->film_frames, video->file});
     }
   }
   return films;
 }
 
-std::vector<FramesToRerender> drawn_by_lot(const std::vector<KeptFilm>& films, int count,
-                                           std::uint64_t seed) {
-  std::vector<std::pair<std::size_t, int>> lots;  // film, frame
+std::vector<FramesToRerender> sampled_frames(const std::vector<ComparableFilm>& films, int count,
+                                             std::uint64_t seed) {
+  std::vector<std::pair<std::size_t, int>> candidates;  // film, frame
   for (std::size_t f = 0; f < films.size(); ++f) {
-    for (int frame = 0; frame < films[f].frames; ++frame) lots.emplace_back(f, frame);
+    for (int frame = 0; frame < films[f].frames; ++frame) candidates.emplace_back(f, frame);
   }
-  const std::size_t drawn = std::min(lots.size(), static_cast<std::size_t>(count));
+  const std::size_t drawn = std::min(candidates.size(), static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < drawn; ++k)
-    std::swap(lots[k], lots[k + motion::random_bits(seed, k) % (lots.size() - k)]);
-  lots.resize(drawn);
-  std::ranges::sort(lots);
+    std::swap(candidates[k],
+              candidates[k + motion::random_bits(seed, k) % (candidates.size() - k)]);
+  candidates.resize(drawn);
+  std::ranges::sort(candidates);
   std::vector<FramesToRerender> wanted;
-  for (const auto& [film, frame] : lots) {
+  for (const auto& [film, frame] : candidates) {
     if (wanted.empty() || wanted.back().film.id != films[film].id)
       wanted.push_back({films[film], {}});
     wanted.back().frames.push_back(frame);
@@ -209,7 +211,7 @@ std::vector<RerenderedFrame> rerender(const Manifest& manifest, const StudyConte
   FileKeys files;
   const SharedDeterminants shared = shared_determinants(manifest, files);
   Motions motions(manifest);
-  const EqualizedFilms alike = equalized_in_tables(manifest, contents.folder, motions);
+  const EqualizedFilms equalized = equalized_in_tables(manifest, contents.folder, motions);
   std::vector<RerenderedFrame> result;
   for (std::size_t w = 0; w < wanted.size(); ++w) {
     const FilmSubject subject = subject_named(wanted[w].film.id, manifest, motions, shared);
@@ -218,7 +220,7 @@ std::vector<RerenderedFrame> rerender(const Manifest& manifest, const StudyConte
         done((static_cast<double>(w) + share) / static_cast<double>(wanted.size()),
              wanted[w].film.id);
     };
-    const Rerendering rerendering(subject, wanted[w], manifest, alike.of(wanted[w].film.id),
+    const Rerendering rerendering(subject, wanted[w], manifest, equalized.of(wanted[w].film.id),
                                   contents, threads);
     for (RerenderedFrame& frame : rerendering.draw(stop, progress))
       result.push_back(std::move(frame));

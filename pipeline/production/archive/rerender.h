@@ -12,7 +12,7 @@
 namespace mien::pipeline {
 
 /// A film of a study of which something is left to compare a frame with.
-struct KeptFilm {
+struct ComparableFilm {
   std::string id;
   int frames = 0;
   std::string kept;  ///< its frames ("frames/a"), or else a video ("videos/a.mp4")
@@ -22,18 +22,19 @@ struct KeptFilm {
 
 /// The comparable films of a manifest, in its order. Of several videos the first lossless one is
 /// taken.
-std::vector<KeptFilm> kept_films(const Manifest& manifest, const StudyContents& contents);
+std::vector<ComparableFilm> comparable_films(const Manifest& manifest,
+                                             const StudyContents& contents);
 
 /// A film's frames that are to be drawn again, ascending.
 struct FramesToRerender {
-  KeptFilm film;
+  ComparableFilm film;
   std::vector<int> frames;
 };
 
 /// A uniform random sample of `count` different frames of all the films; all where there are no
 /// more. The same seed chooses the same.
-std::vector<FramesToRerender> drawn_by_lot(const std::vector<KeptFilm>& films, int count,
-                                           std::uint64_t seed);
+std::vector<FramesToRerender> sampled_frames(const std::vector<ComparableFilm>& films, int count,
+                                             std::uint64_t seed);
 
 /// The comparison of a re-rendered frame with the stored one.
 struct RerenderedFrame {

@@ -59,7 +59,7 @@ const ArtifactRecord* StudyContents::find(const std::string& path) const {
   return found != artifacts.end() && found->path == path ? &*found : nullptr;
 }
 
-fs::path study_folder_meant(const fs::path& study) {
+fs::path study_folder_of(const fs::path& study) {
   std::error_code unknown;
   if (study.filename() == "provenance.json")
     return study.has_parent_path() ? study.parent_path() : fs::path(".");
@@ -71,7 +71,7 @@ fs::path study_folder_meant(const fs::path& study) {
 
 StudyContents contents_of(const fs::path& study) {
   StudyContents contents;
-  contents.folder = study_folder_meant(study);
+  contents.folder = study_folder_of(study);
   std::error_code unknown;
   if (fs::is_regular_file(contents.folder, unknown)) {
     throw Error(

@@ -41,7 +41,7 @@ struct StudyContents {
 StudyContents contents_of(const std::filesystem::path& study);
 
 /// The study's folder: that of a given provenance.json, or of the study in a given bag.
-std::filesystem::path study_folder_meant(const std::filesystem::path& study);
+std::filesystem::path study_folder_of(const std::filesystem::path& study);
 
 /// What belongs to the work on a study and not to the study: what the store and the farm keep for
 /// themselves.

@@ -108,13 +108,14 @@ class ZipReader {
 };
 
 /// Throws where the sizes that the archive states exceed `most` bytes, before anything is unpacked.
-void refuse_told_size(const std::string& bytes, const std::string& name, std::uint64_t most) {
+void refuse_stated_size(const std::string& bytes, const std::string& name, std::uint64_t most) {
   ZipReader reader(bytes, name);
   std::uint64_t left = most;
   while (archive_entry* const entry = reader.next()) {
-    const la_int64_t told = archive_entry_size_is_set(entry) != 0 ? archive_entry_size(entry) : 0;
-    if (told < 0 || static_cast<std::uint64_t>(told) > left) refuse_size(name, most);
-    left -= static_cast<std::uint64_t>(told);
+    const la_int64_t stated_size =
+        archive_entry_size_is_set(entry) != 0 ? archive_entry_size(entry) : 0;
+    if (stated_size < 0 || static_cast<std::uint64_t>(stated_size) > left) refuse_size(name, most);
+    left -= static_cast<std::uint64_t>(stated_size);
   }
 }
 
@@ -138,7 +139,7 @@ std::string zip_of(const ZipFiles& files) {
 ZipFiles unzipped(const std::string& bytes, const std::string& name) {
   const Utf8Names names;
   const std::uint64_t most = most_unpacked(bytes.size());
-  refuse_told_size(bytes, name, most);
+  refuse_stated_size(bytes, name, most);
   ZipReader reader(bytes, name);
   ZipFiles files;
   std::uint64_t left = most;

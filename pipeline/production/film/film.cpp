@@ -59,10 +59,10 @@ class FramesInFlight {
   bool run(const std::function<std::optional<render::Image8>(int frame)>& stored,
            const std::function<void(double)>& progress) {
     drawer_.for_frames({.begin = [&](std::size_t place) { return begin(place, stored); },
-                        .draw = [&](std::size_t place) { draw(flight(place)); },
+                        .draw = [&](std::size_t place) { draw(frame_in_flight(place)); },
                         .end =
                             [&](std::size_t place) {
-                              if (!end(flight(place))) return;
+                              if (!end(frame_in_flight(place))) return;
                               progress(static_cast<double>(++taken_) /
                                        static_cast<double>(frames_.size()));
                             }});
@@ -70,20 +70,22 @@ class FramesInFlight {
   }
 
  private:
-  struct Flight {
-    KeptFrame frame;
+  struct FrameInFlight {
+    PendingFrame frame;
     ReadyFrame ready;
-    bool given_up = false;  // because of a stop request
+    bool is_abandoned = false;  // because of a stop request
     double began = 0.0;
   };
 
   /// Free as soon as the frame has ended that had it before.
-  Flight& flight(std::size_t place) { return in_flight_[place % in_flight_.size()]; }
+  FrameInFlight& frame_in_flight(std::size_t place) {
+    return in_flight_[place % in_flight_.size()];
+  }
 
   bool begin(std::size_t place,
              const std::function<std::optional<render::Image8>(int frame)>& stored) {
-    if (place == frames_.size() || over_ || stop_.stop_requested()) return false;
-    Flight& now = flight(place) = {};
+    if (place == frames_.size() || is_stopped_ || stop_.stop_requested()) return false;
+    FrameInFlight& now = frame_in_flight(place) = {};
     now.frame.number = frames_[place];
     now.began = steady_seconds();
     if (std::optional<render::Image8> picture = stored(now.frame.number)) {
@@ -100,26 +102,27 @@ class FramesInFlight {
     return true;
   }
 
-  void draw(Flight& now) {
+  void draw(FrameInFlight& now) {
     if (now.frame.is_stored) return;
     const Stopwatch::Running tracing(settings_.drawing);
     try {
       now.frame.picture = drawer_.draw(std::move(now.ready));
     } catch (const render::Stopped&) {
-      now.given_up = true;
+      now.is_abandoned = true;
     }
   }
 
   /// Whether the frame was taken, as none is after one that was not.
-  bool end(Flight& now) {
-    over_ = over_ || now.given_up;
-    if (over_) return false;
-    if (settings_.drew && !now.frame.is_stored) {
-      settings_.drew(steady_seconds() - std::max(now.began, ended_));
+  bool end(FrameInFlight& now) {
+    is_stopped_ = is_stopped_ || now.is_abandoned;
+    if (is_stopped_) return false;
+    if (settings_.on_frame_drawn && !now.frame.is_stored) {
+      settings_.on_frame_drawn(steady_seconds() - std::max(now.began, ended_));
     }
-    over_ = !writer_.push(std::move(now.frame));
-    if (settings_.drew) ended_ = steady_seconds();  // to wait for the writer is not to draw
-    return !over_;
+    is_stopped_ = !writer_.push(std::move(now.frame));
+    if (settings_.on_frame_drawn)
+      ended_ = steady_seconds();  // to wait for the writer is not to draw
+    return !is_stopped_;
   }
 
   FrameDrawer& drawer_;
@@ -127,8 +130,8 @@ class FramesInFlight {
   const std::vector<int>& frames_;
   const FilmSettings& settings_;
   const std::stop_token& stop_;
-  std::vector<Flight> in_flight_;
-  std::atomic<bool> over_ = false;
+  std::vector<FrameInFlight> in_flight_;
+  std::atomic<bool> is_stopped_ = false;
   double ended_ = 0.0;  // when the last frame was taken
   std::size_t taken_ = 0;
 };

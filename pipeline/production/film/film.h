@@ -28,7 +28,7 @@ struct FilmSettings {
 
   /// Called for each frame that was rendered with the seconds since the one before was handed on,
   /// or since its own beginning: their sum is the rendering time.
-  std::function<void(double)> drew = {};
+  std::function<void(double)> on_frame_drawn = {};
 
   /// Static backgrounds shared with other films, and their light cached on disk. No influence on
   /// the pictures.

@@ -28,7 +28,7 @@ std::vector<Eye> eyes_at(const scenes::Shot& shot, int frame) {
 }
 
 /// A dot of a frame as one eye sees it.
-struct SeenDot {
+struct DotRow {
   int frame;
   double time_s;
   std::size_t number;
@@ -43,7 +43,7 @@ struct SeenDot {
   }
 };
 
-constexpr auto dots_columns = table_of<SeenDot>(
+constexpr auto dots_columns = table_of<DotRow>(
     "clips/<stimulus>.dots.csv", "frame and dot of a point-light figure",
     {{"frame", "", "frame of the film, counted from 0", [](auto& r) { return r.frame; }},
      {"time_s", "s", "time of the frame", [](auto& r) { return r.time_s; }},
@@ -62,7 +62,7 @@ constexpr auto dots_columns = table_of<SeenDot>(
       [](auto& r) { return r.eye; }}});
 
 /// The rows of one frame of an actor's dots, counted from `first` on, as one eye sees them.
-void add_rows(std::vector<SeenDot>& rows, const Eye& eye, const scenes::Actor& actor, int frame,
+void add_rows(std::vector<DotRow>& rows, const Eye& eye, const scenes::Actor& actor, int frame,
               std::size_t first) {
   const render::Camera& camera = eye.camera;
   const render::Window shown_part = window_of(camera);
@@ -86,7 +86,7 @@ void add_rows(std::vector<SeenDot>& rows, const Eye& eye, const scenes::Actor& a
 const TableForm dots_form = dots_columns.form();
 
 std::string dots_csv(const scenes::Shot& shot) {
-  std::vector<SeenDot> rows;
+  std::vector<DotRow> rows;
   for (int frame = 0; frame < shot.frame_count(); ++frame) {
     for (const Eye& eye : eyes_at(shot, frame)) {
       std::size_t first = 0;
@@ -112,13 +112,14 @@ Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equ
   add_film(task.determinants, stimulus, shared.files);
   task.determinants.add("duration", std::int64_t{equalize.duration});
   // What exposure changes no dot feels.
-  Equalize alike = equalize;
-  alike.luminance.reset();
-  for (const std::string& other : equalizing_task_ids(alike)) task.inputs.push_back(other);
+  Equalize applicable = equalize;
+  applicable.luminance.reset();
+  for (const std::string& other : equalizing_task_ids(applicable)) task.inputs.push_back(other);
   task.products.push_back({"clips/" + stimulus.id + ".dots.csv", {}});
   task.cost_seconds = dots_cost_seconds;
-  task.make = [&stimulus, &motions, seed, alike](TaskRun& run) {
-    const Equalized found = equalized_films(alike, run.store.folder(), motions).of(stimulus.id);
+  task.make = [&stimulus, &motions, seed, applicable](TaskRun& run) {
+    const Equalized found =
+        equalized_films(applicable, run.store.folder(), motions).of(stimulus.id);
     run.put_text(0, dots_csv(shot_of(stimulus, motions, seed, found.framing)), read_csv);
   };
   return task;

@@ -36,7 +36,8 @@ using Find = std::function<std::string(TaskRun&, EqualizedFilms&)>;
 /// A task that finds something from all stimuli and from what the task `before` has found, if there
 /// is one.
 Task finding_task(const std::string& name, const std::string& before, const Manifest& manifest,
-                  const SharedDeterminants& shared, Among among, double cost_seconds, Find find) {
+                  const SharedDeterminants& shared, EqualizeGroup among, double cost_seconds,
+                  Find find) {
   Task task;
   task.id = task.kind = name;
   task.determinants.add("libraries", shared.libraries).add("code", film_code());
@@ -73,7 +74,8 @@ Equalized EqualizedFilms::of(const std::string& stimulus) const {
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, FinishedMotions& motions) {
   std::vector<Task> tasks;
-  const auto add = [&](const char* name, std::optional<Among> among, double cost, Find find) {
+  const auto add = [&](const char* name, std::optional<EqualizeGroup> among, double cost,
+                       Find find) {
     if (!among) return;
     const std::string before = tasks.empty() ? std::string() : tasks.back().id;
     tasks.push_back(finding_task(name, before, manifest, shared, *among, cost, std::move(find)));

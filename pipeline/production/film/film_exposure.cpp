@@ -190,7 +190,7 @@ void adjust(const std::vector<const Stimulus*>& group, const SamplesById& sample
 
 AdjustmentsById adjustments_of(const Manifest& manifest, const SamplesById& samples) {
   AdjustmentsById adjustments;
-  for (const auto& group : alike(manifest.stimuli, *manifest.equalize.luminance))
+  for (const auto& group : equalized_groups(manifest.stimuli, *manifest.equalize.luminance))
     adjust(group, samples, adjustments);
   return adjustments;
 }

@@ -92,7 +92,7 @@ SizesById framed_sizes(const Manifest& manifest, FinishedMotions& motions, const
 
 SizesById common_sizes(const Manifest& manifest, const SizesById& framed) {
   SizesById common;
-  for (const auto& group : alike(manifest.stimuli, *manifest.equalize.size)) {
+  for (const auto& group : equalized_groups(manifest.stimuli, *manifest.equalize.size)) {
     double least = std::numeric_limits<double>::infinity();
     for (const Stimulus* stimulus : group) least = std::min(least, framed.at(stimulus->id));
     for (const Stimulus* stimulus : group) common[stimulus->id] = step_below(least);
@@ -171,7 +171,7 @@ Vector2d common_place(const std::vector<const Stimulus*>& group, const Standings
 std::map<std::string, std::array<double, 2>> common_places(const Manifest& manifest,
                                                            const StandingsById& standings) {
   std::map<std::string, std::array<double, 2>> common;
-  for (const auto& group : alike(manifest.stimuli, *manifest.equalize.place)) {
+  for (const auto& group : equalized_groups(manifest.stimuli, *manifest.equalize.place)) {
     const Vector2d place = common_place(group, standings);
     for (const Stimulus* stimulus : group) common[stimulus->id] = {place.x(), place.y()};
   }

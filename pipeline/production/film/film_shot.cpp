@@ -1,8 +1,8 @@
 #include "pipeline/production/film/film_shot.h"
 
 #include "motion/skeleton/clip.h"
+#include "pipeline/manifest/derived_seed.h"
 #include "pipeline/manifest/look/look.h"
-#include "pipeline/manifest/own_seed.h"
 
 namespace mien::pipeline {
 
@@ -17,7 +17,7 @@ scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
           .size = output.whole_size(),
           .window = output.window(),
           .pixel_scale = output.scale,
-          .seed = own_seed(seed, "dots of " + film.id)};
+          .seed = derived_seed(seed, "dots of " + film.id)};
 }
 
 /// What is shown of a motion that was made for another film, which may have another frame rate.

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/production/film/disk_light_cache.h"
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_recorder.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/film/film_tables.h"
-#include "pipeline/production/film/kept_light.h"
 #include "pipeline/tasks/code_identity.h"
 #include "render/image/image_io.h"
 #include "render/image/luminance.h"
@@ -53,24 +53,26 @@ std::vector<std::string> names_of(const std::vector<int>& frames, FrameFormat fo
 
 /// Films that take longer are kept frame by frame while they are made, so that an interrupted run
 /// loses little; the others are drawn again faster than their frames are written.
-constexpr double kept_from_seconds = 60.0;
+constexpr double resumable_from_seconds = 60.0;
 
 /// Makes one film or a part of it; lives as long as the task runs.
 class FilmMaker {
  public:
-  FilmMaker(const FilmSubject& subject, const Equalized& alike, const FilmSettings& settings,
+  FilmMaker(const FilmSubject& subject, const Equalized& equalized, const FilmSettings& settings,
             TaskRun& run)
       : film_(subject.film),
         id_(subject.film.id),
         output_(subject.film.output),
         settings_(settings),
         run_(run),
-        shot_(exposed(subject.make_shot(alike), alike.exposure_stops)),
+        shot_(exposed(subject.make_shot(equalized), equalized.exposure_stops)),
         contact_(shot_.frame_count()),
         recorder_(settings_, shot_.frame_count()) {
-    settings_.light_cache = kept_light(run.store, run.stop);
-    settings_.drew = [&run](double seconds) { run.store.presence().drew_frame(seconds); };
-    record_.exposure_stops = static_cast<double>(alike.exposure_stops);
+    settings_.light_cache = disk_light_cache(run.store, run.stop);
+    settings_.on_frame_drawn = [&run](double seconds) {
+      run.store.heartbeat().count_frame(seconds);
+    };
+    record_.exposure_stops = static_cast<double>(equalized.exposure_stops);
     record_.figure_px = scenes::figure_pixels(shot_.cameras);
     record_.figure_place = scenes::figure_place(shot_.cameras);
     for (const scenes::Actor& actor : shot_.actors) {
@@ -104,7 +106,7 @@ class FilmMaker {
     const auto [first, end] = range_of(part, shot_.frame_count());
     const std::unique_ptr<FrameStore> store = open_frames();
     draw_frames(
-        shot_, frames_between(first, end), kept_frames(), store.get(),
+        shot_, frames_between(first, end), settings_with_frames(), store.get(),
         [](int, const render::Image8&) {}, run_.stop, run_.progress);
     if (find_products(run_.task, run_.keys, run_.store.folder())) store->drop();
   }
@@ -119,12 +121,12 @@ class FilmMaker {
 
   /// The frames that the output asks for, or those that are kept until the film is made.
   std::unique_ptr<FrameStore> open_frames() {
-    const KeptSequence kept = kept_sequence(run_.task, run_.task_key);
+    const StoredSequence kept = stored_sequence(run_.task, run_.task_key);
     return run_.store.frames(kept.path, kept.key);
   }
 
   /// Settings by which each frame that is drawn is kept.
-  FilmSettings kept_frames() const {
+  FilmSettings settings_with_frames() const {
     FilmSettings kept = settings_;
     if (!keeps_frames()) kept.output.frames = FrameFormat::png;
     return kept;
@@ -139,8 +141,8 @@ class FilmMaker {
       record_.luminance.add(render::luminance_of(picture));
       if (sink) sink(frame, picture);
     };
-    const bool is_long = run_.task.cost_seconds > kept_from_seconds;
-    draw_frames(shot_, frames, is_long ? kept_frames() : settings_, store, both, run_.stop,
+    const bool is_long = run_.task.cost_seconds > resumable_from_seconds;
+    draw_frames(shot_, frames, is_long ? settings_with_frames() : settings_, store, both, run_.stop,
                 run_.progress);
   }
 
@@ -191,7 +193,7 @@ class FilmMaker {
 
 }  // namespace
 
-KeptSequence kept_sequence(const Task& film, const Hash& task_key) {
+StoredSequence stored_sequence(const Task& film, const Hash& task_key) {
   const std::string path = "frames/" + film.id.substr(film.id.find(':') + 1);
   if (film.products.front().path == path) return {path, product_keys(film, task_key).front()};
   return {path, KeyBuilder().add("kept", path).add("task", task_key).key()};
@@ -203,8 +205,8 @@ FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest,
           {stimulus.id},
           {},
           manifest.equalize,
-          [&stimulus, &motions, seed = manifest.seed](const Equalized& alike) {
-            return shot_of(stimulus, motions, seed, alike.framing);
+          [&stimulus, &motions, seed = manifest.seed](const Equalized& equalized) {
+            return shot_of(stimulus, motions, seed, equalized.framing);
           }};
 }
 
@@ -265,8 +267,8 @@ Task film_task(const FilmSubject& subject, const FilmSettings& settings,
     FilmSettings own = settings;
     own.loops = repeats(subject, motions);
     own.eyes = subject.film.look.camera.stereo_separation_m ? 2 : 1;
-    const EqualizedFilms alike = equalized_films(subject.equalize, run.store.folder(), motions);
-    return FilmMaker(subject, alike.of(subject.film.id), own, run);
+    const EqualizedFilms equalized = equalized_films(subject.equalize, run.store.folder(), motions);
+    return FilmMaker(subject, equalized.of(subject.film.id), own, run);
   };
   task.make = [begin](TaskRun& run) { begin(run).make(); };
   task.make_part = [begin](TaskRun& run, const Part& part) { begin(run).make(part); };

@@ -25,13 +25,13 @@ struct FilmSubject {
 };
 
 /// The stored frames of a film: those of its output, or temporary ones until it is encoded.
-struct KeptSequence {
+struct StoredSequence {
   std::string path;  ///< "frames/walk"
   Hash key;
 };
 
 /// The stored frames of a film's task, once the products of its inputs are known.
-KeptSequence kept_sequence(const Task& film, const Hash& task_key);
+StoredSequence stored_sequence(const Task& film, const Hash& task_key);
 
 /// Film of a stimulus, or of motions together. All that is passed outlives it. Overlays take no
 /// part in what is equalized.

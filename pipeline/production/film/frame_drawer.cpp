@@ -47,7 +47,7 @@ int FrameDrawer::in_flight() const {
 ReadyFrame FrameDrawer::prepare(int frame) {
   ReadyFrame ready{frame, {}};
   for (int eye = 0; eye < eyes_ && !layers_; ++eye)
-    ready.sights.push_back(tracer_.prepare(view_of(frame, eye)));
+    ready.prepared_views.push_back(tracer_.prepare(view_of(frame, eye)));
   return ready;
 }
 
@@ -65,10 +65,10 @@ FramePicture FrameDrawer::draw_layers(int frame) {
 }
 
 render::Framebuffer FrameDrawer::draw_light(ReadyFrame ready) {
-  std::vector<render::Framebuffer> seen;
-  for (render::PreparedView& sight : ready.sights)
-    seen.push_back(tracer_.draw(std::move(sight)).color);
-  return eyes_ == 1 ? std::move(seen[0]) : beside(seen[0], seen[1]);
+  std::vector<render::Framebuffer> eye_pictures;
+  for (render::PreparedView& prepared_view : ready.prepared_views)
+    eye_pictures.push_back(tracer_.draw(std::move(prepared_view)).color);
+  return eyes_ == 1 ? std::move(eye_pictures[0]) : beside(eye_pictures[0], eye_pictures[1]);
 }
 
 template <class Picture>
@@ -76,8 +76,8 @@ Picture FrameDrawer::draw_picture(ReadyFrame ready) {
   const render::Window window = window_of(cameras_at(shot_, ready.frame)[0]);
   Picture picture(eyes_ * window.width, window.height);
   int left = 0;
-  for (render::PreparedView& sight : ready.sights) {
-    tracer_.draw(std::move(sight), [&](const render::RenderedRegion& part) {
+  for (render::PreparedView& prepared_view : ready.prepared_views) {
+    tracer_.draw(std::move(prepared_view), [&](const render::RenderedRegion& part) {
       develop(part.framebuffer, part.pixels, shot_.tone, picture, left + part.x, part.y);
     });
     left += window.width;

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 /// A frame that is ready to be drawn: what each eye sees of it.
 struct ReadyFrame {
   int frame = 0;
-  std::vector<render::PreparedView> sights;
+  std::vector<render::PreparedView> prepared_views;
 };
 
 /// Draws frames of a shot, several at a time, and one is made ready meanwhile. Each part of a

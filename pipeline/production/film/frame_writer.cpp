@@ -29,9 +29,9 @@ void FrameWriter::finish() {
 
 void FrameWriter::write_all() {
   try {
-    KeptFrame frame;
+    PendingFrame frame;
     while (queue_.pop(frame)) {
-      const render::Image8 shown = kept(frame);
+      const render::Image8 shown = stored_picture(frame);
       sink_(frame.number, shown);
     }
   } catch (...) {
@@ -41,7 +41,7 @@ void FrameWriter::write_all() {
 }
 
 // The picture as its file has it, if it is written to one; moves the frame's own picture.
-render::Image8 FrameWriter::kept(KeptFrame& frame) {
+render::Image8 FrameWriter::stored_picture(PendingFrame& frame) {
   if (frame.is_stored || store_ == nullptr)
     return std::move(std::get<render::Image8>(frame.picture));
   const FrameFormat format = settings_.output.frames;

@@ -11,7 +11,7 @@
 namespace mien::pipeline {
 
 /// A frame to be written, in its stored form; or one that was read from the store.
-struct KeptFrame {
+struct PendingFrame {
   int number = 0;
   FramePicture picture;
   bool is_stored = false;
@@ -26,20 +26,20 @@ class FrameWriter {
   ~FrameWriter();
 
   /// The next frame; waits for room. False, and the frame is lost, once the writer has failed.
-  bool push(KeptFrame frame) { return queue_.push(std::move(frame)); }
+  bool push(PendingFrame frame) { return queue_.push(std::move(frame)); }
 
   /// Waits for the last frame and throws what went wrong.
   void finish();
 
  private:
   void write_all();
-  render::Image8 kept(KeptFrame& frame);
+  render::Image8 stored_picture(PendingFrame& frame);
 
   const FilmSettings& settings_;
   const render::Tone& tone_;
   FrameStore* store_;
   const FrameSink& sink_;
-  BoundedQueue<KeptFrame> queue_;
+  BoundedQueue<PendingFrame> queue_;
   std::exception_ptr failure_;
   std::thread thread_;
 };

@@ -12,13 +12,13 @@ namespace mien::pipeline {
 
 namespace {
 
-void tell_program(MethodsText& out) {
+void describe_program(MethodsText& out) {
   out.say(fmt::format("The {} made with mien {} [@mien] (random seed {})",
                       count_of(out.manifest.stimuli.size(), "stimulus was", "stimuli were"),
                       program_version(), out.manifest.seed));
 }
 
-void tell_design(MethodsText& out) {
+void describe_design(MethodsText& out) {
   Names factors;
   for (const std::string& factor : factors_of(out.manifest)) {
     Names levels;
@@ -35,13 +35,13 @@ void tell_design(MethodsText& out) {
   }
 }
 
-void tell_files(MethodsText& out) {
+void describe_files(MethodsText& out) {
   const auto files = stimuli_from(out.manifest, "clip");
   if (files.empty()) return;
   out.say(count_of(files.size(), "stimulus shows", "stimuli show") + " recorded motion");
 }
 
-void tell_paths(MethodsText& out) {
+void describe_paths(MethodsText& out) {
   const auto paths = stimuli_from(out.manifest, "path");
   if (paths.empty()) return;
   out.say(count_of(paths.size(), "stimulus was", "stimuli were") +
@@ -53,12 +53,12 @@ void tell_paths(MethodsText& out) {
 
 Methods methods_of(const Manifest& manifest, Motions& motions) {
   MethodsText out(manifest, motions);
-  tell_program(out);
-  tell_design(out);
+  describe_program(out);
+  describe_design(out);
   if (uses_examples(manifest)) describe_examples(out);
   describe_blends(out);
-  tell_files(out);
-  tell_paths(out);
+  describe_files(out);
+  describe_paths(out);
   describe_modifications(out);
   describe_matching_settings(out);
   out.end_paragraph();

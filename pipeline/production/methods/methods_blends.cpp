@@ -34,7 +34,7 @@ std::string method_words(motion::InterpolationMethod method, MethodsText& out) {
   return found.words + out.cite(found.sources);
 }
 
-void tell_interpolation(MethodsText& out) {
+void describe_interpolation(MethodsText& out) {
   for (const char* source : {"adjectives", "features"}) {
     const auto stimuli = stimuli_from(out.manifest, source);
     if (stimuli.empty()) continue;
@@ -49,14 +49,14 @@ void tell_interpolation(MethodsText& out) {
   }
 }
 
-void tell_reached(MethodsText& out) {
+void describe_deviations(MethodsText& out) {
   Range missed;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
     if (!stimulus.modify.empty()) continue;  // known of the blend before alone
     const Synthesis& made = out.motions.of(stimulus.id);
-    const std::size_t count = std::min(made.asked.size(), made.reached.size());
+    const std::size_t count = std::min(made.requested.size(), made.reached.size());
     for (std::size_t i = 0; i < count; ++i)
-      missed.add(std::abs(made.reached[i].second - made.asked[i].second));
+      missed.add(std::abs(made.reached[i].second - made.requested[i].second));
   }
   if (missed.count == 0) return;
   out.say(fmt::format(
@@ -66,7 +66,7 @@ void tell_reached(MethodsText& out) {
       missed.mean(), missed.most));
 }
 
-std::string held_where(MethodsText& out) {
+std::string held_at_text(MethodsText& out) {
   Names places;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
     const Hold& hold = stimulus.hold;
@@ -78,14 +78,14 @@ std::string held_where(MethodsText& out) {
   return listed(places);
 }
 
-void tell_held(MethodsText& out) {
+void describe_holds(MethodsText& out) {
   const auto holds = [](const Stimulus& stimulus) { return stimulus.hold.anything(); };
   const auto held = std::ranges::count_if(out.manifest.stimuli, holds);
   if (held == 0) return;
   out.say(fmt::format(
       "In {}, parameters that were not requested were held at their values in {}, as closely as "
       "the examples allow",
-      count_of(static_cast<std::size_t>(held), "stimulus", "stimuli"), held_where(out)));
+      count_of(static_cast<std::size_t>(held), "stimulus", "stimuli"), held_at_text(out)));
   Range missed;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
     if (!holds(stimulus)) continue;
@@ -106,9 +106,9 @@ void describe_blends(MethodsText& out) {
   if (!blends_examples(out.manifest)) return;
   if (!stimuli_from(out.manifest, "adjectives").empty() ||
       !stimuli_from(out.manifest, "features").empty()) {
-    tell_interpolation(out);
-    tell_reached(out);
-    tell_held(out);
+    describe_interpolation(out);
+    describe_deviations(out);
+    describe_holds(out);
   }
   if (const auto weighted = stimuli_from(out.manifest, "weights"); !weighted.empty()) {
     out.say(count_of(weighted.size(), "stimulus was blended", "stimuli were blended") +

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 
 namespace {
 
-void tell_repertoire(MethodsText& out) {
+void describe_repertoire(MethodsText& out) {
   const Repertoire& repertoire = out.motions.repertoire();
   const std::size_t count = repertoire.names.size();
   if (repertoire.origins.empty()) {
@@ -61,7 +61,7 @@ std::size_t raters_of(const Answers& answers) {
   return raters.size();
 }
 
-void tell_ratings(MethodsText& out) {
+void describe_ratings(MethodsText& out) {
   const Repertoire& repertoire = out.motions.repertoire();
   if (!repertoire.impressions || stimuli_from(out.manifest, "adjectives").empty()) return;
   const Impressions& impressions = *repertoire.impressions;
@@ -112,8 +112,8 @@ void tell_ratings(MethodsText& out) {
 }  // namespace
 
 void describe_examples(MethodsText& out) {
-  tell_repertoire(out);
-  tell_ratings(out);
+  describe_repertoire(out);
+  describe_ratings(out);
 }
 
 }  // namespace mien::pipeline

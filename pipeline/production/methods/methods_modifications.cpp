@@ -13,10 +13,10 @@ namespace mien::pipeline {
 
 namespace {
 
-const Writing recipe_writing{.for_key = true};  // files by their names
+const WritingOptions recipe_writing{.for_key = true};  // files by their names
 
 /// What the steps with an emotion do at a strength of 1: its recipe, with what was set by hand.
-void tell_recipes(const Names& emotions, MethodsText& out) {
+void describe_recipes(const Names& emotions, MethodsText& out) {
   static const std::vector<FieldEntry> usual = entries_of(motion::Modification{}, recipe_writing);
   Names recipes;
   for (const std::string& emotion : emotions) {
@@ -48,7 +48,7 @@ std::string recipe_book(MethodsText& out) {
                                               : "mien's own, after the thesis";
 }
 
-void tell_steps(MethodsText& out) {
+void describe_steps(MethodsText& out) {
   std::size_t modified = 0, reduced = 0;
   double least_share = 1.0;
   Names emotions, styles, changed;
@@ -81,7 +81,7 @@ void tell_steps(MethodsText& out) {
                         emotions.size() == 1 ? "was" : "were", listed(emotions),
                         told(strengths, 2, "")));
   }
-  tell_recipes(emotions, out);
+  describe_recipes(emotions, out);
   if (!by_hand.empty()) out.say("Manual changes: " + by_hand.text(changed));
   if (!styles.empty()) {
     out.say("Style differences were transferred from pairs of examples by published methods" +
@@ -95,7 +95,7 @@ void tell_steps(MethodsText& out) {
   }
 }
 
-void tell_foils(MethodsText& out) {
+void describe_foils(MethodsText& out) {
   std::size_t foils = 0;
   Names aspects;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
@@ -112,8 +112,8 @@ void tell_foils(MethodsText& out) {
 }  // namespace
 
 void describe_modifications(MethodsText& out) {
-  tell_steps(out);
-  tell_foils(out);
+  describe_steps(out);
+  describe_foils(out);
 }
 
 }  // namespace mien::pipeline

@@ -17,7 +17,7 @@ namespace mien::pipeline {
 
 namespace {
 
-void tell_looks(MethodsText& out) {
+void describe_looks(MethodsText& out) {
   Names figures, scenes, cameras, sizes, rates, qualities;
   for (const Stimulus* film : films_of(out.manifest)) {
     const Output& output = film->output;
@@ -38,7 +38,7 @@ void tell_looks(MethodsText& out) {
                   listed(qualities), listed(rates)));
 }
 
-void tell_videos(MethodsText& out) {
+void describe_videos(MethodsText& out) {
   Range seconds;
   Names kinds;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
@@ -55,12 +55,13 @@ void tell_videos(MethodsText& out) {
       listed(kinds)));
 }
 
-void tell_equalizing(MethodsText& out) {
+void describe_equalization(MethodsText& out) {
   Names alike;
   if (out.manifest.equalize.duration) alike.emplace_back("duration (to the shortest)");
-  const auto add = [&](const std::optional<Among>& among, const std::string& what) {
+  const auto add = [&](const std::optional<EqualizeGroup>& among, const std::string& what) {
     if (!among) return;
-    alike.push_back(what + (among == Among::figure ? ", separately for each kind of figure" : ""));
+    alike.push_back(what +
+                    (among == EqualizeGroup::figure ? ", separately for each kind of figure" : ""));
   };
   add(out.manifest.equalize.size,
       "height of the standing figure (to the smallest, by camera distance)");
@@ -88,7 +89,7 @@ bool compares_files(MethodsText& out) {
   });
 }
 
-void tell_distances(MethodsText& out) {
+void describe_distances(MethodsText& out) {
   Range distances;
   std::size_t matches = 0;
   for (const Sheet& sheet : out.manifest.sheets) {
@@ -119,11 +120,11 @@ void tell_distances(MethodsText& out) {
 }  // namespace
 
 void describe_pictures(MethodsText& out) {
-  tell_looks(out);
-  tell_videos(out);
+  describe_looks(out);
+  describe_videos(out);
   describe_settings(out);
-  tell_equalizing(out);
-  tell_distances(out);
+  describe_equalization(out);
+  describe_distances(out);
 }
 
 }  // namespace mien::pipeline

@@ -21,10 +21,10 @@ namespace mien::pipeline {
 
 namespace {
 
-const Writing by_names{.for_key = true};  // files by their names
+const WritingOptions by_names{.for_key = true};  // files by their names
 
 /// What other sentences say of all films.
-bool is_told_of_all(const FieldEntry& entry) {
+bool is_stated_for_all(const FieldEntry& entry) {
   constexpr std::array<std::string_view, 9> paths = {"look.scene",
                                                      "look.figure",
                                                      "look.camera",
@@ -38,7 +38,7 @@ bool is_told_of_all(const FieldEntry& entry) {
 }
 
 /// The same within a map: which set it is, from where it is seen, and a figure without options.
-OrderedJson without_told(OrderedJson value) {
+OrderedJson without_stated(OrderedJson value) {
   if (!value.is_object()) return value;
   OrderedJson rest = OrderedJson::object();
   for (const auto& [key, one] : value.items()) {
@@ -54,7 +54,7 @@ void add_differences(const std::string& prefix, const Value& value, const std::s
   static const std::vector<FieldEntry> usual = entries_of(Value{}, by_names);
   for (FieldEntry entry : differences(entries_of(value, by_names), usual)) {
     entry.path = prefix + entry.path;
-    if (!is_told_of_all(entry)) settings.add(entry.path, without_told(entry.value), of);
+    if (!is_stated_for_all(entry)) settings.add(entry.path, without_stated(entry.value), of);
   }
 }
 
@@ -79,7 +79,7 @@ std::string dots_of(const Stimulus& stimulus, Motions& motions, std::uint64_t se
                                     : fmt::format("{:g} pixels", options.size_px));
 }
 
-void tell_dots(MethodsText& out) {
+void describe_dots(MethodsText& out) {
   Names dots;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
     if (has_dots(stimulus)) add_once(dots, dots_of(stimulus, out.motions, out.manifest.seed));
@@ -91,7 +91,7 @@ void tell_dots(MethodsText& out) {
 }  // namespace
 
 void describe_settings(MethodsText& out) {
-  tell_dots(out);
+  describe_dots(out);
   StatedSettings settings;
   Names everybody;
   const auto add_settings_of = [&](const Stimulus& film) {

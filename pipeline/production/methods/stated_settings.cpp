@@ -134,9 +134,10 @@ std::string words_of_option(std::string_view path, const OrderedJson& value) {
     const bool is_it = path == end || (path.ends_with(end) && path.size() > end.size() &&
                                        path[path.size() - end.size() - 1] == '.');
     if (!is_it) continue;
-    const std::size_t hole = words.find("{}");
-    if (hole != std::string_view::npos)
-      return fmt::format("{}{}{}", words.substr(0, hole), text, words.substr(hole + 2));
+    const std::size_t placeholder = words.find("{}");
+    if (placeholder != std::string_view::npos)
+      return fmt::format("{}{}{}", words.substr(0, placeholder), text,
+                         words.substr(placeholder + 2));
     if (value == true) return std::string(words);
   }
   return fmt::format("{}: {}", name_of_option(path), text);

@@ -124,7 +124,7 @@ std::vector<ExpectedExample> expected_examples(const Manifest& manifest, Motions
   std::vector<ExpectedExample> rows;
   for (const ExpectationCheck& check : expectation_checks(manifest, motions.repertoire()))
     for (std::size_t i = 0; i < check.order.size(); ++i)
-      rows.push_back({check, i, given_or_simulated(motions.repertoire().simulated_ratings)});
+      rows.push_back({check, i, origin_text(motions.repertoire().simulated_ratings)});
   return rows;
 }
 

@@ -20,7 +20,7 @@ constexpr std::array<motion::BodyJoint, 5> ends = {
     motion::Head, motion::LeftWrist, motion::RightWrist, motion::LeftAnkle, motion::RightAnkle};
 
 constexpr double held_posture_degrees = 2.0;
-constexpr double held_share = 0.05;
+constexpr double held_ratio = 0.05;
 
 /// Places of the joints at every frame, without the body's place on the floor and its heading.
 std::vector<std::vector<Vec3>> places_in_body(const motion::Clip& clip) {
@@ -67,11 +67,11 @@ std::vector<CertifiedAspect> certificate(const motion::Clip& of, const motion::C
   return {{FoilAspect::posture, "largest difference of a joint rotation (degrees)", NAN, NAN,
            posture_difference(of, foil), held_posture_degrees},
           {FoilAspect::path_length, "path length of head, wrists and ankles (m)", a.path_m,
-           b.path_m, share(a.path_m, b.path_m), held_share},
+           b.path_m, share(a.path_m, b.path_m), held_ratio},
           {FoilAspect::speed, "duration (s)", a.duration_s, b.duration_s,
-           share(a.duration_s, b.duration_s), held_share},
+           share(a.duration_s, b.duration_s), held_ratio},
           {FoilAspect::acceleration, "variation of speed", a.unevenness, b.unevenness,
-           share(a.unevenness, b.unevenness), held_share}};
+           share(a.unevenness, b.unevenness), held_ratio}};
 }
 
 struct FoilAspectRow {

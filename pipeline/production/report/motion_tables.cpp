@@ -165,8 +165,8 @@ std::vector<MadeClip> made_clips(const Manifest& manifest, Motions& motions) {
 /// What the stimulus asks for, what it holds, and what comes along with the blend.
 std::vector<ParameterRow> parameters_of(const Synthesis& made, const Repertoire& repertoire) {
   std::vector<ParameterRow> rows;
-  for (std::size_t i = 0; i < made.asked.size(); ++i) {
-    rows.push_back({made.asked[i].first, made.asked[i].second, {}, made.reached[i].second});
+  for (std::size_t i = 0; i < made.requested.size(); ++i) {
+    rows.push_back({made.requested[i].first, made.requested[i].second, {}, made.reached[i].second});
     if (i < made.feasible.size()) rows.back().possible = made.feasible[i].range;
   }
   for (std::size_t i = 0; i < made.held.size(); ++i)
@@ -194,7 +194,7 @@ std::vector<ParameterRow> parameters_of_stimuli(const Manifest& manifest, Motion
     for (ParameterRow& row : parameters_of(made, repertoire)) {
       row.stimulus = stimulus.id;
       row.ratings = row.requested ? ratings_of(&stimulus, motions)
-                                  : given_or_simulated(repertoire.parameters.simulated);
+                                  : origin_text(repertoire.parameters.simulated);
       row.label = row.requested ? label_of(row.name, stimulus, repertoire)
                                 : rating_label(row.name, repertoire.scales);
       rows.push_back(std::move(row));

@@ -169,7 +169,7 @@ std::string links_to_neighbours(const std::vector<ReportPart>& parts, std::size_
 std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& motions) {
   std::vector<std::string> warnings;
   if (blends_examples(manifest)) warnings = motions.repertoire().warnings;
-  std::vector<std::string> repetitions = told_repetitions(manifest);
+  std::vector<std::string> repetitions = repetition_warnings(manifest);
   const std::size_t shown = std::min(repetitions.size(), most_warnings_of_one_kind);
   warnings.insert(warnings.end(), repetitions.begin(),
                   repetitions.begin() + static_cast<std::ptrdiff_t>(shown));

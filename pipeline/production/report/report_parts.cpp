@@ -24,7 +24,7 @@ std::size_t count_of(CardKind kind, const Manifest& manifest) {
 
 constexpr CardKind all_kinds[] = {CardKind::stimulus, CardKind::overlay, CardKind::comparison};
 
-bool is_cut(const Manifest& manifest) {
+bool is_split(const Manifest& manifest) {
   return std::ranges::any_of(
       all_kinds, [&](CardKind kind) { return count_of(kind, manifest) > most_cards_on_a_page; });
 }
@@ -47,7 +47,7 @@ std::string ReportPart::title() const {
 
 std::vector<ReportPart> report_parts(const Manifest& manifest) {
   std::vector<ReportPart> parts;
-  if (!is_cut(manifest)) return parts;
+  if (!is_split(manifest)) return parts;
   for (const CardKind kind : all_kinds) {
     const std::size_t count = count_of(kind, manifest);
     for (std::size_t first = 0; first < count; first += most_cards_on_a_page)
@@ -66,7 +66,7 @@ std::vector<const Sheet*> comparisons_in(const Manifest& manifest) {
 
 std::string link_to(const Stimulus& stimulus, const Manifest& manifest) {
   const std::string anchor = "#" + html_escaped(stimulus.id);
-  if (!is_cut(manifest)) return anchor;
+  if (!is_split(manifest)) return anchor;
   const auto index = static_cast<std::size_t>(&stimulus - manifest.stimuli.data());
   return ReportPart{CardKind::stimulus, index, index + 1}.path() + anchor;
 }

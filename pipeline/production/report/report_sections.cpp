@@ -17,8 +17,8 @@ namespace {
 /// What the films of a study have in common because it asks for that, and among which.
 std::string alike(const Equalize& equalize) {
   std::vector<std::string> in_all, by_figure;
-  const auto add = [&](const std::optional<Among>& among, const std::string& what) {
-    if (among) (*among == Among::figure ? by_figure : in_all).push_back(what);
+  const auto add = [&](const std::optional<EqualizeGroup>& among, const std::string& what) {
+    if (among) (*among == EqualizeGroup::figure ? by_figure : in_all).push_back(what);
   };
   if (equalize.duration) {
     in_all.emplace_back(

@@ -26,7 +26,7 @@ std::string range_cell(const FeasibleParameter& parameter) {
 
 bool is_listed(const std::string& id, const Synthesis& made) {
   const auto is_id = [&](const auto& value) { return value.first == id; };
-  return std::ranges::any_of(made.asked, is_id) || std::ranges::any_of(made.held, is_id);
+  return std::ranges::any_of(made.requested, is_id) || std::ranges::any_of(made.held, is_id);
 }
 
 /// In the language, where there are words of it.
@@ -75,14 +75,14 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
                             InterfaceLanguage language) {
   if (made.weights.size() == 0) return "";
   std::string rows;
-  const auto add = [&](const std::string& id, const std::string& asked, const std::string& possible,
-                       double reached) {
+  const auto add = [&](const std::string& id, const std::string& requested,
+                       const std::string& possible, double reached) {
     rows += bar_row(parameter_name(id, stimulus, motions, language), reached,
-                    {asked, fmt::format("{:.2f}", reached), possible});
+                    {requested, fmt::format("{:.2f}", reached), possible});
   };
-  for (std::size_t i = 0; i < made.asked.size(); ++i) {
+  for (std::size_t i = 0; i < made.requested.size(); ++i) {
     const std::string possible = i < made.feasible.size() ? range_cell(made.feasible[i]) : "";
-    add(made.asked[i].first, fmt::format("{:.2f}", made.asked[i].second), possible,
+    add(made.requested[i].first, fmt::format("{:.2f}", made.requested[i].second), possible,
         made.reached[i].second);
   }
   for (std::size_t i = 0; i < made.held.size(); ++i)
@@ -106,7 +106,7 @@ std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Mo
   if (rows.empty()) return rows;
   return fmt::format(
       "<details><summary>{} {}</summary>\n{}</details>\n", count,
-      made.asked.empty() && made.held.empty()
+      made.requested.empty() && made.held.empty()
           ? (count == 1 ? "scale without a requested value" : "scales without requested values")
           : (count == 1 ? "other scale" : "other scales"),
       html_table({"scale", "", ">value"}, rows));

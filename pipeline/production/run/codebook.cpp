@@ -51,7 +51,7 @@ ordered_json as_json(const TableForm& form, const std::vector<std::string>& fact
 }  // namespace
 
 std::vector<TableForm> all_table_forms() {
-  constexpr Among study = Among::study;
+  constexpr EqualizeGroup study = EqualizeGroup::study;
   return table_forms({.luminance = study, .size = study, .place = study, .duration = true}, true);
 }
 

@@ -8,7 +8,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/reading/field_values.h"
 #include "pipeline/base/reading/field_writer.h"
-#include "pipeline/base/reading/value_forms.h"
+#include "pipeline/base/reading/value_codecs.h"
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/production/film/film.h"
@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const Writing by_name{.for_key = true};  // files by name
+const WritingOptions by_name{.for_key = true};  // files by name
 
 /// All that a struct says, with what it has anyway.
 template <class Value>

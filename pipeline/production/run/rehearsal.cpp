@@ -24,19 +24,19 @@ class Rehearsal : public FaultList {
       : FaultList(manifest.places), manifest_(manifest), motions_(motions) {}
 
   void play() {
-    if (!goes("examples", [&] { motions_.repertoire(); })) return;
+    if (!succeeds("examples", [&] { motions_.repertoire(); })) return;
     const std::vector<Staging> stagings = staged();
     for (std::size_t i = 0; i < stagings.size(); ++i) tell(manifest_.stimuli[i], stagings[i]);
     if (!std::ranges::all_of(stagings, [](const Staging& one) { return one.wrong.empty(); }))
       return;
     for (const Overlay& overlay : manifest_.overlays) {
-      goes(overlay.film.path, [&] {
+      succeeds(overlay.film.path, [&] {
         check_fades(overlay.film, shot_of(overlay, motions_, manifest_.seed).frame_count());
       });
     }
-    if (manifest_.equalize.place) goes("equalize", [&] { check_places(manifest_, motions_); });
+    if (manifest_.equalize.place) succeeds("equalize", [&] { check_places(manifest_, motions_); });
     if (!manifest_.equalize.luminance) return;
-    goes("equalize", [&] {
+    succeeds("equalize", [&] {
       for (const Fault& fault : faults_in_light(manifest_, motions_))
         add(fault.path, fault.wrong, fault.remedy);
     });
@@ -46,7 +46,7 @@ class Rehearsal : public FaultList {
   /// What is wrong in a file has a place of its own; all else is reported where the manifest asks
   /// for it.
   template <class Work>
-  bool goes(const std::string& path, const Work& work) {
+  bool succeeds(const std::string& path, const Work& work) {
     try {
       work();
       return true;

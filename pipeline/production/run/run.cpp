@@ -52,7 +52,7 @@ std::vector<std::string> warnings_in(const Production& production, const RunResu
       said.emplace_back(film, warning);
     }
   }
-  std::vector<std::string> warnings = told_repetitions(production.manifest());
+  std::vector<std::string> warnings = repetition_warnings(production.manifest());
   for (std::string& warning : grouped_warnings(said)) warnings.push_back(std::move(warning));
   return warnings;
 }
@@ -119,7 +119,7 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
     refuse_replaced(result, store);
     put_inputs(production.manifest(), production.inputs(), store);
     put_provenance(production, result, store);
-    store.remove_workings();
+    store.remove_intermediates();
   }
   result.warnings = warnings_in(production, result, store);
   result.nondeterminism = store.nondeterminism();

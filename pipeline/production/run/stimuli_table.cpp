@@ -52,14 +52,14 @@ std::string motions_of(const Overlay& overlay) {
 
 std::string figure_options(const Look& look) {
   const OrderedJson figure =
-      FigureForm<scenes::Figure>::write(look.figure, Writing{.for_key = true});
+      FigureForm<scenes::Figure>::write(look.figure, WritingOptions{.for_key = true});
   if (figure.is_string()) return "";
   const OrderedJson options = *figure.begin();
   return options.is_null() || options.empty() ? "" : options.dump();
 }
 
 std::string camera_options(const Look& look) {
-  OrderedJson camera = written(look.camera, Writing{.for_key = true});
+  OrderedJson camera = written(look.camera, WritingOptions{.for_key = true});
   if (camera.is_object()) camera.erase("view");
   return !camera.is_object() || camera.empty() ? "" : camera.dump();
 }
@@ -171,13 +171,13 @@ constexpr auto stimuli_columns = table_of<MadeStimulus>(
      {"frames_hash", "", "XXH3-128 of the names and hashes of all frames",
       [](auto& r) { return r.hash_of(r.frames()); }}});
 
-struct ToldWarning {
+struct WarningRow {
   std::string stimulus;
   const char* about;
   std::string sentence;
 };
 
-constexpr auto warnings_columns = table_of<ToldWarning>(
+constexpr auto warnings_columns = table_of<WarningRow>(
     "metrics/warnings.csv", "warning",
     {{"stimulus", "", "id of the stimulus or overlay; empty for warnings about the examples",
       [](auto& r) { return r.stimulus; }},
@@ -207,7 +207,7 @@ std::string stimuli_csv(const Manifest& manifest, Motions& motions, const fs::pa
 }
 
 std::string warnings_csv(const Manifest& manifest, Motions& motions, const fs::path& folder) {
-  std::vector<ToldWarning> rows;
+  std::vector<WarningRow> rows;
   if (uses_examples(manifest)) {
     for (const std::string& warning : motions.repertoire().warnings)
       rows.push_back({"", "examples", warning});

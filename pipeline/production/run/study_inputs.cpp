@@ -24,11 +24,12 @@ void for_each_document(M& manifest, const Visit& visit) {
     if (!look.scene_file.empty()) visit(look.scene_file);
   };
   if (manifest.questionnaire) {
-    auto& asked = *manifest.questionnaire;
-    for (auto* text : {&asked.consent, &asked.instructions, &asked.ending, &asked.analysis.plan}) {
+    auto& questionnaire = *manifest.questionnaire;
+    for (auto* text : {&questionnaire.consent, &questionnaire.instructions, &questionnaire.ending,
+                       &questionnaire.analysis.plan}) {
       if (!text->file.empty()) visit(text->file);
     }
-    if (!asked.scales.file.empty()) visit(asked.scales.file);
+    if (!questionnaire.scales.file.empty()) visit(questionnaire.scales.file);
   }
   if (manifest.matching) {
     auto& matching = *manifest.matching;

@@ -22,7 +22,7 @@ struct SheetMotion {
 /// The requested or held value of a parameter of a motion, and the value reached: shares of its
 /// range, 0 low, 1 high. Empty: not requested, not held, or not known.
 struct SheetValue {
-  std::optional<double> asked;
+  std::optional<double> requested;
   std::optional<double> held;
   std::optional<double> reached;
 };
@@ -32,7 +32,7 @@ struct SheetParameter : ParameterLabel {
   SheetValue target;
   SheetValue created;
 
-  bool is_asked() const { return target.asked || created.asked; }
+  bool is_requested() const { return target.requested || created.requested; }
   bool is_held() const { return target.held || created.held; }
 };
 

@@ -147,7 +147,7 @@ std::optional<double> value_of(const NamedValues& values, const std::string& nam
 
 /// Requested and held values of a motion, and the values reached.
 struct Values {
-  NamedValues asked;
+  NamedValues requested;
   NamedValues held;
   NamedValues reached;  ///< of the requested parameters
   NamedValues rated;    ///< every rated parameter, of a blend of rated examples
@@ -159,7 +159,7 @@ struct Values {
     return own || is_feature ? own : value_of(rated, id);
   }
   SheetValue of(const std::string& id, bool is_feature) const {
-    return {is_feature == are_features ? value_of(asked, id) : std::nullopt,
+    return {is_feature == are_features ? value_of(requested, id) : std::nullopt,
             is_feature ? std::nullopt : value_of(held, id), reached_of(id, is_feature)};
   }
 };
@@ -169,7 +169,7 @@ Values values_of(const std::string& name, Motions& motions) {
   const Synthesis& made = motions.of(name);
   const Stimulus* stimulus = motions.stimulus(name);
   const bool is_blend = made.weights.size() > 0;
-  return {made.asked, made.held, made.modified.empty() ? made.reached : NamedValues(),
+  return {made.requested, made.held, made.modified.empty() ? made.reached : NamedValues(),
           is_blend ? rated_values(made, motions.repertoire()) : NamedValues(),
           stimulus != nullptr && !stimulus->features.empty()};
 }
@@ -180,8 +180,8 @@ class ParameterList {
  public:
   ParameterList(const Values& target, const Values& created, const ScaleSet& scales)
       : target_(target), created_(created), scales_(scales) {
-    add(target.asked, target.are_features);
-    add(created.asked, created.are_features);
+    add(target.requested, target.are_features);
+    add(created.requested, created.are_features);
     add(target.held, false);
     add(created.held, false);
     add(target.rated, false);
@@ -208,7 +208,7 @@ class ParameterList {
 
 /// Whether a number on the sheet comes from ratings.
 bool rests_on_ratings(const Values& values) {
-  return !values.rated.empty() || (!values.asked.empty() && !values.are_features);
+  return !values.rated.empty() || (!values.requested.empty() && !values.are_features);
 }
 
 /// Examples are what motions are made from: references.
@@ -236,7 +236,7 @@ SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions
   content.distance = motions.distance(sheet.target, sheet.created);
   const Values target = values_of(sheet.target, motions);
   const Values created = values_of(sheet.created, motions);
-  if (!target.asked.empty() || !created.asked.empty() || rests_on_ratings(target) ||
+  if (!target.requested.empty() || !created.requested.empty() || rests_on_ratings(target) ||
       rests_on_ratings(created)) {
     const Repertoire& repertoire = motions.repertoire();
     content.parameters = ParameterList(target, created, repertoire.scales).take();

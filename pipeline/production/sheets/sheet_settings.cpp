@@ -23,18 +23,19 @@ TextStyle number_style(Colour colour, bool is_bold) {
 /// Right edges of what stands in a row of parameters: names and sliders, then what was requested
 /// and what was reached.
 struct ParameterColumns {
-  double sliders, target_asked, target, created_asked, created;
+  double sliders, target_requested, target, created_requested, created;
 };
 
 /// "held" before a number takes some room.
 ParameterColumns parameter_columns(const Box& box, const std::vector<SheetParameter>& parameters) {
   const bool holds = std::ranges::any_of(parameters, &SheetParameter::is_held);
-  const double before_asked = holds ? 42.0 : 24.0;
+  const double before_requested = holds ? 42.0 : 24.0;
   const double created = box.right();
-  const double created_asked = created - 28.0;
-  const double target = created_asked - (holds ? 42.0 : 32.0);
-  const double target_asked = target - 28.0;
-  return {target_asked - before_asked, target_asked, target, created_asked, created};
+  const double created_requested = created - 28.0;
+  const double target = created_requested - (holds ? 42.0 : 32.0);
+  const double target_requested = target - 28.0;
+  return {target_requested - before_requested, target_requested, target, created_requested,
+          created};
 }
 
 void draw_values(Canvas& canvas, const Box& box, double baseline,
@@ -55,32 +56,32 @@ void draw_parameter_titles(Canvas& canvas, const Box& box, const ParameterColumn
   canvas.text({columns.target, box.y + 4.0}, "target", number_style(target_colours.line, true));
   canvas.text({columns.created, box.y + 4.0}, "created", number_style(created_colours.line, true));
   const TextStyle small = {.size = 6.5, .colour = quiet_ink, .align = Align::right};
-  for (const double x : {columns.target_asked, columns.created_asked})
+  for (const double x : {columns.target_requested, columns.created_requested})
     canvas.text({x, box.y + 12.0}, "request", small);
   for (const double x : {columns.target, columns.created})
     canvas.text({x, box.y + 12.0}, "reached", small);
 }
 
 /// "0.70" for a requested value, "held 0.50" for a held one.
-std::string wish_text(const SheetValue& value) {
-  if (value.asked) return number(value.asked);
+std::string requested_text(const SheetValue& value) {
+  if (value.requested) return number(value.requested);
   return value.held ? "held " + number(value.held) : "";
 }
 
 /// What was wished for in grey, what came out in the motion's colour.
-void draw_asked_and_reached(Canvas& canvas, const ParameterColumns& columns, double baseline,
-                            const SheetParameter& parameter) {
+void draw_requested_and_reached(Canvas& canvas, const ParameterColumns& columns, double baseline,
+                                const SheetParameter& parameter) {
   const TextStyle quiet = number_style(quiet_ink, false);
-  const auto write_wish = [&](double right, const SheetValue& value) {
-    const std::string text = wish_text(value);
+  const auto write_requested = [&](double right, const SheetValue& value) {
+    const std::string text = requested_text(value);
     if (!text.empty()) canvas.text({right, baseline}, text, quiet);
   };
-  write_wish(columns.target_asked, parameter.target);
-  write_wish(columns.created_asked, parameter.created);
+  write_requested(columns.target_requested, parameter.target);
+  write_requested(columns.created_requested, parameter.created);
   canvas.text({columns.target, baseline}, number(parameter.target.reached),
-              number_style(target_colours.line, parameter.target.asked.has_value()));
+              number_style(target_colours.line, parameter.target.requested.has_value()));
   canvas.text({columns.created, baseline}, number(parameter.created.reached),
-              number_style(created_colours.line, parameter.created.asked.has_value()));
+              number_style(created_colours.line, parameter.created.requested.has_value()));
 }
 
 double bars_right(const Box& box) { return value_columns(box).target - 34.0; }
@@ -120,26 +121,26 @@ void draw_slider(Canvas& canvas, const SheetParameter& parameter, const Box& row
     canvas.line({at(tick).x, track - 2.0}, {at(tick).x, track + 2.0},
                 {.width = 0.8, .colour = hairline});
   }
-  const auto stroke = [&](const std::optional<double>& asked, Colour colour) {
-    if (!asked) return;
-    canvas.line({at(*asked).x, track - 5.0}, {at(*asked).x, track + 5.0},
+  const auto stroke = [&](const std::optional<double>& requested, Colour colour) {
+    if (!requested) return;
+    canvas.line({at(*requested).x, track - 5.0}, {at(*requested).x, track + 5.0},
                 {.width = 1.1, .colour = colour});
   };
   const std::optional<double>& created = parameter.created.reached;
   if (created) canvas.disc(at(*created), 4.0, paper);
-  stroke(parameter.target.asked, target_colours.line);
-  stroke(parameter.created.asked, created_colours.line);
+  stroke(parameter.target.requested, target_colours.line);
+  stroke(parameter.created.requested, created_colours.line);
   if (parameter.target.reached)
     canvas.disc(at(*parameter.target.reached), 2.6, target_colours.line);
   if (created) canvas.ring(at(*created), 4.0, {.width = 1.4, .colour = created_colours.line});
-  draw_asked_and_reached(canvas, columns, track + 2.8, parameter);
+  draw_requested_and_reached(canvas, columns, track + 2.8, parameter);
 }
 
 /// A parameter that neither motion requests, in one line.
 void draw_plain_parameter(Canvas& canvas, const SheetParameter& parameter, const Box& row,
                           const ParameterColumns& columns) {
   draw_names(canvas, parameter, row.x, columns.sliders, row.y + 8.0);
-  draw_asked_and_reached(canvas, columns, row.y + 8.0, parameter);
+  draw_requested_and_reached(canvas, columns, row.y + 8.0, parameter);
 }
 
 /// The weights of one example in both blends.
@@ -184,7 +185,7 @@ constexpr double plain_row = 10.5;
 double wanted_height(const std::vector<SheetParameter>& parameters) {
   double height = heading_height;
   for (const SheetParameter& parameter : parameters)
-    height += parameter.is_asked() ? slider_row : plain_row;
+    height += parameter.is_requested() ? slider_row : plain_row;
   return parameters.empty() ? height + slider_row : height;
 }
 
@@ -222,7 +223,7 @@ void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box
   Box row = {box.x, box.y + heading_height - 6.0, box.width, 0.0};
   for (std::size_t i = 0; i < content.parameters.size(); ++i, row.y += row.height) {
     const SheetParameter& parameter = content.parameters[i];
-    row.height = parameter.is_asked() ? slider_row : plain_row;
+    row.height = parameter.is_requested() ? slider_row : plain_row;
     const bool is_last = i + 1 == content.parameters.size();
     if (row.bottom() + (is_last ? 0.0 : plain_row) > box.bottom() + 0.1) {
       const std::size_t left_out = content.parameters.size() - i;
@@ -230,7 +231,7 @@ void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box
                   fmt::format("and {} more in metrics/parameters.csv", left_out));
       return;
     }
-    if (parameter.is_asked()) {
+    if (parameter.is_requested()) {
       draw_slider(canvas, parameter, row, columns);
     } else {
       draw_plain_parameter(canvas, parameter, row, columns);

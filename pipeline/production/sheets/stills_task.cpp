@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "pipeline/production/film/disk_light_cache.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_shot.h"
-#include "pipeline/production/film/kept_light.h"
 #include "pipeline/production/sheets/sheet_content.h"
 #include "pipeline/production/sheets/sheet_task.h"
 #include "pipeline/production/sheets/stills.h"
@@ -66,7 +66,7 @@ Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSetting
   task.cost_seconds = still_cost_seconds * static_cast<double>(sheet.stills.size());
   task.make = [&sheet, &manifest, &motions, settings](TaskRun& run) {
     FilmSettings kept = settings;
-    kept.light_cache = kept_light(run.store, run.stop);
+    kept.light_cache = disk_light_cache(run.store, run.stop);
     const StillsContent content = stills_content(sheet, manifest, kept, motions, run);
     put_sheet(run, stills_as_pdf(content), stills_as_png(content));
   };

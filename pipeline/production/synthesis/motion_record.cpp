@@ -50,7 +50,7 @@ Hash digest_of(const Synthesis& synthesis, const motion::Clip& shown) {
   for (const double keytime : synthesis.motion.keytimes) key.add("keytime", keytime);
   for (const double weight : synthesis.weights) key.add("weight", weight);
   if (synthesis.expected_error_m) key.add("expected error", *synthesis.expected_error_m);
-  add(key, "asked", synthesis.asked);
+  add(key, "asked", synthesis.requested);
   add(key, "reached", synthesis.reached);
   add(key, "held", synthesis.held);
   add(key, "held reached", synthesis.held_reached);

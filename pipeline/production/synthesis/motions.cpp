@@ -57,9 +57,9 @@ motion::Distance Motions::distance(const std::string& target, const std::string&
 
 const motion::Example& Motions::measured(const std::string& name) {
   const motion::Example& made = of(name).motion;
-  const Stimulus* asked = stimulus(name);
+  const Stimulus* requested = stimulus(name);
   const bool is_on_the_spot = made.clip.loops && made.clip.cycle_displacement.isZero(1e-6);
-  if (asked == nullptr || !asked->clip || is_on_the_spot) return made;
+  if (requested == nullptr || !requested->clip || is_on_the_spot) return made;
   Entry& found = entry(name);
   std::call_once(found.measured_once, [&] {
     found.settled = made;
@@ -100,21 +100,22 @@ Motions::Entry& Motions::entry(const std::string& name) {
 }
 
 Synthesis Motions::make(const std::string& name) {
-  const Stimulus* asked = stimulus(name);
-  if (asked == nullptr) {
+  const Stimulus* requested = stimulus(name);
+  if (requested == nullptr) {
     return synthesize_example(name, manifest_.output, manifest_.interpolation, repertoire());
   }
   try {
-    return synthesized(*asked);
+    return synthesized(*requested);
   } catch (const UnwalkableStep& fault) {
-    throw fault.at(place_of_step(manifest_, *asked, fault.step()));
+    throw fault.at(place_of_step(manifest_, *requested, fault.step()));
   }
 }
 
-Synthesis Motions::synthesized(const Stimulus& asked) {
+Synthesis Motions::synthesized(const Stimulus& requested) {
   // A file or a path needs no examples, unless its modifications do; there may be none.
-  if (!is_blend(asked) && !names_examples(asked)) return synthesize(asked, Repertoire{});
-  return synthesize(asked, repertoire());
+  if (!is_blend(requested) && !names_examples(requested))
+    return synthesize(requested, Repertoire{});
+  return synthesize(requested, repertoire());
 }
 
 bool names_examples(const Stimulus& stimulus) {

@@ -50,7 +50,7 @@ class Motions : public FinishedMotions {
   struct Entry;
   Entry& entry(const std::string& name);
   Synthesis make(const std::string& name);
-  Synthesis synthesized(const Stimulus& asked);
+  Synthesis synthesized(const Stimulus& requested);
   const motion::Example& measured(const std::string& name);
 
   const Manifest& manifest_;

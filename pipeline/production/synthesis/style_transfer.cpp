@@ -23,7 +23,7 @@ namespace mien::pipeline {
 namespace {
 
 /// A cycle with less way than this is walked in place, metres; its feet cannot be locked.
-constexpr double least_way = 0.1;
+constexpr double least_travel_m = 0.1;
 constexpr double noticeable_drift_m = 0.005;
 
 motion::Example example_like(const motion::Example& motion, const std::string& name,
@@ -137,7 +137,7 @@ RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, do
   const motion::Example styled = example_like(motion, step.styled, repertoire);
   motion::Clip& clip = result.motion.clip;
   clip = restyled_clip(motion, neutral, styled, step, strength, result.notes);
-  const bool travels = !clip.loops || clip.cycle_displacement.norm() > least_way;
+  const bool travels = !clip.loops || clip.cycle_displacement.norm() > least_travel_m;
   if (step.feet && travels) {
     const std::vector<motion::FootPlant> plants = carried_plants(motion.clip, clip);
     clip = motion::foot_locked(clip, plants);

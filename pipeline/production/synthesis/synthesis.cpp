@@ -25,8 +25,8 @@ namespace {
 
 /// Deviations from a requested value above these are reported: of adjectives, which are weighted
 /// sums, and of features, which are measured on the synthesized motion.
-constexpr double told_difference = 0.02;
-constexpr double told_feature_difference = 0.1;
+constexpr double reported_difference = 0.02;
+constexpr double reported_feature_difference = 0.1;
 
 /// A motion that is nearly one example: its weight is above this, or fewer examples than this would
 /// be mixed if they had equal weights.
@@ -46,12 +46,12 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
   return motion::direct_weights(result);
 }
 
-NamedValues blended(const NamedValues& wishes, const ParameterTable& table,
+NamedValues blended(const NamedValues& requests, const ParameterTable& table,
                     const Eigen::VectorXd& weights) {
   NamedValues values;
-  for (const auto& wish : wishes) {
-    const Eigen::Index row = parameter_row(wish.first, table);
-    values.emplace_back(wish.first, table.values.row(row).dot(weights));
+  for (const auto& request : requests) {
+    const Eigen::Index row = parameter_row(request.first, table);
+    values.emplace_back(request.first, table.values.row(row).dot(weights));
   }
   return values;
 }
@@ -59,10 +59,11 @@ NamedValues blended(const NamedValues& wishes, const ParameterTable& table,
 /// Features are measured of the motion; what people would say of it can only be summed.
 NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& repertoire,
                                const motion::SynthesisedMotion& made) {
-  const NamedValues& wishes = wishes_of(stimulus);
-  if (stimulus.features.empty()) return blended(wishes, repertoire.parameters, made.found.weights);
+  const NamedValues& requests = requested_values(stimulus);
+  if (stimulus.features.empty())
+    return blended(requests, repertoire.parameters, made.found.weights);
   std::vector<std::string> names;
-  for (const auto& wish : wishes) names.push_back(wish.first);
+  for (const auto& request : requests) names.push_back(request.first);
   const Eigen::RowVectorXd measured = motion::measured_parameters(
       names, made, {repertoire.features.scale, repertoire.features.table});
   NamedValues reached;
@@ -72,10 +73,10 @@ NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& reper
 }
 
 void warn_of_missed_features(const ParameterTable& table, Synthesis& synthesis) {
-  for (size_t i = 0; i < synthesis.asked.size(); ++i) {
-    const auto& [name, value] = synthesis.asked[i];
+  for (size_t i = 0; i < synthesis.requested.size(); ++i) {
+    const auto& [name, value] = synthesis.requested[i];
     const double reached = synthesis.reached[i].second;
-    if (std::abs(reached - value) <= told_feature_difference) continue;
+    if (std::abs(reached - value) <= reported_feature_difference) continue;
     const auto row = table.values.row(parameter_row(name, table));
     synthesis.warnings.push_back(
         fmt::format("{} {:.2f} requested, {:.2f} reached; the examples range from {:.2f} to {:.2f}",
@@ -85,10 +86,10 @@ void warn_of_missed_features(const ParameterTable& table, Synthesis& synthesis) 
 
 void warn_of_missed_adjectives(const Stimulus& stimulus, Synthesis& synthesis) {
   const auto method = stimulus.interpolation.weights.method;
-  for (size_t i = 0; i < synthesis.asked.size(); ++i) {
-    const auto& [name, value] = synthesis.asked[i];
+  for (size_t i = 0; i < synthesis.requested.size(); ++i) {
+    const auto& [name, value] = synthesis.requested[i];
     const double reached = synthesis.reached[i].second;
-    if (std::abs(reached - value) <= told_difference) continue;
+    if (std::abs(reached - value) <= reported_difference) continue;
     std::string text = fmt::format("{} {:.2f} requested, {:.2f} reached", name, value, reached);
     if (i < synthesis.feasible.size()) {
       const FeasibleParameter& feasible = synthesis.feasible[i];
@@ -106,7 +107,7 @@ void warn_of_missed_holds(Synthesis& synthesis) {
     return std::abs(synthesis.held_reached[i].second - synthesis.held[i].second);
   };
   for (std::size_t i = 0; i < synthesis.held.size(); ++i) {
-    if (miss(i) > told_difference) ++missed;
+    if (miss(i) > reported_difference) ++missed;
     if (miss(i) > miss(worst)) worst = i;
   }
   if (missed == 0) return;
@@ -127,8 +128,8 @@ void note_single_example(const Repertoire& repertoire, Synthesis& synthesis) {
       100.0 * weight, repertoire.names[static_cast<std::size_t>(largest)].name, count));
 }
 
-motion::SynthesisContext making_of(const Interpolation& interpolation, const Output& output,
-                                   const Repertoire& repertoire) {
+motion::SynthesisContext synthesis_context(const Interpolation& interpolation, const Output& output,
+                                           const Repertoire& repertoire) {
   return {examples_for(interpolation, repertoire), interpolation, output.fps};
 }
 
@@ -143,25 +144,26 @@ Synthesis as_synthesis(motion::SynthesisedMotion made) {
 
 Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
                        const Interpolation& interpolation, const Repertoire& repertoire) {
-  return as_synthesis(
-      motion::synthesise_from_weights(weights, making_of(interpolation, output, repertoire)));
+  return as_synthesis(motion::synthesise_from_weights(
+      weights, synthesis_context(interpolation, output, repertoire)));
 }
 
 /// Records requested and held values, the values reached, and warnings about the deviations.
-void tell_wishes(const Stimulus& stimulus, const Wish& wish, const Repertoire& repertoire,
-                 NamedValues reached, Synthesis& made) {
+void record_request(const Stimulus& stimulus, const ParameterRequest& request,
+                    const Repertoire& repertoire, NamedValues reached, Synthesis& made) {
   const ParameterTable& table = table_of(stimulus, repertoire);
   const bool by_features = !stimulus.features.empty();
-  made.asked = wishes_of(stimulus);
+  made.requested = requested_values(stimulus);
   made.reached = std::move(reached);
-  for (Eigen::Index i = wish.settings.size() - wish.held; i < wish.settings.size(); ++i)
-    made.held.emplace_back(wish.sliders.sliders[static_cast<std::size_t>(i)], wish.settings[i]);
+  for (Eigen::Index i = request.settings.size() - request.held; i < request.settings.size(); ++i)
+    made.held.emplace_back(request.sliders.sliders[static_cast<std::size_t>(i)],
+                           request.settings[i]);
   made.held_reached = blended(made.held, table, made.weights);
   const bool is_blend = stimulus.interpolation.weights.method != motion::InterpolationMethod::pca;
   if (by_features) {
     warn_of_missed_features(table, made);
   } else {
-    if (is_blend) made.feasible = feasible_parameters(wish, table);
+    if (is_blend) made.feasible = feasible_parameters(request, table);
     warn_of_missed_adjectives(stimulus, made);
     warn_of_missed_holds(made);
   }
@@ -170,17 +172,17 @@ void tell_wishes(const Stimulus& stimulus, const Wish& wish, const Repertoire& r
 
 Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire) {
   const Interpolation& how = stimulus.interpolation;
-  const Wish wish = wish_of(stimulus, repertoire);
-  const FittedInterface sliders = fit_interface(wish.sliders, how, repertoire, wish.held);
-  motion::SynthesisedMotion made =
-      motion::synthesise_for(sliders, wish.settings, making_of(how, stimulus.output, repertoire),
-                             {repertoire.features.scale, repertoire.features.table});
+  const ParameterRequest request = request_of(stimulus, repertoire);
+  const FittedInterface sliders = fit_interface(request.sliders, how, repertoire, request.held);
+  motion::SynthesisedMotion made = motion::synthesise_for(
+      sliders, request.settings, synthesis_context(how, stimulus.output, repertoire),
+      {repertoire.features.scale, repertoire.features.table});
   std::vector<std::string> warnings = sliders.interpolator.remarks;
   warnings.insert(warnings.end(), made.found.remarks.begin(), made.found.remarks.end());
   NamedValues reached = reached_parameters(stimulus, repertoire, made);
   Synthesis result = as_synthesis(std::move(made));
   result.warnings = std::move(warnings);
-  tell_wishes(stimulus, wish, repertoire, std::move(reached), result);
+  record_request(stimulus, request, repertoire, std::move(reached), result);
   return result;
 }
 
@@ -192,10 +194,10 @@ motion::Clip excerpt(motion::Clip clip, const ClipSource& source) {
 }
 
 /// Warns of files with several takes where none was chosen. The reader of a clip reports its own.
-void tell_silent_takes(const Stimulus& stimulus, std::vector<std::string>& warnings) {
+void warn_of_default_takes(const Stimulus& stimulus, std::vector<std::string>& warnings) {
   for (const NamedMotion& motion : named_motions(stimulus)) {
     if (stimulus.clip && motion.path == member_path(stimulus.path, "clip")) continue;
-    const std::string note = silent_take(motion);
+    const std::string note = default_take_note(motion);
     const std::string warning = motion.file.filename().string() + ": " + note;
     if (!note.empty() && std::ranges::find(warnings, warning) == warnings.end())
       warnings.push_back(warning);
@@ -233,7 +235,7 @@ Synthesis as_walked(const Stimulus& stimulus) {
 Synthesis unmodified(const Stimulus& stimulus, const Repertoire& repertoire) {
   if (stimulus.clip) return as_captured(stimulus);
   if (stimulus.walk) return as_walked(stimulus);
-  if (!wishes_of(stimulus).empty()) return from_parameters(stimulus, repertoire);
+  if (!requested_values(stimulus).empty()) return from_parameters(stimulus, repertoire);
   return from_weights(given_weights(stimulus.weights, repertoire), stimulus.output,
                       stimulus.interpolation, repertoire);
 }
@@ -255,13 +257,13 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
 
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   assert(is_blend(stimulus));
-  if (wishes_of(stimulus).empty()) return given_weights(stimulus.weights, repertoire);
+  if (requested_values(stimulus).empty()) return given_weights(stimulus.weights, repertoire);
   // Features are met by trial (synthesise_with_features).
   if (!stimulus.features.empty()) return from_parameters(stimulus, repertoire).weights;
-  const Wish wish = wish_of(stimulus, repertoire);
+  const ParameterRequest request = request_of(stimulus, repertoire);
   const FittedInterface sliders =
-      fit_interface(wish.sliders, stimulus.interpolation, repertoire, wish.held);
-  return motion::weights_at(sliders.interpolator, wish.settings).weights;
+      fit_interface(request.sliders, stimulus.interpolation, repertoire, request.held);
+  return motion::weights_at(sliders.interpolator, request.settings).weights;
 }
 
 NamedValues rated_values(const Synthesis& synthesis, const Repertoire& repertoire) {
@@ -278,7 +280,7 @@ Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
   Synthesis result = unmodified(stimulus, repertoire);
   result.motion.name = stimulus.id;
   result.motion.clip.name = stimulus.id;
-  tell_silent_takes(stimulus, result.warnings);
+  warn_of_default_takes(stimulus, result.warnings);
   if (stimulus.modify.empty()) {
     result.findings = motion::lint(result.motion.clip);
   } else {

@@ -9,8 +9,8 @@
 #include "motion/lint/finding.h"
 #include "motion/skeleton/example.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/synthesis/parameter_request.h"
 #include "pipeline/production/synthesis/repertoire.h"
-#include "pipeline/production/synthesis/wish.h"
 
 namespace mien::pipeline {
 
@@ -21,7 +21,7 @@ struct Synthesis {
   /// negative (interpolation.h).
   Eigen::VectorXd weights;
   std::optional<double> expected_error_m;  ///< kriging's own: how far joints may be off
-  NamedValues asked;                       ///< the parameters that the stimulus sets
+  NamedValues requested;                   ///< the parameters that the stimulus sets
   /// The same parameters as the motion has them: adjectives by the blend, Σ weight · value;
   /// features as measured of the motion that was made, on the examples' scale.
   NamedValues reached;

@@ -18,9 +18,9 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/synthesis/parameter_request.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/production/synthesis/slider_interface.h"
-#include "pipeline/production/synthesis/wish.h"
 
 namespace mien::pipeline {
 
@@ -181,10 +181,11 @@ class RatedWalks {
   Mood shares_of(const Mood& adjectives) {
     Stimulus stimulus = plain_stimulus(manifest_);
     stimulus.adjectives = adjectives;
-    const Wish wish = wish_of(stimulus, repertoire());
+    const ParameterRequest request = request_of(stimulus, repertoire());
     const FittedInterface fitted =
-        fit_interface(wish.sliders, manifest_.interpolation, repertoire(), wish.held);
-    const Eigen::VectorXd weights = motion::weights_at(fitted.interpolator, wish.settings).weights;
+        fit_interface(request.sliders, manifest_.interpolation, repertoire(), request.held);
+    const Eigen::VectorXd weights =
+        motion::weights_at(fitted.interpolator, request.settings).weights;
     Mood mood;
     for (Eigen::Index i = 0; i < weights.size(); ++i) {
       if (weights(i) > 0.0)

@@ -19,15 +19,15 @@ constexpr double reach_m = 0.15;
 constexpr double least_move_px = 0.05;
 
 /// A bone as the camera sees it.
-struct SeenBone {
+struct ProjectedBone {
   int part = 0;  ///< BodyJoint that carries it
   Point from;
   Point to;
 };
 
 /// A body joint with what hangs on it, in the picture; joints behind the camera are left out.
-struct SeenParts {
-  std::vector<SeenBone> bones;
+struct ProjectedParts {
+  std::vector<ProjectedBone> bones;
   std::vector<std::vector<Point>> points;  ///< by joint: those whose movement counts
   float reach_px = 0.0f;
 };
@@ -48,13 +48,13 @@ float pixels_of(const render::Camera& camera, const Vec3& at, double metres) {
   return most;
 }
 
-SeenParts parts_of(const SeenBody& body) {
+ProjectedParts parts_of(const ProjectedBody& body) {
   const motion::Skeleton& skeleton = body.clip.body;
   const motion::Pose& pose =
       body.clip.poses[static_cast<std::size_t>(std::min(body.frame, body.clip.frame_count() - 1))];
   const motion::JointTransforms world = motion::world_transforms(skeleton, pose);
   const std::vector<motion::BoneAxes> axes = motion::bone_axes(skeleton);
-  SeenParts parts;
+  ProjectedParts parts;
   parts.points.resize(skeleton.joints.size());
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     const int joint = static_cast<int>(j);
@@ -77,7 +77,7 @@ SeenParts parts_of(const SeenBody& body) {
   return parts;
 }
 
-float distance_to(const SeenBone& bone, const Point& pixel) {
+float distance_to(const ProjectedBone& bone, const Point& pixel) {
   const Point along = bone.to - bone.from;
   const float length = along.squaredNorm();
   const float share =
@@ -85,7 +85,7 @@ float distance_to(const SeenBone& bone, const Point& pixel) {
   return (pixel - bone.from - share * along).norm();  // NaN when an end is not seen
 }
 
-std::vector<double> moves(const SeenParts& before, const SeenParts& now) {
+std::vector<double> moves(const ProjectedParts& before, const ProjectedParts& now) {
   std::vector<double> moved(before.points.size());
   for (std::size_t j = 0; j < moved.size(); ++j) {
     for (std::size_t k = 0; k < std::min(before.points[j].size(), now.points[j].size()); ++k) {
@@ -103,12 +103,12 @@ double squared_error(const std::uint8_t* a, const std::uint8_t* b) {
 }
 
 /// The part that explains a change at a pixel, or −1.
-int part_at(const Point& pixel, const std::array<const SeenParts*, 2>& bodies,
+int part_at(const Point& pixel, const std::array<const ProjectedParts*, 2>& bodies,
             const std::vector<double>& moved) {
   int nearest = -1;
   float least = std::numeric_limits<float>::infinity();
-  for (const SeenParts* body : bodies) {
-    for (const SeenBone& bone : body->bones) {
+  for (const ProjectedParts* body : bodies) {
+    for (const ProjectedBone& bone : body->bones) {
       if (moved[static_cast<std::size_t>(bone.part)] < least_move_px) continue;
       const float distance = distance_to(bone, pixel);
       if (distance < least && distance <= body->reach_px) {
@@ -123,10 +123,10 @@ int part_at(const Point& pixel, const std::array<const SeenParts*, 2>& bodies,
 }  // namespace
 
 std::vector<BodyShare> body_shares(const render::Image8& picture_before,
-                                   const render::Image8& picture_now, const SeenBody& before,
-                                   const SeenBody& now) {
-  const SeenParts then = parts_of(before);
-  const SeenParts today = parts_of(now);
+                                   const render::Image8& picture_now, const ProjectedBody& before,
+                                   const ProjectedBody& now) {
+  const ProjectedParts then = parts_of(before);
+  const ProjectedParts today = parts_of(now);
   // Seen by one camera, which may have been moved by what the body does now.
   const std::vector<double> moved = moves(parts_of({before.clip, before.frame, now.camera}), today);
   std::vector<double> by_part(moved.size() + 1);  // the last: nobody's

@@ -17,7 +17,7 @@ struct BodyShare {
 };
 
 /// A body in a picture: world positions of its joints, and the camera that sees them.
-struct SeenBody {
+struct ProjectedBody {
   const motion::Clip& clip;  ///< of the canonical body, as it is staged
   int frame = 0;
   const render::Camera& camera;
@@ -29,7 +29,7 @@ struct SeenBody {
 /// least before the camera that there is now: what shifts because the camera does has not moved.
 /// The largest share first; what is left stands last, without a name. Empty when no pixel differs.
 std::vector<BodyShare> body_shares(const render::Image8& picture_before,
-                                   const render::Image8& picture_now, const SeenBody& before,
-                                   const SeenBody& now);
+                                   const render::Image8& picture_now, const ProjectedBody& before,
+                                   const ProjectedBody& now);
 
 }  // namespace mien::pipeline

@@ -18,48 +18,49 @@ bool is_rate(double before, double now) {
   return std::abs(before - now) <= rounding * std::max(before, now);
 }
 
-void tell_numbers(std::vector<std::string>& told, const std::string& what, double before,
-                  double now) {
+void note_number_change(std::vector<std::string>& lines, const std::string& what, double before,
+                        double now) {
   const auto [was, is] = distinct_numbers(before, now);
-  told.push_back(fmt::format("{}: {} → {}", what, was, is));
+  lines.push_back(fmt::format("{}: {} → {}", what, was, is));
 }
 
 /// The first frame that is shown at another moment, counted from the first.
 void compare_moments(const VideoSummary& before, const VideoSummary& now, double unit,
-                     std::vector<std::string>& seen) {
+                     std::vector<std::string>& remarks) {
   if (before.times.size() != now.times.size()) return;
   for (std::size_t i = 0; i < before.times.size(); ++i) {
     const double was = before.times[i] - before.times[0], is = now.times[i] - now.times[0];
     if (std::abs(was - is) <= unit) continue;
-    tell_numbers(seen, fmt::format("time of frame {}, in seconds", i), was, is);
+    note_number_change(remarks, fmt::format("time of frame {}, in seconds", i), was, is);
     return;
   }
 }
 
-void tell_words(std::vector<std::string>& told, const char* what, const std::string& before,
-                const std::string& now) {
-  if (before != now) told.push_back(fmt::format("{}: {} → {}", what, before, now));
+void note_word_change(std::vector<std::string>& lines, const char* what, const std::string& before,
+                      const std::string& now) {
+  if (before != now) lines.push_back(fmt::format("{}: {} → {}", what, before, now));
 }
 
 }  // namespace
 
 void compare_containers(const VideoSummary& before, const VideoSummary& now,
-                        std::vector<std::string>& seen, std::vector<std::string>& kept) {
+                        std::vector<std::string>& remarks, std::vector<std::string>& notes) {
   constexpr double arithmetic = 1e-9;
   const double unit = before.tick_seconds + now.tick_seconds + arithmetic;
   const double rate_before = before.rate.per_second(), rate_now = now.rate.per_second();
   if (is_rate(rate_before, rate_now))
-    compare_moments(before, now, unit, seen);
+    compare_moments(before, now, unit, remarks);
   else
-    tell_numbers(seen, "frames per second", rate_before, rate_now);
+    note_number_change(remarks, "frames per second", rate_before, rate_now);
   if (std::abs(before.duration_seconds - now.duration_seconds) > unit)
-    tell_numbers(seen, "duration in seconds", before.duration_seconds, now.duration_seconds);
-  tell_words(seen, "primaries", before.primaries, now.primaries);
-  tell_words(seen, "transfer", before.transfer, now.transfer);
-  tell_words(seen, "matrix", before.matrix, now.matrix);
-  tell_words(seen, "range", before.range, now.range);
-  tell_words(kept, "codec", before.codec, now.codec);
-  tell_words(kept, "pixel format", before.pixel_format, now.pixel_format);
+    note_number_change(remarks, "duration in seconds", before.duration_seconds,
+                       now.duration_seconds);
+  note_word_change(remarks, "primaries", before.primaries, now.primaries);
+  note_word_change(remarks, "transfer", before.transfer, now.transfer);
+  note_word_change(remarks, "matrix", before.matrix, now.matrix);
+  note_word_change(remarks, "range", before.range, now.range);
+  note_word_change(notes, "codec", before.codec, now.codec);
+  note_word_change(notes, "pixel format", before.pixel_format, now.pixel_format);
 }
 
 }  // namespace mien::pipeline

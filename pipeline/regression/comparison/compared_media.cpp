@@ -136,7 +136,7 @@ void visit_frames_of(const fs::path& media, const Visit& visit) {
 }
 
 /// A sequence as it is looked through.
-struct Glimpse {
+struct ThumbnailSequence {
   std::vector<Thumbnail> frames;
   int width = 0;
   int height = 0;
@@ -146,23 +146,24 @@ struct Glimpse {
   int thumbnail_height() const { return std::min(height, pipeline::thumbnail_height); }
 };
 
-Glimpse glimpse_of(const fs::path& media) {
-  Glimpse glimpse;
+ThumbnailSequence thumbnails_of(const fs::path& media) {
+  ThumbnailSequence sequence;
   visit_frames_of(media, [&](int frame, const render::Image8& picture) {
-    glimpse.frames.push_back(thumbnail_of(picture));
+    sequence.frames.push_back(thumbnail_of(picture));
     if (frame == 0)
-      std::tie(glimpse.width, glimpse.height) = std::tie(picture.width, picture.height);
+      std::tie(sequence.width, sequence.height) = std::tie(picture.width, picture.height);
   });
-  if (glimpse.frames.empty())
+  if (sequence.frames.empty())
     throw Error({media.string()}, "contains no image",
                 "name an image, a video or a folder of images");
   if (fs::is_directory(media))
     for (const fs::path& picture : pictures_in(media))
-      glimpse.names.push_back(picture.filename().string());
-  return glimpse;
+      sequence.names.push_back(picture.filename().string());
+  return sequence;
 }
 
-void refuse_other_size(const Glimpse& before, const Glimpse& now, const ComparedMedia& media) {
+void refuse_other_size(const ThumbnailSequence& before, const ThumbnailSequence& now,
+                       const ComparedMedia& media) {
   if (before.width == now.width && before.height == now.height) return;
   throw Error({media.now},
               fmt::format("has {} x {} pixels, but {} has {} x {}", now.width, now.height,
@@ -264,8 +265,8 @@ ComparedMedia compared_media(const fs::path& before, const fs::path& now, double
   ComparedMedia media{.before = before.string(), .now = now.string()};
   media.perceptual_limit = perceptual_limit;
   media.least_psnr_db = std::numeric_limits<double>::infinity();
-  const Glimpse then = glimpse_of(before);
-  Glimpse today = glimpse_of(now);
+  const ThumbnailSequence then = thumbnails_of(before);
+  ThumbnailSequence today = thumbnails_of(now);
   refuse_other_size(then, today, media);
   media.frames_before = static_cast<int>(then.frames.size());
   media.frames_now = static_cast<int>(today.frames.size());
@@ -282,7 +283,7 @@ ComparedMedia compared_media(const fs::path& before, const fs::path& now, double
   }
   const FrameNames names{then.names, today.names};
   const FrameAlignment alignment = align(then.frames, today.frames, names);
-  media.remarks.insert(media.remarks.end(), alignment.told.begin(), alignment.told.end());
+  media.remarks.insert(media.remarks.end(), alignment.remarks.begin(), alignment.remarks.end());
   if (!fs::is_directory(before) && !fs::is_directory(now) && is_video(before) && is_video(now))
     compare_containers(render::probe(before), render::probe(now), media.remarks, media.notes);
   compare_pairs(media, alignment, names, mirroring);

@@ -45,11 +45,11 @@ ComparedMedia compared_media(const std::filesystem::path& before, const std::fil
 std::string as_text(const ComparedMedia& media);
 nlohmann::ordered_json as_json(const ComparedMedia& media);
 
-/// What two files of videos say beside their pixels. `seen` gets what people see: frames at other
-/// moments, another duration (both to the unit of time of the two containers: Matroska counts
-/// milliseconds), colours that are shown differently. `kept` gets what nobody sees: codec and pixel
-/// format.
+/// What two files of videos say beside their pixels. `remarks` gets what people see: frames at
+/// other moments, another duration (both to the unit of time of the two containers: Matroska counts
+/// milliseconds), colours that are shown differently. `notes` gets what nobody sees: codec and
+/// pixel format.
 void compare_containers(const render::VideoSummary& before, const render::VideoSummary& now,
-                        std::vector<std::string>& seen, std::vector<std::string>& kept);
+                        std::vector<std::string>& remarks, std::vector<std::string>& notes);
 
 }  // namespace mien::pipeline

@@ -13,7 +13,7 @@ std::string counted_frames(int count) {
 }
 
 /// Frames that are missing, new or exchanged have none beside them to be compared with.
-std::string compared_told(const ComparedMedia& media) {
+std::string comparison_count_text(const ComparedMedia& media) {
   const int compared = media.frames_compared;
   if (compared == media.frames_before && compared == media.frames_now)
     return media.frames_differing == 0 ? "all are identical"
@@ -24,7 +24,7 @@ std::string compared_told(const ComparedMedia& media) {
 }
 
 /// "frame 36 (f37.png)"
-std::string frame_told_with(const FrameComparison& frame) {
+std::string frame_measures_text(const FrameComparison& frame) {
   return fmt::format("frame {}{}", frame.frame, frame.name.empty() ? "" : " (" + frame.name + ")");
 }
 
@@ -40,7 +40,7 @@ std::string as_text(const ComparedMedia& media) {
   for (const std::string& remark : media.remarks) text += "  " + remark + "\n";
   for (const std::string& note : media.notes) text += "  stored differently: " + note + "\n";
   text += fmt::format("  {} before, {} now; {}\n", counted_frames(media.frames_before),
-                      counted_frames(media.frames_now), compared_told(media));
+                      counted_frames(media.frames_now), comparison_count_text(media));
   if (media.frames_differing == 0) return text;
   text += fmt::format("  largest difference {:.0f} of 255, lowest PSNR {:.2f} dB\n",
                       255.0 * media.largest_share, media.least_psnr_db);
@@ -48,7 +48,7 @@ std::string as_text(const ComparedMedia& media) {
     const render::Window& window = frame.difference.changed;
     text += fmt::format(
         "  {}: mean ꟻLIP {:.4f} (limit {:g}), SSIM {:.4f}, within {} x {} pixels at {}, {}\n",
-        frame_told_with(frame), frame.perceived.mean, media.perceptual_limit, frame.similarity,
+        frame_measures_text(frame), frame.perceived.mean, media.perceptual_limit, frame.similarity,
         window.width, window.height, window.x, window.y);
   }
   return text;

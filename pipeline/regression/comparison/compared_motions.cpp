@@ -16,8 +16,8 @@ std::string several_take(const motion::Recording& recording) {
 }
 
 /// Where these frames hold no whole cycle (of a take that holds half a one), as it is by itself.
-motion::PreparedExample prepared_alike(const motion::Clip& clip,
-                                       const motion::ExampleOptions& same_frames) {
+motion::PreparedExample prepared_over_same_frames(const motion::Clip& clip,
+                                                  const motion::ExampleOptions& same_frames) {
   try {
     return motion::prepare_example(clip, same_frames);
   } catch (const Error&) {
@@ -33,7 +33,7 @@ std::vector<motion::FeatureDifference> features_of(const motion::Clip& before,
   const motion::PreparedExample was = motion::prepare_example(before);
   motion::ExampleOptions same_frames;
   if (was.cycle && now.frame_count() == before.frame_count()) same_frames.frames = was.frames;
-  const motion::PreparedExample is = prepared_alike(now, same_frames);
+  const motion::PreparedExample is = prepared_over_same_frames(now, same_frames);
   return motion::feature_differences(motion::measure_features(was.example),
                                      motion::measure_features(is.example));
 }

@@ -162,27 +162,27 @@ void pair_changed(FrameAlignment& alignment, const std::vector<Thumbnail>& befor
 }
 
 /// " (f37.png)"; empty without names.
-std::string name_told(int frame, const std::vector<std::string>& names) {
+std::string file_name_text(int frame, const std::vector<std::string>& names) {
   const auto i = static_cast<std::size_t>(frame);
   return i < names.size() ? " (" + names[i] + ")" : "";
 }
 
 /// "frame 36 (f37.png)"; without names "frame 36".
-std::string frame_told(int frame, const std::vector<std::string>& names) {
-  return fmt::format("frame {}{}", frame, name_told(frame, names));
+std::string frame_text(int frame, const std::vector<std::string>& names) {
+  return fmt::format("frame {}{}", frame, file_name_text(frame, names));
 }
 
 /// "frame 37 is missing", "frames 3 to 32 are missing": a line for frames in a row.
-void tell_rows(std::vector<std::string>& told, const std::vector<int>& frames, const char* what,
+void note_rows(std::vector<std::string>& remarks, const std::vector<int>& frames, const char* what,
                const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < frames.size();) {
     std::size_t end = i + 1;
     while (end < frames.size() && frames[end] == frames[end - 1] + 1) ++end;
     const int first = frames[i], last = frames[end - 1];
-    told.push_back(first == last
-                       ? fmt::format("{} is {}", frame_told(first, names), what)
-                       : fmt::format("frames {}{} to {}{} are {}", first, name_told(first, names),
-                                     last, name_told(last, names), what));
+    remarks.push_back(first == last ? fmt::format("{} is {}", frame_text(first, names), what)
+                                    : fmt::format("frames {}{} to {}{} are {}", first,
+                                                  file_name_text(first, names), last,
+                                                  file_name_text(last, names), what));
     i = end;
   }
 }
@@ -201,26 +201,26 @@ void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
       missing.push_back(frame);
     } else {
       const int first = std::min(frame, *same), second = std::max(frame, *same);
-      alignment.told.push_back(fmt::format("frames {}{} and {}{} are exchanged", first,
-                                           name_told(first, names.before), second,
-                                           name_told(second, names.before)));
+      alignment.remarks.push_back(fmt::format("frames {}{} and {}{} are exchanged", first,
+                                              file_name_text(first, names.before), second,
+                                              file_name_text(second, names.before)));
       added.erase(same);
     }
   }
-  tell_rows(alignment.told, missing, "missing", names.before);
+  note_rows(alignment.remarks, missing, "missing", names.before);
   for (const int frame : added) {
     const auto i = static_cast<std::size_t>(frame);
     const auto is_as = [&](std::size_t other) {
       return other < now.size() && distance(now[other], now[i]) < 0.25 * step;
     };
     if (i > 0 && is_as(i - 1))
-      alignment.told.push_back(frame_told(frame, names.now) + " repeats the previous one");
+      alignment.remarks.push_back(frame_text(frame, names.now) + " repeats the previous one");
     else if (is_as(i + 1))
-      alignment.told.push_back(frame_told(frame + 1, names.now) + " repeats the previous one");
+      alignment.remarks.push_back(frame_text(frame + 1, names.now) + " repeats the previous one");
     else
       fresh.push_back(frame);
   }
-  tell_rows(alignment.told, fresh, "new", names.now);
+  note_rows(alignment.remarks, fresh, "new", names.now);
 }
 
 }  // namespace

@@ -24,10 +24,10 @@ struct FrameAlignment {
     int before = 0;
     int now = 0;
   };
-  std::vector<Pair> pairs;        ///< ascending in both
-  std::vector<int> missing;       ///< of the first, that the second lacks
-  std::vector<int> added;         ///< of the second, that the first lacks
-  std::vector<std::string> told;  ///< "frame 37 is missing", "frames 4 and 5 are exchanged"
+  std::vector<Pair> pairs;           ///< ascending in both
+  std::vector<int> missing;          ///< of the first, that the second lacks
+  std::vector<int> added;            ///< of the second, that the first lacks
+  std::vector<std::string> remarks;  ///< "frame 37 is missing", "frames 4 and 5 are exchanged"
 };
 
 /// Names of frames that are files; none where they are of a video.

@@ -13,7 +13,7 @@ FrameComparison compare_pictures(int frame, const render::Image8& before, const 
   comparison.same = comparison.same_size && before.channels == now.channels;
   if (comparison.same || !comparison.same_size) return comparison;
   comparison.difference = render::picture_difference(before, now);
-  comparison.second_voice = render::library_difference(before, now);
+  comparison.openimageio_difference = render::library_difference(before, now);
   comparison.perceived_map = render::perceptual_error(before, now, {}, threads);
   comparison.perceived = render::summary_of(comparison.perceived_map);
   comparison.similarity = render::structural_similarity(before, now).mean;

@@ -24,10 +24,11 @@ struct FrameComparison {
   bool same_size = true;  ///< else nothing below is known but the sizes
   PictureSize size_before, size_now;
   render::PictureDifference difference;
-  render::LibraryDifference second_voice;  ///< OpenImageIO's measures of the same pictures
-  render::ErrorSummary perceived;          ///< ꟻLIP, 0 … 1
-  render::PixelMap perceived_map;          ///< empty once it is saved
-  double similarity = 1.0;                 ///< SSIM
+  render::LibraryDifference
+      openimageio_difference;      ///< OpenImageIO's measures of the same pictures
+  render::ErrorSummary perceived;  ///< ꟻLIP, 0 … 1
+  render::PixelMap perceived_map;  ///< empty once it is saved
+  double similarity = 1.0;         ///< SSIM
   NoiseTest noise;
   std::vector<BodyShare> shares;  ///< when the motion has changed
 };

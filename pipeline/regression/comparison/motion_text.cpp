@@ -19,10 +19,10 @@ using motion::in_seconds;
 using motion::JointDifference;
 using motion::MotionDifference;
 
-constexpr std::size_t most_joints_told = 8;
+constexpr std::size_t most_joints_listed = 8;
 
-std::string length_told(const motion::MotionLength& length, const std::string& rate,
-                        const std::string& seconds) {
+std::string motion_length_text(const motion::MotionLength& length, const std::string& rate,
+                               const std::string& seconds) {
   return fmt::format("{} {} at {} per second, {} s{}", length.frames,
                      length.frames == 1 ? "frame" : "frames", rate, seconds,
                      length.loops ? ", a loop" : "");
@@ -49,7 +49,7 @@ class Lines {
 };
 
 /// "up to 0.25 cm (left hand, at 0.43 s), RMS 0.1 cm"
-std::string curve_told(const MotionDifference& difference,
+std::string curve_text(const MotionDifference& difference,
                        std::vector<double> JointDifference::*curve, std::string (*amount)(double)) {
   const motion::WorstJoint worst = worst_joint(difference, curve);
   if (worst.peak.value == 0.0) return "the same";
@@ -67,13 +67,13 @@ void add_timing(Lines& lines, const MotionDifference& difference) {
   const motion::MotionLength &was = difference.timing.before, &is = difference.timing.now;
   const auto rates = distinct_numbers(was.frames_per_second, is.frames_per_second, 4);
   const auto seconds = distinct_numbers(was.seconds, is.seconds, 4);
-  const std::string before = length_told(was, rates.first, seconds.first);
-  const std::string now = length_told(is, rates.second, seconds.second);
+  const std::string before = motion_length_text(was, rates.first, seconds.first);
+  const std::string now = motion_length_text(is, rates.second, seconds.second);
   lines.add({"duration", "frame-rate", "loop"}, "timing",
             before == now ? before + ", the same" : now + "; was " + before);
 }
 
-std::string errors_told(const MotionDifference& difference) {
+std::string joint_errors_text(const MotionDifference& difference) {
   std::string text = fmt::format("{} in the world, {} from the root, {} after aligning each pose",
                                  in_centimetres(difference.errors.mpjpe),
                                  in_centimetres(difference.errors.root_relative_mpjpe),
@@ -96,7 +96,7 @@ void add_root(Lines& lines, const MotionDifference& difference) {
                          in_centimetres(height), in_degrees(heading), in_degrees(tilt)));
 }
 
-std::string change_told(const motion::ContactChange& change) {
+std::string contact_change_text(const motion::ContactChange& change) {
   const std::string when = fmt::format("{:.2f}–{:.2f} s", change.begin_seconds, change.end_seconds);
   switch (change.kind) {
     case motion::ContactChange::Kind::gone:
@@ -116,7 +116,7 @@ void add_contacts(Lines& lines, const motion::BodyDifference& body) {
     const motion::FootDifference& foot = body.feet[side];
     const std::string name = side == 0 ? "left foot" : "right foot";
     for (const motion::ContactChange& change : foot.changes)
-      lines.add({"contacts"}, "contacts", name + " " + change_told(change));
+      lines.add({"contacts"}, "contacts", name + " " + contact_change_text(change));
     if (foot.slide_m > 1e-4)
       lines.add({"slide"}, "slide",
                 fmt::format("{} slides up to {} while planted, at {}", name,
@@ -148,7 +148,7 @@ void add_features(Lines& lines, const MotionDifference& difference) {
   }
 }
 
-std::string joint_told(const JointDifference& joint, bool is_on_bone) {
+std::string joint_text(const JointDifference& joint, bool is_on_bone) {
   const motion::CurvePeak turn = motion::peak_of(joint.turn_radians);
   const double bone = motion::peak_of(joint.offset_m).value;
   std::string text =
@@ -167,14 +167,14 @@ std::string joint_name(const JointDifference& joint) {
 
 void add_causes(Lines& lines, const MotionDifference& difference) {
   const std::vector<int> joints = causes(difference);
-  for (std::size_t i = 0; i < std::min(joints.size(), most_joints_told); ++i) {
+  for (std::size_t i = 0; i < std::min(joints.size(), most_joints_listed); ++i) {
     const JointDifference& joint = difference.joints[static_cast<std::size_t>(joints[i])];
     const bool is_on_bone = !carries_body(difference, joints[i]);
     lines.add({}, "joint",
-              fmt::format("{:<30} {}", joint_name(joint), joint_told(joint, is_on_bone)));
+              fmt::format("{:<30} {}", joint_name(joint), joint_text(joint, is_on_bone)));
   }
-  if (joints.size() > most_joints_told)
-    lines.add({}, "", fmt::format("and {} more (--json)", joints.size() - most_joints_told));
+  if (joints.size() > most_joints_listed)
+    lines.add({}, "", fmt::format("and {} more (--json)", joints.size() - most_joints_listed));
   if (!difference.renamed.empty()) {
     std::vector<std::string> names;
     for (const auto& [was, is] : difference.renamed) names.push_back(was + " → " + is);
@@ -205,7 +205,7 @@ std::string headline(const ComparedMotions& motions) {
 }
 
 /// Which motions were taken of files that hold several.
-std::string takes_told(const ComparedMotions& motions) {
+std::string take_names_text(const ComparedMotions& motions) {
   std::string text;
   if (!motions.take_before.empty())
     text += fmt::format("  take before: {} of {}\n", motions.take_before, motions.before);
@@ -225,7 +225,7 @@ std::string as_text(const ComparedMotions& motions) {
   const MotionDifference& difference = motions.difference;
   const std::string head =
       fmt::format("{}: {} ({})\n", motions.now, verdict(motions), headline(motions)) +
-      takes_told(motions);
+      take_names_text(motions);
   if (difference.identical) return head;
   if (difference.whole.kind == motion::WholeChange::scaled) {  // all else follows from that
     std::string text = head;
@@ -235,12 +235,12 @@ std::string as_text(const ComparedMotions& motions) {
   Lines lines(motions);
   add_timing(lines, difference);
   lines.add({"position"}, "position",
-            curve_told(difference, &JointDifference::point_m, in_centimetres));
+            curve_text(difference, &JointDifference::point_m, in_centimetres));
   lines.add({"rotation"}, "rotation",
-            curve_told(difference, &JointDifference::turn_radians, in_degrees));
+            curve_text(difference, &JointDifference::turn_radians, in_degrees));
   lines.add({"velocity"}, "velocity",
-            curve_told(difference, &JointDifference::velocity_m_s, in_centimetres_a_second));
-  lines.add({}, "mean", errors_told(difference));
+            curve_text(difference, &JointDifference::velocity_m_s, in_centimetres_a_second));
+  lines.add({}, "mean", joint_errors_text(difference));
   add_root(lines, difference);
   add_causes(lines, difference);
   if (difference.body) add_contacts(lines, *difference.body);

@@ -12,7 +12,8 @@ nlohmann::ordered_json as_json(const FrameComparison& frame) {
   }
   json["largest"] = frame.difference.largest;
   json["rms"] = frame.difference.rms;
-  json["openimageio"] = {{"largest", frame.second_voice.largest}, {"rms", frame.second_voice.rms}};
+  json["openimageio"] = {{"largest", frame.openimageio_difference.largest},
+                         {"rms", frame.openimageio_difference.rms}};
   json["flip_mean"] = frame.perceived.mean;
   json["flip_max"] = frame.perceived.largest;
   json["ssim"] = frame.similarity;

@@ -46,14 +46,14 @@ std::string titled_list(const char* title, const std::vector<std::string>& lines
 /// The id of a stimulus's element, for links. No other element's id begins so.
 std::string anchor_of(const std::string& id) { return html_escaped("stimulus-" + id); }
 
-std::string lone_picture(const char* words, const std::filesystem::path& file, int most_width) {
+std::string single_picture(const char* words, const std::filesystem::path& file, int most_width) {
   if (!std::filesystem::exists(file)) return "";
   return fmt::format("<figure><img alt=\"{0}\" src=\"{1}\"><figcaption>{0}</figcaption></figure>\n",
                      words, picture_uri(file, most_width));
 }
 
 /// A picture that cannot be laid over the one of then: both beside each other, or the only one.
-std::string lone_pictures(const StimulusComparison& one, const ComparedPictures* pictures) {
+std::string single_pictures(const StimulusComparison& one, const ComparedPictures* pictures) {
   constexpr int most_width = 640;
   std::vector<int> frames;
   for (const FrameComparison& frame : one.frames)
@@ -61,8 +61,8 @@ std::string lone_pictures(const StimulusComparison& one, const ComparedPictures*
   if (pictures == nullptr || frames.empty()) return "";
   const int middle = frames[frames.size() / 2];
   return fmt::format("<div class=\"lone\">\n{}{}</div>\n",
-                     lone_picture("before", pictures->before(one.id, middle), most_width),
-                     lone_picture("now", pictures->now(one.id, middle), most_width));
+                     single_picture("before", pictures->before(one.id, middle), most_width),
+                     single_picture("now", pictures->now(one.id, middle), most_width));
 }
 
 std::string card(const StimulusComparison& one, std::size_t index, bool opened,
@@ -76,7 +76,7 @@ std::string card(const StimulusComparison& one, std::size_t index, bool opened,
       name_of(one.verdict), anchor_of(one.id),
       is_shown(one) ? fmt::format(" data-index=\"{}\"", index) : "", opened ? " open" : "",
       html_escaped(one.id), html_escaped(first_words(one)), titled_list("What", changes),
-      titled_list("Why", cause_lines(one)), lone_pictures(one, pictures));
+      titled_list("Why", cause_lines(one)), single_pictures(one, pictures));
 }
 
 std::string links_to(std::span<const std::string> ids) {
@@ -165,7 +165,7 @@ constexpr char no_viewers[] =
     "pages of mien were not built when this report was written. ./mien in the source tree builds "
     "them.</p>\n";
 
-constexpr char keys_told[] =
+constexpr char keys_help[] =
     "<p class=\"keys\"><kbd>J</kbd> <kbd>K</kbd> next and previous stimulus · <kbd>1</kbd> slider "
     "<kbd>2</kbd> blink <kbd>3</kbd> difference <kbd>4</kbd> ꟻLIP · <kbd>[</kbd> <kbd>]</kbd> key "
     "frame · <kbd>←</kbd> <kbd>→</kbd> one frame · <kbd>Space</kbd> play · <kbd>V</kbd> video · "
@@ -192,7 +192,7 @@ std::string regression_report(const Regression& regression, const ComparedStudy&
     if (Json both = videos.of(one.id, study.baseline); !both.is_null()) entry["videos"] = both;
     data += data_element(i, entry);
   }
-  const std::string told = script.empty() ? no_viewers : left_out(chosen) + keys_told;
+  const std::string told = script.empty() ? no_viewers : left_out(chosen) + keys_help;
   const std::string body = fmt::format(
       "<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n{}{}{}{}{}{}<script>\n{}</script>\n",
       html_escaped(regression.study), regression.passes() ? "holds" : "fails",

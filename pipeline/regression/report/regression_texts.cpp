@@ -37,7 +37,7 @@ const FrameComparison* worst_of(const std::vector<FrameComparison>& frames) {
   return worst == frames.end() ? nullptr : &*worst;
 }
 
-bool is_told(const StimulusComparison& one) { return one.verdict != Verdict::same; }
+bool is_reported(const StimulusComparison& one) { return one.verdict != Verdict::same; }
 
 }  // namespace
 
@@ -158,7 +158,7 @@ std::string plain_text(const Regression& regression) {
   std::string text;
   for (const CauseGroup& group : regression.groups) text += group_text(group) + "\n";
   for (const StimulusComparison& one : regression.stimuli) {
-    if (!is_told(one)) continue;
+    if (!is_reported(one)) continue;
     text += fmt::format("\n{:<9} {}\n", name_of(one.verdict), one.id);
     if (const std::string motion = motion_text(one); !motion.empty()) text += "  " + motion + "\n";
     for (const std::string& reason : one.reasons) text += "  " + reason + "\n";
@@ -182,10 +182,10 @@ std::string markdown_text(const Regression& regression) {
   for (const CauseGroup& group : regression.groups)
     text += fmt::format("| {} | {} | {}: {} |\n", name_of(group.cause), cell(group.root),
                         group.ids.size(), cell(names_text(group.ids)));
-  const bool any = std::ranges::any_of(regression.stimuli, is_told);
+  const bool any = std::ranges::any_of(regression.stimuli, is_reported);
   if (any) text += "\n| stimulus | verdict | why |\n|---|---|---|\n";
   for (const StimulusComparison& one : regression.stimuli) {
-    if (!is_told(one)) continue;
+    if (!is_reported(one)) continue;
     std::string why = cell(motion_text(one));
     for (const std::string& reason : one.reasons) why += (why.empty() ? "" : "<br>") + cell(reason);
     text += fmt::format("| {} | {} | {} |\n", cell(one.id), name_of(one.verdict), why);

@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* how_to_name = "give one name for each cluster, for example --names pace,size";
 
-void take_given(Analysis& analysis, const ScaleSet& scales, const std::vector<std::string>& given) {
+void assign_names(Analysis& analysis, const ScaleSet& scales,
+                  const std::vector<std::string>& given) {
   if (given.size() != analysis.clusters.size())
     throw Error(
         fmt::format("--names: {} names for {} clusters", given.size(), analysis.clusters.size()),
@@ -37,14 +38,14 @@ void take_given(Analysis& analysis, const ScaleSet& scales, const std::vector<st
 }
 
 /// Similarity of a group and a cluster.
-struct Likeness {
+struct GroupSimilarity {
   double share;  ///< Jaccard index (Jaccard 1901)
   size_t group;
   size_t cluster;
 };
 
-std::vector<Likeness> likenesses(const Analysis& analysis, const ScaleSet& scales) {
-  std::vector<Likeness> result;
+std::vector<GroupSimilarity> similarities(const Analysis& analysis, const ScaleSet& scales) {
+  std::vector<GroupSimilarity> result;
   for (size_t g = 0; g < scales.groups.size(); ++g) {
     const std::set<std::string> group(scales.groups[g].scales.begin(),
                                       scales.groups[g].scales.end());
@@ -59,7 +60,7 @@ std::vector<Likeness> likenesses(const Analysis& analysis, const ScaleSet& scale
       result.push_back({both / either, g, c});
     }
   }
-  std::ranges::sort(result, [](const Likeness& a, const Likeness& b) {
+  std::ranges::sort(result, [](const GroupSimilarity& a, const GroupSimilarity& b) {
     return std::tuple(-a.share, a.group, a.cluster) < std::tuple(-b.share, b.group, b.cluster);
   });
   return result;
@@ -94,12 +95,12 @@ Eigen::MatrixXd answer_table(const std::vector<const StudyAnswer*>& answers,
 
 void choose_scales(Analysis& analysis, const ScaleSet& scales, const AnalysisOptions& options) {
   for (size_t j = 0; j < analysis.quantities.size(); ++j)
-    if (analysis.quantities[j].kept()) analysis.clustered.push_back(static_cast<int>(j));
+    if (analysis.quantities[j].retained()) analysis.clustered.push_back(static_cast<int>(j));
   if (!analysis.clustered.empty()) return;
-  analysis.none_kept = true;
+  analysis.none_retained = true;
   for (size_t j = 0; j < analysis.quantities.size(); ++j)
     analysis.clustered.push_back(static_cast<int>(j));
-  const Thresholds loose = loosened(analysis.quantities, options.thresholds, scales);
+  const Thresholds loose = loosened_thresholds(analysis.quantities, options.thresholds, scales);
   analysis.suggested = loose;
   analysis.warnings.push_back(
       {"thresholds",
@@ -149,9 +150,9 @@ ScaleCluster cluster_of(const Analysis& analysis, int group) {
 
 void name_clusters(Analysis& analysis, const ScaleSet& scales,
                    const std::vector<std::string>& given) {
-  if (!given.empty()) return take_given(analysis, scales, given);
+  if (!given.empty()) return assign_names(analysis, scales, given);
   std::set<size_t> used;
-  for (const Likeness& like : likenesses(analysis, scales)) {
+  for (const GroupSimilarity& like : similarities(analysis, scales)) {
     ScaleCluster& cluster = analysis.clusters[like.cluster];
     if (!cluster.name.empty() || !used.insert(like.group).second) continue;
     cluster.name = scales.groups[like.group].id;

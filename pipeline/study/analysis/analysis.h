@@ -35,7 +35,8 @@ struct Analysis {
   std::vector<Quantity> quantities;   ///< one a row of A
   std::vector<Agreement> agreements;  ///< one a row of A
   std::vector<int> clustered;         ///< rows of A that the tree is of: its leaves
-  bool none_kept = false;  ///< whether the thresholds exclude every scale; then all are clustered
+  bool none_retained =
+      false;  ///< whether the thresholds exclude every scale; then all are clustered
   std::optional<Thresholds> suggested;  ///< when no scale is retained
   Linkage linkage;
   Partition partition;                 ///< of the leaves

@@ -33,12 +33,12 @@ std::string raters_of(const Analysis& analysis) {
 Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales) {
   Dendrogram d;
   d.title = "Clusters of " + (scales.name.empty() ? std::string("the scales") : scales.name);
-  const std::string kept =
-      analysis.none_kept
+  const std::string retained =
+      analysis.none_retained
           ? fmt::format("all {} scales, none within the thresholds", analysis.clustered.size())
           : fmt::format("{} of {} scales kept", analysis.clustered.size(),
                         analysis.quantities.size());
-  d.subtitle = fmt::format("{}; {} examples, {}; Ward's method", kept,
+  d.subtitle = fmt::format("{}; {} examples, {}; Ward's method", retained,
                            analysis.impressions.examples.size(), raters_of(analysis));
   d.linkage = analysis.linkage;
   d.partition = analysis.partition;

@@ -35,7 +35,7 @@ struct ScaleQuantity {
 
 struct ThresholdRow {
   const Analysis& all;
-  const KeptAt& of;
+  const ThresholdPoint& of;
 };
 
 struct MergeRow {
@@ -74,7 +74,7 @@ struct ScaleAgreement {
 
 constexpr SharedColumn ratings_column = {
     "ratings", "", "given (by people) or simulated",
-    [](auto& r) { return given_or_simulated(r.all.impressions.simulated); }};
+    [](auto& r) { return origin_text(r.all.impressions.simulated); }};
 
 constexpr auto quantification_columns = table_of<ScaleQuantity>(
     "quantification.csv", "scale",
@@ -87,14 +87,16 @@ constexpr auto quantification_columns = table_of<ScaleQuantity>(
      {"max_abs_mean", "scale", "largest distance of an example's mean from the middle",
       [](auto& r) { return r.of().largest_mean; }},
      {"at_example", "", "the example that has it",
-      [](auto& r) { return r.all.impressions.examples[static_cast<size_t>(r.of().at_example)]; }},
+      [](auto& r) {
+        return r.all.impressions.examples[static_cast<size_t>(r.of().extreme_example)];
+      }},
      {"mean_sd", "scale", "mean over the examples of the answers' SD; empty for given means",
       [](auto& r) { return r.of().mean_deviation; }},
      {"least_max_abs_mean", "scale", "threshold of max_abs_mean on this scale",
       [](auto& r) { return r.of().thresholds.largest_mean; }},
      {"most_mean_sd", "scale", "threshold of mean_sd on this scale",
       [](auto& r) { return r.of().thresholds.mean_deviation; }},
-     {"kept", "0/1", "1: the scale is kept", [](auto& r) { return r.of().kept(); }},
+     {"kept", "0/1", "1: the scale is kept", [](auto& r) { return r.of().retained(); }},
      {"removed_by", "", "neutral, disagreement, neutral+disagreement or empty",
       [](auto& r) { return removed_by(r.of()); }}});
 
@@ -102,7 +104,8 @@ constexpr auto thresholds_columns = table_of<ThresholdRow>(
     "thresholds.csv", "condition and threshold",
     {{"condition", "", "max_abs_mean or mean_sd",
       [](auto& r) {
-        return r.of.condition == KeptAt::Condition::largest_mean ? "max_abs_mean" : "mean_sd";
+        return r.of.condition == ThresholdPoint::Condition::largest_mean ? "max_abs_mean"
+                                                                         : "mean_sd";
       }},
      ratings_column,
      {"threshold", "", "for answers from −2 to 2", [](auto& r) { return r.of.threshold; }},
@@ -136,7 +139,7 @@ constexpr auto clusters_columns = table_of<ClusteredScale>(
      {"to_centroid", "", "distance from the centroid",
       [](auto& r) { return r.of().to_centroid[r.member]; }},
      {"basis", "", "kept: clusters of the kept scales; all: none was kept",
-      [](auto& r) { return r.all.none_kept ? "all" : "kept"; }}});
+      [](auto& r) { return r.all.none_retained ? "all" : "kept"; }}});
 
 constexpr auto primary_columns = table_of<PrimaryImpression>(
     "primary.csv", "cluster and example: the matrix A′",

@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
 
 fs::path parameters_file(const fs::path& study) {
   std::error_code error;
   return fs::is_directory(study, error) ? study / "metrics" / "parameters.csv" : study;
 }
 
-PerceivedParameter perceived(const MadeParameter& made,
+PerceivedParameter perceived(const StimulusParameter& made,
                              const std::map<std::string, double>& by_person) {
   PerceivedParameter seen{.made = made};
   seen.people = static_cast<int>(by_person.size());
@@ -31,7 +31,7 @@ PerceivedParameter perceived(const MadeParameter& made,
   double squares = 0.0;
   for (const auto& [person, value] : by_person)
     squares += (value - seen.perceived) * (value - seen.perceived);
-  seen.deviation = seen.people < 2 ? not_known : std::sqrt(squares / (seen.people - 1));
+  seen.deviation = seen.people < 2 ? unknown_value : std::sqrt(squares / (seen.people - 1));
   return seen;
 }
 
@@ -66,7 +66,7 @@ Correction correction_of(const std::string& parameter,
   Correction correction{.parameter = parameter, .stimuli = static_cast<int>(stimuli.size())};
   const Moments m = moments_of(stimuli);
   correction.intercept = m.perceived;
-  correction.slope_error = correction.r_squared = not_known;
+  correction.slope_error = correction.r_squared = unknown_value;
   // Shares of a scale; the mean of equal ones may be off by a rounding.
   if (m.xx < 1e-12 * correction.stimuli) return correction;
   correction.slope = m.xy / m.xx;
@@ -78,7 +78,7 @@ Correction correction_of(const std::string& parameter,
   return correction;
 }
 
-constexpr auto calibration_columns = table_of<GivenOrSimulated<PerceivedParameter>>(
+constexpr auto calibration_columns = table_of<WithOrigin<PerceivedParameter>>(
     "calibration.csv", "stimulus and parameter",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.of.made.stimulus; }},
      {"parameter", "", "scale or group of scales", [](auto& r) { return r.of.made.parameter; }},
@@ -95,7 +95,7 @@ constexpr auto calibration_columns = table_of<GivenOrSimulated<PerceivedParamete
       "correction is not usable",
       [](auto& r) { return r.of.next; }}});
 
-constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
+constexpr auto corrections_columns = table_of<WithOrigin<Correction>>(
     "corrections.csv", "parameter: perceived = intercept + slope · requested",
     {{"parameter", "", "scale or group of scales", [](auto& r) { return r.of.parameter; }},
      whose_ratings_column,
@@ -116,8 +116,8 @@ constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
 
 }  // namespace
 
-std::vector<MadeParameter> read_made_parameters(const fs::path& study,
-                                                std::vector<Fault>& warnings) {
+std::vector<StimulusParameter> read_stimulus_parameters(const fs::path& study,
+                                                        std::vector<Fault>& warnings) {
   if (!fs::exists(study))
     throw Error("there is no study in " + study.string(),
                 "name the folder of a finished study, such as out/my-study");
@@ -128,7 +128,7 @@ std::vector<MadeParameter> read_made_parameters(const fs::path& study,
     return static_cast<std::size_t>(require_column(table, name));
   };
   const std::size_t requested = column("requested");
-  std::vector<MadeParameter> made;
+  std::vector<StimulusParameter> made;
   for (const auto& row : table.rows) {
     if (row[requested].text.empty()) continue;
     made.push_back({row[column("stimulus")].text, row[column("parameter")].text,
@@ -140,29 +140,30 @@ std::vector<MadeParameter> read_made_parameters(const fs::path& study,
   return made;
 }
 
-std::set<std::string> other_stimuli(const fs::path& study, const std::vector<MadeParameter>& made) {
+std::set<std::string> other_stimuli(const fs::path& study,
+                                    const std::vector<StimulusParameter>& made) {
   std::set<std::string> others;
   const fs::path all = parameters_file(study).parent_path() / "stimuli.csv";
   const CsvTable table = read_csv(fs::exists(all) ? all : parameters_file(study));
   const auto column = static_cast<std::size_t>(require_column(table, "stimulus"));
   for (const auto& row : table.rows) others.insert(row[column].text);
-  for (const MadeParameter& parameter : made) others.erase(parameter.stimulus);
+  for (const StimulusParameter& parameter : made) others.erase(parameter.stimulus);
   return others;
 }
 
-std::vector<RatedExample> stimuli_of(const std::vector<MadeParameter>& made) {
+std::vector<RatedExample> stimuli_of(const std::vector<StimulusParameter>& made) {
   std::vector<RatedExample> stimuli;
-  for (const MadeParameter& parameter : made)
+  for (const StimulusParameter& parameter : made)
     if (std::ranges::find(stimuli, parameter.stimulus, &RatedExample::name) == stimuli.end())
       stimuli.push_back({parameter.stimulus, ""});
   return stimuli;
 }
 
-Calibration calibrate(const std::vector<MadeParameter>& made, const Answers& answers,
+Calibration calibrate(const std::vector<StimulusParameter>& made, const Answers& answers,
                       const ScaleSet& scales) {
   Calibration calibration;
   calibration.simulated = answers.simulated;
-  for (const MadeParameter& parameter : made) {
+  for (const StimulusParameter& parameter : made) {
     const auto by_person =
         personal_values(answers, scales, {parameter.stimulus, ""}, parameter.parameter);
     if (!by_person.empty()) calibration.stimuli.push_back(perceived(parameter, by_person));
@@ -180,7 +181,7 @@ Calibration calibrate(const std::vector<MadeParameter>& made, const Answers& ans
     const auto correction =
         std::ranges::find(calibration.corrections, seen.made.parameter, &Correction::parameter);
     if (correction->is_usable())
-      seen.next = std::clamp(correction->ask_for(seen.made.requested), 0.0, 1.0);
+      seen.next = std::clamp(correction->request_for(seen.made.requested), 0.0, 1.0);
   }
   return calibration;
 }

@@ -19,7 +19,7 @@ namespace mien::pipeline {
 // its examples, and those perceived by participants.
 
 /// A parameter of a synthesised stimulus.
-struct MadeParameter {
+struct StimulusParameter {
   std::string stimulus;
   std::string parameter;
   double requested = 0.0;  ///< 0 low end, 1 high end
@@ -28,19 +28,19 @@ struct MadeParameter {
 
 /// Reads the parameters of a study's stimuli. `study` is its metrics/parameters.csv, or the study's
 /// folder. Warns of columns with former names. Throws Error.
-std::vector<MadeParameter> read_made_parameters(const std::filesystem::path& study,
-                                                std::vector<Fault>& warnings);
+std::vector<StimulusParameter> read_stimulus_parameters(const std::filesystem::path& study,
+                                                        std::vector<Fault>& warnings);
 
 /// The study's stimuli without requested parameters.
 std::set<std::string> other_stimuli(const std::filesystem::path& study,
-                                    const std::vector<MadeParameter>& made);
+                                    const std::vector<StimulusParameter>& made);
 
 /// The stimuli, by the names in answers.
-std::vector<RatedExample> stimuli_of(const std::vector<MadeParameter>& made);
+std::vector<RatedExample> stimuli_of(const std::vector<StimulusParameter>& made);
 
 /// A requested parameter with its perceived value.
 struct PerceivedParameter {
-  MadeParameter made;
+  StimulusParameter made;
   int people = 0;
   double perceived = 0.0;  ///< mean over people, share of the range
   double deviation = 0.0;  ///< SD over people (n − 1); NaN for fewer than two
@@ -58,7 +58,7 @@ struct Correction {
   double r_squared = 0.0;
 
   /// The value to request for `wanted` to be perceived.
-  double ask_for(double wanted) const { return (wanted - intercept) / slope; }
+  double request_for(double wanted) const { return (wanted - intercept) / slope; }
   /// Whether the perceived value increases with the requested one; otherwise there is no
   /// correction.
   bool is_usable() const { return stimuli >= 2 && slope > 0.0; }
@@ -71,7 +71,7 @@ struct Calibration {
 };
 
 /// Fits the corrections. Throws Error when none of the requested parameters was rated.
-Calibration calibrate(const std::vector<MadeParameter>& made, const Answers& answers,
+Calibration calibrate(const std::vector<StimulusParameter>& made, const Answers& answers,
                       const ScaleSet& scales);
 
 /// A row for each stimulus and parameter.

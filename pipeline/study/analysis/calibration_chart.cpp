@@ -14,8 +14,8 @@ constexpr double side = 150.0;
 constexpr double panel_width = 205.0;
 constexpr double panel_height = 215.0;
 constexpr double first_panel = 66.0;
-constexpr int most_columns = 4;
-constexpr Colour seen_colour = from_hex(0x0a58a6);
+constexpr int max_columns = 4;
+constexpr Colour perceived_colour = from_hex(0x0a58a6);
 constexpr Colour blend_colour = from_hex(0x8a8f98);
 
 /// A square of 0 … 1 both ways.
@@ -29,8 +29,8 @@ struct Square {
 };
 
 Square square_at(std::size_t index) {
-  const auto column = static_cast<double>(index % most_columns);
-  const auto row = static_cast<double>(index / most_columns);
+  const auto column = static_cast<double>(index % max_columns);
+  const auto row = static_cast<double>(index / max_columns);
   return {{page_margin + 26.0 + column * panel_width, first_panel + 22.0 + row * panel_height, side,
            side}};
 }
@@ -55,17 +55,17 @@ void draw_frame(Canvas& canvas, const Square& square, const std::string& title) 
 /// The part of the correction's line within the square.
 void draw_correction(Canvas& canvas, const Square& square, const Correction& correction) {
   if (!correction.is_usable()) return;
-  const double from = std::clamp(correction.ask_for(0.0), 0.0, 1.0);
-  const double to = std::clamp(correction.ask_for(1.0), 0.0, 1.0);
+  const double from = std::clamp(correction.request_for(0.0), 0.0, 1.0);
+  const double to = std::clamp(correction.request_for(1.0), 0.0, 1.0);
   const auto seen = [&](double requested) {
     return correction.intercept + correction.slope * requested;
   };
   canvas.line(square.at(from, seen(from)), square.at(to, seen(to)),
-              {.width = 1.6, .colour = seen_colour});
+              {.width = 1.6, .colour = perceived_colour});
   canvas.text({square.plot.x, square.plot.bottom() + 25.0},
               fmt::format("perceived = {:.2f} + {:.2f} · requested", correction.intercept,
                           correction.slope),
-              {.size = 8.0, .colour = seen_colour, .max_width = side});
+              {.size = 8.0, .colour = perceived_colour, .max_width = side});
 }
 
 void draw_stimulus(Canvas& canvas, const Square& square, const PerceivedParameter& seen) {
@@ -73,17 +73,17 @@ void draw_stimulus(Canvas& canvas, const Square& square, const PerceivedParamete
   if (!std::isnan(seen.deviation))
     canvas.line(square.at(requested, seen.perceived - seen.deviation),
                 square.at(requested, seen.perceived + seen.deviation),
-                {.width = 0.8, .colour = seen_colour});
+                {.width = 0.8, .colour = perceived_colour});
   canvas.ring(square.at(requested, seen.made.reached), 3.0, {.width = 1.2, .colour = blend_colour});
-  canvas.disc(square.at(requested, seen.perceived), 2.6, seen_colour);
+  canvas.disc(square.at(requested, seen.perceived), 2.6, perceived_colour);
 }
 
 }  // namespace
 
 Plot calibration_chart(const Calibration& calibration) {
   const std::size_t count = calibration.corrections.size();
-  const auto columns = static_cast<double>(std::clamp<std::size_t>(count, 2, most_columns));
-  const auto rows = static_cast<double>((count + most_columns - 1) / most_columns);
+  const auto columns = static_cast<double>(std::clamp<std::size_t>(count, 2, max_columns));
+  const auto rows = static_cast<double>((count + max_columns - 1) / max_columns);
   Plot plot{"Requested and perceived",
             2.0 * page_margin + columns * panel_width,
             first_panel + rows * panel_height + 16.0,

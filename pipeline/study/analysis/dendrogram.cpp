@@ -157,14 +157,14 @@ void draw_tree(Canvas& canvas, const Dendrogram& d, const TreeLayout& layout) {
   std::vector<Branch> branches;
   for (const double y : layout.y) branches.push_back({y, 0.0});
   const auto leaves = static_cast<size_t>(d.linkage.leaves);
-  const size_t kept = leaves - static_cast<size_t>(d.partition.groups);
+  const size_t retained = leaves - static_cast<size_t>(d.partition.groups);
   for (size_t step = 0; step < d.linkage.merges.size(); ++step) {
     const Merge& merge = d.linkage.merges[step];
     const double at = layout.x(merge.height);
     const int group = d.partition.group[static_cast<size_t>(merge.members.front())];
     for (const int part : {merge.first, merge.second}) {
       const Branch& branch = branches[static_cast<size_t>(part)];
-      const bool inside = static_cast<size_t>(part) < leaves + kept;
+      const bool inside = static_cast<size_t>(part) < leaves + retained;
       const int own = part < d.linkage.leaves
                           ? d.partition.group[static_cast<size_t>(part)]
                           : d.partition.group[static_cast<size_t>(
@@ -175,7 +175,7 @@ void draw_tree(Canvas& canvas, const Dendrogram& d, const TreeLayout& layout) {
     const double first = branches[static_cast<size_t>(merge.first)].y;
     const double second = branches[static_cast<size_t>(merge.second)].y;
     canvas.line({at, first}, {at, second},
-                {.width = 1.1, .colour = step < kept ? colour_of(group) : quiet_ink});
+                {.width = 1.1, .colour = step < retained ? colour_of(group) : quiet_ink});
     branches.push_back({0.5 * (first + second), merge.height});
   }
 }

@@ -26,7 +26,7 @@ Partition published_partition(const std::vector<std::string>& features) {
 }
 
 /// Jaccard index of a cluster and a published group.
-double likeness(const Partition& found, int cluster, const Partition& published, int group) {
+double jaccard_index(const Partition& found, int cluster, const Partition& published, int group) {
   int both = 0;
   int either = 0;
   for (std::size_t i = 0; i < found.group.size(); ++i) {
@@ -48,7 +48,7 @@ std::vector<std::string> names_of(const Partition& found, const Partition& publi
     for (int c = 0; c < found.groups; ++c) {
       for (int g = 0; g < published.groups; ++g) {
         if (!names[static_cast<std::size_t>(c)].empty() || taken.contains(g)) continue;
-        const double alike = likeness(found, c, published, g);
+        const double alike = jaccard_index(found, c, published, g);
         if (alike <= best) continue;
         best = alike;
         cluster = c;

@@ -21,33 +21,35 @@ PublishedComparison compare(const Analysis& analysis, PublishedCluster table,
   for (size_t j = 0; j < analysis.quantities.size(); ++j) {
     const auto& published = find_adjective_pair(analysis.quantities[j].scale)->*table;
     const auto leaf = std::ranges::find(analysis.clustered, static_cast<int>(j));
-    const bool kept = leaf != analysis.clustered.end();
-    same += kept == published.has_value();
-    if (kept && published) {
+    const bool retained = leaf != analysis.clustered.end();
+    same += retained == published.has_value();
+    if (retained && published) {
       here.group.push_back(
           analysis.partition.group[static_cast<size_t>(leaf - analysis.clustered.begin())]);
       there.group.push_back(static_cast<int>(*published));
     }
-    result.kept_only_here += kept && !published;
-    result.kept_only_there += !kept && published;
+    result.retained_only_here += retained && !published;
+    result.retained_only_published += !retained && published;
   }
-  result.kept_in_both = static_cast<int>(here.group.size());
-  result.kept_agreement = same / static_cast<double>(analysis.quantities.size());
+  result.retained_in_both = static_cast<int>(here.group.size());
+  result.retention_agreement = same / static_cast<double>(analysis.quantities.size());
   result.rand = rand_index(here, there);
   result.adjusted_rand = adjusted_rand_index(here, there);
   return result;
 }
 
-constexpr auto published_columns = table_of<GivenOrSimulated<PublishedComparison>>(
+constexpr auto published_columns = table_of<WithOrigin<PublishedComparison>>(
     "published.csv", "table of the adjective paper",
     {{"table", "", "Table 2 or Table 3", [](auto& r) { return r.of.table; }},
      whose_ratings_column,
-     {"kept_in_both", "", "pairs kept here and there", [](auto& r) { return r.of.kept_in_both; }},
-     {"kept_only_here", "", "pairs kept here alone", [](auto& r) { return r.of.kept_only_here; }},
+     {"kept_in_both", "", "pairs kept here and there",
+      [](auto& r) { return r.of.retained_in_both; }},
+     {"kept_only_here", "", "pairs kept here alone",
+      [](auto& r) { return r.of.retained_only_here; }},
      {"kept_only_there", "", "pairs kept there alone",
-      [](auto& r) { return r.of.kept_only_there; }},
+      [](auto& r) { return r.of.retained_only_published; }},
      {"kept_agreement", "0–1", "share of pairs that both keep or both remove",
-      [](auto& r) { return r.of.kept_agreement; }},
+      [](auto& r) { return r.of.retention_agreement; }},
      {"rand", "0–1", "Rand index over the pairs kept in both", [](auto& r) { return r.of.rand; }},
      {"adjusted_rand", "-1–1", "adjusted Rand index", [](auto& r) { return r.of.adjusted_rand; }}});
 

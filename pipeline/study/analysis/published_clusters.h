@@ -12,11 +12,11 @@ namespace mien::pipeline {
 /// paper.
 struct PublishedComparison {
   std::string table;  ///< "Table 2" or "Table 3"
-  int kept_in_both = 0;
-  int kept_only_here = 0;
-  int kept_only_there = 0;
-  double kept_agreement = 0.0;  ///< share of the rated pairs that both retain or both exclude
-  double rand = 0.0;            ///< over the pairs retained in both
+  int retained_in_both = 0;
+  int retained_only_here = 0;
+  int retained_only_published = 0;
+  double retention_agreement = 0.0;  ///< share of the rated pairs that both retain or both exclude
+  double rand = 0.0;                 ///< over the pairs retained in both
   double adjusted_rand = 0.0;
 };
 

@@ -57,7 +57,7 @@ std::vector<Quantity> quantify(const Impressions& impressions, const ScaleSet& s
     const double width = scale.most - scale.least;
     Eigen::Index example = 0;
     q.largest_mean = width * (impressions.mean.row(j).array() - 0.5).abs().maxCoeff(&example);
-    q.at_example = static_cast<int>(example);
+    q.extreme_example = static_cast<int>(example);
     Eigen::ArrayXd deviations = width * impressions.deviation.row(j).transpose().array();
     if (deviation == Deviation::sample) {
       const Eigen::ArrayXd n = impressions.count.row(j).transpose().cast<double>();
@@ -73,31 +73,31 @@ std::vector<Quantity> quantify(const Impressions& impressions, const ScaleSet& s
   return quantities;
 }
 
-std::vector<KeptAt> threshold_curve(const std::vector<Quantity>& quantities,
-                                    const Thresholds& thresholds, const ScaleSet& scales) {
+std::vector<ThresholdPoint> threshold_curve(const std::vector<Quantity>& quantities,
+                                            const Thresholds& thresholds, const ScaleSet& scales) {
   constexpr int steps = 40;
   const std::vector<Normal> normals = normalised(quantities, scales);
-  std::vector<KeptAt> curve;
+  std::vector<ThresholdPoint> curve;
   for (const auto condition :
-       {KeptAt::Condition::largest_mean, KeptAt::Condition::mean_deviation}) {
-    const bool mean = condition == KeptAt::Condition::largest_mean;
+       {ThresholdPoint::Condition::largest_mean, ThresholdPoint::Condition::mean_deviation}) {
+    const bool mean = condition == ThresholdPoint::Condition::largest_mean;
     for (int step = 0; step <= steps; ++step) {
-      KeptAt kept{condition, step / 20.0};
+      ThresholdPoint retained{condition, step / 20.0};
       for (const Normal& q : normals) {
-        const bool by_mean = q.passes_mean(mean ? kept.threshold : thresholds.largest_mean);
+        const bool by_mean = q.passes_mean(mean ? retained.threshold : thresholds.largest_mean);
         const bool by_deviation =
-            q.passes_deviation(mean ? thresholds.mean_deviation : kept.threshold);
-        kept.by_condition += mean ? by_mean : by_deviation;
-        kept.by_both += by_mean && by_deviation;
+            q.passes_deviation(mean ? thresholds.mean_deviation : retained.threshold);
+        retained.by_condition += mean ? by_mean : by_deviation;
+        retained.by_both += by_mean && by_deviation;
       }
-      curve.push_back(kept);
+      curve.push_back(retained);
     }
   }
   return curve;
 }
 
-Thresholds loosened(const std::vector<Quantity>& quantities, const Thresholds& thresholds,
-                    const ScaleSet& scales) {
+Thresholds loosened_thresholds(const std::vector<Quantity>& quantities,
+                               const Thresholds& thresholds, const ScaleSet& scales) {
   std::vector<double> factors;
   for (const Normal& q : normalised(quantities, scales)) {
     const double factor = factor_for(q, thresholds);

@@ -23,13 +23,13 @@ enum class Deviation { population, sample };
 struct Quantity {
   std::string scale;
   double largest_mean = 0.0;    ///< max over examples of the mean's distance from the middle
-  int at_example = 0;           ///< the first example with that distance
+  int extreme_example = 0;      ///< the first example with that distance
   double mean_deviation = 0.0;  ///< mean over examples of the SD over raters; NaN for given means
   Thresholds thresholds;        ///< restated for this scale
   bool neutral = false;         ///< largest_mean < threshold
   bool disputed = false;        ///< mean_deviation > threshold
 
-  bool kept() const { return !neutral && !disputed; }
+  bool retained() const { return !neutral && !disputed; }
 };
 
 /// One quantity for each row of the impressions, in their order.
@@ -38,7 +38,7 @@ std::vector<Quantity> quantify(const Impressions& impressions, const ScaleSet& s
                                Deviation deviation = Deviation::population);
 
 /// The number of scales that other thresholds would retain.
-struct KeptAt {
+struct ThresholdPoint {
   enum class Condition { largest_mean, mean_deviation };
 
   Condition condition = Condition::largest_mean;  ///< whose threshold is varied
@@ -48,19 +48,19 @@ struct KeptAt {
 };
 
 /// Both thresholds from 0 to 2 in steps of 0.05.
-std::vector<KeptAt> threshold_curve(const std::vector<Quantity>& quantities,
-                                    const Thresholds& thresholds, const ScaleSet& scales);
+std::vector<ThresholdPoint> threshold_curve(const std::vector<Quantity>& quantities,
+                                            const Thresholds& thresholds, const ScaleSet& scales);
 
 /// Thresholds that retain at least half of the scales: both relaxed by the same, least factor
 /// (the one divided by it, the other multiplied), rounded to the loose side to 0.01. A threshold
 /// that no scale misses is unchanged. Returns `thresholds` when they retain that many already.
-Thresholds loosened(const std::vector<Quantity>& quantities, const Thresholds& thresholds,
-                    const ScaleSet& scales);
+Thresholds loosened_thresholds(const std::vector<Quantity>& quantities,
+                               const Thresholds& thresholds, const ScaleSet& scales);
 
 /// The number of scales that each threshold retains: a panel for each condition; thin line by the
 /// condition alone, thick line with the other threshold unchanged, dashed line at the threshold in
 /// use. `scales`: how many were rated.
-Plot threshold_chart(const std::vector<KeptAt>& curve, const Thresholds& thresholds, int scales,
-                     bool simulated);
+Plot threshold_chart(const std::vector<ThresholdPoint>& curve, const Thresholds& thresholds,
+                     int scales, bool simulated);
 
 }  // namespace mien::pipeline

@@ -141,11 +141,11 @@ std::string clusters_yaml(const Analysis& analysis, const ScaleSet& scales) {
     remarks[q.scale] = q.neutral && q.disputed ? "removed: neutral, disagreement"
                        : q.neutral             ? "removed: neutral"
                                                : "removed: disagreement";
-    if (q.kept()) remarks.erase(q.scale);
+    if (q.retained()) remarks.erase(q.scale);
   }
   std::string head = "Scales of a rating study and the clusters derived from its answers.";
   if (analysis.impressions.simulated) head += "\nThe ratings are simulated.";
-  if (analysis.none_kept)
+  if (analysis.none_retained)
     head += "\nThe thresholds removed all scales; all of them were clustered.";
   return to_yaml(set, head, remarks);
 }

@@ -112,7 +112,7 @@ motion::Distance LiveMotions::distance(const std::string& target,
       [&](motion::LiveCore& core) { return core.distance(target, setting); });
 }
 
-HttpResponse LiveMotions::posted(const std::string& what, const std::string& body) {
+HttpResponse LiveMotions::answer_post(const std::string& what, const std::string& body) {
   const json given = parsed(body);
   if (what == "distance")
     return bytes_answer(motion::to_message(
@@ -138,7 +138,7 @@ HttpResponse LiveMotions::answer(const HttpRequest& request, std::span<const std
     return http_refusal(405, "not allowed", "this method is not allowed",
                         is_made ? "use POST" : "use GET");
   try {
-    return posted(what, request.body);
+    return answer_post(what, request.body);
   } catch (const BadRequest& bad) {
     return refused(bad.wrong, "load the page again");
   } catch (const Error& error) {

@@ -45,7 +45,7 @@ class LiveMotions {
   /// Calls `ask` with a core that no other thread uses meanwhile.
   template <class Result>
   Result with_core(const std::function<Result(motion::LiveCore&)>& ask);
-  HttpResponse posted(const std::string& what, const std::string& body);
+  HttpResponse answer_post(const std::string& what, const std::string& body);
 
   const motion::LiveBundle bundle_;
   std::mutex mutex_;

@@ -100,7 +100,7 @@ MatchingComparison comparison_of(const std::vector<double>& differences) {
   comparison.exact = wilcoxon(differences);
   comparison.d_z = cohens_dz(differences);
   // Without variance, t and p are undefined.
-  if (all_alike(differences))
+  if (all_equal(differences))
     comparison.difference.standard_error = comparison.difference.t = comparison.difference.p =
         comparison.d_z = std::numeric_limits<double>::quiet_NaN();
   return comparison;
@@ -133,7 +133,7 @@ std::vector<MatchingComparison> compare(const MatchingResults& results, Matching
   paper = holm(paper);
   exact = holm(exact);
   for (size_t i = 0; i < comparisons.size(); ++i) {
-    comparisons[i].paper_holm = paper[i];
+    comparisons[i].normal_holm = paper[i];
     comparisons[i].exact_holm = exact[i];
   }
   return comparisons;

@@ -52,7 +52,7 @@ struct MatchingComparison {
   Wilcoxon exact;
   /// Corrected over the comparisons of the same measure: those of all targets by themselves, those
   /// of single ones together.
-  double paper_holm = 1.0;
+  double normal_holm = 1.0;
   double exact_holm = 1.0;
   double d_z = 0.0;
 };

@@ -17,12 +17,12 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// With more targets, charts would be unreadable; they are in the tables only.
-constexpr std::size_t most_targets = 12;
+constexpr std::size_t max_targets = 12;
 
 /// The targets, one after the other, then all.
 std::vector<std::string> groups_of(const MatchingEvaluation& evaluation) {
   std::vector<std::string> groups;
-  if (evaluation.targets.size() <= most_targets) groups = evaluation.targets;
+  if (evaluation.targets.size() <= max_targets) groups = evaluation.targets;
   groups.emplace_back();
   return groups;
 }
@@ -73,9 +73,9 @@ std::vector<Bar> share_bars(const MatchingEvaluation& evaluation, int MatchingSh
                       });
 }
 
-using MeanRow = GivenOrSimulated<MatchingMean>;
-using ShareRow = GivenOrSimulated<MatchingShare>;
-using ComparedRow = GivenOrSimulated<MatchingComparison>;
+using MeanRow = WithOrigin<MatchingMean>;
+using ShareRow = WithOrigin<MatchingShare>;
+using ComparedRow = WithOrigin<MatchingComparison>;
 
 double share(int part, int all) { return all > 0 ? part / static_cast<double>(all) : NAN; }
 
@@ -94,7 +94,7 @@ constexpr SharedColumn target_column = {
     "target", "", "id of the target; all: all targets together",
     [](auto& r) { return r.of.target.empty() ? "all" : r.of.target; }};
 constexpr SharedColumn sessions_column = {"sessions", "", "given (by people) or simulated",
-                                          [](auto& r) { return given_or_simulated(r.simulated); }};
+                                          [](auto& r) { return origin_text(r.simulated); }};
 
 constexpr auto means_columns = table_of<MeanRow>(
     "means.csv", "measure, interface and target",
@@ -155,24 +155,23 @@ constexpr auto compared_columns = table_of<ComparedRow>(
       [](auto& r) { return r.of.exact.w_minus; }},
      {"p_paper", "",
       "Wilcoxon, two-sided: normal approximation without continuity correction, as published",
-      [](auto& r) { return p_of_table(r.of.paper.p); }},
+      [](auto& r) { return p_field(r.of.paper.p); }},
      {"p_paper_holm", "",
       "p corrected (Holm) over the comparisons of the measure: those over all targets, or those of "
       "single targets",
-      [](auto& r) { return p_of_table(r.of.paper_holm); }},
-     {"p_exact", "", "Wilcoxon, two-sided: exact",
-      [](auto& r) { return p_of_table(r.of.exact.p); }},
+      [](auto& r) { return p_field(r.of.normal_holm); }},
+     {"p_exact", "", "Wilcoxon, two-sided: exact", [](auto& r) { return p_field(r.of.exact.p); }},
      {"p_exact_holm", "",
       "p corrected (Holm) over the comparisons of the measure: those over all targets, or those of "
       "single targets",
-      [](auto& r) { return p_of_table(r.of.exact_holm); }},
+      [](auto& r) { return p_field(r.of.exact_holm); }},
      {"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation",
       [](auto& r) { return r.of.exact.rank_biserial; }},
      {"d_z", "", "mean difference divided by the standard deviation of the differences",
       [](auto& r) { return r.of.d_z; }},
      {"t", "", "paired t; empty if all differences are equal",
       [](auto& r) { return r.of.difference.t; }},
-     {"p_t", "", "its two-sided p", [](auto& r) { return p_of_table(r.of.difference.p); }}});
+     {"p_t", "", "its two-sided p", [](auto& r) { return p_field(r.of.difference.p); }}});
 
 }  // namespace
 

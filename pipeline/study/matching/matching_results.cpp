@@ -131,7 +131,8 @@ std::optional<std::string> common_value(const std::vector<CsvTable>& tables,
 }
 
 /// The common number in a column for a setting of the experiment, if any.
-std::optional<double> told_term(const std::vector<CsvTable>& tables, const std::string& column) {
+std::optional<double> common_number(const std::vector<CsvTable>& tables,
+                                    const std::string& column) {
   if (!common_value(tables, column, "evaluate the sessions of each experiment separately"))
     return std::nullopt;
   for (const CsvTable& table : tables) {
@@ -152,25 +153,27 @@ int place_of_interface(const std::string& interface) {
 }
 
 /// Failures count with the limit, so that it must be the one that the sessions had.
-double limit_of(const std::vector<CsvTable>& tables, const MatchingTerms& terms, double usual) {
-  const std::optional<double> told = told_term(tables, "limit_s");
-  if (told && terms.limit_s && *told != *terms.limit_s)
+double limit_of(const std::vector<CsvTable>& tables, const MatchingSettings& settings,
+                double usual) {
+  const std::optional<double> told = common_number(tables, "limit_s");
+  if (told && settings.limit_s && *told != *settings.limit_s)
     throw Error(
-        fmt::format("--limit says {:g} s, but these sessions had {:g} s", *terms.limit_s, *told),
+        fmt::format("--limit says {:g} s, but these sessions had {:g} s", *settings.limit_s, *told),
         "omit --limit");
-  return told ? *told : terms.limit_s.value_or(usual);
+  return told ? *told : settings.limit_s.value_or(usual);
 }
 
 }  // namespace
 
-MatchingResults matching_results(const std::vector<CsvTable>& tables, const MatchingTerms& terms) {
+MatchingResults matching_results(const std::vector<CsvTable>& tables,
+                                 const MatchingSettings& settings) {
   common_value(tables, "simulated", "evaluate sessions of real participants separately");
   common_value(tables, "design", "evaluate the sessions of each design separately");
   ReadTrials read;
   MatchingResults& results = read.results;
-  results.limit_s = limit_of(tables, terms, results.limit_s);
-  results.threshold_m =
-      terms.threshold_m.value_or(told_term(tables, "threshold_m").value_or(results.threshold_m));
+  results.limit_s = limit_of(tables, settings, results.limit_s);
+  results.threshold_m = settings.threshold_m.value_or(
+      common_number(tables, "threshold_m").value_or(results.threshold_m));
   for (const CsvTable& table : tables) {
     const size_t before = results.trials.size();
     TrialReader reader(table, read);
@@ -184,10 +187,10 @@ MatchingResults matching_results(const std::vector<CsvTable>& tables, const Matc
 }
 
 MatchingResults read_matching_results(const std::vector<std::filesystem::path>& files,
-                                      const MatchingTerms& terms) {
+                                      const MatchingSettings& settings) {
   std::vector<CsvTable> tables;
   for (const auto& file : files) tables.push_back(read_csv(file));
-  return matching_results(tables, terms);
+  return matching_results(tables, settings);
 }
 
 }  // namespace mien::pipeline

@@ -32,7 +32,7 @@ struct MatchingResults {
 };
 
 /// Settings of the experiment where known from elsewhere than the tables.
-struct MatchingTerms {
+struct MatchingSettings {
   std::optional<double> limit_s;      ///< seconds allowed for a match
   std::optional<double> threshold_m;  ///< D below which motions match, metres
 };
@@ -40,17 +40,17 @@ struct MatchingTerms {
 /// Reads tidy CSV with the columns participant, target, interface, first_guess_d (metres), time_s,
 /// success (1 or 0) and, optionally, simulated, design, limit_s and threshold_m: one table of all
 /// participants, or as many as there are. Empty or "NA" numbers are unknown; a trial without
-/// success took the limit, whatever its time. The limit is that of the tables, else of `terms`,
+/// success took the limit, whatever its time. The limit is that of the tables, else of `settings`,
 /// else 300 s; the threshold, which decides nothing but which guesses count as near, that of
-/// `terms`, else of the tables, else 0.06 m.
+/// `settings`, else of the tables, else 0.06 m.
 ///
 /// Throws Faults with every fault: a column missing, a number below 0 or none, a success after the
 /// limit or without a time, a success that is neither 0 nor 1, an empty name, a trial that is there
 /// twice; and Error: rows of several designs, limits or thresholds, of people and of nobody,
 /// another limit than the tables', no trial at all.
 MatchingResults read_matching_results(const std::vector<std::filesystem::path>& files,
-                                      const MatchingTerms& terms = {});
+                                      const MatchingSettings& settings = {});
 MatchingResults matching_results(const std::vector<CsvTable>& tables,
-                                 const MatchingTerms& terms = {});
+                                 const MatchingSettings& settings = {});
 
 }  // namespace mien::pipeline

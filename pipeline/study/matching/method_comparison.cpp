@@ -33,7 +33,7 @@ Eigen::VectorXd drawn_blend(std::uint64_t seed, int draw, Eigen::Index count) {
 }
 
 /// A method with its fitted weights, and the parameters of its examples.
-struct Trial {
+struct MethodFit {
   const FittedInterface& sliders;
   const Eigen::MatrixXd& places;
 
@@ -42,13 +42,14 @@ struct Trial {
   }
 };
 
-void add_errors(const Trial& trial, const std::vector<TriedSetting>& tried, MethodTrial& result) {
+void add_errors(const MethodFit& fit, const std::vector<TriedSetting>& tried,
+                MethodResult& result) {
   const auto count = static_cast<double>(tried.size());
   const auto begun = std::chrono::steady_clock::now();
   for (const TriedSetting& setting : tried) {
-    const Eigen::VectorXd weights = trial.weights(setting.values);
+    const Eigen::VectorXd weights = fit.weights(setting.values);
     const double error =
-        (weights.transpose() * trial.places - setting.values).lpNorm<Eigen::Infinity>();
+        (weights.transpose() * fit.places - setting.values).lpNorm<Eigen::Infinity>();
     result.mean_error += error / count;
     result.worst_error = std::max(result.worst_error, error);
     result.mean_examples += motion::effective_examples(weights) / count;
@@ -57,14 +58,14 @@ void add_errors(const Trial& trial, const std::vector<TriedSetting>& tried, Meth
   result.seconds = spent.count() / count;
 }
 
-double largest_jump(const Trial& trial, const std::vector<TriedSetting>& tried, int steps) {
+double largest_jump(const MethodFit& fit, const std::vector<TriedSetting>& tried, int steps) {
   double largest = 0.0;
   for (std::size_t i = 0; i + 1 < tried.size(); ++i) {
-    Eigen::VectorXd last = trial.weights(tried[i].values);
+    Eigen::VectorXd last = fit.weights(tried[i].values);
     for (int step = 1; step <= steps; ++step) {
       const double share = static_cast<double>(step) / steps;
       const Eigen::VectorXd now =
-          trial.weights((1.0 - share) * tried[i].values + share * tried[i + 1].values);
+          fit.weights((1.0 - share) * tried[i].values + share * tried[i + 1].values);
       largest = std::max(largest, (now - last).lpNorm<Eigen::Infinity>());
       last = now;
     }
@@ -72,7 +73,7 @@ double largest_jump(const Trial& trial, const std::vector<TriedSetting>& tried, 
   return largest;
 }
 
-constexpr auto method_columns = table_of<GivenOrSimulated<MethodTrial>>(
+constexpr auto method_columns = table_of<WithOrigin<MethodResult>>(
     "methods.csv", "method of interpolation",
     {{"method", "", "the method", [](auto& r) { return motion::name_of(r.of.method); }},
      {"settings", "", "number of slider settings tried", [](auto& r) { return r.of.settings; }},
@@ -91,11 +92,11 @@ constexpr auto method_columns = table_of<GivenOrSimulated<MethodTrial>>(
 
 }  // namespace
 
-std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
-                                         const std::vector<std::string>& parameters,
-                                         const std::vector<motion::InterpolationMethod>& methods,
-                                         const Interpolation& interpolation,
-                                         const MethodTrialOptions& options) {
+std::vector<MethodResult> compare_methods(const Repertoire& repertoire,
+                                          const std::vector<std::string>& parameters,
+                                          const std::vector<motion::InterpolationMethod>& methods,
+                                          const Interpolation& interpolation,
+                                          const MethodComparisonOptions& options) {
   const Eigen::MatrixXd places = places_of_examples(parameters, repertoire.parameters);
   const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
   const motion::BlendOptions as_blends{.rotations = interpolation.rotations,
@@ -105,16 +106,16 @@ std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
     const Eigen::VectorXd weights = drawn_blend(options.seed, draw, places.rows());
     tried.push_back({weights.transpose() * places, motion::blend(examples, weights, as_blends)});
   }
-  std::vector<MethodTrial> results;
+  std::vector<MethodResult> results;
   for (const motion::InterpolationMethod method : methods) {
     Interpolation how = interpolation;
     how.weights.method = method;
     const FittedInterface sliders =
         fit_interface({InterfaceKind::adjectives, parameters}, how, repertoire);
-    const Trial trial{sliders, places};
-    MethodTrial result{.method = method, .settings = options.settings};
-    add_errors(trial, tried, result);
-    result.jump = largest_jump(trial, tried, options.steps);
+    const MethodFit fit{sliders, places};
+    MethodResult result{.method = method, .settings = options.settings};
+    add_errors(fit, tried, result);
+    result.jump = largest_jump(fit, tried, options.steps);
     for (const TriedSetting& setting : tried) {
       const motion::Example made = motion_of(sliders, setting.values, how, repertoire);
       result.mean_distance += motion::distance(setting.motion, made).mean / options.settings;
@@ -124,7 +125,7 @@ std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
   return results;
 }
 
-WrittenTable method_trials_table(const std::vector<MethodTrial>& trials, bool simulated_ratings) {
+WrittenTable method_results_table(const std::vector<MethodResult>& trials, bool simulated_ratings) {
   return method_columns.of_parts(simulated_ratings, trials);
 }
 

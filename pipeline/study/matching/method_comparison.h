@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-struct MethodTrialOptions {
+struct MethodComparisonOptions {
   int settings = 50;  ///< number of random target settings
   int steps = 100;    ///< interpolation steps between successive targets
   std::uint64_t seed = 0;
@@ -18,7 +18,7 @@ struct MethodTrialOptions {
 
 /// Accuracy and smoothness of a method of interpolation on reachable target settings, measured as
 /// by Feng, Huang, Kallmann and Shapiro (2012), and D.
-struct MethodTrial {
+struct MethodResult {
   motion::InterpolationMethod method = motion::InterpolationMethod::reach;
   int settings = 0;
   double mean_error = 0.0;     ///< mean of the largest |reached − target| over parameters
@@ -32,13 +32,13 @@ struct MethodTrial {
 /// Evaluates each method with sliders for `parameters` (rows of the ratings). Targets are the
 /// parameters of random blends of three examples, so that all are reachable; D is measured to that
 /// blend. Throws Error when a method does not support that number of parameters.
-std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
-                                         const std::vector<std::string>& parameters,
-                                         const std::vector<motion::InterpolationMethod>& methods,
-                                         const Interpolation& interpolation,
-                                         const MethodTrialOptions& options);
+std::vector<MethodResult> compare_methods(const Repertoire& repertoire,
+                                          const std::vector<std::string>& parameters,
+                                          const std::vector<motion::InterpolationMethod>& methods,
+                                          const Interpolation& interpolation,
+                                          const MethodComparisonOptions& options);
 
 /// A row for each method, without the computing times, which are not reproducible.
-WrittenTable method_trials_table(const std::vector<MethodTrial>& trials, bool simulated_ratings);
+WrittenTable method_results_table(const std::vector<MethodResult>& trials, bool simulated_ratings);
 
 }  // namespace mien::pipeline

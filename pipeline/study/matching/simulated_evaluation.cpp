@@ -13,30 +13,30 @@ namespace mien::pipeline {
 namespace {
 
 /// A target, and how it was made.
-struct KnownMotion {
+struct TargetMotion {
   SampledTarget made_at;
   motion::Example motion;
   Eigen::VectorXd weights;
 };
 
 /// Targets are places of the first interface's parameters.
-KnownMotion known_motion(const SampledTarget& target, const FittedInterface& interface,
-                         const Interpolation& interpolation, const Repertoire& repertoire) {
+TargetMotion target_motion(const SampledTarget& target, const FittedInterface& interface,
+                           const Interpolation& interpolation, const Repertoire& repertoire) {
   return {target, motion_of(interface, target.place, interpolation, repertoire),
           motion::weights_at(interface.interpolator, target.place).weights};
 }
 
 /// The interface that the target was made with makes it again at the very same place.
-Eigen::RowVectorXd ideal_for(const KnownMotion& target, const FittedInterface& interface,
+Eigen::RowVectorXd ideal_for(const TargetMotion& target, const FittedInterface& interface,
                              InterfaceKind target_kind, const Repertoire& repertoire) {
   if (interface.sliders.kind == target_kind) return target.made_at.place;
   return ideal_settings(interface.sliders, target.motion, target.weights, repertoire);
 }
 
-void try_target(const KnownMotion& target, const FittedInterface& interface,
-                const Eigen::RowVectorXd& ideal, const Interpolation& interpolation,
-                const Repertoire& repertoire, const EvaluationOptions& options,
-                std::vector<InterfaceResult>& results) {
+void simulate_target(const TargetMotion& target, const FittedInterface& interface,
+                     const Eigen::RowVectorXd& ideal, const Interpolation& interpolation,
+                     const Repertoire& repertoire, const EvaluationOptions& options,
+                     std::vector<InterfaceResult>& results) {
   const std::string& id = target.made_at.id;
   const InterfaceKind kind = interface.sliders.kind;
   const SliderDistance distance_at = [&](const Eigen::RowVectorXd& settings) {
@@ -54,9 +54,9 @@ void try_target(const KnownMotion& target, const FittedInterface& interface,
     const SimulatedUser user = {.seed = options.seed,
                                 .name = fmt::format("{} {} user {}", id, name_of(kind), u),
                                 .threshold = options.threshold};
-    const SimulatedTrial trial = try_interface(ideal, user, distance_at);
+    const SimulatedTrial trial = simulate_trial(ideal, user, distance_at);
     results.push_back({interpolation.weights.method, id, kind, 0.0, u, trial.first_distance,
-                       trial.distance, trial.looks, trial.first_distance < options.threshold,
+                       trial.distance, trial.views, trial.first_distance < options.threshold,
                        trial.matched});
   }
 }
@@ -75,7 +75,7 @@ InterfaceSummary summary_of(const std::vector<InterfaceResult>& results,
     if (!belongs(r)) continue;
     s.mean_first += r.first_distance / n;
     s.mean_last += r.distance / n;
-    s.mean_looks += r.looks / n;
+    s.mean_views += r.views / n;
     s.first_success += (r.first_matches ? 1.0 : 0.0) / n;
     s.failure += (r.matches ? 0.0 : 1.0) / n;
   }
@@ -113,7 +113,7 @@ constexpr auto results_columns = table_of<InterfaceResult>(
      {"first_d_m", "m", "D of the nearest setting of the grid, or of the first guess",
       [](auto& r) { return r.first_distance; }},
      {"d_m", "m", "D of the last setting", [](auto& r) { return r.distance; }},
-     {"looks", "", "number of motions made", [](auto& r) { return r.looks; }},
+     {"looks", "", "number of motions made", [](auto& r) { return r.views; }},
      {"matched", "0/1", "1: D of the last setting is below the threshold",
       [](auto& r) { return r.matches; }},
      nobody_column});
@@ -135,7 +135,7 @@ constexpr auto summary_columns = table_of<InterfaceSummary>(
      {"mean_d_m", "m", "mean of d_m in interface_trials.csv", [](auto& r) { return r.mean_last; }},
      {"sd_d_m", "m", "standard deviation of these (n − 1)", [](auto& r) { return r.sd_last; }},
      {"failure", "0–1", "proportion without a match", [](auto& r) { return r.failure; }},
-     {"mean_looks", "", "mean number of motions made", [](auto& r) { return r.mean_looks; }},
+     {"mean_looks", "", "mean number of motions made", [](auto& r) { return r.mean_views; }},
      nobody_column});
 
 }  // namespace
@@ -166,11 +166,11 @@ std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
     for (const SliderInterface& interface : interfaces)
       fitted.push_back(fit_interface(interface, how, repertoire));
     for (const SampledTarget& target : targets) {
-      const KnownMotion known = known_motion(target, fitted.front(), how, repertoire);
+      const TargetMotion known = target_motion(target, fitted.front(), how, repertoire);
       for (const FittedInterface& interface : fitted) {
         const Eigen::RowVectorXd ideal =
             ideal_for(known, interface, fitted.front().sliders.kind, repertoire);
-        try_target(known, interface, ideal, how, repertoire, options, results);
+        simulate_target(known, interface, ideal, how, repertoire, options, results);
       }
     }
   }

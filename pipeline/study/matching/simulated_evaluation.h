@@ -30,7 +30,7 @@ struct InterfaceResult {
   int user = 0;                 ///< from 1; 0: the nearest setting of the grid
   double first_distance = 0.0;  ///< D, metres: the nearest setting, or the user's first guess
   double distance = 0.0;        ///< D in the end, metres
-  int looks = 1;                ///< motions synthesised and viewed
+  int views = 1;                ///< motions synthesised and viewed
   bool first_matches = false;
   bool matches = false;  ///< in the end
 };
@@ -58,7 +58,7 @@ struct InterfaceSummary {
   double mean_last = 0.0;
   double sd_last = 0.0;
   double failure = 0.0;  ///< share that never came below the threshold
-  double mean_looks = 0.0;
+  double mean_views = 0.0;
 };
 
 /// An entry for each method, interface and way, in the order of the results.

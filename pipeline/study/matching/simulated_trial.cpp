@@ -32,7 +32,7 @@ class Search {
     for (double step = first_step; step >= last_step && !is_over();)
       if (!round(step)) step *= 0.5;
     trial.distance = true_;
-    trial.looks = looks_;
+    trial.views = views_;
     trial.matched = matches();
     return trial;
   }
@@ -48,17 +48,17 @@ class Search {
   }
 
   double look(const Eigen::RowVectorXd& settings) {
-    ++looks_;
+    ++views_;
     return distance_at_(settings);
   }
 
   double seen(double distance) const {
-    const double error = normal(user_.seed, fmt::format("{} look {}", user_.name, looks_));
+    const double error = normal(user_.seed, fmt::format("{} look {}", user_.name, views_));
     return distance * std::max(0.0, 1.0 + user_.seeing_error * error);
   }
 
   bool matches() const { return true_ < user_.threshold; }
-  bool is_over() const { return matches() || looks_ >= user_.most_looks; }
+  bool is_over() const { return matches() || views_ >= user_.max_views; }
 
   /// Whether the move was kept.
   bool move(Eigen::Index slider, double by) {
@@ -106,14 +106,14 @@ class Search {
   Eigen::RowVectorXd settings_;
   double true_ = 0.0;
   double seen_ = 0.0;
-  int looks_ = 0;
+  int views_ = 0;
   int rounds_ = 0;
 };
 
 }  // namespace
 
-SimulatedTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
-                             const SliderDistance& distance_at) {
+SimulatedTrial simulate_trial(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
+                              const SliderDistance& distance_at) {
   return Search(user, distance_at).run(ideal);
 }
 

@@ -17,7 +17,7 @@ struct SimulatedUser {
   std::string name;             ///< part of the names of the random numbers
   double reading_error = 0.15;  ///< SD of reading a slider's value off the target
   double seeing_error = 0.1;    ///< SD of the distance as seen, share of it
-  int most_looks = 100;         ///< after so many tries the user gives up
+  int max_views = 100;          ///< after so many tries the user gives up
   double threshold = motion::distance_threshold_m;  ///< D below which the motion matches, metres
 };
 
@@ -25,7 +25,7 @@ struct SimulatedTrial {
   Eigen::RowVectorXd first_guess;  ///< slider settings
   double first_distance = 0.0;     ///< D of it, metres
   double distance = 0.0;           ///< D of the motion left when the user stopped
-  int looks = 0;                   ///< motions viewed
+  int views = 0;                   ///< motions viewed
   bool matched = false;            ///< the distance is below the threshold
 };
 
@@ -38,7 +38,7 @@ using SliderDistance = std::function<double(const Eigen::RowVectorXd&)>;
 /// drawn anew at each look) is kept. A round without any improvement halves the step, from 0.2;
 /// below 0.02 the user stops. The user also stops when the motion matches, which the experiment
 /// signals.
-SimulatedTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
-                             const SliderDistance& distance_at);
+SimulatedTrial simulate_trial(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
+                              const SliderDistance& distance_at);
 
 }  // namespace mien::pipeline

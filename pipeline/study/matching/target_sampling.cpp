@@ -14,7 +14,7 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr int most_draws = 200'000;
+constexpr int max_draws = 200'000;
 constexpr std::size_t pool_size = 400;
 
 /// Largest error of a parameter for a point to count as reached.
@@ -42,7 +42,7 @@ class TargetPool {
 
   std::vector<SampledTarget> targets() const {
     std::vector<SampledTarget> pool;
-    for (int draw = 0; draw < most_draws && pool.size() < pool_size; ++draw) {
+    for (int draw = 0; draw < max_draws && pool.size() < pool_size; ++draw) {
       SampledTarget target;
       target.place = drawn(options_.seed, draw, names_);
       if (!is_near(target) || !reach(target)) continue;
@@ -65,16 +65,16 @@ class TargetPool {
     Eigen::VectorXd weights = motion::weights(reach_, target.place);
     target.reached = weights.transpose() * examples_;
     if ((target.reached - target.place).lpNorm<Eigen::Infinity>() > reached_within) {
-      if (options_.unreachable == Unreachable::reject) return false;
+      if (options_.unreachable == UnreachablePolicy::reject) return false;
       // Rounding may leave the border of what is possible by half a thousandth.
       target.place = (1000.0 * target.reached).array().round() / 1000.0;
       weights = motion::weights(reach_, target.place);
       target.reached = weights.transpose() * examples_;
       is_near(target);
     }
-    target.seen = options_.spread == TargetSpread::parameters
-                      ? target.reached
-                      : Eigen::RowVectorXd((table_.values * weights).transpose());
+    target.spread_coordinates = options_.spread == TargetSpread::parameters
+                                    ? target.reached
+                                    : Eigen::RowVectorXd((table_.values * weights).transpose());
     return true;
   }
 
@@ -93,15 +93,18 @@ std::size_t farthest(const std::vector<double>& distances) {
 
 /// Places in the pool, each as far as possible from those before.
 std::vector<std::size_t> spread(const std::vector<SampledTarget>& pool, std::size_t count) {
-  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(pool.front().seen.size());
-  for (const SampledTarget& t : pool) mean += t.seen / static_cast<double>(pool.size());
+  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(pool.front().spread_coordinates.size());
+  for (const SampledTarget& t : pool)
+    mean += t.spread_coordinates / static_cast<double>(pool.size());
   std::vector<double> distances;
-  for (const SampledTarget& t : pool) distances.push_back((t.seen - mean).norm());
+  for (const SampledTarget& t : pool) distances.push_back((t.spread_coordinates - mean).norm());
   std::vector<std::size_t> chosen = {farthest(distances)};
   std::fill(distances.begin(), distances.end(), std::numeric_limits<double>::infinity());
   while (chosen.size() < count) {
     for (std::size_t i = 0; i < pool.size(); ++i)
-      distances[i] = std::min(distances[i], (pool[i].seen - pool[chosen.back()].seen).norm());
+      distances[i] =
+          std::min(distances[i],
+                   (pool[i].spread_coordinates - pool[chosen.back()].spread_coordinates).norm());
     chosen.push_back(farthest(distances));
   }
   return chosen;
@@ -116,8 +119,8 @@ std::vector<SampledTarget> sample_targets(const ParameterTable& table,
   const auto wanted = static_cast<std::size_t>(options.targets + options.practice);
   if (pool.size() < wanted)
     throw Error(fmt::format("only {} of {} random samples are within {:g} of an example{}",
-                            pool.size(), most_draws, options.max_distance,
-                            options.unreachable == Unreachable::reject
+                            pool.size(), max_draws, options.max_distance,
+                            options.unreachable == UnreachablePolicy::reject
                                 ? " and can be made by a blend of the examples"
                                 : ""),
                 "use fewer parameters, or allow a larger distance");

@@ -18,13 +18,13 @@ struct SampledTarget {
   Eigen::RowVectorXd place;    ///< target parameters, each in [0, 1]
   Eigen::RowVectorXd reached;  ///< parameters of the blend that approximates them (reach.h)
   Eigen::RowVectorXd
-      seen;  ///< coordinates of that blend in which targets are spread (TargetSpread)
+      spread_coordinates;  ///< coordinates of that blend in which targets are spread (TargetSpread)
   int nearest_example = 0;  ///< column of the table
   double distance = 0.0;    ///< to it
 };
 
 /// Handling of sampled parameters that no blend of the examples reaches.
-enum class Unreachable {
+enum class UnreachablePolicy {
   reject,   ///< another is sampled
   project,  ///< replaced by the nearest reachable parameters
 };
@@ -39,7 +39,7 @@ struct TargetOptions {
   int targets = 5;
   int practice = 3;
   double max_distance = 0.35;  ///< beyond it there is nothing to blend
-  Unreachable unreachable = Unreachable::reject;
+  UnreachablePolicy unreachable = UnreachablePolicy::reject;
   TargetSpread spread = TargetSpread::parameters;
   std::uint64_t seed = 0;
 };

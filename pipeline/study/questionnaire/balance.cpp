@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
 #include "pipeline/study/trials/trial_kind.h"
@@ -24,20 +24,20 @@ void count_session(const SessionPlan& plan, Balance& balance) {
     if (!trial.is_analysed()) continue;
     const std::string subject = subject_of(trial.stimuli);
     ++balance.seen[subject];
-    ++balance.at_place[{subject, std::to_string(seen.size() + 1)}];
-    if (!seen.empty()) ++balance.follows[{seen.back(), subject}];
-    for (const std::string& other : seen) ++balance.together[std::minmax(subject, other)];
+    ++balance.position_counts[{subject, std::to_string(seen.size() + 1)}];
+    if (!seen.empty()) ++balance.succession_counts[{seen.back(), subject}];
+    for (const std::string& other : seen) ++balance.concurrence_counts[std::minmax(subject, other)];
     if (trial.stimuli.size() > 1) balance.left[subject] += trial.stimuli[0] < trial.stimuli[1];
     seen.push_back(subject);
   }
-  balance.most_places = std::max(balance.most_places, static_cast<int>(seen.size()));
+  balance.max_positions = std::max(balance.max_positions, static_cast<int>(seen.size()));
 }
 
 void count_sides(const SessionPlan& plan, Balance& balance) {
-  const auto asked = std::ranges::find_if(plan.trials, &Trial::is_analysed);
-  if (asked == plan.trials.end() || !asked->kind->form->is_on_scale) return;
-  for (const AskedItem& item : asked->items)
-    if (item.item != asked->kind->form->item) balance.flipped[item.item] += item.flipped;
+  const auto analysed_trial = std::ranges::find_if(plan.trials, &Trial::is_analysed);
+  if (analysed_trial == plan.trials.end() || !analysed_trial->kind->form->is_on_scale) return;
+  for (const TrialItem& item : analysed_trial->items)
+    if (item.item != analysed_trial->kind->form->item) balance.flipped[item.item] += item.flipped;
 }
 
 CountRange range_over(const auto& counts, std::size_t possible) {
@@ -51,7 +51,7 @@ CountRange range_over(const auto& counts, std::size_t possible) {
   return range;
 }
 
-std::string shown(CountRange range, const char* unit) {
+std::string range_text(CountRange range, const char* unit) {
   return range.is_even() ? fmt::format("{} {}", range.least, unit)
                          : fmt::format("{} to {} {}", range.least, range.most, unit);
 }
@@ -59,7 +59,7 @@ std::string shown(CountRange range, const char* unit) {
 void add_latin_sentence(const Manifest& manifest, const Balance& balance, int participants,
                         std::vector<std::string>& sentences) {
   if (questionnaire_of(manifest).order.kind != TrialOrder::Kind::latin) return;
-  const auto count = static_cast<std::size_t>(balance.most_places);
+  const auto count = static_cast<std::size_t>(balance.max_positions);
   if (count < balance.subjects.size())
     return sentences.push_back(
         "Latin square within each participant's stimuli: positions and order effects are fully "
@@ -103,7 +103,7 @@ struct PlannedTrial {
   /// Joined by semicolons.
   std::string items(bool flipped_alone) const {
     std::string text;
-    for (const AskedItem& item : trial.items)
+    for (const TrialItem& item : trial.items)
       if (item.flipped || !flipped_alone) text += (text.empty() ? "" : ";") + item.item;
     return text;
   }
@@ -151,23 +151,23 @@ Balance balance_of(const Manifest& manifest, const std::vector<SessionPlan>& pla
   return balance;
 }
 
-CountRange seen_range(const Balance& balance) {
+CountRange participant_range(const Balance& balance) {
   return range_over(balance.seen, balance.seen.size());
 }
 
-CountRange place_range(const Balance& balance) {
-  return range_over(balance.at_place,
-                    balance.subjects.size() * static_cast<std::size_t>(balance.most_places));
+CountRange position_range(const Balance& balance) {
+  return range_over(balance.position_counts,
+                    balance.subjects.size() * static_cast<std::size_t>(balance.max_positions));
 }
 
-CountRange follows_range(const Balance& balance) {
+CountRange succession_range(const Balance& balance) {
   const std::size_t count = balance.subjects.size();
-  return range_over(balance.follows, count * (count - 1));
+  return range_over(balance.succession_counts, count * (count - 1));
 }
 
-CountRange together_range(const Balance& balance) {
+CountRange concurrence_range(const Balance& balance) {
   const std::size_t count = balance.subjects.size();
-  return range_over(balance.together, count * (count - 1) / 2);
+  return range_over(balance.concurrence_counts, count * (count - 1) / 2);
 }
 
 CountRange flipped_range(const Balance& balance) {
@@ -183,19 +183,19 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
   const TrialForm& form = *questionnaire_of(manifest).trials;
   std::vector<std::string> sentences = {
       fmt::format("Each {} is shown to {} of {}.", form.subject,
-                  shown(seen_range(balance), "participants"), participants),
+                  range_text(participant_range(balance), "participants"), participants),
       fmt::format("Each {} appears {} in each position.", form.subject,
-                  shown(place_range(balance), "times")),
+                  range_text(position_range(balance), "times")),
       fmt::format("Each {} directly follows every other one {}.", form.subject,
-                  shown(follows_range(balance), "times")),
+                  range_text(succession_range(balance), "times")),
       fmt::format("Every pair of {} co-occurs in {}.", form.stimuli > 1 ? "pairs" : "stimuli",
-                  shown(together_range(balance), "sessions"))};
+                  range_text(concurrence_range(balance), "sessions"))};
   if (!balance.flipped.empty())
     sentences.push_back(fmt::format("The high end of each scale is on the left for {}.",
-                                    shown(flipped_range(balance), "participants")));
+                                    range_text(flipped_range(balance), "participants")));
   if (form.stimuli > 1)
     sentences.push_back(fmt::format("The first stimulus of each pair is on the left {}.",
-                                    shown(left_range(balance), "times")));
+                                    range_text(left_range(balance), "times")));
   add_latin_sentence(manifest, balance, participants, sentences);
   return sentences;
 }
@@ -209,9 +209,9 @@ std::string balance_csv(const Balance& balance) {
     for (const auto& [pair, times] : counts) rows.push_back({name, pair.first, pair.second, times});
   };
   add("seen", balance.seen);
-  add_pairs("place", balance.at_place);
-  add_pairs("follows", balance.follows);
-  add_pairs("together", balance.together);
+  add_pairs("place", balance.position_counts);
+  add_pairs("follows", balance.succession_counts);
+  add_pairs("together", balance.concurrence_counts);
   add("flipped", balance.flipped);
   add("left", balance.left);
   return balance_columns.of(rows).csv;

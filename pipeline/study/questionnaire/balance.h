@@ -25,22 +25,22 @@ struct Balance {
 
   std::vector<std::string> subjects;  ///< in alphabetical order
   std::map<std::string, int> seen;    ///< number of participants who see each subject
-  PairCounts at_place;                ///< subject and place among the analysed trials, from "1"
-  PairCounts follows;                 ///< subject and its immediate successor
-  PairCounts together;  ///< two subjects seen by one participant, in alphabetical order
+  PairCounts position_counts;         ///< subject and place among the analysed trials, from "1"
+  PairCounts succession_counts;       ///< subject and its immediate successor
+  PairCounts concurrence_counts;  ///< two subjects seen by one participant, in alphabetical order
   std::map<std::string, int>
       flipped;  ///< item → number of participants with the high end at the left
   std::map<std::string, int> left;  ///< of pairs: how often the alphabetically first is at the left
-  int most_places = 0;              ///< analysed trials of the longest session
+  int max_positions = 0;            ///< analysed trials of the longest session
 };
 
 Balance balance_of(const Manifest& manifest, const std::vector<SessionPlan>& plans);
 
 /// Ranges over all possible combinations, including those that never occur.
-CountRange seen_range(const Balance& balance);
-CountRange place_range(const Balance& balance);
-CountRange follows_range(const Balance& balance);
-CountRange together_range(const Balance& balance);
+CountRange participant_range(const Balance& balance);
+CountRange position_range(const Balance& balance);
+CountRange succession_range(const Balance& balance);
+CountRange concurrence_range(const Balance& balance);
 CountRange flipped_range(const Balance& balance);
 CountRange left_range(const Balance& balance);
 

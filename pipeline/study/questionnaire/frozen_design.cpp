@@ -13,7 +13,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/sha256.h"
 #include "pipeline/base/documents/table.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -77,8 +77,8 @@ constexpr auto scales_columns = table_of<Scale>(
      {"most", "", "value at the high end", [](auto& r) { return r.most; }}});
 
 std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
-  const Questionnaire& asked = questionnaire_of(manifest);
-  const AnalysisPlan& analysis = asked.analysis;
+  const Questionnaire& questionnaire = questionnaire_of(manifest);
+  const AnalysisPlan& analysis = questionnaire.analysis;
   const auto longest = std::ranges::max_element(plans, {}, &SessionPlan::expected_seconds);
   const ordered_json design = {
       {"format", frozen_format},
@@ -121,10 +121,10 @@ constexpr auto media_columns = table_of<FrozenMedia>(
      {"media", "", "the file, from the study's folder", [](auto& r) { return r.media.path; }},
      {"sha256", "", "SHA-256 of it", [](auto& r) { return r.sha256; }}});
 
-std::string stimuli_csv(const Manifest& manifest, const fs::path& made) {
+std::string stimuli_csv(const Manifest& manifest, const fs::path& study_folder) {
   std::vector<FrozenMedia> rows;
   for (const ShownMedia& media : shown_media(manifest)) {
-    const fs::path file = made / media.path;
+    const fs::path file = study_folder / media.path;
     if (const std::string error = motion::read_error(file, motion::any_size); !error.empty())
       throw Error({file.string()}, error, "make the study first: mien run");
     rows.push_back({media, sha256_of_file(file)});
@@ -139,7 +139,7 @@ ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& pla
   files["design.json"] = design_json(manifest, plans);
   files["plans.csv"] = plans_csv(plans);
   files["balance.csv"] = balance_csv(balance_of(manifest, plans));
-  files["scales.csv"] = scales_columns.of(asked_scales(manifest).scales).csv;
+  files["scales.csv"] = scales_columns.of(questionnaire_scales(manifest).scales).csv;
   const std::string& analysis_plan = questionnaire_of(manifest).analysis.plan.text;
   files["analysis-plan.txt"] = analysis_plan.empty() ? no_analysis_plan : analysis_plan;
   files["inputs.csv"] = inputs_csv(manifest);
@@ -223,9 +223,9 @@ std::vector<ShownMedia> shown_media(const Manifest& manifest) {
 }
 
 ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
-                       const fs::path& made) {
+                       const fs::path& study_folder) {
   ZipFiles files = described(manifest, plans);
-  files["stimuli.csv"] = stimuli_csv(manifest, made);
+  files["stimuli.csv"] = stimuli_csv(manifest, study_folder);
   files[hashes_path] = hashes_text(files);
   return files;
 }
@@ -233,7 +233,7 @@ ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>&
 void add_folder(ZipFiles& frozen, const fs::path& folder, const std::string& prefix) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_directory() && !entry.is_symlink()) continue;
-    refuse_what_is_no_file(entry.path());
+    refuse_special_file(entry.path());
     const std::string path = entry.path().lexically_relative(folder).generic_string();
     frozen[prefix + "/" + path] = read_file(entry.path());
   }
@@ -242,7 +242,7 @@ void add_folder(ZipFiles& frozen, const fs::path& folder, const std::string& pre
 
 std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
                                      const std::vector<SessionPlan>& plans) {
-  return simulated_sessions(manifest, plans, {}, {.attentive = 1.0});
+  return simulated_sessions(manifest, plans, {}, {.attention_pass_rate = 1.0});
 }
 
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
@@ -252,7 +252,7 @@ void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
 }
 
 std::vector<std::string> frozen_differences(const fs::path& bundle, const Manifest& manifest,
-                                            const fs::path& made) {
+                                            const fs::path& study_folder) {
   ZipFiles then = read_frozen(bundle);
   ZipFiles now = described(manifest, plan_sessions(manifest));
   std::vector<std::string> differences;
@@ -262,10 +262,11 @@ std::vector<std::string> frozen_differences(const fs::path& bundle, const Manife
   if (then["analysis-plan.txt"] != now["analysis-plan.txt"])
     differences.push_back("analysis: the plan differs");
   compare_tables("inputs", then["inputs.csv"], now["inputs.csv"], differences);
-  if (made.empty()) {
+  if (study_folder.empty()) {
     differences.push_back("stimuli: not compared, because the study's folder was not given");
   } else {
-    compare_tables("stimuli", then["stimuli.csv"], stimuli_csv(manifest, made), differences);
+    compare_tables("stimuli", then["stimuli.csv"], stimuli_csv(manifest, study_folder),
+                   differences);
   }
   return differences;
 }

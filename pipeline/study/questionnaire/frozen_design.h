@@ -35,10 +35,10 @@ std::vector<ShownMedia> shown_media(const Manifest& manifest);
 ///     dummy-report/…       the report of simulated answers
 ///     manifest-sha256.txt  of all of these
 ///
-/// No dates: the same study gives the same bytes. `made` is the output folder of the study. Throws
-/// Error when the media of a stimulus is missing.
+/// No dates: the same study gives the same bytes. `study_folder` is the output folder of the study.
+/// Throws Error when the media of a stimulus is missing.
 ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
-                       const std::filesystem::path& made);
+                       const std::filesystem::path& study_folder);
 
 /// Adds all files below a folder to `frozen`, as `prefix`/…, and updates the list of hashes. Throws
 /// Error for entries that are neither file nor folder.
@@ -56,11 +56,11 @@ void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
 
 /// Compares a study with a frozen bundle: a sentence for each difference, which begins with its
 /// subject (design, texts, scales, analysis, stimuli, inputs). Empty without differences. Without a
-/// folder `made`, media are not compared, and a sentence says so.
+/// folder `study_folder`, media are not compared, and a sentence says so.
 ///
 /// Throws Error for a folder or archive that is not such a bundle, or whose hashes do not match.
 std::vector<std::string> frozen_differences(const std::filesystem::path& bundle,
                                             const Manifest& manifest,
-                                            const std::filesystem::path& made = {});
+                                            const std::filesystem::path& study_folder = {});
 
 }  // namespace mien::pipeline

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 
@@ -33,27 +33,27 @@ class MainPart {
   MainPart(const Manifest& manifest, const TrialSubjects& subjects, const Subjects& share,
            int index)
       : manifest_(manifest),
-        asked_(questionnaire_of(manifest)),
+        questionnaire_(questionnaire_of(manifest)),
         subjects_(subjects),
         share_(share),
         index_(index),
         // Where all see the same order, random additions are the same for all too.
-        own_seed_(seed_of(manifest.seed, asked_.order.kind == TrialOrder::Kind::fixed
-                                             ? "everybody"
-                                             : participant_name(index))) {}
+        order_seed_(derived_seed(manifest.seed, questionnaire_.order.kind == TrialOrder::Kind::fixed
+                                                    ? "everybody"
+                                                    : participant_name(index))) {}
 
   std::vector<MainTrial> run() {
     order();
-    for (int i = 0; i < asked_.repeated; ++i) repeat_one(i);
+    for (int i = 0; i < questionnaire_.repeated; ++i) repeat_one(i);
     warm_up();
     return trials_;
   }
 
  private:
   void order() {
-    if (asked_.order.kind == TrialOrder::Kind::fixed) return append(share_);
-    if (asked_.order.kind == TrialOrder::Kind::latin) return append_latin();
-    if (asked_.order.kind == TrialOrder::Kind::blocked) return append_blocks();
+    if (questionnaire_.order.kind == TrialOrder::Kind::fixed) return append(share_);
+    if (questionnaire_.order.kind == TrialOrder::Kind::latin) return append_latin();
+    if (questionnaire_.order.kind == TrialOrder::Kind::blocked) return append_blocks();
     append_apart(share_, "order");
   }
 
@@ -71,7 +71,7 @@ class MainPart {
     for (const std::string& level : subjects_.blocks)
       if (std::ranges::find(levels, level) == levels.end()) levels.push_back(level);
     for (const std::size_t place :
-         square_row(levels.size(), index_, seed_of(manifest_.seed, "blocks"))) {
+         square_row(levels.size(), index_, derived_seed(manifest_.seed, "blocks"))) {
       Subjects block;
       for (const std::size_t subject : share_)
         if (subjects_.blocks[subject] == levels[place]) block.push_back(subject);
@@ -82,8 +82,9 @@ class MainPart {
   void append_apart(const Subjects& subjects, const std::string& name) {
     const std::optional<std::size_t> before =
         trials_.empty() ? std::nullopt : std::optional(trials_.back().subject);
-    const auto found = order_apart(subjects_.likeness, subjects, before, own_seed_, name);
-    if (!found) refuse(why_none(subjects_.likeness, subjects));
+    const auto found =
+        separated_order(subjects_.factor_levels, subjects, before, order_seed_, name);
+    if (!found) refuse(no_order_reason(subjects_.factor_levels, subjects));
     append(*found);
   }
 
@@ -92,12 +93,12 @@ class MainPart {
         place_of(manifest_.places, "questionnaire.no_repeats"),
         fmt::format(
             "questionnaire.no_repeats: no order of {} separates stimuli with the same {} ({})",
-            participant_name(index_), fmt::join(asked_.no_repeats, " or "), why),
+            participant_name(index_), fmt::join(questionnaire_.no_repeats, " or "), why),
         "use fewer factors, or other stimuli");
   }
 
-  bool are_alike(std::size_t a, std::size_t b) const {
-    return a == b || subjects_.likeness.are_alike(a, b);
+  bool share_level(std::size_t a, std::size_t b) const {
+    return a == b || subjects_.factor_levels.share_level(a, b);
   }
 
   const std::string& block_of(std::size_t place) const {
@@ -107,8 +108,8 @@ class MainPart {
   /// Inserts a repetition in the same block, half a block later where possible.
   void repeat_one(int number) {
     const std::string name = fmt::format("repeat/{}", number);
-    const Subjects order = random_order(trials_.size(), own_seed_, name);
-    const Subjects places = random_order(trials_.size() + 1, own_seed_, name + "/place");
+    const Subjects order = random_order(trials_.size(), order_seed_, name);
+    const Subjects places = random_order(trials_.size() + 1, order_seed_, name + "/place");
     for (const std::size_t part : {2, 4, 8}) {
       for (const std::size_t first : order) {
         if (is_repeated(trials_[first].subject)) continue;
@@ -124,13 +125,13 @@ class MainPart {
         }
       }
     }
-    const bool is_one = asked_.repeated == 1;
+    const bool is_one = questionnaire_.repeated == 1;
     throw Error(
         place_of(manifest_.places, "questionnaire.catch.repeat"),
         fmt::format("questionnaire.catch.repeat: {} cannot see {} a second time with others "
                     "in between",
                     participant_name(index_),
-                    is_one ? "a stimulus" : fmt::format("{} stimuli", asked_.repeated)),
+                    is_one ? "a stimulus" : fmt::format("{} stimuli", questionnaire_.repeated)),
         is_one ? "omit it, or show more stimuli" : "use a smaller number");
   }
 
@@ -144,8 +145,8 @@ class MainPart {
   bool takes(std::size_t place, std::size_t first) const {
     const std::size_t subject = trials_[first].subject;
     if (block_of(place - 1) != block_of(first)) return false;
-    if (are_alike(trials_[place - 1].subject, subject)) return false;
-    return place == trials_.size() || !are_alike(trials_[place].subject, subject);
+    if (share_level(trials_[place - 1].subject, subject)) return false;
+    return place == trials_.size() || !share_level(trials_[place].subject, subject);
   }
 
   /// Subjects for the warm-up, of the first block: those that the participant does not rate,
@@ -153,7 +154,7 @@ class MainPart {
   Subjects warm_up_candidates() const {
     Subjects candidates;
     const std::string& block = block_of(0);
-    for (const std::size_t subject : random_order(subjects_.size(), own_seed_, "warm-up")) {
+    for (const std::size_t subject : random_order(subjects_.size(), order_seed_, "warm-up")) {
       const bool is_own = std::ranges::find(share_, subject) != share_.end();
       if (!is_own && subjects_.blocks[subject] == block) candidates.push_back(subject);
     }
@@ -165,10 +166,10 @@ class MainPart {
 
   void warm_up() {
     Subjects candidates = warm_up_candidates();
-    for (int i = 0; i < asked_.warm_up; ++i) {
+    for (int i = 0; i < questionnaire_.warm_up; ++i) {
       const std::size_t next = trials_.front().subject;
       const auto found = std::ranges::find_if(
-          candidates, [&](std::size_t subject) { return !are_alike(subject, next); });
+          candidates, [&](std::size_t subject) { return !share_level(subject, next); });
       if (found == candidates.end()) refuse("no stimuli remain for the warm-up");
       trials_.insert(trials_.begin(), {.subject = *found, .warm_up = true});
       candidates.erase(found);
@@ -176,11 +177,11 @@ class MainPart {
   }
 
   const Manifest& manifest_;
-  const Questionnaire& asked_;
+  const Questionnaire& questionnaire_;
   const TrialSubjects& subjects_;
   const Subjects& share_;
   int index_;
-  std::uint64_t own_seed_;
+  std::uint64_t order_seed_;
   std::vector<MainTrial> trials_;
 };
 

@@ -10,7 +10,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/statistics/proportion.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
 
@@ -56,19 +56,19 @@ struct RunningTest {
 /// study too.
 class PowerSimulation {
  public:
-  PowerSimulation(const Manifest& manifest, const PowerQuestion& question, int participants)
-      : question_(question),
+  PowerSimulation(const Manifest& manifest, const PowerOptions& options, int participants)
+      : question_(options),
         subjects_(trial_subjects(manifest)),
-        shares_(shares(manifest, subjects_, static_cast<std::size_t>(participants))),
+        shares_(participant_subjects(manifest, subjects_, static_cast<std::size_t>(participants))),
         critical_{0.0, 0.0} {
     const auto count = static_cast<std::size_t>(participants);
     for (std::size_t pairs = 2; pairs <= count; ++pairs)
-      critical_.push_back(critical_t(pairs, question.alpha));
+      critical_.push_back(critical_t(pairs, options.alpha));
     found.assign(count + 1, 0);
     alarms.assign(count + 1, 0);
     usable.assign(count + 1, 0.0);
     side_.assign(subjects_.size(), 0);
-    if (!question.factor.empty()) take_levels(manifest);
+    if (!options.factor.empty()) take_levels(manifest);
   }
 
   void run() {
@@ -89,8 +89,8 @@ class PowerSimulation {
   }
 
   void run_study(int study) {
-    stream_ =
-        motion::random_bits(seed_of(question_.seed, "power"), static_cast<std::uint64_t>(study));
+    stream_ = motion::random_bits(derived_seed(question_.seed, "power"),
+                                  static_cast<std::uint64_t>(study));
     if (question_.factor.empty()) choose_two();
     RunningTest test;
     for (std::size_t person = 0; person < shares_.size(); ++person) {
@@ -129,7 +129,7 @@ class PowerSimulation {
     return static_cast<std::uint64_t>(person) * subjects_.size() + subject;
   }
 
-  const PowerQuestion& question_;
+  const PowerOptions& question_;
   TrialSubjects subjects_;
   std::vector<std::vector<std::size_t>> shares_;
   std::vector<double> critical_;  ///< t by number of differences
@@ -144,14 +144,14 @@ int least_number(const std::vector<int>& found, int studies, auto&& is_enough) {
   return 0;
 }
 
-void check_level(const std::vector<std::string>& levels, const PowerQuestion& question,
+void check_level(const std::vector<std::string>& levels, const PowerOptions& options,
                  const std::string& level) {
   if (std::ranges::find(levels, level) != levels.end()) return;
-  throw Error(fmt::format("no stimulus of the questionnaire has {}: {}", question.factor, level),
+  throw Error(fmt::format("no stimulus of the questionnaire has {}: {}", options.factor, level),
               motion::did_you_mean(level, levels));
 }
 
-void check(const Manifest& manifest, const PowerQuestion& question) {
+void check(const Manifest& manifest, const PowerOptions& options) {
   const TrialSubjects subjects = trial_subjects(manifest);
   if (questionnaire_of(manifest).trials->stimuli > 1)
     throw Error("power is estimated for ratings only, but this questionnaire compares pairs",
@@ -159,18 +159,18 @@ void check(const Manifest& manifest, const PowerQuestion& question) {
   if (subjects_per_participant(manifest, subjects) < 2)
     throw Error("no participant sees two stimuli, as a paired test requires",
                 "show each participant more stimuli");
-  if (question.factor.empty()) return;
+  if (options.factor.empty()) return;
   const std::vector<std::string> factors = factors_of(manifest);
-  if (std::ranges::find(factors, question.factor) == factors.end())
-    throw Error(fmt::format("the stimuli have no factor {}", motion::in_quotes(question.factor)),
+  if (std::ranges::find(factors, options.factor) == factors.end())
+    throw Error(fmt::format("the stimuli have no factor {}", motion::in_quotes(options.factor)),
                 factors.empty() ? "add factors: {…} to the stimuli"
-                                : motion::did_you_mean(question.factor, factors));
+                                : motion::did_you_mean(options.factor, factors));
   std::vector<std::string> levels;
   for (const std::vector<std::string>& stimuli : subjects.stimuli)
-    levels.push_back(level_of(manifest, stimuli[0], question.factor));
+    levels.push_back(level_of(manifest, stimuli[0], options.factor));
   std::erase(levels, "");
-  check_level(levels, question, question.level);
-  check_level(levels, question, question.other_level);
+  check_level(levels, options, options.level);
+  check_level(levels, options, options.other_level);
 }
 
 std::string number_or_more(int number, int most) {
@@ -184,42 +184,45 @@ SimulatedShare simulated_share(int successes, int trials) {
   return {static_cast<double>(successes) / trials, interval.low, interval.high};
 }
 
-PowerEstimate estimate_power(const Manifest& manifest, const PowerQuestion& question) {
-  check(manifest, question);
+PowerEstimate estimate_power(const Manifest& manifest, const PowerOptions& options) {
+  check(manifest, options);
   const int planned = questionnaire_of(manifest).participants;
-  const auto is_wanted = [&](const SimulatedShare& share) { return share.low >= question.wanted; };
+  const auto is_wanted = [&](const SimulatedShare& share) {
+    return share.low >= options.wanted_power;
+  };
   for (int horizon = std::max(64, planned);; horizon *= 2) {
-    const int most = std::max(planned, std::min(horizon, question.most_participants));
-    PowerSimulation simulation(manifest, question, most);
+    const int most = std::max(planned, std::min(horizon, options.max_participants));
+    PowerSimulation simulation(manifest, options, most);
     simulation.run();
     const auto least = [&](auto&& is_enough) {
-      return least_number(simulation.found, question.studies, is_enough);
+      return least_number(simulation.found, options.studies, is_enough);
     };
     const int high = least(is_wanted);
-    if (high == 0 && most < question.most_participants) continue;
+    if (high == 0 && most < options.max_participants) continue;
     const auto at = static_cast<std::size_t>(planned);
-    return {.participants = planned,
-            .power = simulated_share(simulation.found[at], question.studies),
-            .false_alarms = simulated_share(simulation.alarms[at], question.studies),
-            .usable = simulation.usable[at] / question.studies,
-            .needed = least([&](const auto& share) { return share.share >= question.wanted; }),
-            .needed_low = least([&](const auto& share) { return share.high >= question.wanted; }),
-            .needed_high = high};
+    return {
+        .participants = planned,
+        .power = simulated_share(simulation.found[at], options.studies),
+        .false_positives = simulated_share(simulation.alarms[at], options.studies),
+        .usable = simulation.usable[at] / options.studies,
+        .needed = least([&](const auto& share) { return share.share >= options.wanted_power; }),
+        .needed_low = least([&](const auto& share) { return share.high >= options.wanted_power; }),
+        .needed_high = high};
   }
 }
 
-bool is_test_misled(const PowerQuestion& question, const PowerEstimate& estimate) {
-  return !question.factor.empty() && question.spread.stimulus > 0.0 &&
-         estimate.false_alarms.low > question.alpha;
+bool is_false_positive_rate_inflated(const PowerOptions& options, const PowerEstimate& estimate) {
+  return !options.factor.empty() && options.spread.stimulus > 0.0 &&
+         estimate.false_positives.low > options.alpha;
 }
 
-std::vector<std::string> power_sentences(const PowerQuestion& question,
+std::vector<std::string> power_sentences(const PowerOptions& options,
                                          const PowerEstimate& estimate) {
-  const RatingSpread& spread = question.spread;
+  const RatingSpread& spread = options.spread;
   const std::string compared =
-      question.factor.empty()
+      options.factor.empty()
           ? "two stimuli"
-          : fmt::format("{} {} and {}", question.factor, question.level, question.other_level);
+          : fmt::format("{} {} and {}", options.factor, options.level, options.other_level);
   const auto percent = [](const SimulatedShare& share) {
     return fmt::format("{:.1f} % ({:.1f} to {:.1f} %)", 100.0 * share.share, 100.0 * share.low,
                        100.0 * share.high);
@@ -230,11 +233,11 @@ std::vector<std::string> power_sentences(const PowerQuestion& question,
       fmt::format(
           "Power to detect a difference of {:g} points between {} (paired t test, α = {:g}): {} of "
           "{} simulated studies, with {} planned participants, of whom {:.1f} see both.",
-          question.difference, compared, question.alpha, percent(estimate.power), question.studies,
+          options.difference, compared, options.alpha, percent(estimate.power), options.studies,
           estimate.participants, estimate.usable),
       fmt::format("False-positive rate without a true difference: {}.",
-                  percent(estimate.false_alarms)),
-      is_test_misled(question, estimate)
+                  percent(estimate.false_positives)),
+      is_false_positive_rate_inflated(options, estimate)
           ? fmt::format(
                 "No sample size reported: a test over participants mistakes differences between "
                 "these particular stimuli for a difference between the levels, and does so more "
@@ -244,10 +247,10 @@ std::vector<std::string> power_sentences(const PowerQuestion& question,
                 spread.participant, spread.residual)
           : fmt::format(
                 "Sample size for {:g} % power: {} participants (simulation interval {} to {}).",
-                100.0 * question.wanted,
-                number_or_more(estimate.needed, question.most_participants),
-                number_or_more(estimate.needed_low, question.most_participants),
-                number_or_more(estimate.needed_high, question.most_participants))};
+                100.0 * options.wanted_power,
+                number_or_more(estimate.needed, options.max_participants),
+                number_or_more(estimate.needed_low, options.max_participants),
+                number_or_more(estimate.needed_high, options.max_participants))};
 }
 
 }  // namespace mien::pipeline

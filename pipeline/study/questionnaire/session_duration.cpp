@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/base/documents/utf8.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/synthesis/motions.h"
 
@@ -21,7 +21,7 @@ bool is_wide(std::string_view word) {
 
 }  // namespace
 
-double words_in(std::string_view text) {
+double word_count(std::string_view text) {
   double words = 0.0;
   for (std::size_t begin = 0; begin < text.size();) {
     std::size_t end = begin;
@@ -36,21 +36,22 @@ double words_in(std::string_view text) {
 
 double session_seconds(const Manifest& manifest, const SessionPlan& plan,
                        const VideoSeconds& seconds) {
-  const Questionnaire& asked = questionnaire_of(manifest);
-  const Pace& pace = asked.pace;
+  const Questionnaire& questionnaire = questionnaire_of(manifest);
+  const Pace& pace = questionnaire.pace;
   const auto video = [&](const std::string& stimulus) {
     const auto found = seconds.find(stimulus);
     return found == seconds.end() ? usual_video_seconds : found->second;
   };
-  const double words = words_in(asked.consent.text) + words_in(asked.instructions.text) +
-                       words_in(asked.ending.text);
+  const double words = word_count(questionnaire.consent.text) +
+                       word_count(questionnaire.instructions.text) +
+                       word_count(questionnaire.ending.text);
   double sum = 60.0 * words / pace.words_per_minute +
-               pace.demographic * static_cast<double>(asked.demographics.size());
+               pace.demographic * static_cast<double>(questionnaire.demographics.size());
   for (const Trial& trial : plan.trials) {
     double longest = trial.reference.empty() ? 0.0 : video(trial.reference);
     for (const std::string& stimulus : trial.stimuli) longest = std::max(longest, video(stimulus));
     sum += longest + pace.answer * static_cast<double>(trial.items.size()) + pace.between;
-    if (asked.comments && !trial.is_attention_check()) sum += pace.comment;
+    if (questionnaire.comments && !trial.is_attention_check()) sum += pace.comment;
   }
   return sum;
 }

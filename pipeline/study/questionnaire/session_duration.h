@@ -9,7 +9,7 @@ namespace mien::pipeline {
 
 /// Longer expected sessions cause a warning; participants of the emotion thesis found 40 videos too
 /// long.
-inline constexpr double longest_good_session_seconds = 20.0 * 60.0;
+inline constexpr double recommended_session_seconds = 20.0 * 60.0;
 
 /// Expected duration of a session, seconds: reading texts, answering questions about the
 /// participant, watching each video once (those side by side at the same time) and answering each
@@ -18,7 +18,7 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
                        const VideoSeconds& seconds);
 
 /// Number of words in a text. In scripts written without spaces, two characters count as a word.
-double words_in(std::string_view text);
+double word_count(std::string_view text);
 
 /// Duration of the video of each stimulus in seconds, including title card, fixation cross and
 /// blanks. Synthesises the motions. Throws Error.

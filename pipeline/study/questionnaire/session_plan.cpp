@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/main_part.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -21,13 +21,13 @@ class Planner {
  public:
   explicit Planner(const Manifest& manifest)
       : manifest_(manifest),
-        asked_(questionnaire_of(manifest)),
-        form_(*asked_.trials),
+        questionnaire_(questionnaire_of(manifest)),
+        form_(*questionnaire_.trials),
         kind_(trial_kind_of(form_)),
         subjects_(trial_subjects(manifest)),
-        asked_scales_(asked_scales_by_item(manifest)),
+        response_scales_(response_scales_by_item(manifest)),
         shown_(subjects_.size()) {
-    for (const Scale& scale : asked_scales(manifest).scales) scales_.push_back(scale.id);
+    for (const Scale& scale : questionnaire_scales(manifest).scales) scales_.push_back(scale.id);
   }
 
   const TrialSubjects& subjects() const { return subjects_; }
@@ -37,7 +37,7 @@ class Planner {
     plan_.index = index_;
     plan_.participant = participant_name(index_);
     // So that a double of JavaScript represents it exactly.
-    plan_.seed = seed_of(manifest_.seed, plan_.participant) >> 11U;
+    plan_.seed = derived_seed(manifest_.seed, plan_.participant) >> 11U;
     lay_choices();
     lay_items();
     lay_practice();
@@ -49,7 +49,7 @@ class Planner {
   }
 
  private:
-  bool are_sides_random() const { return asked_.answer.side == PoleSide::random; }
+  bool are_sides_random() const { return questionnaire_.answer.side == PoleSide::random; }
 
   /// Alternates between successive participants.
   bool is_flipped(const std::string& what, int index) const {
@@ -59,7 +59,7 @@ class Planner {
 
   void lay_choices() {
     if (!form_.offers_choices) return;
-    const auto choices = asked_choices(manifest_);
+    const auto choices = questionnaire_choices(manifest_);
     for (const std::size_t i : random_order(choices.size(), plan_.seed, "choices"))
       plan_.choices.push_back(choices[are_sides_random() ? i : plan_.choices.size()].first);
   }
@@ -67,7 +67,7 @@ class Planner {
   void lay_items() {
     items_.clear();
     if (!form_.item.empty()) items_.push_back({.item = std::string(form_.item)});
-    const bool has_poles = form_.is_on_scale && !asked_.answer.words;
+    const bool has_poles = form_.is_on_scale && !questionnaire_.answer.words;
     for (const std::string& scale : scales_)
       items_.push_back({.item = scale, .flipped = has_poles && is_flipped(scale, index_)});
   }
@@ -76,14 +76,14 @@ class Planner {
     return {.block = std::move(block),
             .kind = &kind_,
             .stimuli = std::move(stimuli),
-            .reference = asked_.reference,
+            .reference = questionnaire_.reference,
             .items = items_};
   }
 
   void lay_practice() {
     const std::size_t each = form_.stimuli;
-    for (std::size_t i = 0; i + each <= asked_.practice.size(); i += each) {
-      const auto first = asked_.practice.begin() + static_cast<std::ptrdiff_t>(i);
+    for (std::size_t i = 0; i + each <= questionnaire_.practice.size(); i += each) {
+      const auto first = questionnaire_.practice.begin() + static_cast<std::ptrdiff_t>(i);
       Trial trial = trial_of({first, first + static_cast<std::ptrdiff_t>(each)}, "practice");
       trial.practice = true;
       plan_.trials.push_back(std::move(trial));
@@ -115,7 +115,7 @@ class Planner {
   /// The trials of the main part that attention checks follow; none after the last.
   std::vector<std::size_t> attention_places(std::size_t trials) const {
     std::vector<std::size_t> places;
-    const auto every = static_cast<std::size_t>(asked_.attention_every);
+    const auto every = static_cast<std::size_t>(questionnaire_.attention_every);
     if (every == 0) return places;
     const std::size_t reach = every / 4;
     for (std::size_t after = every; after < trials; after += every) {
@@ -137,21 +137,21 @@ class Planner {
   }
 
   std::string expected_of(const Trial& check, std::size_t place) const {
-    const AskedItem& item = check.items.front();
-    const std::vector<std::string> answers =
-        kind_.checkable({check, item, find_scale(asked_scales_, item.item), plan_.choices});
+    const TrialItem& item = check.items.front();
+    const std::vector<std::string> answers = kind_.attention_answers(
+        {check, item, find_scale(response_scales_, item.item), plan_.choices});
     return answers[random_choice(answers.size(), plan_.seed, "expected", place)];
   }
 
   const Manifest& manifest_;
-  const Questionnaire& asked_;
+  const Questionnaire& questionnaire_;
   const TrialForm& form_;
   const TrialKind& kind_;
   TrialSubjects subjects_;
   std::vector<std::string> scales_;
-  AskedScales asked_scales_;
+  ResponseScales response_scales_;
   std::vector<std::size_t> shown_;  ///< how often each subject is analysed so far
-  std::vector<AskedItem> items_;    ///< of the session being planned
+  std::vector<TrialItem> items_;    ///< of the session being planned
   SessionPlan plan_;
   int index_ = 0;
 };
@@ -165,16 +165,17 @@ std::vector<SessionPlan> plan_sessions(const Manifest& manifest, const VideoSeco
   if (count == 0) count = questionnaire_of(manifest).participants;
   Planner planner(manifest);
   std::vector<SessionPlan> plans;
-  for (const auto& share : shares(manifest, planner.subjects(), static_cast<std::size_t>(count))) {
+  for (const auto& share :
+       participant_subjects(manifest, planner.subjects(), static_cast<std::size_t>(count))) {
     plans.push_back(planner.next(share));
     plans.back().expected_seconds = session_seconds(manifest, plans.back(), seconds);
   }
   return plans;
 }
 
-std::size_t least_filled(const std::vector<SessionPlan>& plans, const std::vector<int>& given,
-                         const std::vector<int>& finished) {
-  assert(!plans.empty() && given.size() == plans.size() && finished.size() == plans.size());
+std::size_t next_plan(const std::vector<SessionPlan>& plans, const std::vector<int>& assigned,
+                      const std::vector<int>& finished) {
+  assert(!plans.empty() && assigned.size() == plans.size() && finished.size() == plans.size());
   std::map<std::string, int> seen;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     for (const Trial& trial : plans[i].trials) {
@@ -194,8 +195,8 @@ std::size_t least_filled(const std::vector<SessionPlan>& plans, const std::vecto
   };
   std::size_t best = 0;
   for (std::size_t i = 1; i < plans.size(); ++i) {
-    const bool is_rarer = given[i] < given[best];
-    const bool is_emptier = given[i] == given[best] && fill(i) < fill(best) - 1e-9;
+    const bool is_rarer = assigned[i] < assigned[best];
+    const bool is_emptier = assigned[i] == assigned[best] && fill(i) < fill(best) - 1e-9;
     if (is_rarer || is_emptier) best = i;
   }
   return best;

@@ -36,12 +36,12 @@ inline constexpr double usual_video_seconds = 4.0;
 std::vector<SessionPlan> plan_sessions(const Manifest& manifest, const VideoSeconds& seconds = {},
                                        int count = 0);
 
-/// Index of the plan for the next participant, when plan i was assigned to `given[i]` participants
-/// and finished by `finished[i]` of them: among the plans assigned least often, the first whose
-/// stimuli were rated least often in finished sessions. Both have the size of `plans`, which must
-/// not be empty.
-std::size_t least_filled(const std::vector<SessionPlan>& plans, const std::vector<int>& given,
-                         const std::vector<int>& finished);
+/// Index of the plan for the next participant, when plan i was assigned to `assigned[i]`
+/// participants and finished by `finished[i]` of them: among the plans assigned least often, the
+/// first whose stimuli were rated least often in finished sessions. Both have the size of `plans`,
+/// which must not be empty.
+std::size_t next_plan(const std::vector<SessionPlan>& plans, const std::vector<int>& assigned,
+                      const std::vector<int>& finished);
 
 /// "p001" for index 0, "p040" for 39.
 std::string participant_name(int index);

@@ -7,7 +7,7 @@
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/base/statistics/named_random.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/trials/trial_kind.h"
 #include "pipeline/tasks/hash.h"
@@ -20,20 +20,20 @@ namespace {
 class SimulatedSession {
  public:
   SimulatedSession(const Manifest& manifest, const SessionPlan& plan, const StatedTruth& truth,
-                   const SimulatedPeople& people, const AskedScales& scales)
+                   const SimulatedParticipants& people, const ResponseScales& scales)
       : manifest_(manifest), plan_(plan), truth_(truth), people_(people), scales_(scales) {}
 
   void add_rows(std::vector<AnswerRow>& rows) const {
     for (const Trial& trial : plan_.trials)
-      for (const AskedItem& item : trial.items) rows.push_back(row_of(trial, item));
+      for (const TrialItem& item : trial.items) rows.push_back(row_of(trial, item));
   }
 
  private:
-  AnswerRow row_of(const Trial& trial, const AskedItem& item) const {
+  AnswerRow row_of(const Trial& trial, const TrialItem& item) const {
     AnswerRow row;
     row.participant = plan_.participant;
     row.session = "simulated";
-    put_trial(trial, row);
+    set_trial_columns(trial, row);
     row.item = item.item;
     row.rt_ms = std::round(1000.0 * people_.answer_seconds *
                            std::exp(0.4 * normal(plan_.seed, name("time", trial, item))));
@@ -43,15 +43,16 @@ class SimulatedSession {
     return row;
   }
 
-  static std::string name(const char* what, const Trial& trial, const AskedItem& item) {
+  static std::string name(const char* what, const Trial& trial, const TrialItem& item) {
     return fmt::format("{}/{}/{}", what, trial.number, item.item);
   }
 
-  void answer(const Trial& trial, const AskedItem& item, AnswerRow& row) const {
-    const AskedScale* scale = find_scale(scales_, item.item);
+  void answer(const Trial& trial, const TrialItem& item, AnswerRow& row) const {
+    const ResponseScale* scale = find_scale(scales_, item.item);
     const Question question = {trial, item, scale, plan_.choices};
     if (trial.is_attention_check()) {
-      row.passed = uniform(plan_.seed, name("attention", trial, item)) < people_.attentive;
+      row.passed =
+          uniform(plan_.seed, name("attention", trial, item)) < people_.attention_pass_rate;
       row.value_raw = *row.passed ? trial.expected : missed(question);
       row.value = row.value_raw;
     } else {
@@ -67,7 +68,7 @@ class SimulatedSession {
     const auto& [trial, item, scale, choices] = question;
     return {.opinion = [this, question](std::size_t which) { return opinion(question, which); },
             .shown = level_of(manifest_, trial.stimuli[0], item.item),
-            .is_seen = uniform(plan_.seed, name("seen", trial, item)) < people_.seen,
+            .is_recognised = uniform(plan_.seed, name("seen", trial, item)) < people_.seen,
             .chance = uniform(plan_.seed, name("chosen", trial, item))};
   }
 
@@ -77,15 +78,16 @@ class SimulatedSession {
     const std::string& stimulus = trial.stimuli[which];
     const auto known = truth_.find({stimulus, item.item});
     const double mean = known != truth_.end() ? known->second : 0.5 * (scale->least + scale->most);
-    const double lean = people_.spread.participant * normal(plan_.seed, "lean/" + item.item);
+    const double response_bias =
+        people_.spread.participant * normal(plan_.seed, "lean/" + item.item);
     const double rest =
         people_.spread.residual * normal(plan_.seed, name("rest", trial, item) + "/" + stimulus);
-    return mean + lean + rest;
+    return mean + response_bias + rest;
   }
 
   /// A wrong answer to an attention check.
   static std::string missed(const Question& question) {
-    for (const std::string& answer : question.trial.kind->checkable(question))
+    for (const std::string& answer : question.trial.kind->attention_answers(question))
       if (answer != question.trial.expected) return answer;
     return "no";
   }
@@ -93,16 +95,17 @@ class SimulatedSession {
   const Manifest& manifest_;
   const SessionPlan& plan_;
   const StatedTruth& truth_;
-  const SimulatedPeople& people_;
-  const AskedScales& scales_;
+  const SimulatedParticipants& people_;
+  const ResponseScales& scales_;
 };
 
 }  // namespace
 
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
-                                          const StatedTruth& truth, const SimulatedPeople& people) {
-  const AskedScales scales = asked_scales_by_item(manifest);
+                                          const StatedTruth& truth,
+                                          const SimulatedParticipants& people) {
+  const ResponseScales scales = response_scales_by_item(manifest);
   // The hash of the study as planned, whatever the number of plans: further participants change
   // nothing for earlier ones.
   const std::string design = design_hash(manifest, plan_sessions(manifest));
@@ -114,14 +117,17 @@ std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
 }
 
 std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
-  Questionnaire asked = questionnaire_of(manifest);
+  Questionnaire questionnaire = questionnaire_of(manifest);
   // Neither affects a session. Texts count by content, not by the file that they were read from.
-  asked.pace = {};
-  asked.analysis = {};
-  for (TextSource* text : {&asked.consent, &asked.instructions, &asked.ending}) text->file.clear();
-  asked.scales.file.clear();
-  std::string all = title_of(manifest) + "\n" + written(asked, Writing{}).dump() + "\n";
-  for (const Scale& scale : asked_scales(manifest).scales)
+  questionnaire.pace = {};
+  questionnaire.analysis = {};
+  for (TextSource* text :
+       {&questionnaire.consent, &questionnaire.instructions, &questionnaire.ending})
+    text->file.clear();
+  questionnaire.scales.file.clear();
+  std::string all =
+      title_of(manifest) + "\n" + written(questionnaire, WritingOptions{}).dump() + "\n";
+  for (const Scale& scale : questionnaire_scales(manifest).scales)
     all +=
         fmt::format("{}|{}|{}|{}|{}|{}|{}\n", scale.id, scale.low, scale.high, scale.japanese_low,
                     scale.japanese_high, shortest(scale.least), shortest(scale.most));

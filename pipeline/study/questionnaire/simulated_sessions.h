@@ -25,11 +25,11 @@ StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& fi
 StatedTruth measured_truth(const Manifest& manifest);
 
 /// How simulated participants respond.
-struct SimulatedPeople {
+struct SimulatedParticipants {
   RatingSpread spread = {.participant = 0.3,
                          .stimulus = 0.0,
                          .residual = 0.7};  ///< no stimulus effect beyond the truth
-  double attentive = 0.98;                  ///< probability of passing an attention check
+  double attention_pass_rate = 0.98;        ///< probability of passing an attention check
   double seen = 0.6;  ///< probability of choosing the stimulus's own emotion in an emotion trial
   double answer_seconds = 2.5;  ///< median response time of an item, seconds
 };
@@ -41,7 +41,7 @@ struct SimulatedPeople {
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,
-                                          const SimulatedPeople& people = {});
+                                          const SimulatedParticipants& people = {});
 
 /// Hash of everything that participants see: plans, texts and settings.
 std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>& plans);

@@ -7,7 +7,7 @@
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/fault.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/simulated_raters/simulated_raters.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
@@ -31,7 +31,7 @@ std::vector<std::string> rated_stimuli(const Manifest& manifest) {
 class TruthReader {
  public:
   TruthReader(const Manifest& manifest, const CsvTable& table)
-      : table_(table), scales_(asked_scales(manifest)), stimuli_(rated_stimuli(manifest)) {
+      : table_(table), scales_(questionnaire_scales(manifest)), stimuli_(rated_stimuli(manifest)) {
     for (const Scale& scale : scales_.scales) names_.push_back(scale.id);
   }
 
@@ -43,8 +43,8 @@ class TruthReader {
                       value = column("value");
     StatedTruth truth;
     for (const std::vector<CsvField>& row : table_.rows) {
-      check_word(row[stimulus], "stimulus", stimuli_);
-      check_word(row[scale], "scale", names_);
+      check_known_name(row[stimulus], "stimulus", stimuli_);
+      check_known_name(row[scale], "scale", names_);
       truth[{row[stimulus].text, row[scale].text}] = number(row[value], row[scale].text);
     }
     if (!faults_.empty()) throw Faults(std::move(faults_));
@@ -56,7 +56,8 @@ class TruthReader {
     faults_.push_back({place_of(table_, field), "", std::move(wrong), std::move(remedy)});
   }
 
-  void check_word(const CsvField& field, const char* what, const std::vector<std::string>& known) {
+  void check_known_name(const CsvField& field, const char* what,
+                        const std::vector<std::string>& known) {
     if (std::ranges::find(known, field.text) != known.end()) return;
     add(field, fmt::format("the questionnaire has no {} {}", what, motion::in_quotes(field.text)),
         motion::did_you_mean(field.text, known));
@@ -92,7 +93,7 @@ StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& fi
 }
 
 StatedTruth measured_truth(const Manifest& manifest) {
-  const ScaleSet scales = asked_scales(manifest);
+  const ScaleSet scales = questionnaire_scales(manifest);
   Motions motions(manifest);
   motion::ExampleSet set;
   for (const std::string& id : rated_stimuli(manifest)) {

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/incomplete_blocks.h"
 #include "pipeline/study/questionnaire/orders.h"
 
@@ -33,8 +33,8 @@ std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
   };
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     add(i, 0, subjects.blocks[i]);
-    for (std::size_t f = 0; f < subjects.likeness.factors.size(); ++f)
-      add(i, f + 1, subjects.likeness.levels[i][f]);
+    for (std::size_t f = 0; f < subjects.factor_levels.factors.size(); ++f)
+      add(i, f + 1, subjects.factor_levels.levels[i][f]);
   }
   return kinds;
 }
@@ -42,15 +42,15 @@ std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
 }  // namespace
 
 TrialSubjects trial_subjects(const Manifest& manifest) {
-  const Questionnaire& asked = questionnaire_of(manifest);
-  TrialSubjects subjects{.stimuli = asked_subjects(manifest)};
-  subjects.likeness.factors = asked.no_repeats;
+  const Questionnaire& questionnaire = questionnaire_of(manifest);
+  TrialSubjects subjects{.stimuli = questionnaire_subjects(manifest)};
+  subjects.factor_levels.factors = questionnaire.no_repeats;
   for (const std::vector<std::string>& stimuli : subjects.stimuli) {
     std::vector<std::string> levels;
-    for (const std::string& factor : asked.no_repeats)
+    for (const std::string& factor : questionnaire.no_repeats)
       levels.push_back(level_of_all(manifest, stimuli, factor));
-    subjects.likeness.levels.push_back(std::move(levels));
-    const std::string& factor = asked.order.factor;
+    subjects.factor_levels.levels.push_back(std::move(levels));
+    const std::string& factor = questionnaire.order.factor;
     const std::string block = factor.empty() ? "main" : level_of_all(manifest, stimuli, factor);
     subjects.blocks.push_back(block.empty() ? "main" : block);
   }
@@ -62,10 +62,11 @@ std::size_t subjects_per_participant(const Manifest& manifest, const TrialSubjec
   return own == 0 ? subjects.size() : std::min(own, subjects.size());
 }
 
-std::vector<std::vector<std::size_t>> shares(const Manifest& manifest,
-                                             const TrialSubjects& subjects, std::size_t count) {
-  return deal_blocks(subjects.size(), subjects_per_participant(manifest, subjects), count,
-                     seed_of(manifest.seed, "shares"), kinds_of(subjects));
+std::vector<std::vector<std::size_t>> participant_subjects(const Manifest& manifest,
+                                                           const TrialSubjects& subjects,
+                                                           std::size_t count) {
+  return incomplete_blocks(subjects.size(), subjects_per_participant(manifest, subjects), count,
+                           derived_seed(manifest.seed, "shares"), kinds_of(subjects));
 }
 
 }  // namespace mien::pipeline

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/study/questionnaire/apart.h"
+#include "pipeline/study/questionnaire/separated_order.h"
 
 namespace mien::pipeline {
 
@@ -12,7 +12,7 @@ namespace mien::pipeline {
 /// manifest.
 struct TrialSubjects {
   std::vector<std::vector<std::string>> stimuli;  ///< one or two ids
-  Likeness likeness;                ///< levels of the factors in questionnaire.no_repeats
+  FactorLevels factor_levels;       ///< levels of the factors in questionnaire.no_repeats
   std::vector<std::string> blocks;  ///< level of the blocking factor of each; else "main"
 
   std::size_t size() const { return stimuli.size(); }
@@ -25,7 +25,8 @@ TrialSubjects trial_subjects(const Manifest& manifest);
 std::size_t subjects_per_participant(const Manifest& manifest, const TrialSubjects& subjects);
 
 /// The subjects of each of the first `count` participants.
-std::vector<std::vector<std::size_t>> shares(const Manifest& manifest,
-                                             const TrialSubjects& subjects, std::size_t count);
+std::vector<std::vector<std::size_t>> participant_subjects(const Manifest& manifest,
+                                                           const TrialSubjects& subjects,
+                                                           std::size_t count);
 
 }  // namespace mien::pipeline

@@ -29,11 +29,11 @@ bool is_answered(const AnswerRow& row) { return !row.value.empty() && row.value 
 /// Whether a row is of a repetition: repetitions and attention checks share a column.
 bool is_shown_again(const AnswerRow& row) { return row.is_catch && row.kind != attention_kind; }
 
-CatchAnswer catch_answer(const Gathered& gathered, const AnswerRow& first,
+CatchAnswer catch_answer(const AnswerSet& answer_set, const AnswerRow& first,
                          const AnswerRow& second) {
   CatchAnswer answer;
   answer.participant = second.participant;
-  answer.is_excluded = !std::ranges::binary_search(gathered.people, second.participant);
+  answer.is_excluded = !std::ranges::binary_search(answer_set.people, second.participant);
   answer.stimulus = first.stimulus;
   answer.against = first.against;
   answer.item = second.item;
@@ -41,7 +41,7 @@ CatchAnswer catch_answer(const Gathered& gathered, const AnswerRow& first,
   answer.second_trial = second.trial;
   answer.first = first.value;
   answer.second = second.value;
-  if (!is_on_scale(second) || !gathered.words.empty()) return answer;
+  if (!is_on_scale(second) || !answer_set.words.empty()) return answer;
   const auto before = motion::as_number<double>(first.value);
   const auto after = motion::as_number<double>(second.value);
   if (before && after) answer.difference = *after - *before;
@@ -72,8 +72,9 @@ CatchSummary catch_summary(const std::vector<CatchAnswer>& answers, auto is_aske
 
 bool CatchAnswer::is_equal() const { return difference ? *difference == 0.0 : first == second; }
 
-std::vector<CatchAnswer> catch_answers_of(const Gathered& gathered, std::vector<AnswerRow> rows) {
-  tell_people_apart(rows);
+std::vector<CatchAnswer> catch_answers_of(const AnswerSet& answer_set,
+                                          std::vector<AnswerRow> rows) {
+  separate_participants(rows);
   std::map<CatchKey, const AnswerRow*> first;
   for (const AnswerRow& row : rows)
     if (row.counts()) first.emplace(catch_key(row), &row);
@@ -81,7 +82,7 @@ std::vector<CatchAnswer> catch_answers_of(const Gathered& gathered, std::vector<
   for (const AnswerRow& row : rows) {
     if (!is_shown_again(row) || !is_answered(row)) continue;
     const auto found = first.find(catch_key(row));
-    if (found != first.end()) answers.push_back(catch_answer(gathered, *found->second, row));
+    if (found != first.end()) answers.push_back(catch_answer(answer_set, *found->second, row));
   }
   std::ranges::stable_sort(answers, {}, [](const CatchAnswer& answer) {
     return std::tuple(answer.participant, answer.second_trial);

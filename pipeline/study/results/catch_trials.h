@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/base/statistics/correlation.h"
-#include "pipeline/study/results/gathered_answers.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 
@@ -39,7 +39,7 @@ struct CatchSummary {
 
 /// Repeated answers by participant, then in the order of the second answers. Questions not answered
 /// both times are left out.
-std::vector<CatchAnswer> catch_answers_of(const Gathered& gathered, std::vector<AnswerRow> rows);
+std::vector<CatchAnswer> catch_answers_of(const AnswerSet& answer_set, std::vector<AnswerRow> rows);
 
 /// Summaries of all included participants, of these by item where there are several, then of each
 /// participant. Those without answers are left out.

@@ -20,9 +20,9 @@ constexpr std::array within_columns = std::to_array<ResultColumn<Row>>({
     {"paired_t", "", "paired t statistic", [](auto& r) { return r.of.within.t.t; }},
     {"paired_df", "", "degrees of freedom", [](auto& r) { return r.of.within.t.degrees; }},
     {"paired_p", "", "two-sided p; empty if all differences are equal",
-     [](auto& r) { return p_of_table(r.of.within.t.p); }},
+     [](auto& r) { return p_field(r.of.within.t.p); }},
     {"paired_p_adjusted", "", "p corrected within the family",
-     [](auto& r) { return p_of_table(r.of.paired_adjusted); }},
+     [](auto& r) { return p_field(r.of.paired_adjusted); }},
     {"cohens_dz", "",
      "Cohen's d_z: mean difference divided by the standard deviation of the differences",
      [](auto& r) { return r.of.within.dz; }},
@@ -38,21 +38,21 @@ constexpr std::array within_columns = std::to_array<ResultColumn<Row>>({
      "number of nonzero differences that share their absolute value with another",
      [](auto& r) { return r.of.within.wilcoxon.tied; }},
     {"wilcoxon_p", "", "two-sided p, exact, conditional on ties; zeros excluded",
-     [](auto& r) { return p_of_table(r.of.within.wilcoxon.p); }},
+     [](auto& r) { return p_field(r.of.within.wilcoxon.p); }},
     {"wilcoxon_p_adjusted", "", "p corrected within the family",
-     [](auto& r) { return p_of_table(r.of.wilcoxon_adjusted); }},
+     [](auto& r) { return p_field(r.of.wilcoxon_adjusted); }},
     {"wilcoxon_p_normal", "", "two-sided p, normal approximation without continuity correction",
-     [](auto& r) { return p_of_table(r.of.within.wilcoxon_normal); }},
+     [](auto& r) { return p_field(r.of.within.wilcoxon_normal); }},
     {"wilcoxon_p_normal_corrected", "",
      "two-sided p, normal approximation with continuity correction",
-     [](auto& r) { return p_of_table(r.of.within.wilcoxon_normal_corrected); }},
+     [](auto& r) { return p_field(r.of.within.wilcoxon_normal_corrected); }},
     {"pratt_v", "", "as wilcoxon_v, with zeros ranked together with the others (Pratt)",
      [](auto& r) { return r.of.within.pratt.w_plus; }},
     {"pratt_p", "", "two-sided p, exact, of Pratt's ranks",
-     [](auto& r) { return p_of_table(r.of.within.pratt.p); }},
+     [](auto& r) { return p_field(r.of.within.pratt.p); }},
     {"zsplit_p", "",
      "two-sided p, normal approximation, with the zeros' ranks split equally between the signs",
-     [](auto& r) { return p_of_table(r.of.within.wilcoxon_zsplit); }},
+     [](auto& r) { return p_field(r.of.within.wilcoxon_zsplit); }},
     {"hodges_lehmann", "scale points",
      "Hodges–Lehmann estimate: median of all pairwise means of the differences",
      [](auto& r) { return r.of.within.location.estimate; }},
@@ -63,7 +63,7 @@ constexpr std::array within_columns = std::to_array<ResultColumn<Row>>({
     {"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation, zeros excluded",
      [](auto& r) { return r.of.within.wilcoxon.rank_biserial; }},
     {"all_alike", "", "1 if all differences are equal, so that there is no t test",
-     [](auto& r) { return r.of.within.all_alike; }},
+     [](auto& r) { return r.of.within.all_equal; }},
 });
 
 constexpr auto comparison_columns = result_table<ComparisonRow>(
@@ -86,9 +86,9 @@ constexpr auto comparison_columns = result_table<ComparisonRow>(
      scale_column,
      {"own_end", "",
       "end of the scale that is the intended emotion: low or high; empty if neither is",
-      [](auto& r) { return r.of.own_end == 0  ? ""
-                           : r.of.own_end > 0 ? "high"
-                                              : "low"; }},
+      [](auto& r) { return r.of.intended_end == 0  ? ""
+                           : r.of.intended_end > 0 ? "high"
+                                                   : "low"; }},
      {"answers", "", "number of answers about the stimulus", [](auto& r) { return r.of.answers; }},
      {"mean", "scale points", "mean of those answers", [](auto& r) { return r.of.mean; }},
      {"answers_against", "",
@@ -107,9 +107,9 @@ constexpr auto comparison_columns = result_table<ComparisonRow>(
      {"welch_t", "", "Welch's t", [](auto& r) { return r.of.welch.t; }},
      {"welch_df", "", "degrees of freedom", [](auto& r) { return r.of.welch.degrees; }},
      {"welch_p", "", "two-sided p; empty if there is no variance",
-      [](auto& r) { return p_of_table(r.of.welch.p); }},
+      [](auto& r) { return p_field(r.of.welch.p); }},
      {"welch_p_adjusted", "", "p corrected within the family",
-      [](auto& r) { return p_of_table(r.of.welch_adjusted); }},
+      [](auto& r) { return p_field(r.of.welch_adjusted); }},
      {"cohens_d", "", "Cohen's d: difference divided by the pooled standard deviation",
       [](auto& r) { return r.of.d; }},
      {"hedges_g", "", "the same with Hedges' bias correction", [](auto& r) { return r.of.g; }},
@@ -162,7 +162,7 @@ constexpr auto group_columns = result_table<GroupRow>(
      {"t", "", "Welch's t", [](auto& r) { return r.of.welch.t; }},
      {"df", "", "degrees of freedom", [](auto& r) { return r.of.welch.degrees; }},
      {"p", "", "two-sided p; empty if there is no variance",
-      [](auto& r) { return p_of_table(r.of.welch.p); }},
+      [](auto& r) { return p_field(r.of.welch.p); }},
      adjusted_column,
      {"hedges_g", "",
       "Hedges' g: difference divided by the pooled standard deviation, bias-corrected",
@@ -171,9 +171,9 @@ constexpr auto group_columns = result_table<GroupRow>(
 }  // namespace
 
 void add_comparisons(const Results& results, std::vector<WrittenTable>& tables) {
-  add_results(comparison_columns, results.comparisons, results.gathered, tables);
-  add_results(overall_columns, results.overall, results.gathered, tables);
-  add_results(group_columns, results.groups, results.gathered, tables);
+  add_results(comparison_columns, results.comparisons, results.answer_set, tables);
+  add_results(overall_columns, results.overall, results.answer_set, tables);
+  add_results(group_columns, results.groups, results.answer_set, tables);
 }
 
 }  // namespace mien::pipeline

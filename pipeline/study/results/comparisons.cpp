@@ -18,16 +18,16 @@ namespace {
 /// By person.
 using PersonSums = std::map<std::size_t, ExactSum>;
 
-PersonSums sums_of(const std::vector<CountedRating>& ratings) {
+PersonSums sums_of(const std::vector<AnalysedRating>& ratings) {
   PersonSums sums;
-  for (const CountedRating& rating : ratings)
+  for (const AnalysedRating& rating : ratings)
     sums[rating.person].add(ExactNumber::of(rating.value));
   return sums;
 }
 
-std::vector<double> values_of(const std::vector<CountedRating>& ratings) {
+std::vector<double> values_of(const std::vector<AnalysedRating>& ratings) {
   std::vector<double> values;
-  for (const CountedRating& rating : ratings) values.push_back(rating.value);
+  for (const AnalysedRating& rating : ratings) values.push_back(rating.value);
   return values;
 }
 
@@ -53,27 +53,27 @@ void set_tests(Comparison& result, const std::vector<double>& own,
   result.mean = exact_mean(own);
   result.mean_against = exact_mean(against);
   result.welch = welch_t_test(own, against);
-  if (all_alike(own) && all_alike(against)) {
+  if (all_equal(own) && all_equal(against)) {
     result.welch = without_spread(result.welch);
     result.d = result.g = result.welch.t;
   } else {
     result.d = cohens_d(own, against);
     result.g = hedges_g(own, against);
   }
-  result.within = within_persons(differences);
+  result.within = within_participants(differences);
 }
 
 /// Makes the comparisons on one scale.
 class ScaleComparisons {
  public:
-  ScaleComparisons(const Gathered& gathered, std::size_t scale)
-      : gathered_(gathered), scale_(scale), ratings_(by_stimulus(gathered, scale)) {}
+  ScaleComparisons(const AnswerSet& answer_set, std::size_t scale)
+      : answer_set_(answer_set), scale_(scale), ratings_(ratings_by_stimulus(answer_set, scale)) {}
 
   void add_best_seen(std::size_t stimulus, std::vector<Comparison>& all) const {
-    std::vector<CountedRating> of_setting;
-    std::vector<CountedRating> others;
+    std::vector<AnalysedRating> of_setting;
+    std::vector<AnalysedRating> others;
     for (std::size_t i = 0; i < ratings_.size(); ++i) {
-      if (gathered_.stimuli[i].setting != gathered_.stimuli[stimulus].setting) continue;
+      if (answer_set_.stimuli[i].setting != answer_set_.stimuli[stimulus].setting) continue;
       of_setting.insert(of_setting.end(), ratings_[i].begin(), ratings_[i].end());
       if (i != stimulus) others.insert(others.end(), ratings_[i].begin(), ratings_[i].end());
     }
@@ -90,13 +90,13 @@ class ScaleComparisons {
   }
 
   void add_best(std::size_t stimulus, std::vector<Comparison>& all) const {
-    const ReportedStimulus& own = gathered_.stimuli[stimulus];
-    const int end = end_of(gathered_.scales[scale_], own.emotion);
+    const ReportedStimulus& own = answer_set_.stimuli[stimulus];
+    const int end = end_sign(answer_set_.scales[scale_], own.emotion);
     if (own.made != "modified" || end == 0) return;
     std::optional<std::size_t> best;
     double most = 0.0;
     for (std::size_t i = 0; i < ratings_.size(); ++i) {
-      const ReportedStimulus& other = gathered_.stimuli[i];
+      const ReportedStimulus& other = answer_set_.stimuli[i];
       if (other.made == "modified" || other.setting != own.setting || ratings_[i].size() < 2)
         continue;
       const double towards = end * exact_mean(values_of(ratings_[i]));
@@ -113,31 +113,32 @@ class ScaleComparisons {
     comparison.family = family;
     comparison.stimulus = stimulus;
     comparison.scale = scale_;
-    comparison.own_end = end_of(gathered_.scales[scale_], gathered_.stimuli[stimulus].emotion);
+    comparison.intended_end =
+        end_sign(answer_set_.scales[scale_], answer_set_.stimuli[stimulus].emotion);
     return comparison;
   }
 
-  void add(Comparison comparison, const std::vector<CountedRating>& against,
-           const std::vector<CountedRating>& within, std::vector<Comparison>& all) const {
-    const std::vector<CountedRating>& own = ratings_[comparison.stimulus];
+  void add(Comparison comparison, const std::vector<AnalysedRating>& against,
+           const std::vector<AnalysedRating>& within, std::vector<Comparison>& all) const {
+    const std::vector<AnalysedRating>& own = ratings_[comparison.stimulus];
     if (own.size() < 2 || against.size() < 2) return;
     const std::vector<double> differences = differences_of(sums_of(own), sums_of(within));
     set_tests(comparison, values_of(own), values_of(against), differences);
     all.push_back(comparison);
   }
 
-  const Gathered& gathered_;
+  const AnswerSet& answer_set_;
   std::size_t scale_;
-  std::vector<std::vector<CountedRating>> ratings_;
+  std::vector<std::vector<AnalysedRating>> ratings_;
 };
 
 /// Whether a comparison tests a hypothesis: it is on the scale of the intended emotion.
-bool is_of_hypothesis(const Comparison& comparison) {
-  return comparison.family != ComparisonFamily::best_seen && comparison.own_end != 0;
+bool is_hypothesis(const Comparison& comparison) {
+  return comparison.family != ComparisonFamily::best_seen && comparison.intended_end != 0;
 }
 
 /// p of the signed-rank test; NaN without differences.
-double p_of_ranks(const WithinPersons& within) {
+double signed_rank_p(const WithinParticipants& within) {
   return within.people == 0 ? within.t.p : within.wilcoxon.p;
 }
 
@@ -145,7 +146,7 @@ void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool 
                     TestCorrection correction) {
   std::vector<Comparison*> members;
   for (Comparison& comparison : all)
-    if (comparison.family == family && is_of_hypothesis(comparison) == of_hypothesis)
+    if (comparison.family == family && is_hypothesis(comparison) == of_hypothesis)
       members.push_back(&comparison);
   const auto correct = [&](auto get_p, auto set_p) {
     std::vector<double> p_values;
@@ -157,7 +158,7 @@ void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool 
           [](Comparison& c, double p) { c.welch_adjusted = p; });
   correct([](const Comparison& c) { return c.within.t.p; },
           [](Comparison& c, double p) { c.paired_adjusted = p; });
-  correct([](const Comparison& c) { return p_of_ranks(c.within); },
+  correct([](const Comparison& c) { return signed_rank_p(c.within); },
           [](Comparison& c, double p) { c.wilcoxon_adjusted = p; });
 }
 
@@ -199,12 +200,12 @@ std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
   return std::nullopt;
 }
 
-WithinPersons within_persons(const std::vector<double>& differences) {
-  WithinPersons result;
+WithinParticipants within_participants(const std::vector<double>& differences) {
+  WithinParticipants result;
   result.people = static_cast<int>(differences.size());
   result.t = paired_t_test(differences);
-  result.all_alike = result.people > 1 && all_alike(differences);
-  if (all_alike(differences)) {
+  result.all_equal = result.people > 1 && all_equal(differences);
+  if (all_equal(differences)) {
     result.t = without_spread(result.t);
     result.dz = result.gz = result.t.t;
   } else {
@@ -220,7 +221,7 @@ WithinPersons within_persons(const std::vector<double>& differences) {
   return result;
 }
 
-int end_of(const Scale& scale, const std::string& emotion) {
+int end_sign(const Scale& scale, const std::string& emotion) {
   if (emotion.empty()) return 0;
   return emotion == scale.high ? 1 : emotion == scale.low ? -1 : 0;
 }
@@ -235,56 +236,58 @@ std::string name_of(TestCorrection correction) {
   return correction == TestCorrection::holm ? "Holm" : "Benjamini–Hochberg";
 }
 
-std::vector<Comparison> compare(const Gathered& gathered) {
+std::vector<Comparison> compare(const AnswerSet& answer_set) {
   std::vector<Comparison> all;
-  for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
-    const ScaleComparisons comparisons(gathered, scale);
-    for (std::size_t one = 0; one < gathered.stimuli.size(); ++one) {
+  for (std::size_t scale = 0; scale < answer_set.scales.size(); ++scale) {
+    const ScaleComparisons comparisons(answer_set, scale);
+    for (std::size_t one = 0; one < answer_set.stimuli.size(); ++one) {
       comparisons.add_best_seen(one, all);
       comparisons.add_best(one, all);
-      for (std::size_t other = 0; other < gathered.stimuli.size(); ++other) {
-        const auto family = family_of(gathered.stimuli[one], gathered.stimuli[other]);
+      for (std::size_t other = 0; other < answer_set.stimuli.size(); ++other) {
+        const auto family = family_of(answer_set.stimuli[one], answer_set.stimuli[other]);
         if (family && one != other) comparisons.add_pair(*family, one, other, all);
         if (one >= other) continue;
-        if (const auto factor = differing_factor(gathered.stimuli[one], gathered.stimuli[other]))
+        if (const auto factor =
+                differing_factor(answer_set.stimuli[one], answer_set.stimuli[other]))
           comparisons.add_pair(ComparisonFamily::between_levels, one, other, all, *factor);
       }
     }
   }
   for (const auto& [word, family] : family_words)
     for (const bool of_hypothesis : {true, false})
-      correct_family(all, family, of_hypothesis, gathered.correction);
+      correct_family(all, family, of_hypothesis, answer_set.correction);
   std::ranges::stable_sort(all, {}, [](const Comparison& c) {
     return std::pair(static_cast<int>(c.family), c.stimulus);
   });
   return all;
 }
 
-std::vector<BestSeen> best_seen(const Gathered& gathered,
+std::vector<BestSeen> best_seen(const AnswerSet& answer_set,
                                 const std::vector<Comparison>& comparisons) {
   std::vector<std::string> settings;
-  for (const ReportedStimulus& stimulus : gathered.stimuli)
+  for (const ReportedStimulus& stimulus : answer_set.stimuli)
     if (std::ranges::find(settings, stimulus.setting) == settings.end())
       settings.push_back(stimulus.setting);
   std::vector<BestSeen> all;
   for (const std::string& setting : settings) {
-    for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
+    for (std::size_t scale = 0; scale < answer_set.scales.size(); ++scale) {
       for (const bool high : {false, true}) {
         const double sign = high ? 1.0 : -1.0;
         const Comparison* best = nullptr;
         for (const Comparison& c : comparisons) {
-          const bool is_here = c.family == ComparisonFamily::best_seen && c.scale == scale &&
-                               gathered.stimuli[c.stimulus].setting == setting &&
-                               c.within.people >= 2;
+          const bool is_online = c.family == ComparisonFamily::best_seen && c.scale == scale &&
+                                 answer_set.stimuli[c.stimulus].setting == setting &&
+                                 c.within.people >= 2;
           // The first of equal ones; rounding must not decide.
-          if (is_here &&
+          if (is_online &&
               (best == nullptr || sign * (c.within.t.mean - best->within.t.mean) > 1e-12))
             best = &c;
         }
         if (best == nullptr) continue;
-        const Scale& of = gathered.scales[scale];
-        all.push_back({setting, high ? of.high : of.low, high, *best,
-                       sign * best->within.t.mean > 0.0 && best->paired_adjusted < gathered.alpha});
+        const Scale& of = answer_set.scales[scale];
+        all.push_back(
+            {setting, high ? of.high : of.low, high, *best,
+             sign * best->within.t.mean > 0.0 && best->paired_adjusted < answer_set.alpha});
       }
     }
   }

@@ -7,7 +7,7 @@
 
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/base/statistics/wilcoxon.h"
-#include "pipeline/study/results/gathered_answers.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 
@@ -42,9 +42,9 @@ std::optional<std::string> differing_factor(const ReportedStimulus& one,
                                             const ReportedStimulus& other);
 
 /// Tests of paired differences, one for each participant.
-struct WithinPersons {
+struct WithinParticipants {
   int people = 0;
-  bool all_alike = false;  ///< at least two participants, and all differences are equal
+  bool all_equal = false;  ///< at least two participants, and all differences are equal
   /// t and p are NaN where all differences are equal, which may be chance with few participants and
   /// points.
   TTest t;
@@ -58,7 +58,7 @@ struct WithinPersons {
   HodgesLehmann location;
 };
 
-WithinPersons within_persons(const std::vector<double>& differences);
+WithinParticipants within_participants(const std::vector<double>& differences);
 
 /// Tests of a difference between stimuli on one scale.
 struct Comparison {
@@ -68,7 +68,7 @@ struct Comparison {
   std::size_t scale = 0;
   std::string factor;  ///< in between_levels, the factor in which they differ
   /// Whether the stimulus's emotion is an end of this scale: +1 high, −1 low, 0 neither.
-  int own_end = 0;
+  int intended_end = 0;
 
   int answers = 0;  ///< about the stimulus
   double mean = 0.0;
@@ -83,7 +83,7 @@ struct Comparison {
 
   /// Tests within participants who saw both. In best_seen the difference is between the video and
   /// the mean of the participant's other videos of the setting.
-  WithinPersons within;
+  WithinParticipants within;
 
   double welch_adjusted = 1.0;  ///< p adjusted for the number of comparisons of the family
   double paired_adjusted = 1.0;
@@ -92,7 +92,7 @@ struct Comparison {
 
 /// All comparisons that the stimuli's factors allow, family by family. Those with fewer than two
 /// participants or answers are left out.
-std::vector<Comparison> compare(const Gathered& gathered);
+std::vector<Comparison> compare(const AnswerSet& answer_set);
 
 /// A comparison of two makings over all settings, of ratings towards the intended emotion
 /// (positive). Each participant contributes the mean over those settings and emotions of which both
@@ -104,16 +104,16 @@ struct OverallComparison {
   int unmatched = 0;    ///< participants who rated both makings, but never in the same cell
   double mean = 0.0;    ///< of the participants' means
   double mean_against = 0.0;
-  WithinPersons within;
+  WithinParticipants within;
   double paired_adjusted = 1.0;  ///< within the family, the row of all emotions by itself
   double wilcoxon_adjusted = 1.0;
 };
 
 /// For each family except best_seen: over all emotions, then by emotion.
-std::vector<OverallComparison> compare_overall(const Gathered& gathered);
+std::vector<OverallComparison> compare_overall(const AnswerSet& answer_set);
 
 /// +1 where `emotion` is the name of the scale's high end, −1 of its low end, else 0.
-int end_of(const Scale& scale, const std::string& emotion);
+int end_sign(const Scale& scale, const std::string& emotion);
 
 /// The p values adjusted for multiple comparisons.
 std::vector<double> corrected(const std::vector<double>& p_values, TestCorrection correction);
@@ -127,12 +127,13 @@ struct BestSeen {
   std::string end;       ///< "sad"
   bool is_high = false;  ///< of its scale
   Comparison comparison;
-  bool is_found = false;  ///< significant: towards the end, and the adjusted paired p below alpha
+  bool is_significant =
+      false;  ///< significant: towards the end, and the adjusted paired p below alpha
 };
 
 /// By setting and end: the video with the largest mean difference towards the end from the
 /// participants' other videos.
-std::vector<BestSeen> best_seen(const Gathered& gathered,
+std::vector<BestSeen> best_seen(const AnswerSet& answer_set,
                                 const std::vector<Comparison>& comparisons);
 
 }  // namespace mien::pipeline

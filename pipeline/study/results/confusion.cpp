@@ -18,25 +18,25 @@ namespace {
 /// Points of a participant's answers to a stimulus, by column.
 using Showings = std::map<std::pair<std::size_t, std::size_t>, std::vector<double>>;
 
-Showings rated_showings(const Gathered& gathered, std::size_t columns) {
+Showings rated_showings(const AnswerSet& answer_set, std::size_t columns) {
   Showings showings;
-  for (const CountedRating& rating : gathered.ratings) {
+  for (const AnalysedRating& rating : answer_set.ratings) {
     auto& points = showings[{rating.stimulus, rating.person}];
     points.resize(columns);
-    const EndPoints ends = points_of(gathered.scales[rating.scale], rating.value);
+    const EndPoints ends = points_of(answer_set.scales[rating.scale], rating.value);
     points[2 * rating.scale] += ends.low;
     points[2 * rating.scale + 1] += ends.high;
   }
   return showings;
 }
 
-Showings chosen_showings(const Gathered& gathered) {
+Showings chosen_showings(const AnswerSet& answer_set) {
   Showings showings;
-  for (const CountedChoice& choice : gathered.chosen) {
+  for (const AnalysedChoice& choice : answer_set.chosen) {
     auto& points = showings[{choice.stimulus, choice.person}];
-    points.resize(gathered.choices.size());
-    for (std::size_t i = 0; i < gathered.choices.size(); ++i)
-      if (gathered.choices[i].first == choice.chosen) points[i] += 1.0;
+    points.resize(answer_set.choices.size());
+    for (std::size_t i = 0; i < answer_set.choices.size(); ++i)
+      if (answer_set.choices[i].first == choice.chosen) points[i] += 1.0;
   }
   return showings;
 }
@@ -77,7 +77,7 @@ void finish(Confusion& confusion, TestCorrection correction) {
   for (std::size_t i = 0; i < adjusted.size(); ++i) confusion.rows[i].adjusted = adjusted[i];
 }
 
-Confusion confusion_of(const Gathered& gathered, const std::string& of,
+Confusion confusion_of(const AnswerSet& answer_set, const std::string& of,
                        const std::vector<std::string>& columns, const Showings& showings,
                        const std::function<bool(const ReportedStimulus&)>& belongs) {
   Confusion confusion;
@@ -85,7 +85,7 @@ Confusion confusion_of(const Gathered& gathered, const std::string& of,
   confusion.columns = columns;
   confusion.chance = 1.0 / static_cast<double>(columns.size());
   std::map<std::string, std::size_t> row_of;
-  for (const ReportedStimulus& stimulus : gathered.stimuli) {
+  for (const ReportedStimulus& stimulus : answer_set.stimuli) {
     if (!belongs(stimulus) || stimulus.emotion.empty()) continue;
     if (!row_of.emplace(stimulus.emotion, confusion.rows.size()).second) continue;
     const auto own = std::ranges::find(columns, stimulus.emotion);
@@ -95,29 +95,29 @@ Confusion confusion_of(const Gathered& gathered, const std::string& of,
          .own = own == columns.end() ? -1 : static_cast<int>(own - columns.begin())});
   }
   for (const auto& [who, points] : showings) {
-    const ReportedStimulus& stimulus = gathered.stimuli[who.first];
+    const ReportedStimulus& stimulus = answer_set.stimuli[who.first];
     if (belongs(stimulus) && !stimulus.emotion.empty())
       add_showing(confusion.rows[row_of.at(stimulus.emotion)], points);
   }
   std::erase_if(confusion.rows, [](const ConfusionRow& row) { return row.showings == 0; });
-  finish(confusion, gathered.correction);
+  finish(confusion, answer_set.correction);
   return confusion;
 }
 
 /// Levels of the factor `made` whose stimuli show emotions.
-std::set<std::string> ways_of_making(const Gathered& gathered) {
+std::set<std::string> making_levels(const AnswerSet& answer_set) {
   std::set<std::string> ways;
-  for (const ReportedStimulus& stimulus : gathered.stimuli)
+  for (const ReportedStimulus& stimulus : answer_set.stimuli)
     if (!stimulus.is_neutral() && !stimulus.emotion.empty()) ways.insert(stimulus.made);
   return ways;
 }
 
-void add_confusions(const Gathered& gathered, const std::vector<std::string>& columns,
+void add_confusions(const AnswerSet& answer_set, const std::vector<std::string>& columns,
                     const Showings& showings, bool by_points, std::vector<Confusion>& all) {
   if (showings.empty() || columns.empty()) return;
-  const std::set<std::string> ways = ways_of_making(gathered);
+  const std::set<std::string> ways = making_levels(answer_set);
   const auto add = [&](const std::string& of, const auto& belongs) {
-    Confusion confusion = confusion_of(gathered, of, columns, showings, belongs);
+    Confusion confusion = confusion_of(answer_set, of, columns, showings, belongs);
     confusion.by_points = by_points;
     if (!confusion.rows.empty()) all.push_back(std::move(confusion));
   };
@@ -130,15 +130,15 @@ void add_confusions(const Gathered& gathered, const std::vector<std::string>& co
 }
 
 /// For each end, the points of every presentation; NaN where its scale was not answered.
-std::vector<std::vector<double>> points_by_end(const Gathered& gathered) {
+std::vector<std::vector<double>> points_by_end(const AnswerSet& answer_set) {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> showings;
-  for (const CountedRating& rating : gathered.ratings)
+  for (const AnalysedRating& rating : answer_set.ratings)
     showings.emplace(std::pair(rating.stimulus, rating.person), showings.size());
   const std::vector<double> unanswered(showings.size(), std::numeric_limits<double>::quiet_NaN());
-  std::vector<std::vector<double>> ends(2 * gathered.scales.size(), unanswered);
-  for (const CountedRating& rating : gathered.ratings) {
+  std::vector<std::vector<double>> ends(2 * answer_set.scales.size(), unanswered);
+  for (const AnalysedRating& rating : answer_set.ratings) {
     const std::size_t showing = showings.at({rating.stimulus, rating.person});
-    const EndPoints points = points_of(gathered.scales[rating.scale], rating.value);
+    const EndPoints points = points_of(answer_set.scales[rating.scale], rating.value);
     ends[2 * rating.scale][showing] = points.low;
     ends[2 * rating.scale + 1][showing] = points.high;
   }
@@ -162,19 +162,19 @@ std::vector<std::string> ends_of(const std::vector<Scale>& scales) {
   return ends;
 }
 
-std::vector<Confusion> confusions_of(const Gathered& gathered) {
+std::vector<Confusion> confusions_of(const AnswerSet& answer_set) {
   std::vector<Confusion> all;
-  const std::vector<std::string> ends = ends_of(gathered.scales);
-  add_confusions(gathered, ends, rated_showings(gathered, ends.size()), true, all);
+  const std::vector<std::string> ends = ends_of(answer_set.scales);
+  add_confusions(answer_set, ends, rated_showings(answer_set, ends.size()), true, all);
   std::vector<std::string> choices;
-  for (const auto& [id, shown] : gathered.choices) choices.push_back(id);
-  add_confusions(gathered, choices, chosen_showings(gathered), false, all);
+  for (const auto& [id, shown] : answer_set.choices) choices.push_back(id);
+  add_confusions(answer_set, choices, chosen_showings(answer_set), false, all);
   return all;
 }
 
-std::vector<EndCorrelation> end_correlations(const Gathered& gathered) {
-  if (gathered.ratings.empty()) return {};
-  const auto ends = points_by_end(gathered);
+std::vector<EndCorrelation> end_correlations(const AnswerSet& answer_set) {
+  if (answer_set.ratings.empty()) return {};
+  const auto ends = points_by_end(answer_set);
   std::vector<EndCorrelation> all;
   std::vector<double> p_values;
   for (std::size_t one = 0; one < ends.size(); ++one) {
@@ -184,7 +184,7 @@ std::vector<EndCorrelation> end_correlations(const Gathered& gathered) {
       all.push_back(pair);
     }
   }
-  const std::vector<double> adjusted = corrected(p_values, gathered.correction);
+  const std::vector<double> adjusted = corrected(p_values, answer_set.correction);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].adjusted = adjusted[i];
   return all;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/base/statistics/correlation.h"
-#include "pipeline/study/results/gathered_answers.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 
@@ -42,7 +42,7 @@ struct Confusion {
 /// The points rule: a rating gives the nearer end of its scale up to 2 points, in proportion to its
 /// distance from the middle: 2 at the end, 1 half way. Shares are of all points of a row. Emotions
 /// that are not an end of a scale have no recall.
-std::vector<Confusion> confusions_of(const Gathered& gathered);
+std::vector<Confusion> confusions_of(const AnswerSet& answer_set);
 
 /// The ends of the scales, low before high, in their order.
 std::vector<std::string> ends_of(const std::vector<Scale>& scales);
@@ -66,6 +66,6 @@ struct EndCorrelation {
 };
 
 /// All pairs of ends. The thesis marks |r| above 0.3 and above 0.5.
-std::vector<EndCorrelation> end_correlations(const Gathered& gathered);
+std::vector<EndCorrelation> end_correlations(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

@@ -18,15 +18,15 @@ namespace {
 /// Included participants by their answer.
 std::map<std::string, std::vector<std::size_t>> people_by_answer(const CsvTable& table,
                                                                  std::size_t column,
-                                                                 const Gathered& gathered) {
+                                                                 const AnswerSet& answer_set) {
   const auto name = static_cast<std::size_t>(require_column(table, "participant"));
   std::map<std::string, std::set<std::size_t>> groups;
   std::set<std::size_t> met, doubtful;
   for (const auto& row : table.rows) {
     if (row[column].text.empty()) continue;
-    for (std::size_t person = 0; person < gathered.people.size(); ++person) {
+    for (std::size_t person = 0; person < answer_set.people.size(); ++person) {
       // Where people are identified by "participant/session", the participant is before the slash.
-      const std::string& known = gathered.people[person];
+      const std::string& known = answer_set.people[person];
       if (known != row[name].text && !known.starts_with(row[name].text + "/")) continue;
       if (!met.insert(person).second) doubtful.insert(person);
       groups[row[column].text].insert(person);
@@ -39,8 +39,8 @@ std::map<std::string, std::vector<std::size_t>> people_by_answer(const CsvTable&
   return people;
 }
 
-std::vector<double> own_means(const std::map<std::size_t, ExactSum>& sums,
-                              const std::vector<std::size_t>& people) {
+std::vector<double> participant_means(const std::map<std::size_t, ExactSum>& sums,
+                                      const std::vector<std::size_t>& people) {
   std::vector<double> means;
   for (const std::size_t person : people) {
     const auto found = sums.find(person);
@@ -58,7 +58,7 @@ GroupComparison group_comparison(const ParticipantGroups& groups, const std::vec
   result.mean_other = exact_mean(other);
   result.welch = welch_t_test(one, other);
   result.g = hedges_g(one, other);
-  if (all_alike(one) && all_alike(other))
+  if (all_equal(one) && all_equal(other))
     result.welch.standard_error = result.welch.t = result.welch.p = result.g =
         std::numeric_limits<double>::quiet_NaN();
   return result;
@@ -67,14 +67,14 @@ GroupComparison group_comparison(const ParticipantGroups& groups, const std::vec
 }  // namespace
 
 std::vector<ParticipantGroups> participant_groups(const ParticipantTable& participants,
-                                                  const Gathered& gathered) {
+                                                  const AnswerSet& answer_set) {
   std::vector<ParticipantGroups> all;
   if (participants.empty()) return all;
   for (const std::string& question : participants.questions()) {
-    if (!gathered.worded_questions.contains(question)) continue;
+    if (!answer_set.worded_questions.contains(question)) continue;
     const auto column = static_cast<std::size_t>(find_column(participants.table, question));
     std::vector<std::pair<std::string, std::vector<std::size_t>>> answers;
-    for (auto& [answer, people] : people_by_answer(participants.table, column, gathered))
+    for (auto& [answer, people] : people_by_answer(participants.table, column, answer_set))
       if (people.size() >= 2) answers.emplace_back(answer, people);
     std::ranges::stable_sort(answers, std::ranges::greater{},
                              [](const auto& one) { return one.second.size(); });
@@ -86,19 +86,19 @@ std::vector<ParticipantGroups> participant_groups(const ParticipantTable& partic
 }
 
 std::vector<GroupComparison> compare_groups(const ParticipantTable& participants,
-                                            const Gathered& gathered) {
+                                            const AnswerSet& answer_set) {
   std::vector<GroupComparison> all;
-  for (const ParticipantGroups& groups : participant_groups(participants, gathered)) {
+  for (const ParticipantGroups& groups : participant_groups(participants, answer_set)) {
     const std::size_t first = all.size();
     std::vector<double> p_values;
-    for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
-      const auto ratings = by_stimulus(gathered, scale);
+    for (std::size_t scale = 0; scale < answer_set.scales.size(); ++scale) {
+      const auto ratings = ratings_by_stimulus(answer_set, scale);
       for (std::size_t stimulus = 0; stimulus < ratings.size(); ++stimulus) {
         std::map<std::size_t, ExactSum> sums;
-        for (const CountedRating& rating : ratings[stimulus])
+        for (const AnalysedRating& rating : ratings[stimulus])
           sums[rating.person].add(ExactNumber::of(rating.value));
-        const std::vector<double> one = own_means(sums, groups.people_one);
-        const std::vector<double> other = own_means(sums, groups.people_other);
+        const std::vector<double> one = participant_means(sums, groups.people_one);
+        const std::vector<double> other = participant_means(sums, groups.people_other);
         if (one.size() < 2 || other.size() < 2) continue;
         all.push_back(group_comparison(groups, one, other));
         all.back().stimulus = stimulus;
@@ -106,7 +106,7 @@ std::vector<GroupComparison> compare_groups(const ParticipantTable& participants
         p_values.push_back(all.back().welch.p);
       }
     }
-    const std::vector<double> adjusted = corrected(p_values, gathered.correction);
+    const std::vector<double> adjusted = corrected(p_values, answer_set.correction);
     for (std::size_t i = 0; i < adjusted.size(); ++i) all[first + i].adjusted = adjusted[i];
     std::stable_sort(
         all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),

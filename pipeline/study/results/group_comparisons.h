@@ -10,7 +10,7 @@
 namespace mien::pipeline {
 
 /// Two groups of participants by their answers to a demographic question (gender); members are
-/// indices of Gathered::people.
+/// indices of AnswerSet::people.
 struct ParticipantGroups {
   std::string question;
   std::string one;    ///< the most frequent answer; ties alphabetically
@@ -21,7 +21,7 @@ struct ParticipantGroups {
 /// The two most frequent answers to each demographic question with answers in words, where at least
 /// two participants gave each.
 std::vector<ParticipantGroups> participant_groups(const ParticipantTable& participants,
-                                                  const Gathered& gathered);
+                                                  const AnswerSet& answer_set);
 
 /// The difference between two groups on a stimulus and scale: Welch's test of participants' means.
 struct GroupComparison {
@@ -39,6 +39,6 @@ struct GroupComparison {
 
 /// Comparisons on all stimuli and scales with at least two participants of each group.
 std::vector<GroupComparison> compare_groups(const ParticipantTable& participants,
-                                            const Gathered& gathered);
+                                            const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

@@ -34,7 +34,7 @@ struct SideSums {
 };
 
 /// By person, then by cell.
-std::map<std::size_t, std::map<MatchedCell, SideSums>> sums_in(const Gathered& gathered,
+std::map<std::size_t, std::map<MatchedCell, SideSums>> sums_in(const AnswerSet& answer_set,
                                                                const Cells& cells) {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Cells::const_iterator>> cells_of;
   for (auto cell = cells.begin(); cell != cells.end(); ++cell) {
@@ -44,10 +44,10 @@ std::map<std::size_t, std::map<MatchedCell, SideSums>> sums_in(const Gathered& g
       cells_of[{stimulus, cell->first.scale}].push_back(cell);
   }
   std::map<std::size_t, std::map<MatchedCell, SideSums>> sums;
-  for (const CountedRating& rating : gathered.ratings) {
+  for (const AnalysedRating& rating : answer_set.ratings) {
     const auto found = cells_of.find({rating.stimulus, rating.scale});
     if (found == cells_of.end()) continue;
-    const Scale& scale = gathered.scales[rating.scale];
+    const Scale& scale = answer_set.scales[rating.scale];
     const ExactNumber middle = (ExactNumber::of(scale.least) + ExactNumber::of(scale.most)) / 2;
     const ExactNumber from_middle = ExactNumber::of(rating.value) - middle;
     for (const auto& cell : found->second) {
@@ -60,13 +60,13 @@ std::map<std::size_t, std::map<MatchedCell, SideSums>> sums_in(const Gathered& g
   return sums;
 }
 
-OverallComparison overall_of(const Gathered& gathered, ComparisonFamily family,
+OverallComparison overall_of(const AnswerSet& answer_set, ComparisonFamily family,
                              const std::string& emotion, const Cells& cells) {
   OverallComparison result;
   result.family = family;
   result.emotion = emotion;
   std::vector<double> differences, means, means_against;
-  for (const auto& [person, own] : sums_in(gathered, cells)) {
+  for (const auto& [person, own] : sums_in(answer_set, cells)) {
     ExactSum one, against;
     bool saw_one = false;
     bool saw_against = false;
@@ -88,7 +88,7 @@ OverallComparison overall_of(const Gathered& gathered, ComparisonFamily family,
   }
   result.mean = exact_mean(means);
   result.mean_against = exact_mean(means_against);
-  result.within = within_persons(differences);
+  result.within = within_participants(differences);
   return result;
 }
 
@@ -116,16 +116,16 @@ void correct_overall(std::vector<OverallComparison>& all, ComparisonFamily famil
 
 }  // namespace
 
-std::vector<OverallComparison> compare_overall(const Gathered& gathered) {
+std::vector<OverallComparison> compare_overall(const AnswerSet& answer_set) {
   // By family and emotion; that of all comes first, its name being empty.
   std::map<std::pair<ComparisonFamily, std::string>, Cells> cells;
-  for (std::size_t one = 0; one < gathered.stimuli.size(); ++one) {
-    for (std::size_t other = 0; other < gathered.stimuli.size(); ++other) {
-      const auto family = family_of(gathered.stimuli[one], gathered.stimuli[other]);
+  for (std::size_t one = 0; one < answer_set.stimuli.size(); ++one) {
+    for (std::size_t other = 0; other < answer_set.stimuli.size(); ++other) {
+      const auto family = family_of(answer_set.stimuli[one], answer_set.stimuli[other]);
       if (!family || one == other) continue;
-      for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
-        const ReportedStimulus& stimulus = gathered.stimuli[one];
-        const int end = end_of(gathered.scales[scale], stimulus.emotion);
+      for (std::size_t scale = 0; scale < answer_set.scales.size(); ++scale) {
+        const ReportedStimulus& stimulus = answer_set.stimuli[one];
+        const int end = end_sign(answer_set.scales[scale], stimulus.emotion);
         if (end == 0) continue;
         for (const std::string& of : {std::string(), stimulus.emotion}) {
           CellSides& sides = cells[{*family, of}][{stimulus.setting, stimulus.emotion, scale}];
@@ -138,10 +138,11 @@ std::vector<OverallComparison> compare_overall(const Gathered& gathered) {
   }
   std::vector<OverallComparison> all;
   for (const auto& [of, own] : cells) {
-    OverallComparison comparison = overall_of(gathered, of.first, of.second, own);
+    OverallComparison comparison = overall_of(answer_set, of.first, of.second, own);
     if (comparison.within.people >= 2) all.push_back(std::move(comparison));
   }
-  for (const auto& [word, family] : family_words) correct_overall(all, family, gathered.correction);
+  for (const auto& [word, family] : family_words)
+    correct_overall(all, family, answer_set.correction);
   return all;
 }
 

@@ -9,14 +9,14 @@
 
 namespace mien::pipeline {
 
-std::string asked_of_two(const Gathered& gathered, const std::string& item) {
-  const auto scale = std::ranges::find(gathered.scales, item, &Scale::id);
-  return scale == gathered.scales.end() ? item : "more " + scale->high;
+std::string pair_question(const AnswerSet& answer_set, const std::string& item) {
+  const auto scale = std::ranges::find(answer_set.scales, item, &Scale::id);
+  return scale == answer_set.scales.end() ? item : "more " + scale->high;
 }
 
-std::vector<PreferenceCount> preferences_of(const Gathered& gathered) {
+std::vector<PreferenceCount> preferences_of(const AnswerSet& answer_set) {
   std::map<std::tuple<std::string, std::size_t, std::size_t>, PreferenceCount> counts;
-  for (const CountedPreference& preference : gathered.preferences) {
+  for (const AnalysedPreference& preference : answer_set.preferences) {
     const std::size_t one = std::min(preference.chosen, preference.other);
     const std::size_t other = std::max(preference.chosen, preference.other);
     PreferenceCount& count = counts[{preference.item, one, other}];
@@ -36,7 +36,7 @@ std::vector<PreferenceCount> preferences_of(const Gathered& gathered) {
     p_values.push_back(count.p);
     all.push_back(count);
   }
-  const std::vector<double> adjusted = corrected(p_values, gathered.correction);
+  const std::vector<double> adjusted = corrected(p_values, answer_set.correction);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].adjusted = adjusted[i];
   return all;
 }

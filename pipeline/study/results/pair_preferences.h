@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/study/results/gathered_answers.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 
@@ -22,9 +22,9 @@ struct PreferenceCount {
 };
 
 /// The question about a pair: which is closer to the scale's high end.
-std::string asked_of_two(const Gathered& gathered, const std::string& item);
+std::string pair_question(const AnswerSet& answer_set, const std::string& item);
 
 /// Preferences of all pairs that were shown.
-std::vector<PreferenceCount> preferences_of(const Gathered& gathered);
+std::vector<PreferenceCount> preferences_of(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

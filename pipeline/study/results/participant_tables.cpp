@@ -9,7 +9,7 @@ using CatchRow = ResultRow<CatchAnswer>;
 using CatchSummaryRow = ResultRow<CatchSummary>;
 using DemographicRow = ResultRow<DemographicSummary>;
 using RemarkRow = ResultRow<Remark>;
-using WordRow = ResultRow<GivenWord>;
+using WordRow = ResultRow<WordFrequency>;
 
 constexpr SharedColumn named_stimulus_column = {"stimulus", "", "stimulus id",
                                                 [](auto& r) { return r.of.stimulus; }};
@@ -36,7 +36,7 @@ constexpr auto session_columns = result_table<SessionRow>(
      {"blurs", "", "tab switches", [](auto& r) { return r.of.blurs; }},
      {"constant", "",
       "1 for straight-lining: three or more answers, all at the same position; included",
-      [](auto& r) { return r.of.is_constant; }},
+      [](auto& r) { return r.of.is_straight_lining; }},
      {"unfinished", "", "1 if the participant answered fewer trials than planned",
       [](auto& r) { return r.of.is_unfinished; }}});
 
@@ -69,7 +69,7 @@ constexpr auto catch_columns = result_table<CatchRow>(
      {"second", "scale points", "answer in the repeated trial",
       [](auto& r) { return r.of.second; }},
      {"difference", "scale points", "second minus first; ratings only",
-      [](auto& r) { return r.of.difference ? field_of(*r.of.difference) : ""; }},
+      [](auto& r) { return r.of.difference ? number_field(*r.of.difference) : ""; }},
      {"equal", "", "1 if both answers are the same", [](auto& r) { return r.of.is_equal(); }}});
 
 constexpr auto catch_summary_columns = result_table<CatchSummaryRow>(
@@ -115,20 +115,20 @@ constexpr auto word_count_columns = result_table<WordRow>(
       [](auto& r) { return r.of.word; }},
      {"people", "", "number of participants who gave it", [](auto& r) { return r.of.people; }},
      {"asked", "", "number of participants who gave any word for the stimulus and question",
-      [](auto& r) { return r.of.asked; }}});
+      [](auto& r) { return r.of.respondents; }}});
 
 }  // namespace
 
 void add_participants(const Results& results, std::vector<WrittenTable>& tables) {
-  const Gathered& gathered = results.gathered;
-  add_results(session_columns, results.participants, gathered, tables);
-  add_results(demographics_columns, demographics_of(results.demographics, gathered), gathered,
+  const AnswerSet& answer_set = results.answer_set;
+  add_results(session_columns, results.participants, answer_set, tables);
+  add_results(demographics_columns, demographics_of(results.demographics, answer_set), answer_set,
               tables);
-  add_results(catch_columns, results.catch_answers, gathered, tables);
-  add_results(catch_summary_columns, results.catch_summaries, gathered, tables);
-  add_results(comment_columns, gathered.remarks, gathered, tables);
-  add_results(word_columns, gathered.words, gathered, tables);
-  add_results(word_count_columns, results.words, gathered, tables);
+  add_results(catch_columns, results.catch_answers, answer_set, tables);
+  add_results(catch_summary_columns, results.catch_summaries, answer_set, tables);
+  add_results(comment_columns, answer_set.remarks, answer_set, tables);
+  add_results(word_columns, answer_set.words, answer_set, tables);
+  add_results(word_count_columns, results.words, answer_set, tables);
 }
 
 }  // namespace mien::pipeline

@@ -30,7 +30,7 @@ void add_trials(ParticipantSummary& summary, const std::vector<const AnswerRow*>
   }
   summary.trials = static_cast<int>(met.size());
   summary.median_rt_ms = median_of(times);
-  summary.is_constant = summary.answers >= 3 && values.size() == 1;
+  summary.is_straight_lining = summary.answers >= 3 && values.size() == 1;
 }
 
 void add_numbers(const std::string& question, const std::vector<double>& numbers,
@@ -46,20 +46,20 @@ void add_numbers(const std::string& question, const std::vector<double>& numbers
 
 }  // namespace
 
-std::vector<ParticipantSummary> participant_summaries(const Gathered& gathered,
+std::vector<ParticipantSummary> participant_summaries(const AnswerSet& answer_set,
                                                       std::vector<AnswerRow> rows) {
-  tell_people_apart(rows);
+  separate_participants(rows);
   std::map<std::string, std::vector<const AnswerRow*>> of_person;
   for (const AnswerRow& row : rows) of_person[row.participant].push_back(&row);
   std::set<std::string> unfinished;
-  for (const Unfinished& one : gathered.unfinished) unfinished.insert(one.participant);
+  for (const Unfinished& one : answer_set.unfinished) unfinished.insert(one.participant);
   std::vector<ParticipantSummary> all;
-  for (const Attention& own : gathered.attention) {
+  for (const Attention& own : answer_set.attention) {
     ParticipantSummary summary;
     summary.participant = own.participant;
     summary.checks = own.checks;
     summary.passed = own.passed;
-    summary.is_excluded = !std::ranges::binary_search(gathered.people, own.participant);
+    summary.is_excluded = !std::ranges::binary_search(answer_set.people, own.participant);
     summary.is_unfinished = unfinished.contains(own.participant);
     add_trials(summary, of_person.at(own.participant));
     all.push_back(summary);
@@ -122,7 +122,7 @@ ParticipantTable joined(const std::vector<ParticipantTable>& tables) {
 }
 
 std::vector<DemographicSummary> demographics_of(const ParticipantTable& participants,
-                                                const Gathered& gathered) {
+                                                const AnswerSet& answer_set) {
   std::vector<DemographicSummary> all;
   if (participants.empty()) return all;
   const CsvTable& table = participants.table;
@@ -134,7 +134,7 @@ std::vector<DemographicSummary> demographics_of(const ParticipantTable& particip
     int people = 0;
     for (const auto& row : table.rows) {
       // Where people are identified by "participant/session", the participant is before the slash.
-      const bool is_there = std::ranges::any_of(gathered.people, [&](const std::string& person) {
+      const bool is_there = std::ranges::any_of(answer_set.people, [&](const std::string& person) {
         return person == row[name].text || person.starts_with(row[name].text + "/");
       });
       if (!is_there || row[column].text.empty()) continue;
@@ -144,7 +144,7 @@ std::vector<DemographicSummary> demographics_of(const ParticipantTable& particip
         numbers.push_back(*number);
     }
     if (people == 0) continue;
-    const bool is_worded = gathered.worded_questions.contains(question);
+    const bool is_worded = answer_set.worded_questions.contains(question);
     if (!is_worded && static_cast<int>(numbers.size()) == people) {
       add_numbers(question, numbers, all);
     } else {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/study/results/gathered_answers.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 
@@ -23,12 +23,12 @@ struct ParticipantSummary {
   int stalls = 0;
   int dropped_frames = 0;
   int blurs = 0;
-  bool is_constant = false;  ///< straight-lining: at least three included answers, all equal;
-                             ///< reported, not excluded
+  bool is_straight_lining = false;  ///< straight-lining: at least three included answers, all
+                                    ///< equal; reported, not excluded
 };
 
 /// Summaries of all participants, by name.
-std::vector<ParticipantSummary> participant_summaries(const Gathered& gathered,
+std::vector<ParticipantSummary> participant_summaries(const AnswerSet& answer_set,
                                                       std::vector<AnswerRow> rows);
 
 /// Answers to the demographic questions, a row for each participant.
@@ -60,6 +60,6 @@ struct DemographicSummary {
 };
 
 std::vector<DemographicSummary> demographics_of(const ParticipantTable& participants,
-                                                const Gathered& gathered);
+                                                const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

@@ -14,14 +14,14 @@ namespace mien::pipeline {
 /// A result with the study that it is of.
 template <class Result>
 struct ResultRow {
-  const Gathered& in;
+  const AnswerSet& in;
   const Result& of;
 
   const ReportedStimulus& stimulus() const { return in.stimuli[of.stimulus]; }
   const Scale& scale() const { return in.scales[of.scale]; }
 };
 
-/// A ColumnOf whose numbers are rounded by field_of.
+/// A ColumnOf whose numbers are rounded by number_field.
 template <class Row>
 struct ResultColumn : ColumnOf<Row> {
   constexpr ResultColumn() = default;
@@ -37,7 +37,7 @@ struct ResultColumn : ColumnOf<Row> {
       : ResultColumn(shared.name, shared.unit, shared.meaning, shared.from) {}
 
  private:
-  static std::string rounded(double number) { return field_of(number); }
+  static std::string rounded(double number) { return number_field(number); }
   static auto rounded(const auto& value) { return value; }
 };
 
@@ -69,13 +69,13 @@ void add_table(const Table<Row, count>& table, const std::vector<Row>& rows, boo
   tables.push_back({table.form(), writer.text()});
 }
 
-/// The same of ResultRow{gathered, result} for each of `results`.
+/// The same of ResultRow{answer_set, result} for each of `results`.
 template <class Row, std::size_t count>
-void add_results(const Table<Row, count>& table, const auto& results, const Gathered& gathered,
+void add_results(const Table<Row, count>& table, const auto& results, const AnswerSet& answer_set,
                  std::vector<WrittenTable>& tables) {
   std::vector<Row> rows;
-  for (const auto& result : results) rows.push_back({gathered, result});
-  add_table(table, rows, gathered.simulated, tables);
+  for (const auto& result : results) rows.push_back({answer_set, result});
+  add_table(table, rows, answer_set.simulated, tables);
 }
 
 // Columns that several tables have.
@@ -94,7 +94,7 @@ inline constexpr SharedColumn scale_column = {"scale", "", "scale id",
                                               [](auto& r) { return r.scale().id; }};
 inline constexpr SharedColumn adjusted_column = {
     "p_adjusted", "", "p corrected for multiple comparisons over the rows of the same kind",
-    [](auto& r) { return p_of_table(r.of.adjusted); }};
+    [](auto& r) { return p_field(r.of.adjusted); }};
 
 /// Adds the tables of comparisons.
 void add_comparisons(const Results& results, std::vector<WrittenTable>& tables);

@@ -100,7 +100,7 @@ constexpr auto recall_columns = result_table<RecallRow>(
       [](auto& r) { return r.of.hits; }},
      {"p", "",
       "exact two-sided binomial test of hits among the judged presentations against chance",
-      [](auto& r) { return p_of_table(r.of.p); }},
+      [](auto& r) { return p_field(r.of.p); }},
      adjusted_column});
 
 constexpr auto correlation_columns = result_table<CorrelationRow>(
@@ -119,7 +119,7 @@ constexpr auto correlation_columns = result_table<CorrelationRow>(
       [](auto& r) { return r.of.correlation.low; }},
      {"high", "-1–1", "upper end", [](auto& r) { return r.of.correlation.high; }},
      {"p", "", "two-sided p, treating all presentations as independent",
-      [](auto& r) { return p_of_table(r.of.correlation.p); }},
+      [](auto& r) { return p_field(r.of.correlation.p); }},
      adjusted_column});
 
 constexpr auto agreement_columns = result_table<AgreementRow>(
@@ -165,19 +165,20 @@ constexpr auto preference_columns = result_table<PreferenceRow>(
      {"low", "0–1", "lower end of Wilson's 95 % interval", [](auto& r) { return r.of.low; }},
      {"high", "0–1", "upper end", [](auto& r) { return r.of.high; }},
      {"p", "", "exact binomial test against one half, two-sided",
-      [](auto& r) { return p_of_table(r.of.p); }},
+      [](auto& r) { return p_field(r.of.p); }},
      adjusted_column});
 
 void add_means(const Results& results, std::vector<WrittenTable>& tables) {
-  const Gathered& gathered = results.gathered;
-  add_results(means_columns, results.summaries, gathered, tables);
+  const AnswerSet& answer_set = results.answer_set;
+  add_results(means_columns, results.summaries, answer_set, tables);
   std::vector<HistogramBar> bars;
   for (const RatingSummary& summary : results.summaries) {
-    const std::vector<double> places = places_of(gathered.scales[summary.scale], gathered.points);
+    const std::vector<double> places =
+        scale_points(answer_set.scales[summary.scale], answer_set.points);
     for (std::size_t i = 0; i < places.size(); ++i)
-      bars.push_back({{gathered, summary}, places[i], summary.counts[i]});
+      bars.push_back({{answer_set, summary}, places[i], summary.counts[i]});
   }
-  add_table(histogram_columns, bars, gathered.simulated, tables);
+  add_table(histogram_columns, bars, answer_set.simulated, tables);
 }
 
 void add_confusions(const Results& results, std::vector<WrittenTable>& tables) {
@@ -190,22 +191,24 @@ void add_confusions(const Results& results, std::vector<WrittenTable>& tables) {
       if (row.own >= 0) recalls.push_back({confusion, row});
     }
   }
-  add_table(confusion_columns, cells, results.gathered.simulated, tables);
-  add_table(recall_columns, recalls, results.gathered.simulated, tables);
+  add_table(confusion_columns, cells, results.answer_set.simulated, tables);
+  add_table(recall_columns, recalls, results.answer_set.simulated, tables);
 }
 
 }  // namespace
 
-std::string field_of(double value) { return !std::isfinite(value) ? "" : shortest_measured(value); }
+std::string number_field(double value) {
+  return !std::isfinite(value) ? "" : shortest_measured(value);
+}
 
 std::vector<WrittenTable> result_tables(const Results& results) {
   std::vector<WrittenTable> tables;
   add_means(results, tables);
   add_comparisons(results, tables);
   add_confusions(results, tables);
-  add_results(correlation_columns, results.correlations, results.gathered, tables);
-  add_results(agreement_columns, results.reliability, results.gathered, tables);
-  add_results(preference_columns, results.preferences, results.gathered, tables);
+  add_results(correlation_columns, results.correlations, results.answer_set, tables);
+  add_results(agreement_columns, results.reliability, results.answer_set, tables);
+  add_results(preference_columns, results.preferences, results.answer_set, tables);
   add_participants(results, tables);
   return tables;
 }

@@ -13,6 +13,6 @@ namespace mien::pipeline {
 std::vector<WrittenTable> result_tables(const Results& results);
 
 /// A number as text for a table; empty for NaN and infinity.
-std::string field_of(double value);
+std::string number_field(double value);
 
 }  // namespace mien::pipeline

@@ -12,12 +12,12 @@ namespace mien::pipeline {
 
 namespace {
 
-std::size_t place_on(const Scale& scale, int points, double value) {
+std::size_t point_index(const Scale& scale, int points, double value) {
   const double place = (points - 1) * (value - scale.least) / (scale.most - scale.least);
   return static_cast<std::size_t>(std::clamp(std::lround(place), 0L, points - 1L));
 }
 
-RatingSummary summary_of(const std::vector<CountedRating>& ratings, const Scale& scale,
+RatingSummary summary_of(const std::vector<AnalysedRating>& ratings, const Scale& scale,
                          int points) {
   RatingSummary summary;
   summary.stimulus = ratings.front().stimulus;
@@ -25,9 +25,9 @@ RatingSummary summary_of(const std::vector<CountedRating>& ratings, const Scale&
   summary.answers = static_cast<int>(ratings.size());
   summary.counts.resize(static_cast<std::size_t>(points));
   std::vector<double> values;
-  for (const CountedRating& rating : ratings) {
+  for (const AnalysedRating& rating : ratings) {
     values.push_back(rating.value);
-    ++summary.counts[place_on(scale, points, rating.value)];
+    ++summary.counts[point_index(scale, points, rating.value)];
   }
   const TTest of_mean = paired_t_test(values);
   summary.mean = of_mean.mean;
@@ -39,14 +39,14 @@ RatingSummary summary_of(const std::vector<CountedRating>& ratings, const Scale&
 }
 
 /// Ratings on a scale, rated stimuli × participants; NaN where missing.
-Eigen::MatrixXd table_on(const Gathered& gathered, std::size_t scale) {
-  const auto people = static_cast<Eigen::Index>(gathered.people.size());
+Eigen::MatrixXd table_on(const AnswerSet& answer_set, std::size_t scale) {
+  const auto people = static_cast<Eigen::Index>(answer_set.people.size());
   Eigen::MatrixXd table(0, people);
-  for (const auto& ratings : by_stimulus(gathered, scale)) {
+  for (const auto& ratings : ratings_by_stimulus(answer_set, scale)) {
     if (ratings.empty()) continue;
     Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(people);
     Eigen::RowVectorXd counts = Eigen::RowVectorXd::Zero(people);
-    for (const CountedRating& rating : ratings) {
+    for (const AnalysedRating& rating : ratings) {
       sums[static_cast<Eigen::Index>(rating.person)] += rating.value;
       counts[static_cast<Eigen::Index>(rating.person)] += 1.0;
     }
@@ -67,35 +67,36 @@ double median_of(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-std::vector<double> places_of(const Scale& scale, int points) {
+std::vector<double> scale_points(const Scale& scale, int points) {
   std::vector<double> places;
   for (int i = 0; i < points; ++i)
     places.push_back(scale.least + (scale.most - scale.least) * i / std::max(1, points - 1));
   return places;
 }
 
-std::vector<std::vector<CountedRating>> by_stimulus(const Gathered& gathered, std::size_t scale) {
-  std::vector<std::vector<CountedRating>> ratings(gathered.stimuli.size());
-  for (const CountedRating& rating : gathered.ratings)
+std::vector<std::vector<AnalysedRating>> ratings_by_stimulus(const AnswerSet& answer_set,
+                                                             std::size_t scale) {
+  std::vector<std::vector<AnalysedRating>> ratings(answer_set.stimuli.size());
+  for (const AnalysedRating& rating : answer_set.ratings)
     if (rating.scale == scale) ratings[rating.stimulus].push_back(rating);
   return ratings;
 }
 
-std::vector<RatingSummary> summaries_of(const Gathered& gathered) {
+std::vector<RatingSummary> summaries_of(const AnswerSet& answer_set) {
   std::vector<RatingSummary> summaries;
-  for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale)
-    for (const auto& ratings : by_stimulus(gathered, scale))
+  for (std::size_t scale = 0; scale < answer_set.scales.size(); ++scale)
+    for (const auto& ratings : ratings_by_stimulus(answer_set, scale))
       if (!ratings.empty())
-        summaries.push_back(summary_of(ratings, gathered.scales[scale], gathered.points));
+        summaries.push_back(summary_of(ratings, answer_set.scales[scale], answer_set.points));
   std::ranges::stable_sort(summaries, {}, &RatingSummary::stimulus);
   return summaries;
 }
 
-std::vector<Reliability> reliability_of(const Gathered& gathered) {
+std::vector<Reliability> reliability_of(const AnswerSet& answer_set) {
   std::vector<Reliability> all;
-  if (gathered.ratings.empty()) return all;
-  for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
-    const Eigen::MatrixXd table = table_on(gathered, scale);
+  if (answer_set.ratings.empty()) return all;
+  for (std::size_t scale = 0; scale < answer_set.scales.size(); ++scale) {
+    const Eigen::MatrixXd table = table_on(answer_set, scale);
     const Agreement agreement = agreement_of(table);
     all.push_back({scale, agreement.all, agreement.complete_raters, agreement.alpha});
   }

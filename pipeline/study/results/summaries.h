@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/base/statistics/agreement.h"
-#include "pipeline/study/results/gathered_answers.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 
@@ -22,16 +22,17 @@ struct RatingSummary {
 };
 
 /// Summaries of all rated stimuli, by stimulus, then by scale.
-std::vector<RatingSummary> summaries_of(const Gathered& gathered);
+std::vector<RatingSummary> summaries_of(const AnswerSet& answer_set);
 
 /// The median; NaN without values.
 double median_of(std::vector<double> values);
 
 /// The values of a scale's points, from least to most.
-std::vector<double> places_of(const Scale& scale, int points);
+std::vector<double> scale_points(const Scale& scale, int points);
 
-/// The ratings on one scale by stimulus, in the order of Gathered::ratings.
-std::vector<std::vector<CountedRating>> by_stimulus(const Gathered& gathered, std::size_t scale);
+/// The ratings on one scale by stimulus, in the order of AnswerSet::ratings.
+std::vector<std::vector<AnalysedRating>> ratings_by_stimulus(const AnswerSet& answer_set,
+                                                             std::size_t scale);
 
 /// Inter-rater reliability on one scale.
 struct Reliability {
@@ -42,6 +43,6 @@ struct Reliability {
 };
 
 /// The reliability of each scale. Repeated ratings by a participant are averaged.
-std::vector<Reliability> reliability_of(const Gathered& gathered);
+std::vector<Reliability> reliability_of(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

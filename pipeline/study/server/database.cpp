@@ -16,7 +16,7 @@ std::error_code system_code(sqlite3* database) {
 }
 
 /// The path with the links among its folders resolved, so that SQLite can be told to follow none.
-std::string true_place(const std::filesystem::path& file) {
+std::string resolved_path(const std::filesystem::path& file) {
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder))
     throw Error({file.string()}, "there is no folder for it", "create the folder first");
@@ -31,7 +31,7 @@ Database::Database(const std::filesystem::path& file) : file_(file) {
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX;
   const bool is_new = !std::filesystem::exists(file);
-  if (sqlite3_open_v2(true_place(file).c_str(), &database_, flags, nullptr) != SQLITE_OK) {
+  if (sqlite3_open_v2(resolved_path(file).c_str(), &database_, flags, nullptr) != SQLITE_OK) {
     const std::string reason = sqlite3_errmsg(database_);
     sqlite3_close(database_);
     throw Error({file.string()}, "cannot be opened: " + reason, "name another file with --store");
@@ -41,7 +41,7 @@ Database::Database(const std::filesystem::path& file) : file_(file) {
     if (is_new)
       std::filesystem::permissions(
           file, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
-    take();
+    lock_file();
   } catch (...) {
     sqlite3_close(database_);
     throw;
@@ -50,7 +50,7 @@ Database::Database(const std::filesystem::path& file) : file_(file) {
 
 Database::~Database() { sqlite3_close(database_); }
 
-void Database::take() {
+void Database::lock_file() {
   run("PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"
       "PRAGMA foreign_keys = ON; PRAGMA trusted_schema = OFF;"
       "BEGIN IMMEDIATE; COMMIT;");

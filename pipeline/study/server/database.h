@@ -41,7 +41,7 @@ class Database {
   [[noreturn]] void fail() const;
 
  private:
-  void take();
+  void lock_file();
 
   std::filesystem::path file_;
   sqlite3* database_ = nullptr;

@@ -64,14 +64,14 @@ HttpResponse http_refusal(int status, const std::string& error, const std::strin
   return response;
 }
 
-HttpResponse http_too_often() {
+HttpResponse http_too_many_requests() {
   HttpResponse response =
       http_refusal(429, "often", "too many requests", "wait a few seconds and ask again");
   response.headers["Retry-After"] = "5";
   return response;
 }
 
-HttpResponse http_wrong_method(const std::string& allowed) {
+HttpResponse http_method_not_allowed(const std::string& allowed) {
   HttpResponse response = http_refusal(405, "method", "this method is not allowed", allowed);
   response.headers["Allow"] = allowed;
   return response;

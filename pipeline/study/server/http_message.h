@@ -48,10 +48,10 @@ HttpResponse http_refusal(int status, const std::string& error, const std::strin
                           const std::string& remedy);
 
 /// 429: a client that exceeds a rate limit.
-HttpResponse http_too_often();
+HttpResponse http_too_many_requests();
 
 /// 405: the method is not allowed. `allowed` lists those that are: "GET, HEAD".
-HttpResponse http_wrong_method(const std::string& allowed);
+HttpResponse http_method_not_allowed(const std::string& allowed);
 
 /// 200 with JSON text as the body.
 HttpResponse http_json(const std::string& text);

@@ -42,7 +42,7 @@ std::string content_policy(bool webassembly) {
 }
 
 /// Security headers of every response, beside its policy.
-constexpr std::array<std::pair<const char*, const char*>, 7> guarding_headers = {{
+constexpr std::array<std::pair<const char*, const char*>, 7> security_headers = {{
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"},
     {"X-Robots-Tag", "noindex, nofollow"},
@@ -77,13 +77,13 @@ HttpResponse refusal_of(int status, bool lacks_host) {
 }
 
 /// Status line and headers.
-std::string head_text(const HttpResponse& response, std::uint64_t length, bool stays) {
+std::string head_text(const HttpResponse& response, std::uint64_t length, bool is_persistent) {
   http::response_header<> head;
   head.result(static_cast<unsigned>(response.status));
-  head.set(http::field::connection, stays ? "keep-alive" : "close");
+  head.set(http::field::connection, is_persistent ? "keep-alive" : "close");
   if (response.status == 503) head.set(http::field::retry_after, "2");
   head.set("Content-Security-Policy", content_policy(response.webassembly));
-  for (const auto& [name, value] : guarding_headers) head.set(name, value);
+  for (const auto& [name, value] : security_headers) head.set(name, value);
   for (const auto& [name, value] : response.headers) head.set(name, value);
   head.set(http::field::content_type, response.type);
   head.set(http::field::content_length, std::to_string(length));
@@ -107,11 +107,11 @@ void send_part(TimedStream& client, const FilePart& part, TimedStream::ErrorCode
 }
 
 /// False when the client did not get all of it.
-bool send_response(TimedStream& client, const HttpResponse& response, bool stays,
+bool send_response(TimedStream& client, const HttpResponse& response, bool is_persistent,
                    bool only_head = false) {
   TimedStream::ErrorCode error;
   const std::uint64_t length = response.part ? response.part->length : response.body.size();
-  const std::string head = head_text(response, length, stays);
+  const std::string head = head_text(response, length, is_persistent);
   const bool has_text = !response.part && !only_head;
   const std::array<net::const_buffer, 2> text = {
       net::buffer(head), has_text ? net::buffer(response.body) : net::const_buffer()};
@@ -122,7 +122,7 @@ bool send_response(TimedStream& client, const HttpResponse& response, bool stays
 
 /// Shuts down sending and drains the input for a moment. Otherwise a client that is refused while
 /// it still sends would get a connection reset instead of the response.
-void take_the_rest(TimedStream& client) {
+void drain_input(TimedStream& client) {
   TimedStream::ErrorCode error;
   client.socket().shutdown(tcp::socket::shutdown_send, error);
   client.expires_after(std::chrono::seconds(1));
@@ -142,7 +142,7 @@ std::string http_library() {
 
 class HttpServer::Listener {
  public:
-  Listener(const HttpSettings& settings, HttpAnswer answer, HttpFailure failure)
+  Listener(const HttpSettings& settings, HttpHandler answer, HttpFailureHandler failure)
       : settings_(settings),
         requests_(settings.requests),
         answer_(std::move(answer)),
@@ -216,14 +216,17 @@ class HttpServer::Listener {
       if (head.refused != 0) {
         client.expires_after({});
         send_response(client, refusal_of(head.refused, head.lacks_host), false);
-        take_the_rest(client);
+        drain_input(client);
         return;
       }
-      const bool stays = head.stays && count < requests_a_connection && !is_stopping_;
+      const bool is_persistent =
+          head.is_persistent && count < requests_a_connection && !is_stopping_;
       HttpResponse response = answer_to(head.target, request);
-      if (stays) response.headers["Keep-Alive"] = keep_alive_;
+      if (is_persistent) response.headers["Keep-Alive"] = keep_alive_;
       client.expires_after(settings_.limits.answer);
-      if (!send_response(client, response, stays, request.method == "HEAD") || !stays) return;
+      if (!send_response(client, response, is_persistent, request.method == "HEAD") ||
+          !is_persistent)
+        return;
     }
   }
 
@@ -256,7 +259,7 @@ class HttpServer::Listener {
     client.expires_after(settings_.limits.body);
     if (received.size() < head.body_length) {
       constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
-      if (head.awaits_word) net::write(client, net::buffer(go_on), error);
+      if (head.expects_continue) net::write(client, net::buffer(go_on), error);
       net::read(client, net::dynamic_buffer(received),
                 net::transfer_exactly(head.body_length - received.size()), error);
       if (error) return 408;
@@ -280,8 +283,8 @@ class HttpServer::Listener {
 
   HttpSettings settings_;
   RateLimit requests_;
-  HttpAnswer answer_;
-  HttpFailure failure_;
+  HttpHandler answer_;
+  HttpFailureHandler failure_;
   const std::string keep_alive_ =
       "timeout=" + std::to_string(settings_.limits.idle / std::chrono::seconds(1));
   std::atomic<bool> is_stopping_ = false;
@@ -292,7 +295,7 @@ class HttpServer::Listener {
   std::thread thread_;
 };
 
-HttpServer::HttpServer(const HttpSettings& settings, HttpAnswer answer, HttpFailure failure)
+HttpServer::HttpServer(const HttpSettings& settings, HttpHandler answer, HttpFailureHandler failure)
     : listener_(std::make_unique<Listener>(settings, std::move(answer), std::move(failure))) {}
 
 HttpServer::~HttpServer() = default;

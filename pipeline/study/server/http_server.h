@@ -23,10 +23,10 @@ struct HttpSettings {
 };
 
 /// Called from several threads at once.
-using HttpAnswer = std::function<HttpResponse(const HttpRequest&)>;
+using HttpHandler = std::function<HttpResponse(const HttpRequest&)>;
 
 /// Receives the message of an exception from a handler; the client gets a 500 without it.
-using HttpFailure = std::function<void(const std::string&)>;
+using HttpFailureHandler = std::function<void(const std::string&)>;
 
 /// A web server. Each request is read whole, within limits, before it is handled; paths that
 /// plain_path rejects are refused. Each response carries headers that keep browsers from running or
@@ -34,7 +34,7 @@ using HttpFailure = std::function<void(const std::string&)>;
 class HttpServer {
  public:
   /// Starts to listen. Throws Error when the address cannot be bound.
-  HttpServer(const HttpSettings& settings, HttpAnswer answer, HttpFailure failure = {});
+  HttpServer(const HttpSettings& settings, HttpHandler answer, HttpFailureHandler failure = {});
   /// Stops listening, and finishes the responses in progress.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;

@@ -7,7 +7,7 @@ namespace mien::pipeline {
 namespace {
 
 /// More clients than a laboratory has; beyond this, full buckets are removed.
-constexpr std::size_t most_buckets = 10000;
+constexpr std::size_t max_buckets = 10000;
 
 }  // namespace
 
@@ -16,17 +16,17 @@ double RateLimit::left(const Bucket& bucket, Clock::time_point now) const {
   return std::min(rate_.burst, bucket.left + std::max(0.0, seconds) * rate_.per_second);
 }
 
-void RateLimit::forget_full(Clock::time_point now) {
+void RateLimit::remove_full_buckets(Clock::time_point now) {
   std::erase_if(buckets_, [&](const auto& one) { return left(one.second, now) >= rate_.burst; });
 }
 
-bool RateLimit::allows(const std::string& who, Clock::time_point now) {
+bool RateLimit::allows(const std::string& client, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
-  if (buckets_.size() >= most_buckets && !buckets_.contains(who)) {
-    forget_full(now);
-    if (buckets_.size() >= most_buckets) return false;
+  if (buckets_.size() >= max_buckets && !buckets_.contains(client)) {
+    remove_full_buckets(now);
+    if (buckets_.size() >= max_buckets) return false;
   }
-  const auto found = buckets_.try_emplace(who, Bucket{rate_.burst, now}).first;
+  const auto found = buckets_.try_emplace(client, Bucket{rate_.burst, now}).first;
   found->second.left = left(found->second, now);
   found->second.filled = now;
   if (found->second.left < 1) return false;

@@ -21,7 +21,7 @@ class RateLimit {
   explicit RateLimit(Rate rate) : rate_(rate) {}
 
   /// Takes a token from the client's bucket; false when it is empty.
-  bool allows(const std::string& who, Clock::time_point now = Clock::now());
+  bool allows(const std::string& client, Clock::time_point now = Clock::now());
 
  private:
   struct Bucket {
@@ -29,7 +29,7 @@ class RateLimit {
     Clock::time_point filled;
   };
 
-  void forget_full(Clock::time_point now);
+  void remove_full_buckets(Clock::time_point now);
   double left(const Bucket& bucket, Clock::time_point now) const;
 
   Rate rate_;

@@ -66,8 +66,8 @@ RequestHead parse_request_head(std::string_view text, const RequestLimits& limit
   if (head.lacks_host) head.refused = 400;
   head.method = std::string(lines.method_string());
   head.target = std::string(lines.target());
-  head.stays = lines.version() == 11 && lines.keep_alive();
-  head.awaits_word = boost::beast::iequals(lines[http::field::expect], "100-continue");
+  head.is_persistent = lines.version() == 11 && lines.keep_alive();
+  head.expects_continue = boost::beast::iequals(lines[http::field::expect], "100-continue");
   head.body_length = parser.content_length().value_or(0);
   for (const auto& line : lines)
     head.headers.emplace(boost::algorithm::to_lower_copy(std::string(line.name_string())),

@@ -23,9 +23,9 @@ struct RequestLimits {
 struct RequestHead {
   int refused = 0;  ///< HTTP status with which it is refused; 0: it is not
   std::string method;
-  std::string target;  ///< visible ASCII, from '/'
-  bool stays = true;   ///< persistent connection: further requests may follow
-  bool awaits_word =
+  std::string target;         ///< visible ASCII, from '/'
+  bool is_persistent = true;  ///< persistent connection: further requests may follow
+  bool expects_continue =
       false;  ///< "Expect: 100-continue": the body is sent only after an interim response
   bool lacks_host = false;  ///< the request is refused because it has no Host header
   std::size_t body_length = 0;

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 namespace {
 
 /// application_id ("mien") and user_version, the version of the tables below.
-constexpr std::int64_t store_mark = 0x6d69656e;
+constexpr std::int64_t store_application_id = 0x6d69656e;
 constexpr std::int64_t store_version = 1;
 
 constexpr const char* store_tables = R"(
@@ -35,7 +35,7 @@ CREATE TABLE records(
 PRAGMA application_id = 1835623790;
 PRAGMA user_version = 1;
 )";
-static_assert(store_mark == 1835623790);
+static_assert(store_application_id == 1835623790);
 
 constexpr std::string_view record_columns =
     "SELECT session, position, name, content, kept_at FROM records";
@@ -47,7 +47,7 @@ std::vector<StoredRecord> read_records(Statement& statement) {
                        .position = static_cast<int>(statement.number(1)),
                        .name = statement.text(2),
                        .content = statement.text(3),
-                       .kept_at = statement.text(4)});
+                       .stored_at = statement.text(4)});
   return records;
 }
 
@@ -64,7 +64,7 @@ void insert_session(Database& database, const StoredSession& session) {
                       "VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
   statement
       .with(session.index, session.plan, session.participant, session.link, session.begun_at,
-            session.came_by)
+            session.entry_route)
       .finish();
 }
 
@@ -72,7 +72,7 @@ void insert_record(Database& database, const StoredRecord& record) {
   Statement statement(database,
                       "INSERT INTO records(session, position, name, content, kept_at) "
                       "VALUES(?1, ?2, ?3, ?4, ?5)");
-  statement.with(record.session, record.position, record.name, record.content, record.kept_at)
+  statement.with(record.session, record.position, record.name, record.content, record.stored_at)
       .finish();
 }
 
@@ -95,7 +95,7 @@ SessionStore::~SessionStore() {
   }
 }
 
-void SessionStore::refuse_lack_of_log(bool is_new) {
+void SessionStore::refuse_missing_log(bool is_new) {
   if (!lacks_log_) return;
   if (!is_new) {
     Statement open(database_, "SELECT value FROM facts WHERE name = 'open'");
@@ -112,15 +112,15 @@ void SessionStore::refuse_lack_of_log(bool is_new) {
 void SessionStore::prepare() {
   const std::int64_t mark = database_.pragma("application_id");
   const std::int64_t version = database_.pragma("user_version");
-  if (mark == store_mark && version == store_version) {
-    refuse_lack_of_log(false);
+  if (mark == store_application_id && version == store_version) {
+    refuse_missing_log(false);
     return;
   }
   Statement tables(database_, "SELECT count(*) FROM sqlite_schema");
   tables.with().step();
   const bool is_new = mark == 0 && version == 0 && tables.number(0) == 0;
   tables.with();
-  if (mark == store_mark)
+  if (mark == store_application_id)
     throw Error({database_.file().string()},
                 "answers in a format of version " + std::to_string(version) +
                     ", which this version of mien does not know",
@@ -128,7 +128,7 @@ void SessionStore::prepare() {
   if (!is_new)
     throw Error({database_.file().string()}, "is a different kind of database",
                 "name another file with --store");
-  refuse_lack_of_log(true);
+  refuse_missing_log(true);
   Transaction transaction(database_);
   database_.run(store_tables);
   transaction.commit();
@@ -171,32 +171,32 @@ std::vector<StoredSession> SessionStore::sessions() {
                         .participant = statement.text(2),
                         .link = statement.text(3),
                         .begun_at = statement.text(4),
-                        .came_by = statement.text(5)});
+                        .entry_route = statement.text(5)});
   return sessions;
 }
 
-bool SessionStore::come(int session, const std::string& came_by, const std::string& now) {
+bool SessionStore::mark_begun(int session, const std::string& entry_route, const std::string& now) {
   const std::lock_guard lock(mutex_);
   Statement statement(database_,
                       "UPDATE sessions SET begun_at = ?2, came_by = ?3 "
                       "WHERE number = ?1 AND begun_at = ''");
-  return statement.with(session, now, came_by).finish() > 0;
+  return statement.with(session, now, entry_route).finish() > 0;
 }
 
-Keeping SessionStore::keep(const StoredRecord& record) {
+RecordOutcome SessionStore::keep(const StoredRecord& record) {
   const std::lock_guard lock(mutex_);
   Transaction transaction(database_);
-  Statement kept(database_, "SELECT content FROM records WHERE session = ?1 AND name = ?2");
-  if (kept.with(record.session, record.name).step())
-    return kept.text(0) == record.content ? Keeping::same : Keeping::other;
+  Statement stored(database_, "SELECT content FROM records WHERE session = ?1 AND name = ?2");
+  if (stored.with(record.session, record.name).step())
+    return stored.text(0) == record.content ? RecordOutcome::same : RecordOutcome::other;
   Statement count(database_, "SELECT count(*) FROM records WHERE session = ?1");
   count.with(record.session).step();
-  if (count.number(0) != record.position) return Keeping::out_of_order;
+  if (count.number(0) != record.position) return RecordOutcome::out_of_order;
   insert_record(database_, record);
   // A read statement that is still open would block the commit.
   count.with();
   transaction.commit();
-  return Keeping::kept;
+  return RecordOutcome::stored;
 }
 
 std::vector<StoredRecord> SessionStore::records() {

@@ -17,20 +17,20 @@ struct StoredSession {
   std::string participant;  ///< "p001"
   std::string link;         ///< secret part of its address (random_link)
   std::string begun_at;     ///< ISO 8601 time of the first visit; empty: not begun
-  std::string came_by;      ///< "link" or "join"; empty: not begun
+  std::string entry_route;  ///< "link" or "join"; empty: not begun
 };
 
 /// A record that the page of a participant has sent.
 struct StoredRecord {
-  int session = 0;      ///< index
-  int position = 0;     ///< 0, 1, … in the order of the session
-  std::string name;     ///< "trial-7"
-  std::string content;  ///< stored without change
-  std::string kept_at;  ///< ISO 8601 time of storing
+  int session = 0;        ///< index
+  int position = 0;       ///< 0, 1, … in the order of the session
+  std::string name;       ///< "trial-7"
+  std::string content;    ///< stored without change
+  std::string stored_at;  ///< ISO 8601 time of storing
 };
 
-enum class Keeping {
-  kept,         ///< stored; it is on the disk
+enum class RecordOutcome {
+  stored,       ///< stored; it is on the disk
   same,         ///< the same record was stored before
   other,        ///< another record was stored at that position, and remains
   out_of_order  ///< an earlier record of the session is missing
@@ -62,16 +62,16 @@ class SessionStore {
   void add(const StoredSession& session, const StoredRecord& first);
 
   /// Marks a session as begun at `now`; false when it had begun before.
-  bool come(int session, const std::string& came_by, const std::string& now);
+  bool mark_begun(int session, const std::string& entry_route, const std::string& now);
 
-  Keeping keep(const StoredRecord& record);
+  RecordOutcome keep(const StoredRecord& record);
 
   std::vector<StoredRecord> records();
   std::vector<StoredRecord> records_of(int session);
 
  private:
   void prepare();
-  void refuse_lack_of_log(bool is_new);
+  void refuse_missing_log(bool is_new);
 
   std::mutex mutex_;
   bool lacks_log_ = false;  ///< the file existed without its log

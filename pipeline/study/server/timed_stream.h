@@ -46,13 +46,13 @@ class TimedStream {
   /// Waits briefly until the socket is ready; false, with the reason in `error`, when waiting must
   /// end.
   bool wait(short event, ErrorCode& error) {
-    constexpr std::chrono::milliseconds glance{200};
+    constexpr std::chrono::milliseconds poll_interval{200};
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());
     if (left.count() <= 0) error = boost::asio::error::timed_out;
     if (event == POLLIN && is_stopping_) error = boost::asio::error::operation_aborted;
     if (error != boost::asio::error::would_block) return false;
-    pollfd watched{socket_.native_handle(), event, 0};
-    poll(&watched, 1, static_cast<int>(std::min(left, glance).count()));
+    pollfd polled_socket{socket_.native_handle(), event, 0};
+    poll(&polled_socket, 1, static_cast<int>(std::min(left, poll_interval).count()));
     return true;
   }
 

@@ -44,7 +44,7 @@ ordered_json document_of(const std::string& text, const std::string& file,
 }
 
 /// Resolves symbolic links, so that their target is written.
-fs::path real_place(const fs::path& file) {
+fs::path resolved_file(const fs::path& file) {
   std::error_code unknown;
   fs::path real = fs::canonical(file, unknown);
   return unknown ? file : real;
@@ -104,7 +104,7 @@ ManifestState ManifestFile::reload() {
 }
 
 void ManifestFile::write(const std::string& text) const {
-  const fs::path real = real_place(file_);
+  const fs::path real = resolved_file(file_);
   const fs::path next = real.parent_path() / ("." + real.filename().string() + "." + random_link());
   std::error_code unknown;
   const fs::file_status before = fs::status(real, unknown);
@@ -113,12 +113,13 @@ void ManifestFile::write(const std::string& text) const {
   replace_file(real, next, text);
 }
 
-Saving ManifestFile::save(const std::string& text, const ordered_json& document,
-                          const std::string& version) {
+SaveResult ManifestFile::save(const std::string& text, const ordered_json& document,
+                              const std::string& version) {
   const std::lock_guard lock(mutex_);
   const std::optional<std::string> found = text_on_disk();
   if (version != (found ? hash_of(*found) : ""))
-    return {Saving::Outcome::elsewhere, found ? state_of(*found) : state_of(state_.text, false)};
+    return {SaveResult::Outcome::elsewhere,
+            found ? state_of(*found) : state_of(state_.text, false)};
   ManifestState next = state_of(text);
   if (json(next.document) != json(document))
     throw Error({file_.string()}, "the text to be saved differs from what the page shows",
@@ -130,7 +131,7 @@ Saving ManifestFile::save(const std::string& text, const ordered_json& document,
   }
   state_ = std::move(next);
   is_on_disk_ = true;
-  return {is_other ? Saving::Outcome::saved : Saving::Outcome::unchanged, state_};
+  return {is_other ? SaveResult::Outcome::saved : SaveResult::Outcome::unchanged, state_};
 }
 
 }  // namespace mien::pipeline

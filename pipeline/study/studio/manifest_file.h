@@ -19,7 +19,7 @@ struct ManifestState {
 };
 
 /// The result of saving.
-struct Saving {
+struct SaveResult {
   enum class Outcome {
     saved,
     unchanged,  ///< there was nothing to write
@@ -51,8 +51,8 @@ class ManifestFile {
   /// `version` the version of the file that was edited; when the file has another version, nothing
   /// is written. Throws Faults for a manifest that `mien check` refuses, Error for a text whose
   /// content is not `document`, and WriteFailure; nothing is written then.
-  Saving save(const std::string& text, const nlohmann::ordered_json& document,
-              const std::string& version);
+  SaveResult save(const std::string& text, const nlohmann::ordered_json& document,
+                  const std::string& version);
 
   /// Reads the file again. Throws Faults for a manifest that `mien check` refuses.
   ManifestState reload();

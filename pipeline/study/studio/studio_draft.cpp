@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t most_vocabularies = 8;
+constexpr std::size_t max_vocabularies = 8;
 
 /// Visits all texts of a document with their paths.
 void each_text(const ordered_json& value, const std::string& path, const auto& visit) {
@@ -33,24 +33,24 @@ ordered_json filler(std::size_t place) {
 }
 
 /// Escapes "$", so that expanded variables are not expanded again.
-void keep_dollars(ordered_json& value) {
+void escape_dollars(ordered_json& value) {
   if (value.is_string()) {
     std::string& text = value.get_ref<std::string&>();
     for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", at + 3))
       text.insert(at, "$");
   }
   if (!value.is_structured()) return;
-  for (auto& one : value) keep_dollars(one);
+  for (auto& one : value) escape_dollars(one);
 }
 
 /// A page's document as the text of a manifest.
 std::string manifest_text(ordered_json document) {
-  keep_dollars(document);
+  escape_dollars(document);
   return document.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 /// Path of the first occurrence of a text in a document; empty without one.
-std::string first_place_of(const std::string& text, const ordered_json& document) {
+std::string first_path_of(const std::string& text, const ordered_json& document) {
   std::string place;
   each_text(document, "", [&](const std::string& one, const std::string& path) {
     if (place.empty() && one == text) place = path;
@@ -71,19 +71,19 @@ ManifestReading DraftReader::reading_of(const ordered_json& document) const {
   return parse_manifest(manifest_text(document), file_, environment_);
 }
 
-void DraftReader::admit(const ordered_json& document, const ordered_json& known) const {
+void DraftReader::check_files(const ordered_json& document, const ordered_json& known) const {
   const StudioPlaces places(file_, known);
-  std::vector<NamedFile> others = files_named(manifest_text(document), file_, environment_);
+  std::vector<NamedFile> others = named_files(manifest_text(document), file_, environment_);
   std::erase_if(others, [&](const NamedFile& one) {
-    return places.hold(std::filesystem::absolute(one.file).string());
+    return places.contains(std::filesystem::absolute(one.file).string());
   });
   if (others.empty()) return;
-  const std::vector<NamedFile> before = files_named(manifest_text(known), file_, environment_);
+  const std::vector<NamedFile> before = named_files(manifest_text(known), file_, environment_);
   std::vector<Fault> faults;
   for (const NamedFile& one : others) {
     if (std::ranges::find(before, one.file, &NamedFile::file) != before.end()) continue;
     faults.push_back({{},
-                      first_place_of(one.text, document),
+                      first_path_of(one.text, document),
                       motion::in_quotes(one.text) + " is neither named in the manifest nor a "
                                                     "motion, folder or character inside its folder",
                       "choose an existing one, or enter it in the manifest by hand and reload"});
@@ -108,7 +108,7 @@ Manifest DraftReader::read(const ordered_json& document) {
 }
 
 Manifest DraftReader::read_examples(const ordered_json& asked) {
-  ordered_json document = document_about(asked, {});
+  ordered_json document = document_excerpt(asked, {});
   document["stimuli"] = {{{"id", "none"}, {"weights", {{"none", 1}}}}};
   ManifestReading reading = reading_of(document);
   if (!reading.faults.empty()) throw DraftFaults(std::move(reading.faults));
@@ -119,7 +119,7 @@ Vocabulary DraftReader::vocabulary(const std::string& key, const Manifest& manif
   const std::lock_guard lock(mutex_);
   const auto found = vocabularies_.find(key);
   if (found != vocabularies_.end()) return found->second;
-  if (vocabularies_.size() >= most_vocabularies) vocabularies_.clear();
+  if (vocabularies_.size() >= max_vocabularies) vocabularies_.clear();
   return vocabularies_.emplace(key, vocabulary_of(manifest)).first->second;
 }
 
@@ -130,7 +130,7 @@ std::string examples_key(const ordered_json& document) {
   return parts.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-ordered_json document_about(const ordered_json& document, const std::vector<std::string>& ids) {
+ordered_json document_excerpt(const ordered_json& document, const std::vector<std::string>& ids) {
   ordered_json about = document;
   for (const char* name : {"sheets", "overlays", "questionnaire", "matching", "equalize"})
     about.erase(name);
@@ -146,7 +146,7 @@ ordered_json document_about(const ordered_json& document, const std::vector<std:
     return is_wanted(stimulus) && stimulus.contains("foil");
   });
   if (needs_others) return about;
-  // A hold depends on a reference, which resolve_holds chooses from all candidates.
+  // A contains depends on a reference, which resolve_holds chooses from all candidates.
   const bool holds = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
     return is_wanted(stimulus) && stimulus.contains("hold");
   });

@@ -32,7 +32,7 @@ nlohmann::ordered_json faults_json(const std::vector<Fault>& faults);
 
 /// Reads the documents of a page with the checks of manifests. Thread-safe.
 ///
-/// Every document must first pass `admit`.
+/// Every document must first pass `check_files`.
 class DraftReader {
  public:
   DraftReader(std::filesystem::path file, Environment environment)
@@ -41,7 +41,8 @@ class DraftReader {
   /// Checks the file names in a document: allowed are those in the manifest as opened or saved
   /// (`known`), and motions, folders and characters in its places (studio_places.h). Opens no file.
   /// Throws DraftFaults.
-  void admit(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known) const;
+  void check_files(const nlohmann::ordered_json& document,
+                   const nlohmann::ordered_json& known) const;
 
   /// The manifest of a document that was admitted. Throws DraftFaults.
   Manifest read(const nlohmann::ordered_json& document);
@@ -66,7 +67,7 @@ std::string examples_key(const nlohmann::ordered_json& document);
 /// The parts of a document that determine the motions and films of those stimuli, without sheets,
 /// overlays and questionnaire. Stimuli that they depend on are included: the source of a foil, and
 /// the references of a hold. Other stimuli are replaced by placeholders, so that indices stay.
-nlohmann::ordered_json document_about(const nlohmann::ordered_json& document,
-                                      const std::vector<std::string>& ids);
+nlohmann::ordered_json document_excerpt(const nlohmann::ordered_json& document,
+                                        const std::vector<std::string>& ids);
 
 }  // namespace mien::pipeline

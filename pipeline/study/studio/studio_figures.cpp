@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_characters = 4;
-constexpr std::size_t most_figure_files = 8;
+constexpr std::size_t max_characters = 4;
+constexpr std::size_t max_figure_files = 8;
 
 /// The options of a mannequin that is shown, if one is.
 const scenes::MannequinOptions* mannequin_in(const scenes::Figure& figure) {
@@ -69,9 +69,9 @@ void put(std::string& bytes, double value) {
 }
 
 std::string rig_poses(const scenes::Character& character, const motion::Clip& clip) {
-  const motion::Clip worn = scenes::retargeted_to(character, clip);
+  const motion::Clip fitted_figure = scenes::retargeted_to(character, clip);
   std::string positions, rotations;
-  for (const motion::Pose& pose : worn.poses) {
+  for (const motion::Pose& pose : fitted_figure.poses) {
     const motion::JointTransforms rig = scenes::rig_pose(character, pose);
     for (const motion::Vec3& position : rig.positions)
       for (const double metres : position) put(positions, metres);
@@ -83,27 +83,28 @@ std::string rig_poses(const scenes::Character& character, const motion::Clip& cl
 
 }  // namespace
 
-StudioFigures::Kept StudioFigures::character(const fs::path& file, const motion::Skeleton& body) {
+StudioFigures::CachedCharacter StudioFigures::character(const fs::path& file,
+                                                        const motion::Skeleton& body) {
   const std::string key = key_of(file, body);
-  for (const auto& [asked, kept] : characters_)
-    if (asked == key) return kept;
+  for (const auto& [cached_key, cached] : characters_)
+    if (cached_key == key) return cached;
   characters_.emplace_front(key, std::make_shared<const scenes::Character>(
                                      scenes::scaled_to_body(scenes::read_character(file), body)));
-  if (characters_.size() > most_characters) characters_.pop_back();
+  if (characters_.size() > max_characters) characters_.pop_back();
   return characters_.front().second;
 }
 
-StudioFigure StudioFigures::worn(const scenes::Figure& figure, scenes::Role role,
-                                 const motion::Clip& clip) {
+StudioFigure StudioFigures::fitted_figure(const scenes::Figure& figure, scenes::Role role,
+                                          const motion::Clip& clip) {
   const std::string key = key_of(figure, role, clip.body);
   if (key.empty()) return {};
-  StudioFigure worn{.key = digest_of(key)};
+  StudioFigure fitted_figure{.key = digest_of(key)};
   if (const fs::path* own = scenes::file_of(figure)) {
-    const Kept kept = character(*own, clip.body);
-    worn.joints = kept->rig.size();
-    worn.poses = rig_poses(*kept, clip);
+    const CachedCharacter cached = character(*own, clip.body);
+    fitted_figure.joints = cached->rig.size();
+    fitted_figure.poses = rig_poses(*cached, clip);
   }
-  return worn;
+  return fitted_figure;
 }
 
 const std::string& StudioFigures::file(const std::string& key, const scenes::Figure& figure,
@@ -111,14 +112,14 @@ const std::string& StudioFigures::file(const std::string& key, const scenes::Fig
   static const std::string none;
   const std::string own = key_of(figure, role, body);
   if (own.empty() || digest_of(own) != key) return none;
-  for (const auto& [asked, file] : files_)
-    if (asked == key) return file;
+  for (const auto& [cached_key, file] : files_)
+    if (cached_key == key) return file;
   const auto* options = mannequin_in(figure);
   files_.emplace_front(
       key, options != nullptr
                ? to_glb(scenes::make_mannequin(body, *options, scenes::colours_of(role)), body)
                : to_glb(*character(*scenes::file_of(figure), body)));
-  if (files_.size() > most_figure_files) files_.pop_back();
+  if (files_.size() > max_figure_files) files_.pop_back();
   return files_.front().second;
 }
 

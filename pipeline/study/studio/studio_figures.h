@@ -31,7 +31,8 @@ class StudioFigures {
  public:
   /// The figure of a clip, with its poses. Point lights, sticks and non-human bodies have no file.
   /// A trail has the figure of its body. Throws Error when a character cannot be read.
-  StudioFigure worn(const scenes::Figure& figure, scenes::Role role, const motion::Clip& clip);
+  StudioFigure fitted_figure(const scenes::Figure& figure, scenes::Role role,
+                             const motion::Clip& clip);
 
   /// The GLB file with that key (skinned_glb.h); empty where the figure has another key or no file.
   /// Throws Error.
@@ -39,11 +40,11 @@ class StudioFigures {
                           const motion::Skeleton& body);
 
  private:
-  using Kept = std::shared_ptr<const scenes::Character>;
+  using CachedCharacter = std::shared_ptr<const scenes::Character>;
 
-  Kept character(const std::filesystem::path& file, const motion::Skeleton& body);
+  CachedCharacter character(const std::filesystem::path& file, const motion::Skeleton& body);
 
-  std::deque<std::pair<std::string, Kept>> characters_;    ///< most recently used first
+  std::deque<std::pair<std::string, CachedCharacter>> characters_;  ///< most recently used first
   std::deque<std::pair<std::string, std::string>> files_;  ///< by key, most recently used first
 };
 

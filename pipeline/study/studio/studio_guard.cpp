@@ -21,7 +21,7 @@ bool is_followed_link(const HttpRequest& request) {
 
 }  // namespace
 
-std::optional<HttpResponse> unwelcome(const HttpRequest& request, int port) {
+std::optional<HttpResponse> cross_site_refusal(const HttpRequest& request, int port) {
   const std::string host = header_of(request, "host"), origin = header_of(request, "origin"),
                     site = header_of(request, "sec-fetch-site");
   if (!is_this_machine(host, port))

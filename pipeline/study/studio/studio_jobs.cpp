@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The manifest with the film of one stimulus alone, in a format for browsers.
-Manifest to_be_shown(Manifest manifest, const std::string& id,
-                     const std::optional<Quality>& quality) {
+Manifest browser_manifest(Manifest manifest, const std::string& id,
+                          const std::optional<Quality>& quality) {
   for (Stimulus& stimulus : manifest.stimuli) {
     Output& output = stimulus.output;
     if (stimulus.id != id) continue;
@@ -75,7 +75,7 @@ std::optional<int> StudioJobs::begin(StudioJob job) {
   kind_ = job.kind == StudioJob::Kind::still ? "still" : "video";
   stimulus_ = job.stimulus;
   state_ = "running";
-  told_.clear();
+  message_.clear();
   result_.clear();
   share_ = 0.0;
   thread_ =
@@ -83,17 +83,17 @@ std::optional<int> StudioJobs::begin(StudioJob job) {
   return ++number_;
 }
 
-nlohmann::ordered_json StudioJobs::told(int job) const {
-  nlohmann::ordered_json told = last();
-  if (!told.is_null() && told["job"] != job) return nullptr;
-  return told;
+nlohmann::ordered_json StudioJobs::status(int job) const {
+  nlohmann::ordered_json status = last();
+  if (!status.is_null() && status["job"] != job) return nullptr;
+  return status;
 }
 
 nlohmann::ordered_json StudioJobs::last() const {
   const std::lock_guard lock(mutex_);
   if (number_ == 0) return nullptr;
   return {{"job", number_},  {"kind", kind_},          {"stimulus", stimulus_},
-          {"state", state_}, {"share", share_.load()}, {"told", told_}};
+          {"state", state_}, {"share", share_.load()}, {"told", message_}};
 }
 
 void StudioJobs::cancel() {
@@ -107,10 +107,10 @@ std::optional<fs::path> StudioJobs::result(int job) const {
   return result_;
 }
 
-void StudioJobs::end(const std::string& state, const std::string& told) {
+void StudioJobs::end(const std::string& state, const std::string& status) {
   const std::lock_guard lock(mutex_);
   state_ = state;
-  told_ = told;
+  message_ = status;
 }
 
 void StudioJobs::work(const StudioJob& job, const std::stop_token& stop) {
@@ -131,15 +131,15 @@ void StudioJobs::work(const StudioJob& job, const std::stop_token& stop) {
 }
 
 fs::path StudioJobs::make_still(const StudioJob& job, const std::stop_token& stop) {
-  const Manifest manifest = to_be_shown(job.manifest, job.stimulus, job.quality);
+  const Manifest manifest = browser_manifest(job.manifest, job.stimulus, job.quality);
   Motions motions(manifest);
   const Stimulus& stimulus = *find_stimulus(manifest, job.stimulus);
   const scenes::Shot shot = shot_of(stimulus, motions, manifest.seed);
   const FilmSettings settings{
       .output = stimulus.output, .seed = manifest.seed, .threads = threads_};
-  const double asked = std::max(0.0, job.seconds) * stimulus.output.fps;
+  const double requested_frame = std::max(0.0, job.seconds) * stimulus.output.fps;
   const int last = shot.frame_count() - 1;
-  const int frame = asked < last ? static_cast<int>(std::lround(asked)) : last;
+  const int frame = requested_frame < last ? static_cast<int>(std::lround(requested_frame)) : last;
   if (stop.stop_requested()) throw Interrupted{};
   make_folder(folder_ / "stills");
   ResultFile still(folder_ / "stills" / fmt::format("{}-{:05}.png", job.stimulus, frame));
@@ -151,7 +151,7 @@ fs::path StudioJobs::make_still(const StudioJob& job, const std::stop_token& sto
 }
 
 fs::path StudioJobs::make_video(const StudioJob& job, const std::stop_token& stop) {
-  Production production(to_be_shown(job.manifest, job.stimulus, job.quality),
+  Production production(browser_manifest(job.manifest, job.stimulus, job.quality),
                         {.only = {job.stimulus}, .jobs = threads_});
   RunShare share(production.graph(), share_);
   const RunResult result = run(production, folder_, threads_, stop, share.observer());

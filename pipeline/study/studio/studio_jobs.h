@@ -43,7 +43,7 @@ class StudioJobs {
   /// {"job": 3, "kind": "still", "stimulus": …, "state": "running", "done", "failed" or
   /// "cancelled", "share": 0 … 1, "told": error message, or path of the result}; null unless `job`
   /// is the last one.
-  nlohmann::ordered_json told(int job) const;
+  nlohmann::ordered_json status(int job) const;
 
   /// The status of the last job; null before the first.
   nlohmann::ordered_json last() const;
@@ -58,13 +58,13 @@ class StudioJobs {
   void work(const StudioJob& job, const std::stop_token& stop);
   std::filesystem::path make_still(const StudioJob& job, const std::stop_token& stop);
   std::filesystem::path make_video(const StudioJob& job, const std::stop_token& stop);
-  void end(const std::string& state, const std::string& told);
+  void end(const std::string& state, const std::string& status);
 
   std::filesystem::path folder_;
   int threads_;
   mutable std::mutex mutex_;
   int number_ = 0;
-  std::string kind_, stimulus_, state_ = "none", told_;
+  std::string kind_, stimulus_, state_ = "none", message_;
   std::filesystem::path result_;
   std::atomic<double> share_ = 0.0;
   std::jthread thread_;

@@ -19,8 +19,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t most_studies = 4;
-constexpr std::size_t most_motions = 48;
+constexpr std::size_t max_studies = 4;
+constexpr std::size_t max_motions = 48;
 
 ordered_json findings_json(const std::vector<motion::Finding>& findings) {
   ordered_json list = ordered_json::array();
@@ -118,15 +118,16 @@ Motions& StudioMotions::study(const ordered_json& document) {
   auto manifest = std::make_unique<const Manifest>(reader_.read_examples(document));
   auto motions = std::make_unique<Motions>(*manifest);
   studies_.push_front({key, std::move(manifest), std::move(motions)});
-  if (studies_.size() > most_studies) studies_.pop_back();
+  if (studies_.size() > max_studies) studies_.pop_back();
   return *studies_.front().motions;
 }
 
-StudioMotions::Kept StudioMotions::made(const ordered_json& document, const std::string& name) {
-  const ordered_json about = without_looks(document_about(document, {name}));
+StudioMotions::CachedMotion StudioMotions::made(const ordered_json& document,
+                                                const std::string& name) {
+  const ordered_json about = without_looks(document_excerpt(document, {name}));
   const std::string key = name + "\n" + text_of(about);
-  for (const auto& [asked, kept] : made_)
-    if (asked == key) return kept;
+  for (const auto& [cached_key, cached] : motion_cache_)
+    if (cached_key == key) return cached;
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
   auto motion = std::make_shared<StudioMotion>();
@@ -141,22 +142,23 @@ StudioMotions::Kept StudioMotions::made(const ordered_json& document, const std:
             ? synthesize(*stimulus, repertoire)
             : synthesize_example(name, motion->output, manifest.interpolation, repertoire);
   }
-  made_.emplace_front(key, motion);
-  if (made_.size() > most_motions) made_.pop_back();
+  motion_cache_.emplace_front(key, motion);
+  if (motion_cache_.size() > max_motions) motion_cache_.pop_back();
   return motion;
 }
 
 StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const std::string& name) {
-  const ordered_json about = document_about(document, {name});
+  const ordered_json about = document_excerpt(document, {name});
   const std::string key = name + "\n" + looks_of(about);
-  for (const auto& [asked, kept] : shown_)
-    if (asked == key) return kept;
+  for (const auto& [cached_key, cached] : shown_cache_)
+    if (cached_key == key) return cached;
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
-  shown_.emplace_front(key, stimulus == nullptr ? Shown{manifest.look.figure}
-                                                : Shown{stimulus->look.figure, stimulus->role});
-  if (shown_.size() > most_motions) shown_.pop_back();
-  return shown_.front().second;
+  shown_cache_.emplace_front(key, stimulus == nullptr
+                                      ? Shown{manifest.look.figure}
+                                      : Shown{stimulus->look.figure, stimulus->role});
+  if (shown_cache_.size() > max_motions) shown_cache_.pop_back();
+  return shown_cache_.front().second;
 }
 
 std::string StudioMotions::motion(const ordered_json& document, const std::string& show,
@@ -164,14 +166,14 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
   const std::lock_guard lock(mutex_);
   const auto begun = std::chrono::steady_clock::now();
   try {
-    const Kept motion = made(document, show);
+    const CachedMotion motion = made(document, show);
     ordered_json distance;
     if (!against.empty())
       distance =
           distance_json(motion::distance(compared(*made(document, against)), compared(*motion)));
     const Synthesis& synthesis = motion->synthesis;
     const Shown on = shown(document, show);
-    const StudioFigure figure = figures_.worn(on.figure, on.role, synthesis.motion.clip);
+    const StudioFigure figure = figures_.fitted_figure(on.figure, on.role, synthesis.motion.clip);
     const ordered_json weights = synthesis.weights.size() == 0
                                      ? ordered_json::object()
                                      : weights_json(synthesis, study(document).repertoire());
@@ -199,7 +201,7 @@ std::string StudioMotions::figure(const ordered_json& document, const std::strin
   const std::lock_guard lock(mutex_);
   try {
     const Shown on = shown(document, show);
-    const Kept motion = made(document, show);
+    const CachedMotion motion = made(document, show);
     return figures_.file(key, on.figure, on.role, motion->synthesis.motion.clip.body);
   } catch (const Error& error) {
     throw as_fault("", error);

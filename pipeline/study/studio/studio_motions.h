@@ -57,7 +57,7 @@ class StudioMotions {
                      const std::string& key);
 
  private:
-  using Kept = std::shared_ptr<StudioMotion>;
+  using CachedMotion = std::shared_ptr<StudioMotion>;
 
   /// The figure of a motion.
   struct Shown {
@@ -66,7 +66,7 @@ class StudioMotions {
   };
 
   Motions& study(const nlohmann::ordered_json& document);
-  Kept made(const nlohmann::ordered_json& document, const std::string& name);
+  CachedMotion made(const nlohmann::ordered_json& document, const std::string& name);
   Shown shown(const nlohmann::ordered_json& document, const std::string& name);
 
   /// Examples and their ratings, without motions of stimuli.
@@ -78,9 +78,10 @@ class StudioMotions {
 
   DraftReader& reader_;
   std::mutex mutex_;
-  std::deque<Study> studies_;                        ///< most recently used first
-  std::deque<std::pair<std::string, Kept>> made_;    ///< by request, most recently used first
-  std::deque<std::pair<std::string, Shown>> shown_;  ///< by looks, most recently used first
+  std::deque<Study> studies_;  ///< most recently used first
+  std::deque<std::pair<std::string, CachedMotion>>
+      motion_cache_;                                       ///< by request, most recently used first
+  std::deque<std::pair<std::string, Shown>> shown_cache_;  ///< by looks, most recently used first
   StudioFigures figures_;
 };
 

@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr int deepest_folder = 6;
-constexpr int most_entries = 20000;  // entries visited at most
-constexpr std::size_t most_names = 400;
+constexpr int max_entries = 20000;  // entries visited at most
+constexpr std::size_t max_names = 400;
 
-fs::path without_links(const fs::path& path) {
+fs::path resolved(const fs::path& path) {
   std::error_code unknown;
   const fs::path real = fs::weakly_canonical(fs::absolute(path, unknown), unknown);
   return real.has_filename() ? real : real.parent_path();
@@ -51,12 +51,12 @@ std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : folder + "/" + name;
 }
 
-void look_into(const fs::path& folder, const std::string& name, int depth, Found& found) {
+void list_folder(const fs::path& folder, const std::string& name, int depth, Found& found) {
   std::error_code closed;
   std::vector<fs::path> below;
   for (fs::directory_iterator entry(folder, closed); !closed && entry != fs::directory_iterator();
        entry.increment(closed)) {
-    if (++found.entries > most_entries || found.characters.size() > most_names) {
+    if (++found.entries > max_entries || found.characters.size() > max_names) {
       found.is_all = false;
       return;
     }
@@ -72,33 +72,33 @@ void look_into(const fs::path& folder, const std::string& name, int depth, Found
   std::sort(below.begin(), below.end());
   for (const fs::path& one : below) {
     if (is_left_out(one)) continue;
-    if (depth == 0 || found.motions.size() >= most_names) {
+    if (depth == 0 || found.motions.size() >= max_names) {
       found.is_all = false;
       return;
     }
-    look_into(one, joined(name, one.filename().string()), depth - 1, found);
+    list_folder(one, joined(name, one.filename().string()), depth - 1, found);
   }
 }
 
 }  // namespace
 
 StudioPlaces::StudioPlaces(const fs::path& manifest, const ordered_json& known)
-    : beside_(without_links(manifest).parent_path()) {
+    : beside_(resolved(manifest).parent_path()) {
   places_.push_back({beside_, ""});
   const std::string named = examples_folder(known);
   if (named.empty()) return;
-  const fs::path folder = without_links(beside_ / named);
+  const fs::path folder = resolved(beside_ / named);
   if (!lies_in(folder, beside_)) places_.push_back({folder, named});
 }
 
-ordered_json StudioPlaces::listed() const {
+ordered_json StudioPlaces::listing() const {
   Found found;
-  for (const Place& place : places_) look_into(place.folder, place.name, deepest_folder, found);
+  for (const Place& place : places_) list_folder(place.folder, place.name, deepest_folder, found);
   ordered_json folders = ordered_json::array();
   for (auto& [folder, motions] : found.motions) {
     std::sort(motions.begin(), motions.end());
-    if (motions.size() > most_names) {
-      motions.resize(most_names);
+    if (motions.size() > max_names) {
+      motions.resize(max_names);
       found.is_all = false;
     }
     folders.push_back({{"folder", folder}, {"motions", motions}});
@@ -107,9 +107,9 @@ ordered_json StudioPlaces::listed() const {
   return {{"folders", folders}, {"characters", found.characters}, {"all", found.is_all}};
 }
 
-bool StudioPlaces::hold(const std::string& name) const {
+bool StudioPlaces::contains(const std::string& name) const {
   if (name.find('\0') != std::string::npos) return false;
-  const fs::path path = without_links(beside_ / name);
+  const fs::path path = resolved(beside_ / name);
   const bool is_inside = std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
     return lies_in(path, place.folder);
   });

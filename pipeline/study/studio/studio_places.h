@@ -20,11 +20,11 @@ class StudioPlaces {
   ///
   /// Names are as a manifest refers to them. Left out are links to folders, hidden folders, output
   /// of mien, and entries beyond limits of depth and number.
-  nlohmann::ordered_json listed() const;
+  nlohmann::ordered_json listing() const;
 
   /// Whether a text names an existing folder, motion file or character in these places, with links
   /// resolved.
-  bool hold(const std::string& name) const;
+  bool contains(const std::string& name) const;
 
  private:
   struct Place {

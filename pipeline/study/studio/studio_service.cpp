@@ -99,7 +99,7 @@ ordered_json modification() {
 /// The options of a page beside examples and sliders: "sets" of examples, "recipes" (of the
 /// manifest, and what they do), "posture" (units and what they turn), "scenes", "cameras",
 /// "figures" and, of these, "bodies", which have a surface.
-ordered_json studio_words(const ManifestFile& file) {
+ordered_json studio_options(const ManifestFile& file) {
   return {{"sets", example_sets()},
           {"recipes", recipes_of(file)},
           {"posture", posture()},
@@ -122,16 +122,16 @@ StudioService::StudioService(ManifestFile& file, std::map<std::string, ServedFil
       link_(random_link()) {}
 
 HttpResponse StudioService::answer(const HttpRequest& request) {
-  if (std::optional<HttpResponse> refusal = unwelcome(request, port_)) return *refusal;
+  if (std::optional<HttpResponse> refusal = cross_site_refusal(request, port_)) return *refusal;
   if (request.path.size() < 2 || !same_secret(request.path[0], link_)) return unknown(request);
   if (request.method == "GET" || request.method == "HEAD") return read(request);
   if (request.method == "POST") return take(request);
-  return http_wrong_method("GET, HEAD, POST");
+  return http_method_not_allowed("GET, HEAD, POST");
 }
 
 /// Many requests for unknown links suggest guessing, and are limited.
 HttpResponse StudioService::unknown(const HttpRequest& request) {
-  if (!wrong_rate_.allows(request.address)) return http_too_often();
+  if (!wrong_rate_.allows(request.address)) return http_too_many_requests();
   return http_refusal(404, "unknown", "page not found", "use the link as printed");
 }
 
@@ -159,7 +159,7 @@ HttpResponse StudioService::take(const HttpRequest& request) {
   if (body.is_discarded())
     return http_refusal(400, "malformed", "this is not JSON", "load the page again");
   try {
-    if (!is_cancel) return posted(request.path[1], body);
+    if (!is_cancel) return answer_post(request.path[1], body);
     jobs_.cancel();
     return http_value({{"cancelled", true}});
   } catch (const MalformedBody&) {
@@ -179,16 +179,16 @@ HttpResponse StudioService::take(const HttpRequest& request) {
 StudioService::Body StudioService::document_in(const Body& body) const {
   Body document = member<Body>(body, "document");
   if (!document.is_object()) throw MalformedBody{};
-  reader_.admit(document, file_.state().document);
+  reader_.check_files(document, file_.state().document);
   return document;
 }
 
-HttpResponse StudioService::posted(const std::string& what, const Body& body) {
+HttpResponse StudioService::answer_post(const std::string& what, const Body& body) {
   if (what == "motion") return motion(body);
   if (what == "choices") return http_value(motions_.choices(document_in(body)));
   if (what == "figure") return figure(body);
   if (what == "places")
-    return http_value(StudioPlaces(file_.file(), file_.state().document).listed());
+    return http_value(StudioPlaces(file_.file(), file_.state().document).listing());
   if (what == "save") return save(body);
   if (what == "reload") return http_value(state_json(file_.reload()));
   if (what == "jobs") return begin_job(body);
@@ -203,7 +203,7 @@ HttpResponse StudioService::studio_json() {
                  {"manifest", state_json(state)},
                  {"walker", page_.contains(walker_page)},
                  {"job", jobs_.last()},
-                 {"words", studio_words(file_)}};
+                 {"words", studio_options(file_)}};
   return http_value(studio);
 }
 
@@ -222,19 +222,19 @@ HttpResponse StudioService::figure(const Body& body) {
 }
 
 HttpResponse StudioService::save(const Body& body) {
-  const Saving saving = file_.save(member<std::string>(body, "text"), document_in(body),
-                                   member<std::string>(body, "version"));
-  Body told = state_json(saving.state);
-  if (saving.outcome != Saving::Outcome::elsewhere) {
-    told["saved"] = saving.outcome == Saving::Outcome::saved;
-    return http_value(told);
+  const SaveResult result = file_.save(member<std::string>(body, "text"), document_in(body),
+                                       member<std::string>(body, "version"));
+  Body status = state_json(result.state);
+  if (result.outcome != SaveResult::Outcome::elsewhere) {
+    status["saved"] = result.outcome == SaveResult::Outcome::saved;
+    return http_value(status);
   }
   return http_value(
       {{"error", "elsewhere"},
        {"wrong", file_.file().filename().string() + " has been changed since it was opened"},
        {"remedy",
         "reload it and lose the changes made here, or overwrite it with the changes made here"},
-       {"manifest", told}},
+       {"manifest", status}},
       409);
 }
 
@@ -242,7 +242,7 @@ HttpResponse StudioService::begin_job(const Body& body) {
   const std::string kind = member<std::string>(body, "kind"),
                     id = member<std::string>(body, "stimulus");
   if (kind != "still" && kind != "video") throw MalformedBody{};
-  Manifest manifest = reader_.read(document_about(document_in(body), {id}));
+  Manifest manifest = reader_.read(document_excerpt(document_in(body), {id}));
   if (find_stimulus(manifest, id) == nullptr) throw MalformedBody{};
   const std::optional<int> number =
       jobs_.begin({.kind = kind == "still" ? StudioJob::Kind::still : StudioJob::Kind::video,
@@ -253,7 +253,7 @@ HttpResponse StudioService::begin_job(const Body& body) {
   if (!number)
     return http_refusal(409, "busy", "another still or video is being rendered",
                         "wait for it, or stop it");
-  return http_value(jobs_.told(*number));
+  return http_value(jobs_.status(*number));
 }
 
 HttpResponse StudioService::job(const HttpRequest& request) {
@@ -261,8 +261,8 @@ HttpResponse StudioService::job(const HttpRequest& request) {
       request.path.size() > 2 ? motion::as_number<int>(request.path[2]) : std::nullopt;
   if (!number) return unknown(request);
   if (request.path.size() == 3) {
-    const Body told = jobs_.told(*number);
-    return told.is_null() ? unknown(request) : http_value(told);
+    const Body status = jobs_.status(*number);
+    return status.is_null() ? unknown(request) : http_value(status);
   }
   const bool is_result = request.path.size() == 4 && request.path[3] == "result";
   const auto made = is_result ? jobs_.result(*number) : std::nullopt;

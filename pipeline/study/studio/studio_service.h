@@ -24,7 +24,7 @@ inline constexpr char walker_page[] = "walk.html";
 ///
 ///     GET  /<link>/               the page, and the files of it
 ///     GET  /<link>/walk.html      the walker's page, if the motion core is compiled for browsers
-///     GET  /<link>/studio.json    the manifest, and what there is to choose from (studio_words)
+///     GET  /<link>/studio.json    the manifest, and what there is to choose from (studio_options)
 ///     POST /<link>/choices        examples and sliders for a document
 ///     POST /<link>/motion         a motion, as bytes (studio_motions.h)
 ///     POST /<link>/figure         {"document", "show", "key"}: the figure of a motion, as GLB
@@ -50,7 +50,7 @@ class StudioService {
   const std::string& link() const { return link_; }
 
   /// Sets the port of the server, which requests are checked against; before this, all are refused.
-  void listens_at(int port) { port_ = port; }
+  void set_port(int port) { port_ = port; }
 
   HttpResponse answer(const HttpRequest& request);
 
@@ -60,7 +60,7 @@ class StudioService {
   HttpResponse unknown(const HttpRequest& request);
   HttpResponse read(const HttpRequest& request);
   HttpResponse take(const HttpRequest& request);
-  HttpResponse posted(const std::string& what, const Body& body);
+  HttpResponse answer_post(const std::string& what, const Body& body);
   Body document_in(const Body& body) const;
   HttpResponse studio_json();
   HttpResponse motion(const Body& body);

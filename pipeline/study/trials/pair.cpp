@@ -8,7 +8,7 @@ namespace {
 
 std::vector<std::string> sides(const Question&) { return {"left", "right"}; }
 
-std::string side_fault(const Question& question, const GivenResponse& response) {
+std::string side_fault(const Question& question, const ItemResponse& response) {
   return choice_fault(response, sides(question));
 }
 
@@ -24,7 +24,7 @@ std::string simulated_side(const Question&, const SimulatedView& view) {
 
 constinit const TrialKind pair_trials = {.name = pair_form.name,
                                          .form = &pair_form,
-                                         .checkable = sides,
+                                         .attention_answers = sides,
                                          .fault = side_fault,
                                          .complete = complete_side,
                                          .simulated = simulated_side};

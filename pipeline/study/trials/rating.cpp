@@ -12,15 +12,15 @@ namespace mien::pipeline {
 
 namespace {
 
-std::vector<std::string> checkable_ratings(const Question& question) {
-  const AskedScale& scale = *question.scale;
+std::vector<std::string> attention_ratings(const Question& question) {
+  const ResponseScale& scale = *question.scale;
   if (scale.words) return {"yes"};
   return {shortest(least_raw(scale)), shortest(most_raw(scale))};
 }
 
-std::string rating_fault(const Question& question, const GivenResponse& response) {
+std::string rating_fault(const Question& question, const ItemResponse& response) {
   // An attention check may have no scale; pages then show the default one.
-  const AskedScale scale = question.scale == nullptr ? AskedScale() : *question.scale;
+  const ResponseScale scale = question.scale == nullptr ? ResponseScale() : *question.scale;
   if (scale.words) return response.is_number ? "an answer in words is a number" : "";
   const double least = least_raw(scale), most = most_raw(scale);
   const double raw =
@@ -39,7 +39,7 @@ void complete_rating(const Question& question, AnswerRow& row) {
 }
 
 std::string simulated_rating(const Question& question, const SimulatedView& view) {
-  const AskedScale& scale = *question.scale;
+  const ResponseScale& scale = *question.scale;
   const double opinion = view.opinion(0);
   if (scale.words)
     return (opinion - scale.least) / (scale.most - scale.least) > 0.5 ? scale.high : scale.low;
@@ -50,7 +50,7 @@ std::string simulated_rating(const Question& question, const SimulatedView& view
 
 constinit const TrialKind rating_trials = {.name = rating_form.name,
                                            .form = &rating_form,
-                                           .checkable = checkable_ratings,
+                                           .attention_answers = attention_ratings,
                                            .fault = rating_fault,
                                            .complete = complete_rating,
                                            .simulated = simulated_rating};

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 
 namespace mien::pipeline {
 
@@ -24,7 +24,7 @@ const TrialKind& trial_kind_of(const TrialForm& form) {
   return **found;
 }
 
-void put_trial(const Trial& trial, AnswerRow& row) {
+void set_trial_columns(const Trial& trial, AnswerRow& row) {
   row.trial = trial.number;
   row.block = trial.block;
   row.kind = trial.kind_name();
@@ -36,42 +36,42 @@ void put_trial(const Trial& trial, AnswerRow& row) {
   row.expected = trial.expected;
 }
 
-std::string choice_fault(const GivenResponse& response, const std::vector<std::string>& choices) {
+std::string choice_fault(const ItemResponse& response, const std::vector<std::string>& choices) {
   const bool is_chosen =
       !response.is_number && std::ranges::find(choices, response.value_raw) != choices.end();
   return is_chosen ? "" : "an answer is none of those that may be chosen";
 }
 
-AskedScales asked_scales_by_item(const Manifest& manifest) {
+ResponseScales response_scales_by_item(const Manifest& manifest) {
   const AnswerSettings& answer = questionnaire_of(manifest).answer;
-  AskedScales scales;
-  for (const Scale& scale : asked_scales(manifest).scales)
+  ResponseScales scales;
+  for (const Scale& scale : questionnaire_scales(manifest).scales)
     scales[scale.id] = {answer.points, answer.slider, answer.words, scale.least,
                         scale.most,    scale.low,     scale.high};
   return scales;
 }
 
-const AskedScale* find_scale(const AskedScales& scales, const std::string& item) {
+const ResponseScale* find_scale(const ResponseScales& scales, const std::string& item) {
   const auto found = scales.find(item);
   return found == scales.end() ? nullptr : &found->second;
 }
 
-double least_raw(const AskedScale& scale) { return scale.slider ? 0.0 : 1.0; }
+double least_raw(const ResponseScale& scale) { return scale.slider ? 0.0 : 1.0; }
 
-double most_raw(const AskedScale& scale) { return scale.slider ? 100.0 : scale.points; }
+double most_raw(const ResponseScale& scale) { return scale.slider ? 100.0 : scale.points; }
 
-double value_of_raw(const AskedScale& scale, double raw, bool flipped) {
+double value_of_raw(const ResponseScale& scale, double raw, bool flipped) {
   const double from_left = (raw - least_raw(scale)) / (most_raw(scale) - least_raw(scale));
   const double share = flipped ? 1.0 - from_left : from_left;
   return scale.least + share * (scale.most - scale.least);
 }
 
-double written_value_of_raw(const AskedScale& scale, double raw, bool flipped) {
+double written_value_of_raw(const ResponseScale& scale, double raw, bool flipped) {
   const std::string text = fmt::format("{:.6f}", value_of_raw(scale, raw, flipped));
   return std::strtod(text.c_str(), nullptr) + 0.0;
 }
 
-double raw_of_value(const AskedScale& scale, double value, bool flipped) {
+double raw_of_value(const ResponseScale& scale, double value, bool flipped) {
   const double share =
       (std::clamp(value, scale.least, scale.most) - scale.least) / (scale.most - scale.least);
   const double from_left = flipped ? 1.0 - share : share;

@@ -20,11 +20,11 @@ extern const TrialKind rating_trials;
 
 /// An item of a trial: the id of a scale, or the item of the trial form (TrialForm), such as the
 /// choice of an emotion. In matching trials it is the interface, and the stimulus is the target.
-struct AskedItem {
+struct TrialItem {
   std::string item;
   bool flipped = false;  ///< the high end is at the left
 
-  friend bool operator==(const AskedItem&, const AskedItem&) = default;
+  friend bool operator==(const TrialItem&, const TrialItem&) = default;
 };
 
 /// One page of a session.
@@ -35,7 +35,7 @@ struct Trial {
   std::vector<std::string>
       stimuli;            ///< one, or two of a pair from left to right; none in an attention check
   std::string reference;  ///< stimulus beside; empty for none
-  std::vector<AskedItem> items;  ///< in the order on the page
+  std::vector<TrialItem> items;  ///< in the order on the page
   bool practice = false;
   bool warm_up = false;
   bool is_catch = false;  ///< an attention check, or a stimulus that is shown a second time
@@ -58,7 +58,7 @@ struct Trial {
 
 /// A rating scale as the questionnaire presents it. Raw answers count from the left, whichever end
 /// of the scale is there: 1 … points, or 0 … 100 on a slider.
-struct AskedScale {
+struct ResponseScale {
   int points = 5;
   bool slider = false;
   bool words = false;   ///< answered in free text, which has no value on the scale
@@ -68,37 +68,37 @@ struct AskedScale {
 };
 
 /// By item.
-using AskedScales = std::map<std::string, AskedScale>;
+using ResponseScales = std::map<std::string, ResponseScale>;
 
 /// The scales of a manifest's questionnaire, by item.
-AskedScales asked_scales_by_item(const Manifest& manifest);
+ResponseScales response_scales_by_item(const Manifest& manifest);
 
 /// The scale of an item; nullptr where the item is not a scale.
-const AskedScale* find_scale(const AskedScales& scales, const std::string& item);
+const ResponseScale* find_scale(const ResponseScales& scales, const std::string& item);
 
-double least_raw(const AskedScale& scale);
-double most_raw(const AskedScale& scale);
+double least_raw(const ResponseScale& scale);
+double most_raw(const ResponseScale& scale);
 
 /// The value of a raw answer in the scale's own range; `flipped`: the high end was at the left.
-double value_of_raw(const AskedScale& scale, double raw, bool flipped);
+double value_of_raw(const ResponseScale& scale, double raw, bool flipped);
 
 /// The same rounded to six decimals, as pages and servers write it.
-double written_value_of_raw(const AskedScale& scale, double raw, bool flipped);
+double written_value_of_raw(const ResponseScale& scale, double raw, bool flipped);
 
 /// The raw answer nearest to a value, within the range.
-double raw_of_value(const AskedScale& scale, double value, bool flipped);
+double raw_of_value(const ResponseScale& scale, double value, bool flipped);
 
 /// An item of a trial with its scale and choices. References must outlive it.
 struct Question {
   const Trial& trial;
-  const AskedItem& item;
-  const AskedScale* scale;  ///< nullptr where the item is not a scale
+  const TrialItem& item;
+  const ResponseScale* scale;  ///< nullptr where the item is not a scale
   const std::vector<std::string>&
       choices;  ///< ids of the offered choices, in the order on the page
 };
 
 /// A response to one item, as the page sends it.
-struct GivenResponse {
+struct ItemResponse {
   std::string item;
   std::string value_raw;   ///< as text; of numbers the shortest
   bool is_number = false;  ///< it was a JSON number
@@ -108,10 +108,10 @@ struct GivenResponse {
 /// What a simulated participant perceives of one item of a trial.
 struct SimulatedView {
   std::function<double(std::size_t)>
-      opinion;           ///< value on the scale, of a stimulus by its index in the trial
-  std::string shown;     ///< level of the first stimulus in the factor named like the item
-  bool is_seen = false;  ///< the participant recognises the shown level
-  double chance = 0.0;   ///< 0 to 1
+      opinion;                 ///< value on the scale, of a stimulus by its index in the trial
+  std::string shown;           ///< level of the first stimulus in the factor named like the item
+  bool is_recognised = false;  ///< the participant recognises the shown level
+  double chance = 0.0;         ///< 0 to 1
 };
 
 /// A kind of trial: what is asked and how responses are checked, completed and simulated. An
@@ -121,9 +121,9 @@ struct TrialKind {
   const TrialForm* form = nullptr;  ///< its form in a manifest; nullptr for matching trials
 
   /// Raw answers that an attention check may request.
-  std::vector<std::string> (*checkable)(const Question&) = nullptr;
+  std::vector<std::string> (*attention_answers)(const Question&) = nullptr;
   /// Why a response is invalid; empty where it is valid.
-  std::string (*fault)(const Question&, const GivenResponse&) = nullptr;
+  std::string (*fault)(const Question&, const ItemResponse&) = nullptr;
   /// Fills in value and pole_left from the raw answer of a row.
   void (*complete)(const Question&, AnswerRow& row) = nullptr;
   /// The raw answer of a simulated participant.
@@ -145,9 +145,9 @@ inline constexpr std::array trial_kinds = {&rating_trials, &emotion_trials, &pai
 const TrialKind& trial_kind_of(const TrialForm& form);
 
 /// Sets the columns of a row of answers that describe its trial.
-void put_trial(const Trial& trial, AnswerRow& row);
+void set_trial_columns(const Trial& trial, AnswerRow& row);
 
 /// A fault where the response is not one of `choices`; otherwise empty.
-std::string choice_fault(const GivenResponse& response, const std::vector<std::string>& choices);
+std::string choice_fault(const ItemResponse& response, const std::vector<std::string>& choices);
 
 }  // namespace mien::pipeline

@@ -47,9 +47,9 @@ TEST(InstalledManifests, AreFoundWithAndWithoutFolderAndEnding) {
   const TemporaryFolder scratch;
   make_manifests(scratch.path());
   for (const char* name : {"walk", "walk.yaml", "manifests/walk", "manifests/walk.yaml"}) {
-    EXPECT_EQ(file_among(scratch.path(), name), scratch.path() / "walk.yaml") << name;
+    EXPECT_EQ(find_named_file(scratch.path(), name), scratch.path() / "walk.yaml") << name;
   }
-  EXPECT_EQ(file_among(scratch.path(), "five.scales"), scratch.path() / "five.scales.yaml");
+  EXPECT_EQ(find_named_file(scratch.path(), "five.scales"), scratch.path() / "five.scales.yaml");
 }
 
 TEST(InstalledManifests, AreNotTakenForFilesOfOtherFolders) {
@@ -57,9 +57,9 @@ TEST(InstalledManifests, AreNotTakenForFilesOfOtherFolders) {
   make_manifests(scratch.path());
   for (const char* name : {"", ".", "..", "my/walk.yaml", "/walk.yaml", "./walk.yaml", "pictures",
                            "manifests/", "../manifests/walk.yaml", "wal"}) {
-    EXPECT_EQ(file_among(scratch.path(), name), std::nullopt) << name;
+    EXPECT_EQ(find_named_file(scratch.path(), name), std::nullopt) << name;
   }
-  EXPECT_EQ(file_among({}, "walk"), std::nullopt);
+  EXPECT_EQ(find_named_file({}, "walk"), std::nullopt);
 }
 
 }  // namespace

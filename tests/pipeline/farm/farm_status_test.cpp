@@ -77,7 +77,7 @@ TEST_F(FarmStatusOfAStudy, TellsThatAllIsDoneAsPlanDoes) {
   EXPECT_TRUE(done.is_complete);
   EXPECT_EQ(done.frames.done, done.frames.total);
   const auto planned = plan(production->graph(), folder);
-  const auto seen = glance(production->graph(), folder);
+  const auto seen = quick_plan(production->graph(), folder);
   for (std::size_t i = 0; i < planned.size(); ++i) EXPECT_EQ(planned[i].state, seen[i].state);
 
   EXPECT_NE(status_text(done).find("judging by receipts and sizes; mien verify"),
@@ -138,8 +138,8 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
   EXPECT_DOUBLE_EQ(now.nodes[0].frames_per_second, 2.0);
   EXPECT_EQ(now.frames.done, 2);
   EXPECT_EQ(now.waiting.at("Priority"), 2);
-  ASSERT_EQ(now.troubles.size(), 1u);
-  EXPECT_EQ(now.troubles[0].job, "1_4");
+  ASSERT_EQ(now.problems.size(), 1u);
+  EXPECT_EQ(now.problems[0].job, "1_4");
   EXPECT_NEAR(now.seconds_left.value(), (now.frames.total - 2) / 2.0, 1e-9);
 
   const std::string text = status_text(now);
@@ -206,7 +206,7 @@ class Logs : public testing::Test {
 
   std::string log_names(const std::string& item) const {
     std::string names;
-    for (const ElementLog& log : logs_of(item, temporary.path())) {
+    for (const ElementLog& log : find_logs(item, temporary.path())) {
       names += log.file.filename().string() + " ";
     }
     return names;
@@ -224,17 +224,17 @@ TEST_F(Logs, AreFoundByItem) {
 }
 
 TEST_F(Logs, OfTroublesAreTheNewestOfTheirElement) {
-  JobTrouble trouble;
-  trouble.submission = "0002";
-  trouble.element = "2-frames.2";
-  trouble.cause = "failed (exit code 1)";
-  JobTrouble silent = trouble;
-  silent.element = "2-frames.1";
-  const auto ended = logs_of({trouble, silent}, temporary.path());
+  JobProblem problem;
+  problem.submission = "0002";
+  problem.element = "2-frames.2";
+  problem.cause = "failed (exit code 1)";
+  JobProblem unresponsive = problem;
+  unresponsive.element = "2-frames.1";
+  const auto ended = find_logs({problem, unresponsive}, temporary.path());
   ASSERT_EQ(ended.size(), 1u);
   EXPECT_EQ(ended[0].item, "0002/2-frames.2, failed (exit code 1)");
-  EXPECT_EQ(tail_of(ended[0].file, 2), "2\n3\n");
-  EXPECT_EQ(tail_of(ended[0].file, 20), "1\n2\n3\n");
+  EXPECT_EQ(last_lines(ended[0].file, 2), "2\n3\n");
+  EXPECT_EQ(last_lines(ended[0].file, 20), "1\n2\n3\n");
 }
 
 }  // namespace

@@ -76,9 +76,9 @@ TEST(Stages, HaveEveryDueTaskOnceAndEveryFrameOfACutFilmOnce) {
                       1 + static_cast<int>(random() % 300));
     std::vector<bool> is_due;
     for (std::size_t i = 0; i < study.graph.tasks.size(); ++i) is_due.push_back(random() % 3 != 0);
-    Cutting cutting;
-    cutting.chunk_frames = random() % 2 == 0 ? 0 : 1 + static_cast<int>(random() % 40);
-    const std::vector<Stage> stages = stages_of(study.graph, is_due, study.frames, cutting);
+    Chunking chunking;
+    chunking.chunk_frames = random() % 2 == 0 ? 0 : 1 + static_cast<int>(random() % 40);
+    const std::vector<Stage> stages = stages_of(study.graph, is_due, study.frames, chunking);
     const Tally tally(stages, study.frames);
     for (std::size_t i = 0; i < is_due.size(); ++i) {
       const std::string& id = study.graph.tasks[i].id;
@@ -89,8 +89,8 @@ TEST(Stages, HaveEveryDueTaskOnceAndEveryFrameOfACutFilmOnce) {
     }
     for (const Stage& stage : stages) {
       for (const Element& element : stage.elements) {
-        if (stage.name == "frames" && cutting.chunk_frames > 0) {
-          EXPECT_LE(element.frames, cutting.chunk_frames);
+        if (stage.name == "frames" && chunking.chunk_frames > 0) {
+          EXPECT_LE(element.frames, chunking.chunk_frames);
         }
       }
     }
@@ -124,7 +124,7 @@ TEST(Stages, CutLongFilmsIntoMinutesAndGatherShortOnes) {
 TEST(Stages, TakeMeasuredPaceForTheEstimate) {
   const Study study(1, 100.0, 100);
   const std::vector<bool> all(study.graph.tasks.size(), true);
-  Cutting slow;
+  Chunking slow;
   slow.pace = 30.0;
   EXPECT_EQ(stages_of(study.graph, all, study.frames, {})[1].name, "films");
   EXPECT_EQ(stages_of(study.graph, all, study.frames, slow)[1].elements.size(), 10u);
@@ -153,16 +153,16 @@ std::string items_of(const std::vector<Stage>& stages, const std::string& name) 
 TEST(Stages, LeaveOutChunksOfWhichAllFramesAreThere) {
   const Study study(1, 1000.0, 40);
   const std::vector<bool> all(study.graph.tasks.size(), true);
-  Cutting tens;
+  Chunking tens;
   tens.chunk_frames = 10;
-  std::map<std::string, FilmPieces> pieces;
-  std::vector<bool>& is_there = pieces["film:0"].is_there;
-  is_there.assign(40, true);
-  is_there[25] = false;
-  EXPECT_EQ(items_of(stages_of(study.graph, all, study.frames, tens, pieces), "frames"),
+  std::map<std::string, FilmProgress> film_progress;
+  std::vector<bool>& has_frame = film_progress["film:0"].has_frame;
+  has_frame.assign(40, true);
+  has_frame[25] = false;
+  EXPECT_EQ(items_of(stages_of(study.graph, all, study.frames, tens, film_progress), "frames"),
             "film:0[3/4] ");
-  is_there[25] = true;
-  const auto encoding = stages_of(study.graph, all, study.frames, tens, pieces);
+  has_frame[25] = true;
+  const auto encoding = stages_of(study.graph, all, study.frames, tens, film_progress);
   EXPECT_EQ(items_of(encoding, "frames"), "");
   EXPECT_EQ(items_of(encoding, "films"), "clip:0 film:0 ");
   EXPECT_NEAR(encoding[1].seconds(), 100.0, 1.0);
@@ -171,13 +171,13 @@ TEST(Stages, LeaveOutChunksOfWhichAllFramesAreThere) {
 TEST(Stages, KeepACutThatThereIs) {
   const Study study(1, 1000.0, 40);
   const std::vector<bool> all(study.graph.tasks.size(), true);
-  std::map<std::string, FilmPieces> pieces;
-  pieces["film:0"].chunks = 5;
-  pieces["film:0"].is_there.assign(24, true);
-  EXPECT_EQ(items_of(stages_of(study.graph, all, study.frames, {}, pieces), "frames"),
+  std::map<std::string, FilmProgress> film_progress;
+  film_progress["film:0"].chunks = 5;
+  film_progress["film:0"].has_frame.assign(24, true);
+  EXPECT_EQ(items_of(stages_of(study.graph, all, study.frames, {}, film_progress), "frames"),
             "film:0[4/5] film:0[5/5] ");
-  pieces["film:0"].chunks = 1;
-  EXPECT_EQ(items_of(stages_of(study.graph, all, study.frames, {}, pieces), "frames"), "");
+  film_progress["film:0"].chunks = 1;
+  EXPECT_EQ(items_of(stages_of(study.graph, all, study.frames, {}, film_progress), "frames"), "");
 }
 
 TEST(WorkItems, SayWhichPartsThereAre) {

@@ -32,11 +32,11 @@ class Submitting : public testing::Test {
   ItemNeeds needs;
 
   Submission planned(const std::vector<Stage>& stages) const {
-    JournalSubmission asked;
-    asked.number = next_submission(folder);
-    asked.request.memory = "2G";
+    JournalSubmission requested;
+    requested.number = next_submission(folder);
+    requested.request.memory = "2G";
     const StudyCall call{"/bin/mien", "/walks.yaml", folder.parent_path(), "/tmp", "walks", ""};
-    return submission_of(stages, needs, "abc", asked, folder, call, site);
+    return submission_of(stages, needs, "abc", requested, folder, call, site);
   }
 
   static std::string names(const Submission& submission) {
@@ -130,8 +130,8 @@ TEST_F(Submitting, GoesOnWhereTheJournalCannotBeWrittenAnyMore) {
   programs.add("sbatch", "mv " + file + " " + file + ".kept; mkdir -p " + file + "; echo 17");
   const Submitted submitted = submit(submission, Slurm(), journal, {});
   EXPECT_EQ(submitted.jobs.size(), 2u);
-  EXPECT_NE(submitted.unnoted.find("journal.jsonl: cannot be written"), std::string::npos)
-      << submitted.unnoted;
+  EXPECT_NE(submitted.unrecorded.find("journal.jsonl: cannot be written"), std::string::npos)
+      << submitted.unrecorded;
 }
 
 TEST_F(Submitting, LetsStagesFollowEachOtherAndTheLastJobAll) {
@@ -226,7 +226,7 @@ TEST_F(Submitting, TakesBackNothingWhenNobodyAnswers) {
       planned({stage_of_elements("frames", 2), stage_of_elements("films", 2)});
   const SubmissionJournal journal(folder);
   write_submission(submission, journal);
-  EXPECT_THROW(submit(submission, Slurm(), journal, {}), SlurmSilence);
+  EXPECT_THROW(submit(submission, Slurm(), journal, {}), SlurmTimeout);
   EXPECT_EQ(programs.text_of("cancelled"), "") << "both may have been taken";
   EXPECT_TRUE(fs::exists(submission.folder));
 }
@@ -251,9 +251,9 @@ TEST_F(Submitting, KeepsAnIntentWhoseFateIsUnknown) {
   const Submission submission = planned({stage_of_elements("films", 1)});
   const SubmissionJournal journal(folder);
   write_submission(submission, journal);
-  EXPECT_THROW(submit(submission, Slurm(), journal, {}), SlurmSilence);
+  EXPECT_THROW(submit(submission, Slurm(), journal, {}), SlurmTimeout);
   EXPECT_FALSE(journal.read().jobs.back().was_refused);
-  EXPECT_EQ(job_fates(journal.read(), {}, folder).back().kind, JobFate::Kind::unanswered);
+  EXPECT_EQ(job_statuses(journal.read(), {}, folder).back().kind, JobStatus::Kind::unconfirmed);
 }
 
 TEST(GraphKey, IsAnothersForAnotherGraphOrFolder) {
@@ -289,9 +289,9 @@ class Resuming : public testing::Test {
     }
   }
 
-  std::vector<JobFate> fates(const std::string& queue) {
+  std::vector<JobStatus> statuses(const std::string& queue) {
     for (JournalJob& job : journal.jobs) job.memory = memory;
-    return job_fates(journal, queue_rows(queue), folder);
+    return job_statuses(journal, queue_rows(queue), folder);
   }
 
   test::TemporaryFolder temporary;
@@ -301,7 +301,7 @@ class Resuming : public testing::Test {
 };
 
 TEST_F(Resuming, CountsItemsOfLiveElementsAsCovered) {
-  const auto found = fates(
+  const auto found = statuses(
       "17|17|1|COMPLETED|None|n1|0:01|mien:abc:0001:2-frames\n"
       "19|17|2|RUNNING|None|n1|0:01|mien:abc:0001:2-frames\n"
       "20|17|3|SPECIAL_EXIT|JobHeldUser||0:01|mien:abc:0001:2-frames\n"
@@ -312,32 +312,32 @@ TEST_F(Resuming, CountsItemsOfLiveElementsAsCovered) {
 
 TEST_F(Resuming, DoesNotCountOnWhatIsAboutToEnd) {
   EXPECT_TRUE(
-      covered_items(fates("19|17|2|COMPLETING|None|n1|9:01|mien:abc:0001:2-frames\n"), folder)
+      covered_items(statuses("19|17|2|COMPLETING|None|n1|9:01|mien:abc:0001:2-frames\n"), folder)
           .empty());
 }
 
 TEST_F(Resuming, LeavesTheLastJobAloneWhileItRuns) {
   EXPECT_TRUE(
-      obsolete_jobs(fates("18|18|N/A|RUNNING|None|n1|0:09|mien:abc:0001:6-rest\n")).empty());
+      obsolete_jobs(statuses("18|18|N/A|RUNNING|None|n1|0:09|mien:abc:0001:6-rest\n")).empty());
 }
 
 TEST_F(Resuming, AsksForTwiceTheMemoryThatWasTooLittle) {
   std::ofstream(folder / "farm/0001/ends/2-frames.3") << "137 0 n1 memory\n";
   std::ofstream(folder / "farm/0001/ends/2-frames.2") << "137 0 n1 \n";  // killed by somebody
   const std::string queue = "17|17|1|OUT_OF_MEMORY|OutOfMemory|n1|0:01|mien:abc:0001:2-frames\n";
-  const MemoryNeeds needs = memory_needs(fates(queue), folder);
+  const MemoryNeeds needs = memory_needs(statuses(queue), folder);
   EXPECT_EQ(needs.more, (std::map<std::string, std::string>{{"film:a", "4G"}, {"film:c", "4G"}}));
   memory = "";
-  EXPECT_EQ(memory_needs(fates(queue), folder).unknown,
+  EXPECT_EQ(memory_needs(statuses(queue), folder).unknown,
             (std::vector<std::string>{"film:a[1/2]", "film:a[2/2]", "film:c"}));
 }
 
 TEST(Memory, IsDoubledInItsUnit) {
-  EXPECT_EQ(twice_the_memory("2G"), "4G");
-  EXPECT_EQ(twice_the_memory("1500"), "3000M");
-  EXPECT_EQ(twice_the_memory("750M"), "1500M");
+  EXPECT_EQ(doubled_memory("2G"), "4G");
+  EXPECT_EQ(doubled_memory("1500"), "3000M");
+  EXPECT_EQ(doubled_memory("750M"), "1500M");
   for (const char* none : {"", "0", "G", "2GB", "-2G", "99999999999999999999"}) {
-    EXPECT_EQ(twice_the_memory(none), "") << none;
+    EXPECT_EQ(doubled_memory(none), "") << none;
   }
 }
 

@@ -132,7 +132,8 @@ TEST(WorkResults, EndAsWhatMayGoBetterNextTime) {
     for (const int code : codes) result.failed.push_back({"film:a", "", code});
     return result.code();
   };
-  std::vector<int> codes = {worker_bad_input, worker_gave_up, worker_transient, worker_no_disk};
+  std::vector<int> codes = {worker_bad_input, worker_gave_up, worker_transient,
+                            worker_disk_unavailable};
   while (!codes.empty()) {
     EXPECT_EQ(code_of_all(codes), codes.back());
     EXPECT_EQ(code_of_all({codes.rbegin(), codes.rend()}), codes.back());

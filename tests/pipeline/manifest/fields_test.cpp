@@ -169,9 +169,9 @@ questionnaire: {participants: 4, scales: emotions, consent: "yes: no", stimuli: 
   choices: {x: 悲しい, y: y}, trials: emotion, replays: 3, attention: {every: 2}, catch: {repeat: 1}, answer: {points: 7},
   demographics: [{id: age, ask: "How old?", answer: number}, {id: sex, ask: Which, answer: [f, m]}], analysis: {correction: bh}}
 )");
-  const OrderedJson text = written(manifest, Writing{});
+  const OrderedJson text = written(manifest, WritingOptions{});
   const Manifest again = parsed(text.dump());
-  EXPECT_EQ(written(again, Writing{}), text);
+  EXPECT_EQ(written(again, WritingOptions{}), text);
   ASSERT_EQ(again.stimuli.size(), 2u);
   EXPECT_EQ(again.stimuli[1].output, manifest.stimuli[1].output);
   EXPECT_EQ(again.stimuli[0].look.figure, manifest.stimuli[0].look.figure);
@@ -188,9 +188,9 @@ matching: {participants: 4, language: ja, consent: "yes: no", targets: [a], prac
   limit_s: 90.5, threshold_m: 0.05, show_distance: false, target_colour: "#112233", phones: served,
   demographics: [{id: age, ask: "How old?", answer: number}]}
 )");
-  const OrderedJson text = written(manifest, Writing{});
+  const OrderedJson text = written(manifest, WritingOptions{});
   const Manifest again = parsed(text.dump());
-  EXPECT_EQ(written(again, Writing{}), text);
+  EXPECT_EQ(written(again, WritingOptions{}), text);
   ASSERT_TRUE(again.matching);
   EXPECT_EQ(again.matching->interfaces, std::vector<std::string>{"weights"});
   EXPECT_EQ(again.matching->limit_s, 90.5);

@@ -23,7 +23,7 @@ std::string told_of(const std::function<void(Stimulus&)>& change,
   for (Stimulus& each : manifest.stimuli) each.look.figure = figure;
   change(manifest.stimuli[1]);
   std::string told;
-  for (const std::string& line : told_repetitions(manifest)) told += line + "\n";
+  for (const std::string& line : repetition_warnings(manifest)) told += line + "\n";
   return told;
 }
 

@@ -8,23 +8,23 @@ namespace mien::pipeline {
 namespace {
 
 TEST(CommandRun, PassesArgumentsAsTheyAre) {
-  const CommandEnd end = run_command({"printf", "%s|", "a b", "$HOME", "`id`", "'\"", "", "ü\n"},
-                                     std::chrono::seconds(10));
-  EXPECT_TRUE(end.is_done());
+  const CommandResult end = run_command({"printf", "%s|", "a b", "$HOME", "`id`", "'\"", "", "ü\n"},
+                                        std::chrono::seconds(10));
+  EXPECT_TRUE(end.succeeded());
   EXPECT_EQ(end.output, "a b|$HOME|`id`|'\"||ü\n|");
 }
 
 TEST(CommandRun, KeepsBothOutputsAndTheCode) {
-  const CommandEnd end =
+  const CommandResult end =
       run_command({"sh", "-c", "echo out; echo err >&2; exit 7"}, std::chrono::seconds(10));
   EXPECT_EQ(end.code, 7);
   EXPECT_EQ(end.output, "out\n");
   EXPECT_EQ(end.errors, "err\n");
-  EXPECT_FALSE(end.is_done());
+  EXPECT_FALSE(end.succeeded());
 }
 
 TEST(CommandRun, TakesMoreThanAPipeHolds) {
-  const CommandEnd end =
+  const CommandResult end =
       run_command({"sh", "-c", "yes | head -c 3000000"}, std::chrono::seconds(30));
   EXPECT_EQ(end.output.size(), 3000000u);
 }
@@ -43,7 +43,7 @@ TEST(CommandRun, TellsThatAProgramIsMissing) {
 
 TEST(CommandRun, EndsWhatTakesTooLong) {
   const auto begin = std::chrono::steady_clock::now();
-  const CommandEnd end =
+  const CommandResult end =
       run_command({"sh", "-c", "echo begun; exec sleep 60"}, std::chrono::milliseconds(300));
   EXPECT_TRUE(end.timed_out);
   EXPECT_EQ(end.output, "begun\n");

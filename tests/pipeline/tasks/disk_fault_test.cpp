@@ -35,7 +35,7 @@ TEST(DiskFault, IsToldOfAFolderThatIsAwayButNotInPlaceOfAnotherReason) {
       << told;
   const std::error_code denied(EACCES, std::generic_category());
   EXPECT_EQ(disk_fault(away, std::system_error(denied, "a.png")), "");
-  EXPECT_EQ(disk_ailment(away), "");
+  EXPECT_EQ(current_disk_problem(away), "");
 }
 
 TEST(DiskFault, IsTheSameHoweverOftenItIsAsked) {

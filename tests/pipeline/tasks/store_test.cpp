@@ -209,7 +209,7 @@ TEST_F(StoreTest, AClaimThatIsNoFileOrOnesOwnIsTakenOver) {
   EXPECT_TRUE(store.claim("film:a"));
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   EXPECT_TRUE(store.claim("film:a"));
-  write_file(file, store.presence().self().name + "\n");
+  write_file(file, store.heartbeat().self().name + "\n");
   EXPECT_TRUE(store.claim("film:a")) << "nobody else would ever give it back";
 }
 

@@ -222,13 +222,13 @@ std::string to_csv(const std::vector<AnswerRow>& rows) {
   return writer.text();
 }
 
-std::vector<Fault> doubled_answers(const std::vector<AnswerRow>& rows) {
+std::vector<Fault> duplicate_answer_faults(const std::vector<AnswerRow>& rows) {
   std::vector<Fault> faults;
   using Key = std::tuple<std::string, std::string, int, std::string, std::string>;
-  std::map<Key, const AnswerRow*> met;
+  std::map<Key, const AnswerRow*> first_answers;
   for (const AnswerRow& row : rows) {
-    const auto [first, is_new] =
-        met.emplace(Key(row.participant, row.session, row.trial, row.stimulus, row.item), &row);
+    const auto [first, is_new] = first_answers.emplace(
+        Key(row.participant, row.session, row.trial, row.stimulus, row.item), &row);
     if (is_new) continue;
     faults.push_back({row.place, "",
                       fmt::format("participant {} answers trial {} on {} a second time (first: {})",
@@ -239,34 +239,34 @@ std::vector<Fault> doubled_answers(const std::vector<AnswerRow>& rows) {
   return faults;
 }
 
-std::vector<AnswerRow> answer_rows(const CsvTable& table, Doubled doubled) {
+std::vector<AnswerRow> answer_rows(const CsvTable& table, DuplicateAnswers duplicates) {
   AnswerRowReader reader(table);
   if (!reader.faults.empty()) throw Faults(reader.faults);
   std::vector<AnswerRow> rows;
   rows.reserve(table.rows.size());
   for (const auto& fields : table.rows) rows.push_back(reader.row(fields));
-  if (doubled == Doubled::refused)
-    std::ranges::move(doubled_answers(rows), std::back_inserter(reader.faults));
+  if (duplicates == DuplicateAnswers::refused)
+    std::ranges::move(duplicate_answer_faults(rows), std::back_inserter(reader.faults));
   if (!reader.faults.empty()) throw Faults(reader.faults);
   return rows;
 }
 
-std::vector<std::string> tell_people_apart(std::vector<AnswerRow>& rows) {
+std::vector<std::string> separate_participants(std::vector<AnswerRow>& rows) {
   using Trial = std::tuple<std::string, int, std::string, std::string>;
   std::map<Trial, std::set<std::string>> sessions;
   for (const AnswerRow& row : rows)
     sessions[{row.participant, row.trial, row.stimulus, row.item}].insert(row.session);
-  std::map<std::string, std::set<std::string>> doubled;
+  std::map<std::string, std::set<std::string>> duplicates;
   for (const auto& [trial, of] : sessions)
-    if (of.size() > 1) doubled[std::get<0>(trial)].insert(of.begin(), of.end());
+    if (of.size() > 1) duplicates[std::get<0>(trial)].insert(of.begin(), of.end());
   for (AnswerRow& row : rows)
-    if (doubled.contains(row.participant)) row.participant += "/" + row.session;
-  std::vector<std::string> told;
-  for (const auto& [participant, of] : doubled)
-    told.push_back(
+    if (duplicates.contains(row.participant)) row.participant += "/" + row.session;
+  std::vector<std::string> notes;
+  for (const auto& [participant, of] : duplicates)
+    notes.push_back(
         fmt::format("participant {} has {} different sessions, treated as different people: {}",
                     motion::in_quotes(participant), of.size(), fmt::join(of, ", ")));
-  return told;
+  return notes;
 }
 
 }  // namespace mien::pipeline

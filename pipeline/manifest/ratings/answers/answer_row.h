@@ -67,7 +67,7 @@ std::string to_csv(const std::vector<AnswerRow>& rows);
 /// The fields of one row as the CSV has them.
 std::vector<std::string> fields_of_row(const AnswerRow& row);
 
-enum class Doubled { refused, allowed };
+enum class DuplicateAnswers { refused, allowed };
 
 /// Reads what to_csv writes; columns in any order, further ones are ignored.
 ///
@@ -75,15 +75,16 @@ enum class Doubled { refused, allowed };
 /// an empty participant or item, a kind, pole or truth value that is none, numbers that are none,
 /// negative or not whole where they must be, and an answer that is there twice (participant,
 /// session, trial, stimulus and item).
-std::vector<AnswerRow> answer_rows(const CsvTable& table, Doubled doubled = Doubled::refused);
+std::vector<AnswerRow> answer_rows(const CsvTable& table,
+                                   DuplicateAnswers duplicates = DuplicateAnswers::refused);
 
 /// A fault for every answer that occurs twice.
-std::vector<Fault> doubled_answers(const std::vector<AnswerRow>& rows);
+std::vector<Fault> duplicate_answer_faults(const std::vector<AnswerRow>& rows);
 
 /// Separates people who share a participant id: without a server, two browsers may have been given
 /// the same plan. Where several sessions of a participant answer the same trial, `participant`
 /// becomes "p003/<session>"; sessions that continue each other are one person. Returns a sentence
 /// for each id that was split.
-std::vector<std::string> tell_people_apart(std::vector<AnswerRow>& rows);
+std::vector<std::string> separate_participants(std::vector<AnswerRow>& rows);
 
 }  // namespace mien::pipeline

@@ -67,7 +67,7 @@ Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSu
   if (holds_answer_rows(table)) {
     CountedAnswers counted = counted_answers(table, scales);
     answers = answers_of(counted.table, scales, about);
-    answers.warnings.insert(answers.warnings.begin(), counted.told.begin(), counted.told.end());
+    answers.warnings.insert(answers.warnings.begin(), counted.notes.begin(), counted.notes.end());
     return answers;
   }
   if (holds_words(table)) {
@@ -82,7 +82,7 @@ Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSu
   return answers;
 }
 
-constexpr auto plain_columns = table_of<GivenOrSimulated<Answer>>(
+constexpr auto plain_columns = table_of<WithOrigin<Answer>>(
     "answers.csv", "answer on a scale",
     {{"participant", "", "who answered", [](auto& r) { return r.of.participant; }},
      {"stimulus", "", "what was rated", [](auto& r) { return r.of.stimulus; }},
@@ -104,7 +104,7 @@ class RowsTakenOnce {
 
   AnswersOfFiles finished() {
     for (const auto& [who, count] : again_)
-      result.told.push_back(
+      result.notes.push_back(
           fmt::format("participant {}, session {}: {} answer{} {} saved more than once and "
                       "counted once",
                       motion::in_quotes(who.first),
@@ -140,9 +140,10 @@ std::string to_csv(const Answers& answers) {
 AnswersOfFiles answers_of_files(const std::vector<std::filesystem::path>& files) {
   RowsTakenOnce taken;
   for (const std::filesystem::path& file : files)
-    for (AnswerRow& row : answer_rows(read_csv(file), Doubled::allowed)) taken.add(std::move(row));
+    for (AnswerRow& row : answer_rows(read_csv(file), DuplicateAnswers::allowed))
+      taken.add(std::move(row));
   AnswersOfFiles all = taken.finished();
-  const std::vector<Fault> faults = doubled_answers(all.rows);
+  const std::vector<Fault> faults = duplicate_answer_faults(all.rows);
   if (!faults.empty()) throw Faults(faults);
   return all;
 }

@@ -62,7 +62,7 @@ std::string to_csv(const Answers& answers);
 /// Answers out of several files.
 struct AnswersOfFiles {
   std::vector<AnswerRow> rows;
-  std::vector<std::string> told;  ///< sentences: what was there more than once
+  std::vector<std::string> notes;  ///< sentences: what was there more than once
 };
 
 /// Reads what a questionnaire wrote, in the order of the files. Rows that are the same to the last

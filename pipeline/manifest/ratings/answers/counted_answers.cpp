@@ -32,14 +32,14 @@ constexpr std::array carried_columns = {CarriedColumn{"participant", "participan
                                         CarriedColumn{"comment", "comment"},
                                         CarriedColumn{"simulated", "simulated"}};
 
-std::set<std::string> told_excluded(const std::vector<AnswerRow>& rows,
-                                    std::vector<std::string>& told) {
+std::set<std::string> note_excluded(const std::vector<AnswerRow>& rows,
+                                    std::vector<std::string>& notes) {
   std::set<std::string> excluded;
   for (const Attention& own : attention_of(rows)) {
     if (!own.is_excluded) continue;
     excluded.insert(own.participant);
-    told.push_back(fmt::format("participant {} is excluded: {} of {} attention checks passed",
-                               motion::in_quotes(own.participant), own.passed, own.checks));
+    notes.push_back(fmt::format("participant {} is excluded: {} of {} attention checks passed",
+                                motion::in_quotes(own.participant), own.passed, own.checks));
   }
   return excluded;
 }
@@ -67,8 +67,8 @@ std::vector<RawAnswer> raw_answers(const std::vector<AnswerRow>& rows, const Sca
     const auto scale = known.find(row.item);
     const auto raw = motion::as_finite_number(row.value_raw);
     const auto value = motion::as_finite_number(row.value);
-    const bool is_told = is_on_scale(row) && scale != known.end() && raw && value;
-    if (!is_told || row.pole_left.empty()) continue;
+    const bool is_usable = is_on_scale(row) && scale != known.end() && raw && value;
+    if (!is_usable || row.pole_left.empty()) continue;
     const Scale& of = *scale->second;
     const double from_low = (*value - of.least) / (of.most - of.least);
     answers.push_back({&row, *raw, row.pole_left == "low" ? from_low : 1.0 - from_low});
@@ -105,8 +105,8 @@ CountedAnswers counted_answers(const CsvTable& table, const ScaleSet& scales) {
   const std::vector<Fault> faults = contradicted_values(rows, scales);
   if (!faults.empty()) throw Faults(faults);
   CountedAnswers counted;
-  counted.told = tell_people_apart(rows);
-  const std::set<std::string> excluded = told_excluded(rows, counted.told);
+  counted.notes = separate_participants(rows);
+  const std::set<std::string> excluded = note_excluded(rows, counted.notes);
   counted.table.file = table.file;
   std::vector<std::size_t> indices;
   for (const CarriedColumn& column : carried_columns) {

@@ -18,7 +18,7 @@ bool is_on_scale(const AnswerRow& row);
 /// scale, value, rt_ms, comment, simulated that other answers come as; fields keep their places.
 struct CountedAnswers {
   CsvTable table;
-  std::vector<std::string> told;  ///< sentences: what was left out
+  std::vector<std::string> notes;  ///< sentences: what was left out
 };
 
 /// Passed over are practice, warm-up, checks, repeated stimuli, what was left empty, choices

@@ -74,7 +74,7 @@ constexpr auto impressions_columns = table_of<Impression>(
      {"example", "", "example label",
       [](auto& r) { return r.all.examples[static_cast<std::size_t>(r.example)]; }},
      {"ratings", "", "source of the ratings: given (by people) or simulated",
-      [](auto& r) { return given_or_simulated(r.all.simulated); }},
+      [](auto& r) { return origin_text(r.all.simulated); }},
      {"answers", "", "number of answers; 1 if only a mean was given",
       [](auto& r) { return r.all.count(r.row, r.example); }},
      {"mean", "0–1", "mean answer rescaled to 0 (low end) to 1 (high end)",

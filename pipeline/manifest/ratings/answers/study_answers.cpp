@@ -152,7 +152,7 @@ StudyAnswers study_answers(const CsvTable& table, const ScaleSet& scales,
   if (holds_answer_rows(table)) {
     CountedAnswers counted = counted_answers(table, scales);
     StudyAnswers study = study_answers(counted.table, scales, examples, rules);
-    for (std::string& sentence : counted.told)
+    for (std::string& sentence : counted.notes)
       study.warnings.push_back({"left-out", {}, std::move(sentence)});
     return study;
   }

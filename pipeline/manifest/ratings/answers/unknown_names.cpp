@@ -17,7 +17,7 @@ constexpr std::size_t most_named = 5;
 std::string rows_text(int rows) { return fmt::format("({} row{})", rows, rows == 1 ? "" : "s"); }
 
 /// "--unknown ignore leaves it out".
-std::string way_out(const AnswerRules& rules, const char* them) {
+std::string exclusion_remedy(const AnswerRules& rules, const char* them) {
   return fmt::format("({} leaves {} out)", rules.plain ? "unknown: ignore" : "--unknown ignore",
                      them);
 }
@@ -25,17 +25,18 @@ std::string way_out(const AnswerRules& rules, const char* them) {
 }  // namespace
 
 void UnknownNames::note(const CsvField& field) {
-  const auto [met, is_new] = index_.emplace(field.text, names_.size());
+  const auto [entry, is_new] = index_.emplace(field.text, names_.size());
   if (is_new) names_.push_back({field, 0});
-  ++names_[met->second].rows;
+  ++names_[entry->second].rows;
 }
 
 void UnknownNames::report(const CsvTable& table, const std::vector<std::string>& known,
                           const AnswerRules& rules, std::vector<Fault>& faults,
                           std::vector<StudyWarning>& warnings) const {
   const bool refuses = rules.unknown == AnswerRules::Unknown::refuse;
-  const auto tell = [&](const Met& met, const std::string& wrong, const std::string& remedy) {
-    const Place place = place_of(table, met.field);
+  const auto report_name = [&](const UnknownName& entry, const std::string& wrong,
+                               const std::string& remedy) {
+    const Place place = place_of(table, entry.field);
     if (refuses) {
       faults.push_back({place, "", wrong, remedy});
     } else {
@@ -46,20 +47,22 @@ void UnknownNames::report(const CsvTable& table, const std::vector<std::string>&
   const bool names_all = !refuses && !rules.plain;
   const std::size_t named = names_all ? names_.size() : std::min(names_.size(), most_named);
   for (std::size_t i = 0; i < named; ++i) {
-    const Met& met = names_[i];
-    tell(met,
-         fmt::format("unknown {} {} {}", what_, motion::in_quotes(met.field.text),
-                     rows_text(met.rows)),
-         motion::did_you_mean(met.field.text, known) + " " + way_out(rules, "it"));
+    const UnknownName& entry = names_[i];
+    report_name(
+        entry,
+        fmt::format("unknown {} {} {}", what_, motion::in_quotes(entry.field.text),
+                    rows_text(entry.rows)),
+        motion::did_you_mean(entry.field.text, known) + " " + exclusion_remedy(rules, "it"));
   }
   if (named == names_.size()) return;
   int rows = 0;
   for (std::size_t i = named; i < names_.size(); ++i) rows += names_[i].rows;
   const std::size_t more = names_.size() - named;
-  tell(names_[named],
-       fmt::format("and {} more unknown {} {}", more, more == 1 ? what_ : what_many_,
-                   rows_text(rows)),
-       "check that the file is about these examples and scales " + way_out(rules, "them"));
+  report_name(
+      names_[named],
+      fmt::format("and {} more unknown {} {}", more, more == 1 ? what_ : what_many_,
+                  rows_text(rows)),
+      "check that the file is about these examples and scales " + exclusion_remedy(rules, "them"));
 }
 
 }  // namespace mien::pipeline

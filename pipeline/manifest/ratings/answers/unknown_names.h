@@ -27,14 +27,14 @@ class UnknownNames {
               std::vector<StudyWarning>& warnings) const;
 
  private:
-  struct Met {
+  struct UnknownName {
     CsvField field;  ///< where first
     int rows = 0;
   };
 
   std::string what_;
   std::string what_many_;
-  std::vector<Met> names_;  ///< in the order of the file
+  std::vector<UnknownName> names_;  ///< in the order of the file
   std::map<std::string, std::size_t> index_;
 };
 

@@ -25,11 +25,12 @@ constexpr std::array<std::string_view, style_impression_count> impression_names 
 struct PairMeaning {
   std::string_view pair;
   StyleProfile loadings;
-  double doubt;  ///< standard deviation of an answer; replaces SimulatedRaters::noise when larger
+  double
+      answer_sd;  ///< standard deviation of an answer; replaces SimulatedRaters::noise when larger
 };
 
 constexpr double sure = 0.0;
-constexpr double doubtful = 0.7;
+constexpr double ambiguous_sd = 0.7;
 
 // Ours. The 29 pairs of Table 3 of the adjective paper mean above all the impression of their
 // cluster, each with a shade of its own. Of the pairs that its raters could not use, those about
@@ -46,9 +47,9 @@ constexpr std::array<PairMeaning, 41> pair_meanings = {{
     {"blunt-sharp", {0.15, 0, 0, 0.9, 0, 0, 0, 0}, sure},
     {"dormant-brisk", {0.15, 0, 0.9, 0, 0, 0, 0, 0}, sure},
     {"edgy-round", {0, 0, 0, 0.9, 0, 0, -0.15, 0}, sure},
-    {"weak-strong", {0, 0, 0, 0.5, 0, 0, 0, 0}, doubtful},
+    {"weak-strong", {0, 0, 0, 0.5, 0, 0, 0, 0}, ambiguous_sd},
     {"unpleasant-pleasant", {0, 0, 0.9, 0, 0.2, 0, 0, 0}, sure},
-    {"inelastic-elastic", {0, 0, 0.4, 0, 0, 0, 0, 0}, doubtful},
+    {"inelastic-elastic", {0, 0, 0.4, 0, 0, 0, 0, 0}, ambiguous_sd},
     {"dirty-clean", {0, 0.27, 0, 0, 0, 0, 0, 0}, sure},
     {"sad-happy", {0, 0, 0.9, 0, 0.2, 0, 0, 0}, sure},
     {"bumpy-smooth", {0, 0.9, 0, 0, 0, 0, 0, 0.15}, sure},
@@ -60,10 +61,10 @@ constexpr std::array<PairMeaning, 41> pair_meanings = {{
     {"coarse-fine", {0, 0.27, 0, 0, 0, 0, 0, 0}, sure},
     {"old-young", {0.1, 0, 0.9, 0, 0, 0, 0, 0}, sure},
     {"heavy-light", {0.1, 0, 0.9, 0, 0, 0, 0, 0}, sure},
-    {"strained-relaxed", {0, 0, 0, 0, 0, 0, -0.5, 0}, doubtful},
+    {"strained-relaxed", {0, 0, 0, 0, 0, 0, -0.5, 0}, ambiguous_sd},
     {"unstable-stable", {0, 0.9, 0, 0, 0, 0, 0, 0.2}, sure},
     {"small-large", {0, 0, 0, 0.9, 0, 0, 0, 0}, sure},
-    {"unafraid-afraid", {0, 0, 0, 0, 0, 0, 0.5, 0}, doubtful},
+    {"unafraid-afraid", {0, 0, 0, 0, 0, 0, 0.5, 0}, ambiguous_sd},
     {"artificial-natural", {0, 0.9, 0, 0, 0, 0, -0.15, 0}, sure},
     {"closed-open", {0, 0, 0.9, 0.15, 0, 0, 0, 0}, sure},
     {"adult-childish", {0, 0, 0, 0.9, 0.1, 0, 0, -0.1}, sure},
@@ -71,7 +72,7 @@ constexpr std::array<PairMeaning, 41> pair_meanings = {{
     {"narrow-broad", {0, 0, 0, 0.27, 0, 0, 0, 0}, sure},
     {"ugly-beautiful", {0, 0.9, 0, 0, 0.1, 0, 0, 0}, sure},
     {"poor-rich", {0, 0, 0.9, 0.1, 0, 0, 0, 0}, sure},
-    {"tight-free", {0, 0, 0, 0.5, 0, 0, 0, 0}, doubtful},
+    {"tight-free", {0, 0, 0, 0.5, 0, 0, 0, 0}, ambiguous_sd},
     {"dim-sharp", {0.1, 0, 0.9, 0, 0, 0, 0, 0}, sure},
     {"drab-clear", {0, 0.9, 0.1, 0, 0, 0, 0, 0}, sure},
     {"gloomy-cheerful", {0, 0, 0.9, 0, 0.2, 0, 0, 0}, sure},
@@ -88,7 +89,7 @@ const PairMeaning* builtin_meaning(std::string_view id) {
 /// Standard deviation of one answer, as a share of half the range.
 double noise_of(const Scale& scale, const SimulatedRaters& raters) {
   const PairMeaning* meaning = scale.loadings.empty() ? builtin_meaning(scale.id) : nullptr;
-  return meaning != nullptr ? std::max(raters.noise, meaning->doubt) : raters.noise;
+  return meaning != nullptr ? std::max(raters.noise, meaning->answer_sd) : raters.noise;
 }
 
 double answer_of(const Scale& scale, double share_of_half_range) {
@@ -165,23 +166,23 @@ Eigen::MatrixXd impressions_on(const std::vector<StyledStimulus>& stimuli, const
 }
 
 /// A rater's response style on a scale.
-struct Habit {
+struct ResponseStyle {
   double gain;
   double offset;
   double noise;  ///< standard deviation
 };
 
-std::vector<Habit> habits_of(const std::string& rater, const ScaleSet& scales,
-                             const SimulatedRaters& raters) {
-  std::vector<Habit> habits;
+std::vector<ResponseStyle> response_styles_of(const std::string& rater, const ScaleSet& scales,
+                                              const SimulatedRaters& raters) {
+  std::vector<ResponseStyle> response_styles;
   for (const Scale& scale : scales.scales) {
     const auto draw = [&](const char* what) {
       return normal(raters.seed, fmt::format("{}/{}/{}", what, rater, scale.id));
     };
-    habits.push_back({1.0 + raters.gain_spread * draw("gain"),
-                      raters.offset_spread * draw("offset"), noise_of(scale, raters)});
+    response_styles.push_back({1.0 + raters.gain_spread * draw("gain"),
+                               raters.offset_spread * draw("offset"), noise_of(scale, raters)});
   }
-  return habits;
+  return response_styles;
 }
 
 }  // namespace
@@ -193,17 +194,19 @@ Answers simulate_answers(const std::vector<StyledStimulus>& stimuli, const Scale
   const Eigen::MatrixXd impressions = impressions_on(stimuli, scales);
   for (int r = 0; r < raters.count; ++r) {
     const std::string rater = fmt::format("simulated-{:02}", r + 1);
-    const std::vector<Habit> habits = habits_of(rater, scales, raters);
+    const std::vector<ResponseStyle> response_styles = response_styles_of(rater, scales, raters);
     for (std::size_t i = 0; i < stimuli.size(); ++i) {
       const std::string& name = stimuli[i].name;
       for (std::size_t s = 0; s < scales.scales.size(); ++s) {
         const Scale& scale = scales.scales[s];
-        const Habit& habit = habits[s];
+        const ResponseStyle& response_style = response_styles[s];
         const double noise =
-            habit.noise * normal(raters.seed, fmt::format("noise/{}/{}/{}", rater, name, scale.id));
+            response_style.noise *
+            normal(raters.seed, fmt::format("noise/{}/{}/{}", rater, name, scale.id));
         const double impression =
             impressions(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(i));
-        const double share = std::tanh(1.2 * habit.gain * impression) + habit.offset + noise;
+        const double share =
+            std::tanh(1.2 * response_style.gain * impression) + response_style.offset + noise;
         result.answers.push_back({rater, name, scale.id, answer_of(scale, share)});
       }
     }

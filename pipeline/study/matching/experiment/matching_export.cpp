@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/balance.h"
@@ -67,7 +67,7 @@ ZipFiles exported_matching(const Manifest& manifest, const MatchingStudy& study,
   files["experiment.js"] = "globalThis.mienExperiment = " + study.experiment.dump() + ";\n";
   files["live_core.js"] = live_script(module, study.bundle);
   ZipFiles assets = files;
-  assets["index.html"] = page_of_jatos(std::move(assets["index.html"]), "matching.js");
+  assets["index.html"] = jatos_page(std::move(assets["index.html"]), "matching.js");
   files[manifest.study + ".jzip"] =
       jatos_archive({.title = title_of(manifest),
                      .description = fmt::format("Matching experiment of study {}, {} participants",

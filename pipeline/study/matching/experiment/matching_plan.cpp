@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -71,7 +71,7 @@ double matching_seconds(const Manifest& manifest, const SessionPlan& plan) {
   const Matching& matching = matching_of(manifest);
   double seconds = question_seconds * static_cast<double>(matching.demographics.size());
   for (const TextSource* text : {&matching.consent, &matching.instructions, &matching.ending})
-    seconds += words_in(text->text) / words_per_second;
+    seconds += word_count(text->text) / words_per_second;
   const double trial = guess_seconds + share_of_limit * matching.limit_s + pause_seconds;
   return seconds + trial * static_cast<double>(plan.trials.size());
 }
@@ -81,7 +81,7 @@ SessionPlan plan_of(const Manifest& manifest, int index) {
   const Strings targets = matching_targets(manifest);
   SessionPlan plan{.index = index, .participant = participant_name(index)};
   // So that a number of JavaScript represents it exactly.
-  plan.seed = seed_of(manifest.seed, plan.participant) >> 11U;
+  plan.seed = derived_seed(manifest.seed, plan.participant) >> 11U;
   const auto participant = static_cast<std::size_t>(index);
   if (matching.order == MatchingOrder::guesses_first)
     add_target_blocks(plan, matching, targets, participant);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 #include "pipeline/tasks/hash.h"
 
@@ -13,7 +13,7 @@ namespace {
 using nlohmann::ordered_json;
 using Strings = std::vector<std::string>;
 
-Strings practised_and_matched(const Manifest& manifest) {
+Strings all_targets(const Manifest& manifest) {
   Strings ids = matching_targets(manifest);
   for (const std::string& id : matching_of(manifest).practice)
     if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
@@ -135,7 +135,7 @@ ordered_json experiment_of(const Manifest& manifest, const motion::LiveBundle& b
 
 MatchingStudy matching_study(const Manifest& manifest, Motions& motions, int participants) {
   LiveChoice choice = live_choice(manifest);
-  choice.targets = practised_and_matched(manifest);
+  choice.targets = all_targets(manifest);
   choice.primary = matching_of(manifest).primary;
   MatchingStudy study{.plans = plan_matching(manifest, participants),
                       .bundle = live_bundle(manifest, motions, choice)};
@@ -147,7 +147,7 @@ ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pa
   ServedStudy served{.experiment = std::move(study.experiment),
                      .plans = std::move(study.plans),
                      .page = served_page(pages)};
-  served.facts = asked_facts(served.experiment);
+  served.facts = questionnaire_facts(served.experiment);
   // The motions are part of the study's identity.
   served.facts.sha256["motions"] = hash_of(to_bytes(study.bundle));
   served.live = std::make_unique<LiveMotions>(std::move(study.bundle));

@@ -80,9 +80,9 @@ std::vector<StartingDistance> starting_distances(const Manifest& manifest,
 
 /// A threshold below the usual starting distances, metres: the paper's 0.06, or half of the median
 /// starting distance, rounded down to a millimetre, where that is less.
-double fitting_threshold(const std::vector<StartingDistance>& distances);
+double suggested_threshold(const std::vector<StartingDistance>& distances);
 
 /// A warning about trials that match before any slider is moved; empty where there are none.
-std::string matched_at_start(const Manifest& manifest, const MatchingStudy& study);
+std::string starting_match_warning(const Manifest& manifest, const MatchingStudy& study);
 
 }  // namespace mien::pipeline

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "motion/live/live_core.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/matching/simulated_trial.h"
 
@@ -11,8 +11,8 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr double first_look_seconds = 20.0;
-constexpr double look_seconds = 3.0;
+constexpr double first_view_seconds = 20.0;
+constexpr double view_seconds = 3.0;
 
 /// A simulated matching trial.
 class SimulatedMatch {
@@ -29,17 +29,17 @@ class SimulatedMatch {
     const Matching& matching = *manifest_.matching;
     SimulatedUser user{.seed = manifest_.seed, .threshold = matching.threshold_m};
     user.name = fmt::format("{}/{}/{}", participant, target_, name_of(interface_.kind));
-    user.most_looks = 1 + static_cast<int>(std::floor(matching.limit_s / look_seconds));
+    user.max_views = 1 + static_cast<int>(std::floor(matching.limit_s / view_seconds));
     const SimulatedTrial trial =
-        try_interface(ideal(), user, [this](const auto& settings) { return look(settings); });
+        simulate_trial(ideal(), user, [this](const auto& settings) { return look(settings); });
     record_.first = setting(trial.first_guess);
     record_.first_guess_d = trial.first_distance;
-    record_.guess_s = first_look_seconds;
+    record_.guess_s = first_view_seconds;
     record_.d = trial.distance;
     record_.success = trial.matched;
     // A user who stops without a match waits for the time limit.
-    record_.time_s = trial.matched ? look_seconds * (trial.looks - 1) : matching.limit_s;
-    record_.changes.push_back({.seconds = first_look_seconds + record_.time_s,
+    record_.time_s = trial.matched ? view_seconds * (trial.views - 1) : matching.limit_s;
+    record_.changes.push_back({.seconds = first_view_seconds + record_.time_s,
                                .step = "adjust",
                                .action = trial.matched ? "match" : "limit",
                                .d = record_.d});
@@ -67,8 +67,8 @@ class SimulatedMatch {
             .distance(target_,
                       {.kind = interface_.kind, .sliders = now.sliders, .values = now.values})
             .mean;
-    const double seconds = first_look_seconds + look_seconds * looks_;
-    if (looks_++ == 0) {
+    const double seconds = first_view_seconds + view_seconds * views_;
+    if (views_++ == 0) {
       record_.changes.push_back({.seconds = seconds, .step = "guess", .action = "guess", .d = d});
     } else {
       for (std::size_t i = 0; i < now.values.size(); ++i)
@@ -90,7 +90,7 @@ class SimulatedMatch {
   const std::string target_;
   SliderInterface interface_;
   MatchingRecord record_;
-  int looks_ = 0;
+  int views_ = 0;
 };
 
 }  // namespace

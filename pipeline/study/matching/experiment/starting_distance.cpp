@@ -5,7 +5,7 @@
 
 #include "motion/live/live_core.h"
 #include "motion/measures/distance/distance.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 
 namespace mien::pipeline {
@@ -48,7 +48,7 @@ std::vector<StartingDistance> starting_distances(const Manifest& manifest,
   return distances;
 }
 
-double fitting_threshold(const std::vector<StartingDistance>& distances) {
+double suggested_threshold(const std::vector<StartingDistance>& distances) {
   if (distances.empty()) return motion::distance_threshold_m;
   std::vector<double> metres;
   for (const StartingDistance& one : distances) metres.push_back(one.metres);
@@ -58,7 +58,7 @@ double fitting_threshold(const std::vector<StartingDistance>& distances) {
   return std::clamp(half, 0.001, motion::distance_threshold_m);
 }
 
-std::string matched_at_start(const Manifest& manifest, const MatchingStudy& study) {
+std::string starting_match_warning(const Manifest& manifest, const MatchingStudy& study) {
   const std::vector<StartingDistance> distances = starting_distances(manifest, study);
   const double threshold = matching_of(manifest).threshold_m;
   std::vector<StartingDistance> near;
@@ -66,7 +66,7 @@ std::string matched_at_start(const Manifest& manifest, const MatchingStudy& stud
                        [&](const StartingDistance& one) { return one.metres < threshold; });
   if (near.empty()) return {};
   const auto& nearest = *std::ranges::min_element(near, {}, &StartingDistance::metres);
-  const double fitting = fitting_threshold(distances);
+  const double fitting = suggested_threshold(distances);
   const std::string lower = fitting < threshold
                                 ? fmt::format(
                                       "use a lower threshold ({:.3f} m is half of the median "

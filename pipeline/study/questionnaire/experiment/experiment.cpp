@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/words.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {
@@ -13,7 +13,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// The label of an end in the language of the questionnaire, or in English where there is none.
-const std::string& shown_end(const std::string& english, const std::string& japanese,
+const std::string& end_label(const std::string& english, const std::string& japanese,
                              InterfaceLanguage language) {
   return language == InterfaceLanguage::japanese && !japanese.empty() ? japanese : english;
 }
@@ -21,11 +21,11 @@ const std::string& shown_end(const std::string& english, const std::string& japa
 ordered_json items_json(const Manifest& manifest) {
   const Questionnaire& asked = questionnaire_of(manifest);
   ordered_json items = ordered_json::object();
-  for (const Scale& scale : asked_scales(manifest).scales) {
+  for (const Scale& scale : questionnaire_scales(manifest).scales) {
     const ordered_json start =
         asked.answer.starts_at == StartsAt::middle ? ordered_json("middle") : ordered_json(nullptr);
-    items[scale.id] = {{"low", shown_end(scale.low, scale.japanese_low, asked.language)},
-                       {"high", shown_end(scale.high, scale.japanese_high, asked.language)},
+    items[scale.id] = {{"low", end_label(scale.low, scale.japanese_low, asked.language)},
+                       {"high", end_label(scale.high, scale.japanese_high, asked.language)},
                        {"points", asked.answer.points},
                        {"slider", asked.answer.slider},
                        {"words", asked.answer.words},
@@ -40,7 +40,7 @@ ordered_json items_json(const Manifest& manifest) {
 ordered_json choices_json(const Manifest& manifest) {
   ordered_json choices = ordered_json::object();
   if (!questionnaire_of(manifest).trials->offers_choices) return choices;
-  for (const auto& [id, text] : asked_choices(manifest)) choices[id] = text;
+  for (const auto& [id, text] : questionnaire_choices(manifest)) choices[id] = text;
   return choices;
 }
 
@@ -61,7 +61,7 @@ ordered_json trial_json(const Manifest& manifest, const Trial& trial) {
   for (const std::string& stimulus : trial.stimuli)
     media.push_back(media_token(manifest, stimulus));
   ordered_json items = ordered_json::array();
-  for (const AskedItem& asked : trial.items)
+  for (const TrialItem& asked : trial.items)
     items.push_back({{"item", asked.item}, {"flipped", asked.flipped}});
   return {{"number", trial.number},
           {"block", trial.block},

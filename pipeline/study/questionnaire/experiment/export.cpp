@@ -14,7 +14,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/html.h"
 #include "pipeline/base/documents/table.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/study/questionnaire/balance.h"
@@ -73,7 +73,7 @@ ordered_json dataset_description(const Manifest& manifest) {
           {"variableMeasured", variables}};
 }
 
-std::string data_folder_text() {
+std::string answers_readme() {
   return "# Answers\n\n"
          "Put the files saved by the participants' browsers here, unchanged: for each session\n"
          "one file of answers and one about the participant. ../dataset_description.json "
@@ -81,8 +81,8 @@ std::string data_folder_text() {
          "their columns.\n";
 }
 
-std::string lab_text(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
-  const Questionnaire& asked = questionnaire_of(manifest);
+std::string export_readme(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
+  const Questionnaire& questionnaire = questionnaire_of(manifest);
   const std::string& first = plans.front().participant;
   const std::string& last = plans.back().participant;
   std::string text = fmt::format(
@@ -111,8 +111,8 @@ std::string lab_text(const Manifest& manifest, const std::vector<SessionPlan>& p
       "are\n"
       "    the CSV of the answers, complete after every answer; the result files hold the "
       "rest.\n\n",
-      first, asked.view == ShownAs::turn ? ", turn_view.js" : "", manifest.study, first);
-  if (asked.phones == Phones::refused)
+      first, questionnaire.view == ShownAs::turn ? ", turn_view.js" : "", manifest.study, first);
+  if (questionnaire.phones == Phones::refused)
     text += "Participants on phones are turned away with a message, as set in the manifest.\n\n";
   text += fmt::format(
       "Analysis\n"
@@ -138,7 +138,7 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
   }
   // JATOS gets only the files that participants need.
   ZipFiles assets = files;
-  assets["index.html"] = page_of_jatos(std::move(assets["index.html"]), "questionnaire.js");
+  assets["index.html"] = jatos_page(std::move(assets["index.html"]), "questionnaire.js");
   const std::string title = title_of(manifest);
   files[manifest.study + ".jzip"] =
       jatos_archive({.title = title,
@@ -150,8 +150,8 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
   files["experiment.json"] = experiment.dump(1) + "\n";
   files["plans.csv"] = plans_csv(plans);
   files["answers/dataset_description.json"] = dataset_description(manifest).dump(2) + "\n";
-  files["answers/data/README.md"] = data_folder_text();
-  files["README.txt"] = lab_text(manifest, plans);
+  files["answers/data/README.md"] = answers_readme();
+  files["README.txt"] = export_readme(manifest, plans);
   return files;
 }
 
@@ -159,12 +159,12 @@ void refuse_foreign_folder(const fs::path& folder) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw Error({folder.string()}, "is not a folder",
                 "name a folder for the questionnaire with -o");
-  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / export_mark))
+  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / export_marker))
     throw Error({folder.string()}, "exists, but was not written by mien study export",
                 "name a new folder with -o");
 }
 
-void refuse_answers_to_another(const fs::path& folder, const std::string& design) {
+void refuse_answers_to_other_design(const fs::path& folder, const std::string& design) {
   const fs::path answers = folder / "answers/data", before = folder / "experiment.json";
   if (!fs::is_directory(answers) || !fs::is_regular_file(before)) return;
   const auto is_added = [](const fs::directory_entry& entry) {
@@ -182,17 +182,17 @@ void refuse_answers_to_another(const fs::path& folder, const std::string& design
 void write_export(const ZipFiles& files, const fs::path& folder) {
   refuse_foreign_folder(folder);
   for (const auto& [path, bytes] : files) motion::inside(folder, path, {folder.string()});
-  motion::inside(folder, export_mark, {folder.string()});
+  motion::inside(folder, export_marker, {folder.string()});
   make_folder(folder);
   std::set<std::string> ours;
-  if (fs::exists(folder / export_mark)) {
-    std::istringstream lines(read_file(folder / export_mark));
+  if (fs::exists(folder / export_marker)) {
+    std::istringstream lines(read_file(folder / export_marker));
     for (std::string line; std::getline(lines, line);) ours.insert(line);
   }
   const auto put_mark = [&] {
     std::string mark;
     for (const std::string& path : ours) mark += path + "\n";
-    write_file(folder / export_mark, mark);
+    write_file(folder / export_marker, mark);
   };
   // If this is interrupted, the list covers the files of both exports.
   for (const auto& [path, bytes] : files) ours.insert(path);

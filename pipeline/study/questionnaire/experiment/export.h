@@ -29,7 +29,7 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
                                 const MediaFiles& media, const std::filesystem::path& pages);
 
 /// Name of the file in an export's folder that lists the export's files, one path a line.
-inline constexpr char export_mark[] = ".mien-questionnaire";
+inline constexpr char export_marker[] = ".mien-questionnaire";
 
 /// Throws Error for a folder that is not empty and not an earlier export, whose files might be
 /// overwritten.
@@ -37,20 +37,20 @@ void refuse_foreign_folder(const std::filesystem::path& folder);
 
 /// Throws Error where the folder's answers/data contains answers to an earlier export with another
 /// design (design_hash), since answers to the two could not be distinguished later.
-void refuse_answers_to_another(const std::filesystem::path& folder, const std::string& design);
+void refuse_answers_to_other_design(const std::filesystem::path& folder, const std::string& design);
 
 /// Writes the files into the folder, replacing those of an earlier export; answers and other added
 /// files stay.
 void write_export(const ZipFiles& files, const std::filesystem::path& folder);
 
 /// Instructions for running an exported questionnaire (README.txt).
-std::string lab_text(const Manifest& manifest, const std::vector<SessionPlan>& plans);
+std::string export_readme(const Manifest& manifest, const std::vector<SessionPlan>& plans);
 
 /// The codebook of the answers: a Psych-DS dataset_description.json, a Dataset of schema.org in
 /// JSON-LD, with every column of answers and participants.
 nlohmann::ordered_json dataset_description(const Manifest& manifest);
 
 /// README of the folder for answers.
-std::string data_folder_text();
+std::string answers_readme();
 
 }  // namespace mien::pipeline

@@ -66,7 +66,7 @@ std::string with(std::string text, std::string_view piece, std::string_view othe
 
 }  // namespace
 
-std::string page_of_jatos(std::string page, const std::string& script) {
+std::string jatos_page(std::string page, const std::string& script) {
   const std::size_t policy = page.find("<meta http-equiv=\"Content-Security-Policy\"");
   if (policy != page.npos) page.erase(policy, page.find('\n', policy) + 1 - policy);
   page = with(std::move(page), "content=\"static\"", "content=\"jatos\"");

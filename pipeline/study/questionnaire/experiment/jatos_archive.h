@@ -25,7 +25,7 @@ std::string jatos_archive(const JatosStudy& study, const ZipFiles& assets);
 /// The page of an export adapted for JATOS: loads JATOS's script before the page's own (`script`,
 /// "questionnaire.js"), and lacks the content security policy that would block requests to its
 /// server.
-std::string page_of_jatos(std::string page, const std::string& script);
+std::string jatos_page(std::string page, const std::string& script);
 
 /// A UUID of version 8 (RFC 9562), derived from the name.
 std::string named_uuid(const std::string& name);

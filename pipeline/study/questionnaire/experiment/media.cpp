@@ -11,7 +11,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/places.h"
 #include "pipeline/base/documents/sha256.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/synthesis/motions.h"
@@ -83,15 +83,15 @@ MediaFile video_of(const Stimulus& stimulus, const fs::path& folder) {
 }  // namespace
 
 Manifest with_media(Manifest manifest) {
-  const Questionnaire& asked = questionnaire_of(manifest);
+  const Questionnaire& questionnaire = questionnaire_of(manifest);
   const std::vector<std::string> ids = shown_stimuli(manifest);
   const std::set<std::string> shown(ids.begin(), ids.end());
   for (Stimulus& stimulus : manifest.stimuli) {
     if (!shown.contains(stimulus.id)) continue;
     std::vector<std::string>& clips = stimulus.output.clips;
-    if (asked.view == ShownAs::turn && std::ranges::count(clips, "glb") == 0)
+    if (questionnaire.view == ShownAs::turn && std::ranges::count(clips, "glb") == 0)
       clips.emplace_back("glb");
-    if (asked.view == ShownAs::video && !web_video_of(stimulus.output))
+    if (questionnaire.view == ShownAs::video && !web_video_of(stimulus.output))
       throw Error(place_of(manifest.places, stimulus.path),
                   fmt::format("{} has no video format that browsers play", stimulus.id),
                   "add mp4 or webm to output: video:");

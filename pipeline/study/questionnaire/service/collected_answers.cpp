@@ -84,19 +84,20 @@ std::string answers_csv(const ServedStudy& study, const StudySessions& sessions)
 
 std::string participants_csv(const ServedStudy& study, const StudySessions& sessions) {
   std::vector<std::string> questions;
-  for (const AskedQuestion& question : study.facts.questions) questions.push_back(question.id);
+  for (const DemographicQuestion& question : study.facts.questions)
+    questions.push_back(question.id);
   std::vector<ParticipantRow> rows;
   std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
   for (const SessionState& state : sessions.states()) {
     const std::vector<StoredRecord>& own = records[state.session.index];
     if (own.empty() || state.has_refused) continue;
     ParticipantRow row = {state.session.participant, parsed(own.front()).session,
-                          study.facts.design,        own.front().kept_at,
+                          study.facts.design,        own.front().stored_at,
                           state.has_finished(),      {}};
     const auto told = std::ranges::find(own, demographics_record, &StoredRecord::name);
     const PageRecord answers = told == own.end() ? PageRecord() : parsed(*told);
     for (const std::string& question : questions) {
-      const auto found = std::ranges::find(answers.responses, question, &GivenResponse::item);
+      const auto found = std::ranges::find(answers.responses, question, &ItemResponse::item);
       row.answers.push_back(found == answers.responses.end() ? "" : found->value_raw);
     }
     rows.push_back(std::move(row));
@@ -113,12 +114,12 @@ std::string answers_json(const ServedStudy& study, const StudySessions& sessions
     nlohmann::ordered_json given = nlohmann::ordered_json::array();
     for (const StoredRecord& stored : records[state.session.index]) {
       nlohmann::ordered_json record = nlohmann::ordered_json::parse(stored.content);
-      record["kept_at"] = stored.kept_at;
+      record["kept_at"] = stored.stored_at;
       given.push_back(std::move(record));
     }
     list.push_back({{"participant", state.session.participant},
                     {"seed", session.at("seed")},
-                    {"came_by", state.session.came_by},
+                    {"came_by", state.session.entry_route},
                     {"begun_at", state.session.begun_at},
                     {"finished", state.has_finished()},
                     {"trials", session.at("trials")},

@@ -27,11 +27,11 @@ std::string answers_json(const ServedStudy& study, const StudySessions& sessions
 std::string links_csv(const StudySessions& sessions, const std::string& base);
 
 /// The response to a request for the experimenter's page (""), its files, status.json (with
-/// `trouble`, the server's last storage failure), answers.csv (in a matching experiment trials.csv
-/// and changes.csv), answers.json, participants.csv or links.csv. Nullopt for other names. The path
-/// has three segments, the last of which is the name.
+/// `last_failure`, the server's last storage failure), answers.csv (in a matching experiment
+/// trials.csv and changes.csv), answers.json, participants.csv or links.csv. Nullopt for other
+/// names. The path has three segments, the last of which is the name.
 std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedStudy& study,
-                                       const StudySessions& sessions, const std::string& trouble,
-                                       std::int64_t now);
+                                       const StudySessions& sessions,
+                                       const std::string& last_failure, std::int64_t now);
 
 }  // namespace mien::pipeline

@@ -10,8 +10,8 @@ namespace {
 std::string state_word(const SessionState& state, std::int64_t now) {
   if (state.has_refused) return "refused";
   if (state.has_finished()) return "done";
-  if (state.kept == 0) return state.last_seen == 0 ? "waiting" : "opened";
-  return state.is_here(now) ? "here" : "away";
+  if (state.stored == 0) return state.last_seen == 0 ? "waiting" : "opened";
+  return state.is_online(now) ? "here" : "away";
 }
 
 nlohmann::ordered_json status_of(const SessionState& state, std::int64_t now) {
@@ -20,10 +20,10 @@ nlohmann::ordered_json status_of(const SessionState& state, std::int64_t now) {
   return {{"participant", state.session.participant},
           {"link", "/s/" + state.session.link + "/"},
           {"state", state_word(state, now)},
-          {"came_by", state.session.came_by},
-          {"kept", state.kept},
+          {"came_by", state.session.entry_route},
+          {"kept", state.stored},
           {"records", state.names.size()},
-          {"next", state.has_finished() || state.has_refused ? "" : state.names[state.kept]},
+          {"next", state.has_finished() || state.has_refused ? "" : state.names[state.stored]},
           {"seen_seconds_ago", last}};
 }
 
@@ -37,7 +37,7 @@ void add_poles(nlohmann::ordered_json& histogram, const ServedStudy& study) {
 }
 
 nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions& sessions,
-                                  const std::string& trouble, std::int64_t now) {
+                                  const std::string& last_failure, std::int64_t now) {
   nlohmann::ordered_json participants = nlohmann::ordered_json::array();
   for (const SessionState& state : sessions.states()) participants.push_back(status_of(state, now));
   nlohmann::ordered_json histograms = sessions.histograms();
@@ -46,7 +46,7 @@ nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions&
           {"title", study.experiment.at("title")},
           {"design", study.facts.design},
           {"is_matching", study.facts.matching.has_value()},
-          {"trouble", trouble},
+          {"trouble", last_failure},
           {"planned", study.plans.size()},
           {"join", "/join/" + sessions.join_link() + "/"},
           {"participants", std::move(participants)},
@@ -73,15 +73,15 @@ std::string base_of(const HttpRequest& request) {
 }  // namespace
 
 std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedStudy& study,
-                                       const StudySessions& sessions, const std::string& trouble,
-                                       std::int64_t now) {
+                                       const StudySessions& sessions,
+                                       const std::string& last_failure, std::int64_t now) {
   const std::string& name = request.path.at(2);
   const std::string csv = "text/csv; charset=utf-8";
   const std::string file = study.experiment.at("study").get<std::string>() + "-" + name;
   const auto page = study.lab.find(name.empty() ? "index.html" : name);
   if (page != study.lab.end())
     return HttpResponse{.type = page->second.type, .body = page->second.bytes};
-  if (name == "status.json") return http_value(lab_status(study, sessions, trouble, now));
+  if (name == "status.json") return http_value(lab_status(study, sessions, last_failure, now));
   if (study.facts.matching && name == "trials.csv")
     return saved_as(file, csv, trials_csv(study, sessions));
   if (study.facts.matching && name == "changes.csv")

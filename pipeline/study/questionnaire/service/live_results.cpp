@@ -15,7 +15,7 @@ namespace {
 constexpr int slider_bins = 10;
 
 /// Labels of the bins of a scale: its values, or parts of a slider by their middles.
-std::vector<std::string> bin_labels(const AskedScale& scale) {
+std::vector<std::string> bin_labels(const ResponseScale& scale) {
   std::vector<std::string> labels;
   if (scale.words) return labels;
   const int bins = scale.slider ? slider_bins : scale.points;
@@ -28,7 +28,7 @@ std::vector<std::string> bin_labels(const AskedScale& scale) {
   return labels;
 }
 
-std::size_t bin_of(const AskedScale& scale, double value) {
+std::size_t bin_of(const ResponseScale& scale, double value) {
   const int bins = scale.slider ? slider_bins : scale.points;
   const double share = (value - scale.least) / (scale.most - scale.least);
   const double place = scale.slider ? std::floor(share * bins) : std::round(share * (bins - 1));
@@ -37,7 +37,7 @@ std::size_t bin_of(const AskedScale& scale, double value) {
 
 }  // namespace
 
-const AskedScale* LiveResults::scale_of(const AnswerRow& row) const {
+const ResponseScale* LiveResults::scale_of(const AnswerRow& row) const {
   return is_on_scale(row) ? find_scale(facts_.scales, row.item) : nullptr;
 }
 
@@ -46,7 +46,7 @@ LiveResults::Tally& LiveResults::tally_of(const AnswerRow& row) {
   const auto [found, is_new] = tallies_.try_emplace({row.item, form.stimuli > 1});
   if (!is_new) return found->second;
   if (form.offers_choices && row.item == form.item) found->second.labels = facts_.choices;
-  if (const AskedScale* scale = scale_of(row)) found->second.labels = bin_labels(*scale);
+  if (const ResponseScale* scale = scale_of(row)) found->second.labels = bin_labels(*scale);
   found->second.counts.resize(found->second.labels.size());
   return found->second;
 }
@@ -67,7 +67,7 @@ void LiveResults::add(const std::vector<AnswerRow>& rows) {
     if (!row.counts()) continue;
     Tally& tally = tally_of(row);
     ++tally.answers;
-    const AskedScale* scale = scale_of(row);
+    const ResponseScale* scale = scale_of(row);
     if (scale == nullptr) {
       count(tally, row.value);
     } else if (!scale->words) {
@@ -81,12 +81,12 @@ void LiveResults::add(const std::vector<AnswerRow>& rows) {
 
 nlohmann::ordered_json LiveResults::histograms() const {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& [asked, tally] : tallies_) {
+  for (const auto& [key, tally] : tallies_) {
     nlohmann::ordered_json bins = nlohmann::ordered_json::array();
     for (std::size_t at = 0; at < tally.labels.size(); ++at)
       bins.push_back({{"label", tally.labels[at]}, {"count", tally.counts[at]}});
-    nlohmann::ordered_json one = {{"item", asked.first},
-                                  {"is_pair", asked.second},
+    nlohmann::ordered_json one = {{"item", key.first},
+                                  {"is_pair", key.second},
                                   {"answers", tally.answers},
                                   {"mean", nullptr}};
     if (tally.is_measured) one["mean"] = tally.sum / tally.answers;

@@ -15,7 +15,7 @@ namespace mien::pipeline {
 /// warm-up or checks).
 class LiveResults {
  public:
-  explicit LiveResults(const AskedFacts& facts) : facts_(facts) {}
+  explicit LiveResults(const QuestionnaireFacts& facts) : facts_(facts) {}
 
   void add(const std::vector<AnswerRow>& rows);
 
@@ -36,11 +36,11 @@ class LiveResults {
   };
 
   /// The scale of a row's item, or nullptr.
-  const AskedScale* scale_of(const AnswerRow& row) const;
+  const ResponseScale* scale_of(const AnswerRow& row) const;
   Tally& tally_of(const AnswerRow& row);
   static void count(Tally& tally, const std::string& label);
 
-  const AskedFacts& facts_;
+  const QuestionnaireFacts& facts_;
   std::map<std::pair<std::string, bool>, Tally> tallies_;  ///< by item, and whether of pairs
   int passed_ = 0;
   int failed_ = 0;

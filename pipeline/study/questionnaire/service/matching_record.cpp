@@ -13,9 +13,9 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr std::size_t most_sliders = 4000;
-constexpr std::size_t most_changes = 30'000;
-constexpr double longest_s = longest_ms / 1000.0;
+constexpr std::size_t max_sliders = 4000;
+constexpr std::size_t max_changes = 30'000;
+constexpr double longest_s = max_ms / 1000.0;
 constexpr double farthest_m = 1000.0;
 
 /// A clock that ticks is read twice where a trial ends.
@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 3> slider_actions = {"move", "add", "remo
 constexpr std::array<std::string_view, 3> moments = {"guess", "match", "limit"};
 
 const nlohmann::json& list_of(RecordReader& reader, const char* name, std::size_t most) {
-  const nlohmann::json& list = reader.needed(name);
+  const nlohmann::json& list = reader.required(name);
   if (!list.is_array() || list.size() > most)
     throw RecordFault(fmt::format("{} is not a list, or is too long", motion::in_quotes(name)));
   return list;
@@ -34,11 +34,11 @@ const nlohmann::json& list_of(RecordReader& reader, const char* name, std::size_
 SliderSetting read_setting(const nlohmann::json& text) {
   RecordReader reader(text, "a setting");
   SliderSetting setting;
-  for (const nlohmann::json& slider : list_of(reader, "sliders", most_sliders)) {
+  for (const nlohmann::json& slider : list_of(reader, "sliders", max_sliders)) {
     if (!slider.is_string()) throw RecordFault("a slider has no name");
     setting.sliders.push_back(slider.get<std::string>());
   }
-  for (const nlohmann::json& value : list_of(reader, "values", most_sliders)) {
+  for (const nlohmann::json& value : list_of(reader, "values", max_sliders)) {
     const double number = value.is_number() ? value.get<double>() : -1.0;
     if (!(number >= 0.0 && number <= 1.0)) throw RecordFault("a slider is outside 0 to 1");
     setting.values.push_back(number);
@@ -57,10 +57,10 @@ bool is_one_of(const std::string& word, const std::array<std::string_view, N>& w
 MatchingChange read_change(const nlohmann::json& text) {
   RecordReader reader(text, "a change");
   MatchingChange change;
-  change.seconds = reader.needed_amount("s", longest_s);
+  change.seconds = reader.required_amount("s", longest_s);
   change.step = reader.name("step");
   change.action = reader.name("action");
-  change.slider = reader.text("slider", 4 * longest_name);
+  change.slider = reader.text("slider", 4 * max_name_characters);
   change.value = reader.amount("value", 1.0);
   change.d = reader.amount("d", farthest_m);
   reader.finish();
@@ -106,16 +106,16 @@ MatchingFacts matching_facts(const nlohmann::ordered_json& matching) {
 MatchingRecord read_matching_record(const nlohmann::json& text) {
   RecordReader reader(text, "a match");
   MatchingRecord record;
-  record.first = read_setting(reader.needed("first"));
-  record.last = read_setting(reader.needed("last"));
-  record.first_guess_d = reader.needed_amount("first_guess_d", farthest_m);
-  record.guess_s = reader.needed_amount("guess_s", longest_s);
-  record.d = reader.needed_amount("d", farthest_m);
-  record.time_s = reader.needed_amount("time_s", longest_s);
-  record.success = reader.yes_or_no("success");
-  reader.needed("attempt");
+  record.first = read_setting(reader.required("first"));
+  record.last = read_setting(reader.required("last"));
+  record.first_guess_d = reader.required_amount("first_guess_d", farthest_m);
+  record.guess_s = reader.required_amount("guess_s", longest_s);
+  record.d = reader.required_amount("d", farthest_m);
+  record.time_s = reader.required_amount("time_s", longest_s);
+  record.success = reader.boolean("success");
+  reader.required("attempt");
   record.attempt = *reader.count("attempt");
-  for (const nlohmann::json& change : list_of(reader, "changes", most_changes))
+  for (const nlohmann::json& change : list_of(reader, "changes", max_changes))
     record.changes.push_back(read_change(change));
   reader.finish();
   return record;

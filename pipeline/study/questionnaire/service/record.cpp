@@ -11,20 +11,20 @@ namespace mien::pipeline {
 
 namespace {
 
-GivenResponse read_response(const nlohmann::json& text) {
+ItemResponse read_response(const nlohmann::json& text) {
   RecordReader reader(text, "a response");
-  GivenResponse response;
-  response.item = reader.text("item", longest_name * 4);
-  const nlohmann::json& raw = reader.needed("value_raw");
+  ItemResponse response;
+  response.item = reader.text("item", max_name_characters * 4);
+  const nlohmann::json& raw = reader.required("value_raw");
   if (raw.is_string()) {
-    response.value_raw = reader.text("value_raw", longest_comment);
+    response.value_raw = reader.text("value_raw", max_comment_characters);
   } else if (raw.is_number() && std::isfinite(raw.get<double>())) {
     response.is_number = true;
     response.value_raw = shortest(raw.get<double>());
   } else {
     throw RecordFault("\"value_raw\" is neither a number nor a text");
   }
-  response.rt_ms = reader.amount("rt_ms", longest_ms);
+  response.rt_ms = reader.amount("rt_ms", max_ms);
   reader.finish();
   return response;
 }
@@ -58,12 +58,12 @@ const std::string& hash_at(const std::map<std::string, std::string>& hashes,
   return found == hashes.end() ? none : found->second;
 }
 
-AnswerRow row_of_trial(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
+AnswerRow row_of_trial(const QuestionnaireFacts& facts, const SessionPlan& plan, const Trial& trial,
                        const PageRecord& record) {
   AnswerRow row = record.measured;
   row.participant = plan.participant;
   row.session = record.session;
-  put_trial(trial, row);
+  set_trial_columns(trial, row);
   row.stimulus_sha256 = hash_at(facts.sha256, row.stimulus);
   row.seed = plan.seed;
   row.design = facts.design;
@@ -71,8 +71,8 @@ AnswerRow row_of_trial(const AskedFacts& facts, const SessionPlan& plan, const T
   return row;
 }
 
-void add_response(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
-                  const GivenResponse& response, AnswerRow& row) {
+void add_response(const QuestionnaireFacts& facts, const SessionPlan& plan, const Trial& trial,
+                  const ItemResponse& response, AnswerRow& row) {
   row.item = response.item;
   row.value_raw = table_text(response.value_raw);
   row.value = row.value_raw;
@@ -81,20 +81,20 @@ void add_response(const AskedFacts& facts, const SessionPlan& plan, const Trial&
     row.passed = response.value_raw == trial.expected;
     return;
   }
-  const auto asked = std::ranges::find(trial.items, response.item, &AskedItem::item);
+  const auto asked = std::ranges::find(trial.items, response.item, &TrialItem::item);
   trial.kind->complete(question_of(facts, plan, trial, *asked), row);
 }
 
 }  // namespace
 
-Question question_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
-                     const AskedItem& item) {
+Question question_of(const QuestionnaireFacts& facts, const SessionPlan& plan, const Trial& trial,
+                     const TrialItem& item) {
   return {trial, item, find_scale(facts.scales, item.item),
           plan.choices.empty() ? facts.choices : plan.choices};
 }
 
-AskedFacts asked_facts(const nlohmann::ordered_json& experiment) {
-  AskedFacts facts;
+QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment) {
+  QuestionnaireFacts facts;
   facts.design = experiment.at("design");
   facts.simulated = experiment.value("simulated", false);
   for (const auto& [id, item] : experiment.at("items").items())
@@ -110,7 +110,8 @@ AskedFacts asked_facts(const nlohmann::ordered_json& experiment) {
   if (const auto matching = experiment.find("matching"); matching != experiment.end())
     facts.matching = matching_facts(*matching);
   for (const auto& question : experiment.at("demographics")) {
-    AskedQuestion asked{.id = question.at("id"), .required = question.value("required", false)};
+    DemographicQuestion asked{.id = question.at("id"),
+                              .required = question.value("required", false)};
     const auto& answer = question.at("answer");
     if (answer.is_array()) asked.choices = answer.get<std::vector<std::string>>();
     asked.is_number = answer == "number";
@@ -127,18 +128,18 @@ PageRecord read_record(const nlohmann::json& text) {
   PageRecord record;
   record.name = reader.name("record");
   record.session = reader.name("session");
-  const nlohmann::json& responses = reader.needed("responses");
+  const nlohmann::json& responses = reader.required("responses");
   if (!responses.is_array()) throw RecordFault("\"responses\" is not a list");
   for (const nlohmann::json& response : responses)
     record.responses.push_back(read_response(response));
-  record.comment = reader.text("comment", longest_comment);
-  record.started_at = reader.text("started_at", longest_name);
+  record.comment = reader.text("comment", max_comment_characters);
+  record.started_at = reader.text("started_at", max_name_characters);
   record.measured.replays = reader.count("replays");
-  record.measured.trial_ms = reader.amount("trial_ms", longest_ms);
-  record.measured.play_start_ms = reader.amount("play_start_ms", longest_ms);
-  record.measured.ended_ms = reader.amount("ended_ms", longest_ms);
+  record.measured.trial_ms = reader.amount("trial_ms", max_ms);
+  record.measured.play_start_ms = reader.amount("play_start_ms", max_ms);
+  record.measured.ended_ms = reader.amount("ended_ms", max_ms);
   record.measured.stalls = reader.count("stalls");
-  record.measured.stall_ms = reader.amount("stall_ms", longest_ms);
+  record.measured.stall_ms = reader.amount("stall_ms", max_ms);
   record.measured.dropped_frames = reader.count("dropped_frames");
   record.measured.blurs = reader.count("blurs");
   record.measured.viewport_width = reader.count("viewport_width");
@@ -151,7 +152,7 @@ PageRecord read_record(const nlohmann::json& text) {
   return record;
 }
 
-std::vector<std::string> record_names(const SessionPlan& plan, const AskedFacts& facts) {
+std::vector<std::string> record_names(const SessionPlan& plan, const QuestionnaireFacts& facts) {
   std::vector<std::string> names = {"consent"};
   if (!facts.questions.empty()) names.push_back("demographics");
   for (const Trial& trial : plan.trials) names.push_back(fmt::format("trial-{}", trial.number));
@@ -159,10 +160,10 @@ std::vector<std::string> record_names(const SessionPlan& plan, const AskedFacts&
   return names;
 }
 
-std::vector<AnswerRow> rows_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
-                               const PageRecord& record) {
+std::vector<AnswerRow> rows_of(const QuestionnaireFacts& facts, const SessionPlan& plan,
+                               const Trial& trial, const PageRecord& record) {
   std::vector<AnswerRow> rows;
-  for (const GivenResponse& response : record.responses) {
+  for (const ItemResponse& response : record.responses) {
     AnswerRow row = row_of_trial(facts, plan, trial, record);
     add_response(facts, plan, trial, response, row);
     if (rows.empty()) row.comment = table_text(record.comment);

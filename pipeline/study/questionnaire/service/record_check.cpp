@@ -20,17 +20,17 @@ void refuse(const std::string& fault) {
 /// Refuses a record without exactly one response to each of these items, in any order.
 void check_items(const PageRecord& record, const std::vector<std::string>& items) {
   std::set<std::string> left(items.begin(), items.end());
-  for (const GivenResponse& response : record.responses)
+  for (const ItemResponse& response : record.responses)
     if (left.erase(response.item) == 0)
       throw RecordFault("an answer does not belong to this page, or appears twice");
   if (!left.empty()) throw RecordFault(fmt::format("\"{}\" is not answered", *left.begin()));
 }
 
-void check_word(const GivenResponse& response, const std::vector<std::string>& words) {
+void check_known_name(const ItemResponse& response, const std::vector<std::string>& words) {
   refuse(choice_fault(response, words));
 }
 
-void check_media(const AskedFacts& facts, const Trial& trial, const PageRecord& record) {
+void check_media(const QuestionnaireFacts& facts, const Trial& trial, const PageRecord& record) {
   if (record.media_sha256.empty()) return;
   std::vector<std::string> shown = trial.stimuli;
   if (!trial.reference.empty()) shown.push_back(trial.reference);
@@ -43,46 +43,47 @@ void check_media(const AskedFacts& facts, const Trial& trial, const PageRecord& 
   if (!is_same) throw RecordFault("the media shown were not those of this trial");
 }
 
-void check_trial_record(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
-                        const PageRecord& record) {
+void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
+                        const Trial& trial, const PageRecord& record) {
   if (record.matching.has_value() != (trial.kind == &matching_trials))
     throw RecordFault("the record is of a different kind of trial");
   if (record.matching) {
     check_items(record, {});
     return check_matching_record(facts.matching.value(), trial, *record.matching);
   }
-  std::vector<AskedItem> asked = trial.items;
+  std::vector<TrialItem> asked = trial.items;
   if (asked.empty() && trial.is_attention_check()) asked = {{attention_item}};
   std::vector<std::string> items;
-  for (const AskedItem& item : asked) items.push_back(item.item);
+  for (const TrialItem& item : asked) items.push_back(item.item);
   check_items(record, items);
-  for (const GivenResponse& response : record.responses) {
-    const AskedItem& item = *std::ranges::find(asked, response.item, &AskedItem::item);
+  for (const ItemResponse& response : record.responses) {
+    const TrialItem& item = *std::ranges::find(asked, response.item, &TrialItem::item);
     refuse(trial.kind->fault(question_of(facts, plan, trial, item), response));
   }
   check_media(facts, trial, record);
 }
 
-void check_demographics(const AskedFacts& facts, const PageRecord& record) {
+void check_demographics(const QuestionnaireFacts& facts, const PageRecord& record) {
   std::set<std::string> answered;
-  for (const GivenResponse& response : record.responses) {
-    const auto question = std::ranges::find(facts.questions, response.item, &AskedQuestion::id);
+  for (const ItemResponse& response : record.responses) {
+    const auto question =
+        std::ranges::find(facts.questions, response.item, &DemographicQuestion::id);
     if (question == facts.questions.end() || !answered.insert(response.item).second)
       throw RecordFault("an answer does not belong to this page, or appears twice");
     if (!question->choices.empty())
-      check_word(response, question->choices);
+      check_known_name(response, question->choices);
     else if (response.is_number != question->is_number)
       throw RecordFault(fmt::format("\"{}\" is {}", question->id,
                                     question->is_number ? "not a number" : "a number"));
   }
-  for (const AskedQuestion& question : facts.questions)
+  for (const DemographicQuestion& question : facts.questions)
     if (question.required && !answered.contains(question.id))
       throw RecordFault(fmt::format("\"{}\" is not answered", question.id));
 }
 
 void check_consent(const PageRecord& record) {
   check_items(record, {consent_record});
-  check_word(record.responses.front(), {"agreed", consent_refused});
+  check_known_name(record.responses.front(), {"agreed", consent_refused});
 }
 
 /// Tolerance between the browser's and the server's distance, metres.
@@ -118,7 +119,8 @@ bool is_refusal(const PageRecord& record) {
          record.responses.front().value_raw == consent_refused;
 }
 
-void check_record(const AskedFacts& facts, const SessionPlan& plan, const PageRecord& record) {
+void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
+                  const PageRecord& record) {
   if (record.matching && trial_of(plan, record.name) == nullptr)
     throw RecordFault("this page has no matching trial");
   if (record.name == consent_record) {

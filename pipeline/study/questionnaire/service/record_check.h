@@ -8,7 +8,8 @@ namespace mien::pipeline {
 
 /// Throws RecordFault when the page of this session cannot have sent the record: unknown, missing
 /// or repeated items, invalid values, media that was not shown.
-void check_record(const AskedFacts& facts, const SessionPlan& plan, const PageRecord& record);
+void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
+                  const PageRecord& record);
 
 /// The trial of a record such as "trial-7", or nullptr.
 const Trial* trial_of(const SessionPlan& plan, const std::string& record_name);

@@ -16,10 +16,10 @@
 
 namespace mien::pipeline {
 
-inline constexpr std::size_t longest_name = 64;
-inline constexpr std::size_t longest_comment = 10'000;  // characters
-inline constexpr double longest_ms = 7.0 * 24 * 3600 * 1000;
-inline constexpr double most_counted = 1e6;
+inline constexpr std::size_t max_name_characters = 64;
+inline constexpr std::size_t max_comment_characters = 10'000;  // characters
+inline constexpr double max_ms = 7.0 * 24 * 3600 * 1000;
+inline constexpr double max_count = 1e6;
 
 /// Reads the members of a JSON object with type and range checks, which throw RecordFault.
 class RecordReader {
@@ -29,19 +29,19 @@ class RecordReader {
   }
 
   const nlohmann::json* find(const char* name) {
-    taken_.insert(name);
+    read_members_.insert(name);
     const auto found = text_.find(name);
     return found == text_.end() || found->is_null() ? nullptr : &*found;
   }
 
-  const nlohmann::json& needed(const char* name) {
+  const nlohmann::json& required(const char* name) {
     const nlohmann::json* value = find(name);
     if (value == nullptr) throw RecordFault(fmt::format("{} has no \"{}\"", what_, name));
     return *value;
   }
 
   std::string name(const char* member) {
-    const std::string value = string_of(needed(member), member, longest_name);
+    const std::string value = string_of(required(member), member, max_name_characters);
     const bool is_plain = std::ranges::all_of(value, [](unsigned char one) {
       return std::isalnum(one) != 0 || one == '-' || one == '_' || one == '.' || one == ':';
     });
@@ -66,20 +66,20 @@ class RecordReader {
   }
 
   std::optional<int> count(const char* member) {
-    const std::optional<double> number = amount(member, most_counted);
+    const std::optional<double> number = amount(member, max_count);
     if (!number) return std::nullopt;
     if (*number != std::floor(*number))
       throw RecordFault(fmt::format("\"{}\" is not a whole number", member));
     return static_cast<int>(*number);
   }
 
-  double needed_amount(const char* member, double most) {
-    needed(member);
+  double required_amount(const char* member, double most) {
+    required(member);
     return *amount(member, most);
   }
 
-  bool yes_or_no(const char* member) {
-    const nlohmann::json& value = needed(member);
+  bool boolean(const char* member) {
+    const nlohmann::json& value = required(member);
     if (!value.is_boolean())
       throw RecordFault(fmt::format("\"{}\" is neither true nor false", member));
     return value.get<bool>();
@@ -88,7 +88,7 @@ class RecordReader {
   /// Throws RecordFault when there are members that were not read.
   void finish() const {
     for (const auto& [member, value] : text_.items())
-      if (!taken_.contains(member))
+      if (!read_members_.contains(member))
         throw RecordFault(fmt::format("{} has an unknown member", what_));
   }
 
@@ -104,7 +104,7 @@ class RecordReader {
 
   const nlohmann::json& text_;
   const char* what_;
-  std::set<std::string> taken_;
+  std::set<std::string> read_members_;
 };
 
 }  // namespace mien::pipeline

@@ -36,7 +36,7 @@ ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan
                     .plans = plans,
                     .page = served_page(pages)};
   for (const auto& [stimulus, file] : media) study.media[file.token] = {file.file, file.type};
-  study.facts = asked_facts(study.experiment);
+  study.facts = questionnaire_facts(study.experiment);
   return study;
 }
 
@@ -47,7 +47,7 @@ Hash media_hash(const ServedStudy& study) {
 }
 
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
-                         const GivenAlready& given) {
+                         const SessionProgress& progress) {
   nlohmann::ordered_json own = shared_part(study);
   nlohmann::ordered_json session =
       study.experiment.at("sessions").at(static_cast<std::size_t>(plan));
@@ -59,9 +59,9 @@ std::string session_json(const ServedStudy& study, int plan, const std::string& 
     own["media"][token]["file"] = "../../media/" + token;
   }
   own["sessions"] = nlohmann::ordered_json::array({std::move(session)});
-  own["kept"] = given.kept;
-  own["browser"] = given.browser;
-  own["refused"] = given.has_refused;
+  own["kept"] = progress.stored;
+  own["browser"] = progress.browser;
+  own["refused"] = progress.has_refused;
   return own.dump();
 }
 

@@ -31,7 +31,7 @@ struct ServedStudy {
   std::map<std::string, ServedMedia> media;  ///< by token
   std::map<std::string, ServedFile> page;    ///< by name; "index.html" is the page itself
   std::map<std::string, ServedFile> lab;     ///< the experimenter's page, by name
-  AskedFacts facts;                          ///< of `experiment`
+  QuestionnaireFacts facts;                  ///< of `experiment`
   std::unique_ptr<LiveMotions> live;         ///< of a matching experiment: what its sliders make
 };
 
@@ -43,16 +43,16 @@ ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan
 Hash media_hash(const ServedStudy& study);
 
 /// The progress of a session.
-struct GivenAlready {
-  std::vector<std::string> kept;  ///< names of the stored records
-  std::string browser;            ///< the browser session that sent them
+struct SessionProgress {
+  std::vector<std::string> stored;  ///< names of the stored records
+  std::string browser;              ///< the browser session that sent them
   bool has_refused = false;
 };
 
 /// experiment.json for one participant's page: one session, without data that reveals conditions or
 /// belongs to others.
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
-                         const GivenAlready& given);
+                         const SessionProgress& progress);
 
 /// experiment.json for the page that asks for consent before there is a session: the texts alone.
 std::string joining_json(const ServedStudy& study);

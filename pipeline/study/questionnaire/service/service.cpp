@@ -67,21 +67,21 @@ QuestionnaireService::QuestionnaireService(const ServedStudy& study, SessionStor
       wrong_rate_(rates.wrong),
       joining_rate_(rates.joining) {}
 
-std::string QuestionnaireService::trouble() const {
-  const std::lock_guard lock(trouble_mutex_);
-  return trouble_;
+std::string QuestionnaireService::last_failure() const {
+  const std::lock_guard lock(last_failure_mutex_);
+  return last_failure_;
 }
 
-void QuestionnaireService::set_trouble(const std::string& trouble) {
-  const std::lock_guard lock(trouble_mutex_);
-  trouble_ = trouble;
+void QuestionnaireService::set_last_failure(const std::string& last_failure) {
+  const std::lock_guard lock(last_failure_mutex_);
+  last_failure_ = last_failure;
 }
 
 HttpResponse QuestionnaireService::answer(const HttpRequest& request) {
   try {
     return answer_kind(request);
   } catch (const WriteFailure& failure) {
-    set_trouble(failure.what());
+    set_last_failure(failure.what());
     return http_refusal(507, "full", "the answer could not be stored", "send it again later");
   }
 }
@@ -99,7 +99,7 @@ HttpResponse QuestionnaireService::answer_kind(const HttpRequest& request) {
 
 /// Many requests for unknown links suggest guessing, and are limited.
 HttpResponse QuestionnaireService::unknown(const HttpRequest& request) {
-  if (!wrong_rate_.allows(request.address)) return http_too_often();
+  if (!wrong_rate_.allows(request.address)) return http_too_many_requests();
   if (is_reading(request) && request.path.size() <= 3 && request.path.back().empty())
     return message_page(404, "This link is not valid. Please ask the experimenter for your link.",
                         "このリンクは登録されていません。実験者にお尋ねください。");
@@ -112,23 +112,24 @@ HttpResponse QuestionnaireService::answer_session(const HttpRequest& request) {
   if (!session) return unknown(request);
   if (study_.live && request.path.size() == 4 && request.path[2] == "live")
     return answer_live(request);
-  if (!link_rate_.allows(request.path[1])) return http_too_often();
+  if (!link_rate_.allows(request.path[1])) return http_too_many_requests();
   if (request.path.size() == 4 && request.path[2] == "records")
-    return request.method == "POST" ? take_record(request, *session) : http_wrong_method("POST");
-  if (!is_reading(request)) return http_wrong_method("GET, HEAD");
-  return answer_own(request, *session);
+    return request.method == "POST" ? take_record(request, *session)
+                                    : http_method_not_allowed("POST");
+  if (!is_reading(request)) return http_method_not_allowed("GET, HEAD");
+  return answer_in_session(request, *session);
 }
 
-HttpResponse QuestionnaireService::answer_own(const HttpRequest& request, int session) {
+HttpResponse QuestionnaireService::answer_in_session(const HttpRequest& request, int session) {
   if (request.path.size() == 2) return redirect(308, "/s/" + request.path[1] + "/");
   if (request.path.size() > 3) return unknown(request);
   const std::string& name = request.path[2];
   if (name == "session.json") {
-    sessions_.see(session);
+    sessions_.note_request(session);
     const SessionState state = sessions_.state(session);
-    const auto kept_end = state.names.begin() + static_cast<std::ptrdiff_t>(state.kept);
+    const auto stored_end = state.names.begin() + static_cast<std::ptrdiff_t>(state.stored);
     return http_json(session_json(study_, state.session.plan, state.session.participant,
-                                  {.kept = {state.names.begin(), kept_end},
+                                  {.stored = {state.names.begin(), stored_end},
                                    .browser = state.browser,
                                    .has_refused = state.has_refused}));
   }
@@ -137,7 +138,7 @@ HttpResponse QuestionnaireService::answer_own(const HttpRequest& request, int se
 }
 
 HttpResponse QuestionnaireService::answer_live(const HttpRequest& request) {
-  if (!live_rate_.allows(request.path[1])) return http_too_often();
+  if (!live_rate_.allows(request.path[1])) return http_too_many_requests();
   return study_.live->answer(request, std::span(request.path).subspan(3));
 }
 
@@ -163,18 +164,18 @@ HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int s
 
 HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& record,
                                                const std::string& content) {
-  const GivenRecord given = sessions_.give(session, record, content);
-  if (!given.is_elsewhere) set_trouble("");
-  if (given.is_elsewhere)
+  const SubmissionResult given = sessions_.submit(session, record, content);
+  if (!given.is_other_browser) set_last_failure("");
+  if (given.is_other_browser)
     return http_refusal(409, "elsewhere", "this session was started in another browser",
                         "continue there, or ask for another link");
   if (given.has_refused)
     return http_refusal(409, "refused", "the participant has not given consent",
                         "no further answers are accepted");
-  if (given.keeping == Keeping::other)
+  if (given.outcome == RecordOutcome::other)
     return http_refusal(409, "other", "a different answer has already been stored",
                         "the stored answer is kept");
-  if (given.keeping == Keeping::out_of_order)
+  if (given.outcome == RecordOutcome::out_of_order)
     return http_value({{"error", "order"},
                        {"wrong", "an earlier page has not been answered"},
                        {"remedy", "send the earlier page first"},
@@ -184,7 +185,7 @@ HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& re
 }
 
 HttpResponse QuestionnaireService::answer_media(const HttpRequest& request) const {
-  if (!is_reading(request)) return http_wrong_method("GET, HEAD");
+  if (!is_reading(request)) return http_method_not_allowed("GET, HEAD");
   const auto media =
       request.path.size() == 2 ? study_.media.find(request.path[1]) : study_.media.end();
   if (media == study_.media.end())
@@ -196,11 +197,11 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
   const std::vector<std::string>& path = request.path;
   if (path.size() < 2 || path[1] != sessions_.join_link()) return unknown(request);
   if (path.size() == 4 && path[2] == "records" && path[3] == consent_record)
-    return request.method == "POST" ? take_joining(request) : http_wrong_method("POST");
-  if (!is_reading(request)) return http_wrong_method("GET, HEAD");
+    return request.method == "POST" ? take_joining(request) : http_method_not_allowed("POST");
+  if (!is_reading(request)) return http_method_not_allowed("GET, HEAD");
   if (path.size() == 2) return redirect(308, "/join/" + path[1] + "/");
   if (path.size() > 3) return unknown(request);
-  if (!link_rate_.allows("join " + request.address)) return http_too_often();
+  if (!link_rate_.allows("join " + request.address)) return http_too_many_requests();
   if (path[2] == "session.json") return http_json(joining_json(study_));
   if (path[2].empty() && sessions_.has_enough())
     return message_page(403,
@@ -212,7 +213,7 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
 
 /// Nothing is stored about visitors who refuse or leave.
 HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
-  if (!joining_rate_.allows(request.address)) return http_too_often();
+  if (!joining_rate_.allows(request.address)) return http_too_many_requests();
   return with_record(request, [&](const PageRecord& consent, const std::string& content) {
     check_record(study_.facts, study_.plans.front(), consent);
     if (is_refusal(consent)) return http_value({{"kept", consent.name}});
@@ -220,7 +221,7 @@ HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
     if (!joined)
       return http_refusal(409, "enough", "all places in this study have been taken",
                           "no further answers are accepted");
-    set_trouble("");
+    set_last_failure("");
     const std::string where = "../../s/" + joined->session.link + "/";
     return http_value({{"kept", consent.name}, {"session", where}});
   });
@@ -228,11 +229,11 @@ HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
 
 HttpResponse QuestionnaireService::answer_lab(const HttpRequest& request) {
   if (request.path.size() < 2 || request.path[1] != sessions_.lab_link()) return unknown(request);
-  if (!is_reading(request)) return http_wrong_method("GET, HEAD");
+  if (!is_reading(request)) return http_method_not_allowed("GET, HEAD");
   if (request.path.size() == 2) return redirect(308, "/lab/" + sessions_.lab_link() + "/");
   std::optional<HttpResponse> answer;
   if (request.path.size() == 3)
-    answer = lab_answer(request, study_, sessions_, trouble(), clock_());
+    answer = lab_answer(request, study_, sessions_, last_failure(), clock_());
   return answer ? *answer : unknown(request);
 }
 

@@ -37,18 +37,18 @@ class QuestionnaireService {
                        ClockSeconds clock = system_seconds);
 
   /// A record that could not be stored is answered with 507 and shown on the experimenter's page
-  /// (trouble()).
+  /// (last_failure()).
   HttpResponse answer(const HttpRequest& request);
 
   /// The last storage failure; empty once a record has been stored since.
-  std::string trouble() const;
+  std::string last_failure() const;
 
   const StudySessions& sessions() const { return sessions_; }
 
  private:
   HttpResponse answer_kind(const HttpRequest& request);
   HttpResponse answer_session(const HttpRequest& request);
-  HttpResponse answer_own(const HttpRequest& request, int session);
+  HttpResponse answer_in_session(const HttpRequest& request, int session);
   HttpResponse answer_live(const HttpRequest& request);
   HttpResponse take_record(const HttpRequest& request, int session);
   HttpResponse keep_record(int session, const PageRecord& record, const std::string& content);
@@ -57,14 +57,14 @@ class QuestionnaireService {
   HttpResponse answer_join(const HttpRequest& request);
   HttpResponse take_joining(const HttpRequest& request);
   HttpResponse answer_lab(const HttpRequest& request);
-  void set_trouble(const std::string& trouble);
+  void set_last_failure(const std::string& last_failure);
   HttpResponse unknown(const HttpRequest& request);
 
   const ServedStudy& study_;
   ClockSeconds clock_;
   StudySessions sessions_;
-  mutable std::mutex trouble_mutex_;
-  std::string trouble_;
+  mutable std::mutex last_failure_mutex_;
+  std::string last_failure_;
   RateLimit link_rate_, live_rate_, wrong_rate_, joining_rate_;
 };
 

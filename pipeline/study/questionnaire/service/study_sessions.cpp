@@ -14,7 +14,7 @@ namespace mien::pipeline {
 namespace {
 
 /// Limit of sessions by the shared link, for each planned session.
-constexpr std::size_t most_sessions_a_plan = 4;
+constexpr std::size_t max_sessions_per_plan = 4;
 
 constexpr char study_fact[] = "study";
 constexpr char design_fact[] = "design";
@@ -91,7 +91,7 @@ void StudySessions::add_state(const StoredSession& session) {
 }
 
 void StudySessions::count(SessionState& state, const PageRecord& record) {
-  if (state.kept++ == 0) state.browser = record.session;
+  if (state.stored++ == 0) state.browser = record.session;
   state.has_refused |= is_refusal(record);
   const SessionPlan plan = plan_of(state.session);
   if (const Trial* trial = trial_of(plan, record.name))
@@ -114,36 +114,37 @@ std::vector<SessionState> StudySessions::states() const {
   return states_;
 }
 
-void StudySessions::see(int session) {
+void StudySessions::note_request(int session) {
   const std::lock_guard lock(mutex_);
   states_.at(static_cast<std::size_t>(session)).last_seen = clock_();
 }
 
-void StudySessions::come(SessionState& state) {
+void StudySessions::mark_begun(SessionState& state) {
   if (!state.session.begun_at.empty()) return;
   const std::string now = iso_time(state.last_seen);
-  store_.come(state.session.index, "link", now);
+  store_.mark_begun(state.session.index, "link", now);
   state.session.begun_at = now;
-  state.session.came_by = "link";
+  state.session.entry_route = "link";
 }
 
-GivenRecord StudySessions::give(int session, const PageRecord& record, const std::string& content) {
+SubmissionResult StudySessions::submit(int session, const PageRecord& record,
+                                       const std::string& content) {
   const std::lock_guard lock(mutex_);
   SessionState& state = states_.at(static_cast<std::size_t>(session));
-  if (state.kept > 0 && state.browser != record.session) return {.is_elsewhere = true};
+  if (state.stored > 0 && state.browser != record.session) return {.is_other_browser = true};
   state.last_seen = clock_();
   const auto position = std::ranges::find(state.names, record.name) - state.names.begin();
   if (state.has_refused && position > 0) return {.has_refused = true};
-  const Keeping keeping = store_.keep({.session = session,
-                                       .position = static_cast<int>(position),
-                                       .name = record.name,
-                                       .content = content,
-                                       .kept_at = iso_time(state.last_seen)});
-  if (keeping == Keeping::kept) {
+  const RecordOutcome outcome = store_.keep({.session = session,
+                                             .position = static_cast<int>(position),
+                                             .name = record.name,
+                                             .content = content,
+                                             .stored_at = iso_time(state.last_seen)});
+  if (outcome == RecordOutcome::stored) {
     count(state, record);
-    come(state);
+    mark_begun(state);
   }
-  return {.keeping = keeping, .next = state.has_finished() ? "" : state.names[state.kept]};
+  return {.outcome = outcome, .next = state.has_finished() ? "" : state.names[state.stored]};
 }
 
 bool StudySessions::has_enough() const {
@@ -157,41 +158,41 @@ bool StudySessions::is_full() const {
   for (const SessionState& state : states_)
     if (state.has_finished()) finished[static_cast<std::size_t>(state.session.plan)] = true;
   return std::ranges::all_of(finished, std::identity()) ||
-         states_.size() >= most_sessions_a_plan * study_.plans.size();
+         states_.size() >= max_sessions_per_plan * study_.plans.size();
 }
 
 /// Must not be asked while somebody else may join.
-StoredSession StudySessions::further_session() const {
+StoredSession StudySessions::additional_session() const {
   std::vector<int> given(study_.plans.size()), finished(study_.plans.size());
   for (const SessionState& state : states_) {
     const auto plan = static_cast<std::size_t>(state.session.plan);
-    const bool is_under_way = state.kept > 0 && !state.has_refused && state.is_here(clock_());
+    const bool is_under_way = state.stored > 0 && !state.has_refused && state.is_online(clock_());
     finished[plan] += state.has_finished() ? 1 : 0;
     given[plan] += state.has_finished() || is_under_way ? 1 : 0;
   }
   const int index = static_cast<int>(states_.size());
   return StoredSession{.index = index,
-                       .plan = static_cast<int>(least_filled(study_.plans, given, finished)),
+                       .plan = static_cast<int>(next_plan(study_.plans, given, finished)),
                        .participant = participant_name(index),
                        .link = random_link(),
                        .begun_at = iso_time(clock_()),
-                       .came_by = "join"};
+                       .entry_route = "join"};
 }
 
 std::optional<SessionState> StudySessions::join(const PageRecord& consent,
                                                 const std::string& content) {
   const std::lock_guard lock(mutex_);
   const auto again = std::ranges::find_if(states_, [&](const SessionState& state) {
-    return state.session.came_by == "join" && state.browser == consent.session;
+    return state.session.entry_route == "join" && state.browser == consent.session;
   });
   if (again != states_.end()) return *again;
   if (is_full()) return std::nullopt;
-  const StoredSession further = further_session();
+  const StoredSession further = additional_session();
   store_.add(further, {.session = further.index,
                        .position = 0,
                        .name = consent.name,
                        .content = content,
-                       .kept_at = further.begun_at});
+                       .stored_at = further.begun_at});
   add_state(further);
   states_.back().last_seen = clock_();
   count(states_.back(), consent);

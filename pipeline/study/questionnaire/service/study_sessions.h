@@ -24,22 +24,22 @@ std::string iso_time(std::int64_t seconds);
 struct SessionState {
   StoredSession session;
   std::vector<std::string> names;  ///< of this session's records, in order
-  std::size_t kept = 0;            ///< number of stored records, the first of these
+  std::size_t stored = 0;          ///< number of stored records, the first of these
   std::int64_t last_seen = 0;      ///< time of the last request, seconds since 1970; 0: never
   std::string browser;  ///< browser session that sent the first record; others are refused
   bool has_refused = false;
 
-  bool has_finished() const { return kept == names.size(); }
+  bool has_finished() const { return stored == names.size(); }
   /// Whether the page sent a request within the last five minutes.
-  bool is_here(std::int64_t now) const { return last_seen != 0 && now - last_seen <= 300; }
+  bool is_online(std::int64_t now) const { return last_seen != 0 && now - last_seen <= 300; }
 };
 
 /// The outcome of a sent record.
-struct GivenRecord {
-  Keeping keeping = Keeping::kept;
-  std::string next;           ///< name of the expected record, where the order was wrong
-  bool has_refused = false;   ///< the participant has refused consent; further records are refused
-  bool is_elsewhere = false;  ///< the session was begun in another browser
+struct SubmissionResult {
+  RecordOutcome outcome = RecordOutcome::stored;
+  std::string next;          ///< name of the expected record, where the order was wrong
+  bool has_refused = false;  ///< the participant has refused consent; further records are refused
+  bool is_other_browser = false;  ///< the session was begun in another browser
 };
 
 /// The sessions of a served study: links and progress. Thread-safe.
@@ -56,10 +56,10 @@ class StudySessions {
   std::vector<SessionState> states() const;
 
   /// Notes a request of the participant's page.
-  void see(int session);
+  void note_request(int session);
 
   /// Stores a record, which must have been checked.
-  GivenRecord give(int session, const PageRecord& record, const std::string& content);
+  SubmissionResult submit(int session, const PageRecord& record, const std::string& content);
 
   /// Adds a session for a participant who gave consent by the shared link. It follows the plan with
   /// the fewest participants, not counting those who have left or refused. Planned sessions are
@@ -83,12 +83,12 @@ class StudySessions {
 
  private:
   void begin();
-  void come(SessionState& state);
+  void mark_begun(SessionState& state);
   void load();
   void add_state(const StoredSession& session);
   void count(SessionState& state, const PageRecord& record);
   bool is_full() const;
-  StoredSession further_session() const;
+  StoredSession additional_session() const;
 
   const ServedStudy& study_;
   SessionStore& store_;

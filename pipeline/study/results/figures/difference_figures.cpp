@@ -11,26 +11,26 @@ namespace mien::pipeline {
 
 namespace {
 
-BarChart differences_chart(const Gathered& gathered, const std::string& title) {
+BarChart differences_chart(const AnswerSet& answer_set, const std::string& title) {
   BarChart chart;
   chart.title = title;
   chart.axis = "Scale points towards the intended emotion";
-  chart.whiskers = fmt::format("95 %; * p < {:g}, corrected", gathered.alpha);
+  chart.whiskers = fmt::format("95 %; * p < {:g}, corrected", answer_set.alpha);
   chart.one_colour = true;
   chart.decimals = 2;
   chart.slot_width = 92.0;
   return chart;
 }
 
-/// `end` is +1 where positive differences are towards the emotion that was meant, else −1.
-Bar difference_bar(const Gathered& gathered, const std::string& name, int end,
-                   const WithinPersons& within, double p, const std::string& setting) {
+/// `end` is +1 where positive differences are towards the emotion that former_name meant, else −1.
+Bar difference_bar(const AnswerSet& answer_set, const std::string& name, int end,
+                   const WithinParticipants& within, double p, const std::string& setting) {
   constexpr int fewest = 5;  // participants, so that intervals fit on the page
   const bool has_whisker = within.people >= fewest;
   const double low = has_whisker ? within.t.low(0.95) : std::nan("");
   const double high = has_whisker ? within.t.high(0.95) : std::nan("");
   const std::string count = fmt::format("n = {}", within.people);
-  return {name + (p < gathered.alpha ? " *" : ""),
+  return {name + (p < answer_set.alpha ? " *" : ""),
           end * within.t.mean + 0.0,
           end > 0 ? low : -high,
           end > 0 ? high : -low,
@@ -41,26 +41,27 @@ Bar difference_bar(const Gathered& gathered, const std::string& name, int end,
 
 struct DifferenceFigure {
   ComparisonFamily family;
-  std::string thesis;  ///< number of the corresponding figure; or empty
-  std::string was;     ///< earlier name of its files; or empty
+  std::string thesis;       ///< number of the corresponding figure; or empty
+  std::string former_name;  ///< earlier name of its files; or empty
   std::string title;
   std::string caption;
 };
 
 void add_differences(const Results& results, const DifferenceFigure& drawn,
                      std::vector<ResultFigure>& figures) {
-  const Gathered& gathered = results.gathered;
-  BarChart chart = differences_chart(gathered, drawn.title);
+  const AnswerSet& answer_set = results.answer_set;
+  BarChart chart = differences_chart(answer_set, drawn.title);
   for (const Comparison& c : results.comparisons) {
-    if (c.family != drawn.family || c.own_end == 0 || c.within.people < 2) continue;
-    const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
-    chart.bars.push_back(difference_bar(gathered, stimulus.emotion, c.own_end, c.within,
+    if (c.family != drawn.family || c.intended_end == 0 || c.within.people < 2) continue;
+    const ReportedStimulus& stimulus = answer_set.stimuli[c.stimulus];
+    chart.bars.push_back(difference_bar(answer_set, stimulus.emotion, c.intended_end, c.within,
                                         c.paired_adjusted, stimulus.setting));
   }
   if (chart.bars.empty()) return;
   const std::string name(word_of(family_words, drawn.family));
-  figures.push_back({"differences-" + name, "differences", drawn.thesis, drawn.was, drawn.caption,
-                     marked(bar_chart_plot(chart), gathered.simulated)});
+  figures.push_back({"differences-" + name, "differences", drawn.thesis, drawn.former_name,
+                     drawn.caption,
+                     with_simulated_mark(bar_chart_plot(chart), answer_set.simulated)});
 }
 
 std::string level_of(const ReportedStimulus& stimulus, const std::string& factor) {
@@ -71,50 +72,50 @@ std::string level_of(const ReportedStimulus& stimulus, const std::string& factor
 
 /// A figure for each two levels of a factor; settings without that factor name the bars.
 void add_levels(const Results& results, std::vector<ResultFigure>& figures) {
-  const Gathered& gathered = results.gathered;
+  const AnswerSet& answer_set = results.answer_set;
   std::map<std::tuple<std::string, std::string, std::string>, BarChart> charts;
   for (const Comparison& c : results.comparisons) {
-    if (c.family != ComparisonFamily::between_levels || c.own_end == 0 || c.within.people < 2)
+    if (c.family != ComparisonFamily::between_levels || c.intended_end == 0 || c.within.people < 2)
       continue;
-    const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
+    const ReportedStimulus& stimulus = answer_set.stimuli[c.stimulus];
     const std::string one = level_of(stimulus, c.factor);
-    const std::string other = level_of(gathered.stimuli[*c.against], c.factor);
+    const std::string other = level_of(answer_set.stimuli[*c.against], c.factor);
     const auto [chart, is_new] = charts.try_emplace({c.factor, one, other});
     if (is_new)
       chart->second =
-          differences_chart(gathered, fmt::format("{}: {} vs. {}", c.factor, one, other));
+          differences_chart(answer_set, fmt::format("{}: {} vs. {}", c.factor, one, other));
     std::string rest = stimulus.made;
     for (const auto& [factor, level] : stimulus.factors)
       if (factor != c.factor && factor != "made" && factor != "emotion" && factor != "example" &&
           factor != "clip")
         rest += ", " + level;
-    chart->second.bars.push_back(
-        difference_bar(gathered, stimulus.emotion, c.own_end, c.within, c.paired_adjusted, rest));
+    chart->second.bars.push_back(difference_bar(answer_set, stimulus.emotion, c.intended_end,
+                                                c.within, c.paired_adjusted, rest));
   }
   for (const auto& [levels, chart] : charts) {
     const auto& [factor, one, other] = levels;
     figures.push_back({fmt::format("differences-{}-{}-{}", factor, one, other), "levels", "", "",
                        "Within-participant differences, first minus second; positive towards the "
                        "intended emotion.",
-                       marked(bar_chart_plot(chart), gathered.simulated)});
+                       with_simulated_mark(bar_chart_plot(chart), answer_set.simulated)});
   }
 }
 
 /// Over all settings, emotion by emotion.
 void add_overall(const Results& results, ComparisonFamily family, const std::string& title,
                  std::vector<ResultFigure>& figures) {
-  const Gathered& gathered = results.gathered;
-  BarChart chart = differences_chart(gathered, title + ", over all settings");
+  const AnswerSet& answer_set = results.answer_set;
+  BarChart chart = differences_chart(answer_set, title + ", over all settings");
   for (const OverallComparison& c : results.overall) {
     if (c.family != family) continue;
     const std::string name = c.emotion.empty() ? "all" : c.emotion;
-    chart.bars.push_back(difference_bar(gathered, name, 1, c.within, c.paired_adjusted, ""));
+    chart.bars.push_back(difference_bar(answer_set, name, 1, c.within, c.paired_adjusted, ""));
   }
   if (chart.bars.empty()) return;
   figures.push_back({"overall-" + std::string(word_of(family_words, family)), "differences", "", "",
                      "Mean per participant over the settings and emotions of which the participant "
                      "judged both sides.",
-                     marked(bar_chart_plot(chart), gathered.simulated)});
+                     with_simulated_mark(bar_chart_plot(chart), answer_set.simulated)});
 }
 
 }  // namespace

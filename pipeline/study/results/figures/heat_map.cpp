@@ -30,8 +30,8 @@ void draw_map_heads(Canvas& canvas, const HeatMap& map) {
   canvas.text({map_margin, map_margin + 12.0}, map.title, {.size = 12.0, .bold = true});
   canvas.text({map_margin, map_margin + 27.0}, map.words, {.size = 8.5, .colour = quiet_ink});
   const double top = map_margin + map_header + map_heads;
-  canvas.text({map_margin, top - 6.0}, map.rows_are, {.size = 7.5, .colour = quiet_ink});
-  canvas.text({map_margin + map_names, top - 19.0}, map.columns_are,
+  canvas.text({map_margin, top - 6.0}, map.row_title, {.size = 7.5, .colour = quiet_ink});
+  canvas.text({map_margin + map_names, top - 19.0}, map.column_title,
               {.size = 7.5, .colour = quiet_ink});
   for (std::size_t c = 0; c < map.column_names.size(); ++c) {
     const double x = map_margin + map_names + (static_cast<double>(c) + 0.5) * cell_width;

@@ -20,7 +20,7 @@ struct HeatCell {
 struct HeatMap {
   std::string title;
   std::string words;  ///< under the title
-  std::string rows_are, columns_are;
+  std::string row_title, column_title;
   std::vector<std::string> row_names, column_names;
   std::vector<std::vector<HeatCell>> cells;  ///< row by row
   bool simulated = false;

@@ -9,32 +9,32 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr std::size_t most_pairs = 8;  // beside each other
+constexpr std::size_t max_pairs = 8;  // beside each other
 
 /// Wide enough for the longest name.
-double width_of_pair(const Gathered& gathered, const PreferenceCount& count) {
+double width_of_pair(const AnswerSet& answer_set, const PreferenceCount& count) {
   constexpr double letter = 5.2;
-  const std::size_t longest = std::max(gathered.stimuli[count.one].id.size() + 2,
-                                       gathered.stimuli[count.other].id.size() + 5);
+  const std::size_t longest = std::max(answer_set.stimuli[count.one].id.size() + 2,
+                                       answer_set.stimuli[count.other].id.size() + 5);
   return std::clamp(12.0 + letter * static_cast<double>(longest), 92.0, 200.0);
 }
 
-Bar pair_bar(const Gathered& gathered, const PreferenceCount& count) {
-  const bool is_found = count.adjusted < gathered.alpha;
-  return {gathered.stimuli[count.one].id + (is_found ? " *" : ""),
+Bar pair_bar(const AnswerSet& answer_set, const PreferenceCount& count) {
+  const bool is_significant = count.adjusted < answer_set.alpha;
+  return {answer_set.stimuli[count.one].id + (is_significant ? " *" : ""),
           1.0 * count.for_one / count.trials,
           count.low,
           count.high,
-          fmt::format("not {}", gathered.stimuli[count.other].id),
+          fmt::format("not {}", answer_set.stimuli[count.other].id),
           created_colours.light,
           fmt::format("n = {}", count.trials)};
 }
 
-BarChart pair_chart(const Gathered& gathered, const std::string& item) {
+BarChart pair_chart(const AnswerSet& answer_set, const std::string& item) {
   BarChart chart;
-  chart.title = "Preferred stimulus of each pair: " + asked_of_two(gathered, item);
+  chart.title = "Preferred stimulus of each pair: " + pair_question(answer_set, item);
   chart.axis = "Choices of the first-named stimulus";
-  chart.whiskers = fmt::format("95 % Wilson interval; * p < {:g}, corrected", gathered.alpha);
+  chart.whiskers = fmt::format("95 % Wilson interval; * p < {:g}, corrected", answer_set.alpha);
   chart.line = 0.5;
   chart.line_name = "chance 50 %";
   chart.percent = true;
@@ -44,19 +44,19 @@ BarChart pair_chart(const Gathered& gathered, const std::string& item) {
 }
 
 /// Adds the figures of the pairs of one question.
-void add_pairs(const Gathered& gathered, const std::string& item,
+void add_pairs(const AnswerSet& answer_set, const std::string& item,
                const std::vector<const PreferenceCount*>& pairs, std::size_t number,
                std::vector<ResultFigure>& figures) {
-  BarChart chart = pair_chart(gathered, item);
+  BarChart chart = pair_chart(answer_set, item);
   for (const PreferenceCount* pair : pairs) {
-    chart.bars.push_back(pair_bar(gathered, *pair));
-    chart.slot_width = std::max(chart.slot_width, width_of_pair(gathered, *pair));
+    chart.bars.push_back(pair_bar(answer_set, *pair));
+    chart.slot_width = std::max(chart.slot_width, width_of_pair(answer_set, *pair));
   }
   const std::string name =
       "pairs-" + item + (number > 0 ? fmt::format("-{}", number + 1) : std::string());
   figures.push_back({name, "preferences", "", "",
                      "Proportion of choices with 95 % Wilson intervals; chance is one half.",
-                     marked(bar_chart_plot(chart), gathered.simulated)});
+                     with_simulated_mark(bar_chart_plot(chart), answer_set.simulated)});
 }
 
 }  // namespace
@@ -69,11 +69,11 @@ void add_pair_figures(const Results& results, std::vector<ResultFigure>& figures
     std::vector<const PreferenceCount*> own;
     for (const PreferenceCount& count : results.preferences)
       if (count.item == item) own.push_back(&count);
-    for (std::size_t first = 0; first < own.size(); first += most_pairs) {
+    for (std::size_t first = 0; first < own.size(); first += max_pairs) {
       const auto begin = own.begin() + static_cast<std::ptrdiff_t>(first);
       const auto end =
-          own.begin() + static_cast<std::ptrdiff_t>(std::min(own.size(), first + most_pairs));
-      add_pairs(results.gathered, item, {begin, end}, first / most_pairs, figures);
+          own.begin() + static_cast<std::ptrdiff_t>(std::min(own.size(), first + max_pairs));
+      add_pairs(results.answer_set, item, {begin, end}, first / max_pairs, figures);
     }
   }
 }

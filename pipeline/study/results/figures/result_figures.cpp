@@ -16,33 +16,33 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr std::size_t most_columns = 8;  // scales beside each other
+constexpr std::size_t max_columns = 8;  // scales beside each other
 
-RatingPanel panel_of(const Gathered& gathered, const RatingSummary& summary) {
-  const Scale& scale = gathered.scales[summary.scale];
+RatingPanel panel_of(const AnswerSet& answer_set, const RatingSummary& summary) {
+  const Scale& scale = answer_set.scales[summary.scale];
   return {.counts = summary.counts,
           .mean = share_of(scale, summary.mean),
           .low = share_of(scale, summary.low),
           .high = share_of(scale, summary.high),
-          .is_marked = end_of(scale, gathered.stimuli[summary.stimulus].emotion) != 0};
+          .is_marked = end_sign(scale, answer_set.stimuli[summary.stimulus].emotion) != 0};
 }
 
 /// The rows of these stimuli on the scales from `first` up to `end`.
 RatingGrid grid_of(const Results& results, const std::vector<std::size_t>& stimuli,
                    std::size_t first, std::size_t end) {
-  const Gathered& gathered = results.gathered;
+  const AnswerSet& answer_set = results.answer_set;
   RatingGrid grid;
-  grid.simulated = gathered.simulated;
+  grid.simulated = answer_set.simulated;
   for (std::size_t s = first; s < end; ++s)
-    grid.columns.push_back({gathered.scales[s].low, gathered.scales[s].high});
+    grid.columns.push_back({answer_set.scales[s].low, answer_set.scales[s].high});
   for (const std::size_t stimulus : stimuli) {
     RatingRow row;
-    row.name = gathered.stimuli[stimulus].id;
+    row.name = answer_set.stimuli[stimulus].id;
     row.panels.resize(end - first);
     int answers = 0;
     for (const RatingSummary& summary : results.summaries) {
       if (summary.stimulus != stimulus || summary.scale < first || summary.scale >= end) continue;
-      row.panels[summary.scale - first] = panel_of(gathered, summary);
+      row.panels[summary.scale - first] = panel_of(answer_set, summary);
       answers = std::max(answers, summary.answers);
     }
     if (answers == 0) continue;
@@ -57,17 +57,18 @@ using DrawGrid = Plot (*)(const RatingGrid&);
 void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
                const ResultFigure& figure, const std::string& title, DrawGrid draw,
                std::vector<ResultFigure>& figures) {
-  const std::size_t scales = results.gathered.scales.size();
-  for (std::size_t first = 0; first < scales; first += most_columns) {
-    const std::size_t end = std::min(scales, first + most_columns);
+  const std::size_t scales = results.answer_set.scales.size();
+  for (std::size_t first = 0; first < scales; first += max_columns) {
+    const std::size_t end = std::min(scales, first + max_columns);
     RatingGrid grid = grid_of(results, stimuli, first, end);
     if (grid.rows.empty()) return;
     grid.title = title;
     grid.words = figure.caption;
     ResultFigure part = figure;
     if (first > 0) {
-      part.name += fmt::format("-{}", first / most_columns + 1);
-      if (!part.was.empty()) part.was += fmt::format("-{}", first / most_columns + 1);
+      part.name += fmt::format("-{}", first / max_columns + 1);
+      if (!part.former_name.empty())
+        part.former_name += fmt::format("-{}", first / max_columns + 1);
     }
     part.plot = draw(grid);
     figures.push_back(std::move(part));
@@ -80,7 +81,7 @@ constexpr char spread_caption[] =
 /// The videos in which some end of a scale is seen most, each once.
 std::vector<std::size_t> best_videos(const Results& results) {
   std::vector<std::size_t> videos;
-  for (const BestSeen& best : best_seen(results.gathered, results.comparisons))
+  for (const BestSeen& best : best_seen(results.answer_set, results.comparisons))
     if (std::ranges::find(videos, best.comparison.stimulus) == videos.end())
       videos.push_back(best.comparison.stimulus);
   return videos;
@@ -113,20 +114,20 @@ void add_histograms_by_level(const Results& results, std::vector<ResultFigure>& 
 
 /// The answers of either group of participants.
 void add_histograms_of_groups(const Results& results, std::vector<ResultFigure>& figures) {
-  std::vector<std::size_t> every(results.gathered.stimuli.size());
+  std::vector<std::size_t> every(results.answer_set.stimuli.size());
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
   for (const ParticipantGroups& groups :
-       participant_groups(results.demographics, results.gathered)) {
+       participant_groups(results.demographics, results.answer_set)) {
     if (groups.question != "gender") continue;
     for (const bool first : {true, false}) {
       const std::vector<std::size_t>& people = first ? groups.people_one : groups.people_other;
       const std::string& answer = first ? groups.one : groups.other;
       Results own;
-      own.gathered = results.gathered;
-      std::erase_if(own.gathered.ratings, [&](const CountedRating& rating) {
+      own.answer_set = results.answer_set;
+      std::erase_if(own.answer_set.ratings, [&](const AnalysedRating& rating) {
         return std::ranges::find(people, rating.person) == people.end();
       });
-      own.summaries = summaries_of(own.gathered);
+      own.summaries = summaries_of(own.answer_set);
       const ResultFigure figure{
           .name = first ? "histograms-by-gender" : "histograms-by-gender-other",
           .section = "groups",
@@ -143,23 +144,23 @@ void add_rating_figures(const Results& results, std::vector<ResultFigure>& figur
       .name = "histograms-best-seen", .section = "best", .thesis = "32", .caption = spread_caption};
   add_grids(results, best_videos(results), best, "Ratings of the highest-rated videos",
             histogram_grid_plot, figures);
-  for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
+  for (const StimulusGroup& group : stimulus_groups(results.answer_set)) {
     const ResultFigure figure{.name = "histograms-" + group.name,
                               .section = "histograms",
-                              .was = group.was,
+                              .former_name = group.former_name,
                               .caption = spread_caption};
     add_grids(results, group.stimuli, figure, "Ratings of the " + group.words, histogram_grid_plot,
               figures);
   }
   add_histograms_by_level(results, figures);
   add_histograms_of_groups(results, figures);
-  std::vector<std::size_t> every(results.gathered.stimuli.size());
+  std::vector<std::size_t> every(results.answer_set.stimuli.size());
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
   const ResultFigure means{
       .name = "means",
       .section = "means",
       .thesis = "40",
-      .was = "figure-40-means",
+      .former_name = "figure-40-means",
       .caption = "Mean ratings with 95 % confidence intervals. Yellow: intended emotion's scale."};
   add_grids(results, every, means, "Means of all videos", mean_grid_plot, figures);
 }
@@ -173,10 +174,10 @@ void add_confusion_figure(const Results& results, const Confusion& confusion,
               (confusion.of == "all" ? std::string("all videos") : confusion.of + " motions");
   map.words = confusion.by_points ? "Percentage of each row's points; outlined: intended emotion"
                                   : "Percentage of each row's choices; outlined: intended emotion";
-  map.rows_are = "intended";
-  map.columns_are = "perceived";
+  map.row_title = "intended";
+  map.column_title = "perceived";
   map.column_names = confusion.columns;
-  map.simulated = results.gathered.simulated;
+  map.simulated = results.answer_set.simulated;
   for (const ConfusionRow& row : confusion.rows) {
     map.row_names.push_back(row.emotion);
     std::vector<HeatCell> cells;
@@ -215,7 +216,7 @@ void add_recall_figure(const Results& results, const Confusion& confusion,
   const std::string by = confusion.by_points ? "" : "-choices";
   figures.push_back({"recall-" + confusion.of + by, "confusion", "", "",
                      "Recall per emotion with 95 % Wilson intervals, compared with chance.",
-                     marked(bar_chart_plot(chart), results.gathered.simulated)});
+                     with_simulated_mark(bar_chart_plot(chart), results.answer_set.simulated)});
 }
 
 void add_confusion_figures(const Results& results, std::vector<ResultFigure>& figures) {
@@ -229,16 +230,16 @@ void add_confusion_figures(const Results& results, std::vector<ResultFigure>& fi
 }
 
 void add_correlation_figure(const Results& results, std::vector<ResultFigure>& figures) {
-  const std::vector<std::string> ends = ends_of(results.gathered.scales);
-  constexpr std::size_t most_ends = 24;  // more cannot be read
-  if (results.correlations.empty() || ends.size() < 4 || ends.size() > most_ends) return;
+  const std::vector<std::string> ends = ends_of(results.answer_set.scales);
+  constexpr std::size_t max_ends = 24;  // more cannot be read
+  if (results.correlations.empty() || ends.size() < 4 || ends.size() > max_ends) return;
   HeatMap map;
   map.title = "Correlations between scale ends";
   map.words =
       "Pearson's r over all judgements; bold: |r| > .5; outlined: |r| > .3; grey: the two ends of "
       "one scale";
   map.row_names = map.column_names = ends;
-  map.simulated = results.gathered.simulated;
+  map.simulated = results.answer_set.simulated;
   map.cells.assign(ends.size(), std::vector<HeatCell>(ends.size(), HeatCell{"", hairline}));
   for (const EndCorrelation& pair : results.correlations) {
     const double r = pair.correlation.r;
@@ -270,7 +271,7 @@ void name_files(std::vector<ResultFigure>& figures) {
 
 }  // namespace
 
-Plot marked(Plot plot, bool simulated) {
+Plot with_simulated_mark(Plot plot, bool simulated) {
   if (!simulated) return plot;
   plot.draw = [draw = plot.draw, right = plot.width - 18.0](Canvas& canvas) {
     draw(canvas);
@@ -279,13 +280,13 @@ Plot marked(Plot plot, bool simulated) {
   return plot;
 }
 
-std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered) {
+std::vector<StimulusGroup> stimulus_groups(const AnswerSet& answer_set) {
   StimulusGroup acted{"acted", "acted motions", {}, "figure-32-histograms-acted"};
   StimulusGroup modified{"modified", "modified motions", {}, "figure-39-histograms-modified"};
   StimulusGroup neutral{"neutral", "neutral motions", {}, "figure-42-histograms-neutral"};
   StimulusGroup others{"others", "other motions", {}, "figure-43-histograms-others"};
-  for (std::size_t i = 0; i < gathered.stimuli.size(); ++i) {
-    const ReportedStimulus& stimulus = gathered.stimuli[i];
+  for (std::size_t i = 0; i < answer_set.stimuli.size(); ++i) {
+    const ReportedStimulus& stimulus = answer_set.stimuli[i];
     StimulusGroup& group = stimulus.is_neutral()         ? neutral
                            : stimulus.made == "acted"    ? acted
                            : stimulus.made == "modified" ? modified
@@ -294,7 +295,7 @@ std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered) {
   }
   if (acted.stimuli.empty() && modified.stimuli.empty()) {
     StimulusGroup all{"all", "videos", {}, "figure-32-histograms-all"};
-    for (std::size_t i = 0; i < gathered.stimuli.size(); ++i) all.stimuli.push_back(i);
+    for (std::size_t i = 0; i < answer_set.stimuli.size(); ++i) all.stimuli.push_back(i);
     return {all};
   }
   std::vector<StimulusGroup> groups;

@@ -10,11 +10,11 @@ namespace mien::pipeline {
 
 /// A figure of the report.
 struct ResultFigure {
-  std::string name;     ///< of its files, by what it shows: "confusion-acted"
-  std::string section;  ///< of the page: "histograms", "means", "differences", "confusion" …
-  std::string thesis;   ///< number of the corresponding figure of the emotion thesis; or empty
-  std::string was;      ///< earlier name of its files; or empty
-  std::string caption;  ///< a sentence
+  std::string name;         ///< of its files, by what it shows: "confusion-acted"
+  std::string section;      ///< of the page: "histograms", "means", "differences", "confusion" …
+  std::string thesis;       ///< number of the corresponding figure of the emotion thesis; or empty
+  std::string former_name;  ///< earlier name of its files; or empty
+  std::string caption;      ///< a sentence
   Plot plot;
 };
 
@@ -23,16 +23,16 @@ struct ResultFigure {
 std::vector<ResultFigure> result_figures(const Results& results);
 
 /// Adds a mark to a bar chart where its ratings are simulated.
-Plot marked(Plot plot, bool simulated);
+Plot with_simulated_mark(Plot plot, bool simulated);
 
 /// A group of stimuli that are shown together.
 struct StimulusGroup {
   std::string name;   ///< "acted"
   std::string words;  ///< "acted motions"
   std::vector<std::size_t> stimuli;
-  std::string was;  ///< earlier name of its histograms
+  std::string former_name;  ///< earlier name of its histograms
 };
-std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered);
+std::vector<StimulusGroup> stimulus_groups(const AnswerSet& answer_set);
 
 /// Adds figures of the differences between modified, acted and neutral motions within participants:
 /// over all settings, then by video.

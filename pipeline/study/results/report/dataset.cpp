@@ -33,7 +33,7 @@ const Column* participant_column(std::string_view name) {
   return name == simulated_column.name ? &simulated_column : find_column(participant_form, name);
 }
 
-std::string letters_and_figures(const std::string& text) {
+std::string alphanumeric(const std::string& text) {
   std::string kept;
   for (const char c : text)
     if (std::isalnum(static_cast<unsigned char>(c)) != 0) kept += c;
@@ -41,8 +41,8 @@ std::string letters_and_figures(const std::string& text) {
 }
 
 std::string answers_csv(const Results& results, std::vector<AnswerRow> rows) {
-  tell_people_apart(rows);
-  const std::vector<std::string>& people = results.gathered.people;
+  separate_participants(rows);
+  const std::vector<std::string>& people = results.answer_set.people;
   std::vector<std::string> header = header_of(answer_form);
   header.emplace_back(excluded_column.name);
   CsvWriter writer(header);
@@ -56,9 +56,9 @@ std::string answers_csv(const Results& results, std::vector<AnswerRow> rows) {
 }
 
 /// Factors of the stimuli other than `made` and `emotion`.
-std::vector<std::string> further_factors(const Gathered& gathered) {
+std::vector<std::string> further_factors(const AnswerSet& answer_set) {
   std::vector<std::string> factors;
-  for (const ReportedStimulus& stimulus : gathered.stimuli)
+  for (const ReportedStimulus& stimulus : answer_set.stimuli)
     for (const auto& [factor, level] : stimulus.factors) {
       const bool is_known = find_column(stimulus_columns.form(), factor) != nullptr ||
                             std::ranges::find(factors, factor) != factors.end();
@@ -67,12 +67,12 @@ std::vector<std::string> further_factors(const Gathered& gathered) {
   return factors;
 }
 
-std::string stimuli_csv(const Gathered& gathered) {
-  const std::vector<std::string> further = further_factors(gathered);
+std::string stimuli_csv(const AnswerSet& answer_set) {
+  const std::vector<std::string> further = further_factors(answer_set);
   std::vector<std::string> header = header_of(stimulus_columns.form());
   header.insert(header.end(), further.begin(), further.end());
   CsvWriter writer(header);
-  for (const ReportedStimulus& stimulus : gathered.stimuli) {
+  for (const ReportedStimulus& stimulus : answer_set.stimuli) {
     std::vector<std::string> row = stimulus_columns.fields_of(stimulus);
     for (const std::string& factor : further) {
       const auto found =
@@ -123,7 +123,7 @@ Variables variables_of(const Results& results) {
   for (const Column& column : answer_form.columns) variables.add(column);
   variables.add(excluded_column);
   for (const Column& column : stimulus_columns.columns) variables.add(column);
-  for (const std::string& factor : further_factors(results.gathered))
+  for (const std::string& factor : further_factors(results.answer_set))
     variables.add(factor, "level of the factor " + factor + " of the stimulus");
   if (!results.demographics.empty()) {
     for (const CsvField& field : results.demographics.table.header)
@@ -135,26 +135,26 @@ Variables variables_of(const Results& results) {
 }
 
 std::string description_of(const Results& results) {
-  const Gathered& gathered = results.gathered;
-  const std::string simulated = gathered.simulated ? "SIMULATED answers: " : "";
+  const AnswerSet& answer_set = results.answer_set;
+  const std::string simulated = answer_set.simulated ? "SIMULATED answers: " : "";
   ordered_json description = {
       {"@context", "https://schema.org/"},
       {"@type", "Dataset"},
-      {"name", gathered.title},
+      {"name", answer_set.title},
       {"description",
-       simulated + "answers to the questionnaire of study " + gathered.study +
+       simulated + "answers to the questionnaire of study " + answer_set.study +
            ", one row per answer, with the stimuli and participants. Derived tables and figures "
            "are in results and figures; codebook.csv documents all columns."},
       {"schemaVersion", "Psych-DS 0.4.0"},
       {"keywords", {"questionnaire", "human motion", "ratings"}},
       {"variableMeasured", variables_of(results).list()}};
-  if (gathered.simulated) description["keywords"].push_back("simulated");
+  if (answer_set.simulated) description["keywords"].push_back("simulated");
   const auto replace = ordered_json::error_handler_t::replace;
   return description.dump(2, ' ', false, replace) + "\n";
 }
 
 std::string codebook_of(const Results& results, const std::vector<WrittenTable>& tables) {
-  const DatasetPaths paths = dataset_paths(results.gathered.study);
+  const DatasetPaths paths = dataset_paths(results.answer_set.study);
   std::vector<DescribedColumn> book;
   const auto add = [&](const TableForm& form, std::string_view path) {
     std::ranges::move(described(form, path), std::back_inserter(book));
@@ -162,7 +162,7 @@ std::string codebook_of(const Results& results, const std::vector<WrittenTable>&
   add(answer_form, paths.answers);
   add({paths.answers, answer_form.rows, {&excluded_column, 1}}, paths.answers);
   add(stimulus_columns.form(), paths.stimuli);
-  for (const std::string& factor : further_factors(results.gathered))
+  for (const std::string& factor : further_factors(results.answer_set))
     book.push_back({paths.stimuli, "stimulus", factor, "", "level of the factor " + factor});
   if (!results.demographics.empty()) {
     for (const CsvField& field : results.demographics.table.header) {
@@ -174,7 +174,7 @@ std::string codebook_of(const Results& results, const std::vector<WrittenTable>&
   }
   for (const WrittenTable& table : tables) {
     add(table.form, table.form.path);
-    if (results.gathered.simulated)
+    if (results.answer_set.simulated)
       book.push_back({std::string(table.form.path), std::string(table.form.rows), "simulated", "",
                       "1: computed from simulated answers"});
   }
@@ -182,10 +182,10 @@ std::string codebook_of(const Results& results, const std::vector<WrittenTable>&
 }
 
 std::string readme_of(const Results& results) {
-  const DatasetPaths paths = dataset_paths(results.gathered.study);
-  return "# " + results.gathered.title + "\n\n" +
-         (results.gathered.simulated ? "**Simulated answers.**\n\n" : "") +
-         "Answers to the questionnaire of study " + results.gathered.study +
+  const DatasetPaths paths = dataset_paths(results.answer_set.study);
+  return "# " + results.answer_set.title + "\n\n" +
+         (results.answer_set.simulated ? "**Simulated answers.**\n\n" : "") +
+         "Answers to the questionnaire of study " + results.answer_set.study +
          ", as a Psych-DS dataset, and the results computed from them by mien study report.\n\n"
          "- report.html: all results on one page\n"
          "- data/: the answers (one row each), the stimuli and the participants\n"
@@ -193,7 +193,7 @@ std::string readme_of(const Results& results) {
          "- codebook.csv: meaning of each column of data/ and results/\n"
          "- results/: tables\n"
          "- figures/: figures as PDF, SVG and PNG\n" +
-         (results.gathered.ratings.empty()
+         (results.answer_set.ratings.empty()
               ? std::string()
               : "- analysis/: R scripts that fit mixed models (lme4, ordinal) to " + paths.answers +
                     "\n");
@@ -202,15 +202,15 @@ std::string readme_of(const Results& results) {
 }  // namespace
 
 DatasetPaths dataset_paths(const std::string& study) {
-  const std::string begin = "data/study-" + letters_and_figures(study) + "_description-";
+  const std::string begin = "data/study-" + alphanumeric(study) + "_description-";
   return {begin + "answers_data.csv", begin + "stimuli_data.csv", begin + "participants_data.csv"};
 }
 
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
                                        const std::vector<WrittenTable>& tables) {
-  const DatasetPaths paths = dataset_paths(results.gathered.study);
+  const DatasetPaths paths = dataset_paths(results.answer_set.study);
   std::vector<DatasetFile> files = {{paths.answers, answers_csv(results, rows)},
-                                    {paths.stimuli, stimuli_csv(results.gathered)},
+                                    {paths.stimuli, stimuli_csv(results.answer_set)},
                                     {"dataset_description.json", description_of(results)},
                                     {"codebook.csv", codebook_of(results, tables)},
                                     {"README.md", readme_of(results)},

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/manifest/ratings/answers/answer_row.h"
-#include "pipeline/study/results/gathered_answers.h"
+#include "pipeline/study/results/answer_set.h"
 #include "pipeline/study/results/result_tables.h"
 #include "pipeline/study/results/results.h"
 
@@ -41,7 +41,7 @@ struct RScripts {
 };
 
 /// `answers` and `stimuli` are the paths of the data, relative to the dataset's folder.
-RScripts r_scripts(const Gathered& gathered, const std::string& answers,
+RScripts r_scripts(const AnswerSet& answer_set, const std::string& answers,
                    const std::string& stimuli);
 
 }  // namespace mien::pipeline

@@ -38,8 +38,8 @@ std::string p_text(double p) {
 
 std::string scale_name(const Scale& scale) { return scale.low + " – " + scale.high; }
 
-std::string HtmlRow::html(bool is_found) const {
-  return (is_found ? "<tr class=\"found\">" : "<tr>") + cells_ + "</tr>\n";
+std::string HtmlRow::html(bool is_significant) const {
+  return (is_significant ? "<tr class=\"found\">" : "<tr>") + cells_ + "</tr>\n";
 }
 
 void HtmlRow::add(std::string_view css_class, const std::string& plain) {

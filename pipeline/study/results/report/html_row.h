@@ -28,7 +28,7 @@ class HtmlRow {
   HtmlRow& prose(const std::string& plain) { return add("prose", plain), *this; }
   /// Numbers of two decimals, whole ones, or as they are written already.
   HtmlRow& number(const auto&... shown) { return (add("", shown), ..., *this); }
-  std::string html(bool is_found = false) const;
+  std::string html(bool is_significant = false) const;
 
  private:
   void add(std::string_view css_class, const std::string& plain);

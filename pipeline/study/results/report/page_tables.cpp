@@ -22,36 +22,36 @@ std::vector<std::string_view> with_within_heads(std::vector<std::string_view> he
 }
 
 /// Appends the tests within participants.
-HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjusted,
+HtmlRow& within_cells(HtmlRow& row, const WithinParticipants& w, double paired_adjusted,
                       double wilcoxon_adjusted) {
   return row.number(w.people, w.t.mean, interval_text(w.t.low(0.95), w.t.high(0.95)),
-                    w.all_alike ? "all equal" : decimal(w.t.t), p_text(w.t.p),
+                    w.all_equal ? "all equal" : decimal(w.t.t), p_text(w.t.p),
                     p_text(paired_adjusted), w.gz, fmt::format("{:g}", w.wilcoxon.w_plus),
                     fmt::format("{}, {}, {}", w.wilcoxon.used, w.wilcoxon.zeros, w.wilcoxon.tied),
                     p_text(w.wilcoxon.p), p_text(wilcoxon_adjusted), w.location.estimate,
                     interval_text(w.location.low, w.location.high), w.wilcoxon.rank_biserial);
 }
 
-std::string comparison_html(const Gathered& gathered, const Comparison& c) {
-  const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
-  const std::string against = c.against ? gathered.stimuli[*c.against].id : "same setting";
+std::string comparison_html(const AnswerSet& answer_set, const Comparison& c) {
+  const ReportedStimulus& stimulus = answer_set.stimuli[c.stimulus];
+  const std::string against = c.against ? answer_set.stimuli[*c.against].id : "same setting";
   HtmlRow row;
-  row.text(stimulus.id, against, scale_name(gathered.scales[c.scale]))
+  row.text(stimulus.id, against, scale_name(answer_set.scales[c.scale]))
       .number(c.mean, c.mean_against,
               fmt::format("{} ({})", decimal(c.welch.t), decimal(c.welch.degrees, 1)),
               p_text(c.welch.p));
   return within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
-      .html(c.paired_adjusted < gathered.alpha);
+      .html(c.paired_adjusted < answer_set.alpha);
 }
 
 /// Notes on a session: excluded, unfinished, straight-lining.
-std::string state_of(const ParticipantSummary& p, const Gathered& gathered) {
-  const bool is_too_short = p.is_unfinished && gathered.without_unfinished;
+std::string state_of(const ParticipantSummary& p, const AnswerSet& answer_set) {
+  const bool is_too_short = p.is_unfinished && answer_set.without_unfinished;
   std::string state;
   if (p.is_unfinished) state = "not finished";
   if (p.is_excluded) state += (state.empty() ? "" : ", ") + std::string("excluded");
   if (p.is_excluded && !is_too_short) state += ": attention checks";
-  if (p.is_constant && !p.is_excluded)
+  if (p.is_straight_lining && !p.is_excluded)
     state += std::string(state.empty() ? "" : "; ") + "included; straight-lining";
   return state;
 }
@@ -59,21 +59,21 @@ std::string state_of(const ParticipantSummary& p, const Gathered& gathered) {
 }  // namespace
 
 std::string best_seen_html(const Results& results) {
-  const Gathered& gathered = results.gathered;
+  const AnswerSet& answer_set = results.answer_set;
   std::string rows;
-  for (const BestSeen& best : best_seen(gathered, results.comparisons)) {
+  for (const BestSeen& best : best_seen(answer_set, results.comparisons)) {
     const Comparison& c = best.comparison;
     const double sign = best.is_high ? 1.0 : -1.0;
     const double low = c.within.t.low(0.95);
     const double high = c.within.t.high(0.95);
     rows += HtmlRow()
                 .text(best.end, best.setting.empty() ? "all" : best.setting,
-                      gathered.stimuli[c.stimulus].id)
+                      answer_set.stimuli[c.stimulus].id)
                 .number(sign * c.within.t.mean,
                         best.is_high ? interval_text(low, high) : interval_text(-high, -low),
                         c.within.people, p_text(c.welch.p), p_text(c.within.t.p),
                         p_text(c.paired_adjusted), sign * c.within.gz)
-                .html(best.is_found);
+                .html(best.is_significant);
   }
   return wide_table(
       {"<perceived", "<setting", "<highest-rated video", "difference from the other videos",
@@ -83,15 +83,15 @@ std::string best_seen_html(const Results& results) {
 
 std::string comparisons_html(const Results& results, ComparisonFamily family,
                              const std::string& made) {
-  const Gathered& gathered = results.gathered;
+  const AnswerSet& answer_set = results.answer_set;
   const bool has_own = std::ranges::any_of(results.comparisons, [&](const Comparison& c) {
-    return c.family == family && c.own_end != 0;
+    return c.family == family && c.intended_end != 0;
   });
   std::string rows;
   for (const Comparison& c : results.comparisons) {
-    const bool is_asked = made.empty() || gathered.stimuli[c.stimulus].made == made;
-    const bool is_shown = !has_own || c.own_end != 0;
-    if (c.family == family && is_asked && is_shown) rows += comparison_html(gathered, c);
+    const bool is_asked = made.empty() || answer_set.stimuli[c.stimulus].made == made;
+    const bool is_shown = !has_own || c.intended_end != 0;
+    if (c.family == family && is_asked && is_shown) rows += comparison_html(answer_set, c);
   }
   return wide_table(with_within_heads({"<video", "<compared with", "<scale", "mean",
                                        "comparison mean", "Welch t (df)", "p"}),
@@ -105,7 +105,7 @@ std::string overall_html(const Results& results, ComparisonFamily family) {
     HtmlRow row;
     row.text(c.emotion.empty() ? "all" : c.emotion).number(c.matched, c.mean, c.mean_against);
     rows += within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
-                .html(c.paired_adjusted < results.gathered.alpha);
+                .html(c.paired_adjusted < results.answer_set.alpha);
   }
   return wide_table(with_within_heads({"<emotion", "matched", "mean", "comparison mean"}), rows);
 }
@@ -118,7 +118,7 @@ std::string sessions_html(const Results& results) {
                 .number(p.trials, p.answers, fmt::format("{} of {}", p.passed, p.checks),
                         std::isnan(p.median_rt_ms) ? "–" : decimal(p.median_rt_ms / 1000.0, 1),
                         p.stalls, p.blurs)
-                .text(state_of(p, results.gathered))
+                .text(state_of(p, results.answer_set))
                 .html();
   return wide_table({"<participant", "trials", "answers", "checks passed",
                      "median response time, s", "stalls", "tab switches", "<"},
@@ -157,7 +157,7 @@ std::string catch_answers_html(const Results& results) {
 
 std::string demographics_html(const Results& results) {
   std::string rows;
-  for (const DemographicSummary& d : demographics_of(results.demographics, results.gathered))
+  for (const DemographicSummary& d : demographics_of(results.demographics, results.answer_set))
     rows += HtmlRow()
                 .text(d.question, d.answer)
                 .number(d.is_count ? decimal(d.value, 0) : decimal(d.value), d.people)
@@ -166,18 +166,18 @@ std::string demographics_html(const Results& results) {
 }
 
 std::string groups_html(const Results& results) {
-  const Gathered& gathered = results.gathered;
+  const AnswerSet& answer_set = results.answer_set;
   std::string rows;
   for (const GroupComparison& c : results.groups)
     rows += HtmlRow()
-                .text(c.question, c.one + " – " + c.other, gathered.stimuli[c.stimulus].id,
-                      scale_name(gathered.scales[c.scale]))
+                .text(c.question, c.one + " – " + c.other, answer_set.stimuli[c.stimulus].id,
+                      scale_name(answer_set.scales[c.scale]))
                 .number(fmt::format("{} ({})", decimal(c.mean_one), c.people_one),
                         fmt::format("{} ({})", decimal(c.mean_other), c.people_other), c.welch.mean,
                         interval_text(c.welch.low(0.95), c.welch.high(0.95)),
                         fmt::format("{} ({})", decimal(c.welch.t), decimal(c.welch.degrees, 1)),
                         p_text(c.welch.p), p_text(c.adjusted), c.g)
-                .html(c.adjusted < gathered.alpha);
+                .html(c.adjusted < answer_set.alpha);
   return wide_table({"<question", "<answers", "<video", "<scale", "mean (n), first group",
                      "mean (n), second group", "difference", "95 % interval", "Welch t (df)", "p",
                      "p, corrected", "g"},
@@ -195,7 +195,7 @@ std::string recall_html(const Results& results) {
               .number(row.judged, percent_text(row.recall),
                       std::isnan(row.low) ? "–" : share_interval(row.low, row.high),
                       percent_text(confusion.chance), row.hits, p_text(row.p), p_text(row.adjusted))
-              .html(row.adjusted < results.gathered.alpha && row.recall > confusion.chance);
+              .html(row.adjusted < results.answer_set.alpha && row.recall > confusion.chance);
     }
   }
   return wide_table({"<intended", "<of", "<by", "presentations", "recall", "95 % interval (Wilson)",
@@ -208,7 +208,7 @@ std::string agreement_html(const Results& results) {
   for (const Reliability& r : results.reliability) {
     const Intraclass& icc = r.intraclass;
     rows += HtmlRow()
-                .text(scale_name(results.gathered.scales[r.scale]))
+                .text(scale_name(results.answer_set.scales[r.scale]))
                 .number(icc.stimuli, icc.raters, decimal(icc.answers_per_stimulus, 1), icc.one,
                         icc.one_k, icc.two, icc.two_k, icc.three, icc.three_k, r.complete_people,
                         r.alpha)
@@ -223,11 +223,11 @@ std::string preferences_html(const Results& results) {
   std::string rows;
   for (const PreferenceCount& c : results.preferences)
     rows += HtmlRow()
-                .text(results.gathered.stimuli[c.one].id, results.gathered.stimuli[c.other].id,
-                      asked_of_two(results.gathered, c.item))
+                .text(results.answer_set.stimuli[c.one].id, results.answer_set.stimuli[c.other].id,
+                      pair_question(results.answer_set, c.item))
                 .number(fmt::format("{} of {}", c.for_one, c.trials), share_interval(c.low, c.high),
                         p_text(c.p), p_text(c.adjusted))
-                .html(c.adjusted < results.gathered.alpha);
+                .html(c.adjusted < results.answer_set.alpha);
   return wide_table({"<first", "<second", "<item", "first chosen", "95 % interval (Wilson)",
                      "p, binomial", "p, corrected"},
                     rows);

@@ -10,11 +10,11 @@ namespace mien::pipeline {
 namespace {
 
 /// Factors with at least two levels, of which models are made.
-std::vector<std::string> varied_factors(const Gathered& gathered) {
+std::vector<std::string> varied_factors(const AnswerSet& answer_set) {
   std::vector<std::string> factors;
   const auto varies = [&](auto level_of_stimulus) {
     std::set<std::string> levels;
-    for (const ReportedStimulus& stimulus : gathered.stimuli)
+    for (const ReportedStimulus& stimulus : answer_set.stimuli)
       levels.insert(level_of_stimulus(stimulus));
     return levels.size() > 1;
   };
@@ -37,8 +37,9 @@ std::string on_scale_in_r() {
   return condition;
 }
 
-std::string head_of(const Gathered& gathered, const std::string& what, const std::string& package,
-                    const std::string& answers, const std::string& stimuli) {
+std::string head_of(const AnswerSet& answer_set, const std::string& what,
+                    const std::string& package, const std::string& answers,
+                    const std::string& stimuli) {
   return fmt::format(
       R"script(# {what} of the ratings of "{study}", scale by scale.{simulated}
 #
@@ -66,12 +67,12 @@ for (name in c("participant", "stimulus", "made", "emotion", "setting"))
 wanted <- c({factors})
 varied <- function(d) wanted[vapply(wanted, function(f) nlevels(droplevels(d[[f]])) > 1, TRUE)]
 )script",
-      fmt::arg("what", what), fmt::arg("study", gathered.study),
-      fmt::arg("simulated", gathered.simulated ? "\n# SIMULATED answers." : ""),
+      fmt::arg("what", what), fmt::arg("study", answer_set.study),
+      fmt::arg("simulated", answer_set.simulated ? "\n# SIMULATED answers." : ""),
       fmt::arg("package", package), fmt::arg("answers", answers), fmt::arg("stimuli", stimuli),
       fmt::arg("on_scale", on_scale_in_r()), fmt::arg("factors", [&] {
         std::string names;
-        for (const std::string& factor : varied_factors(gathered))
+        for (const std::string& factor : varied_factors(answer_set))
           names += (names.empty() ? "\"" : ", \"") + factor + "\"";
         return names;
       }()));
@@ -79,10 +80,10 @@ varied <- function(d) wanted[vapply(wanted, function(f) nlevels(droplevels(d[[f]
 
 }  // namespace
 
-RScripts r_scripts(const Gathered& gathered, const std::string& answers,
+RScripts r_scripts(const AnswerSet& answer_set, const std::string& answers,
                    const std::string& stimuli) {
   RScripts scripts;
-  scripts.mixed = head_of(gathered, "Linear mixed models", "lme4", answers, stimuli) +
+  scripts.mixed = head_of(answer_set, "Linear mixed models", "lme4", answers, stimuli) +
                   R"script(
 # Fixed effects: factors of the stimuli. Random effects: participants, who may favour one end of
 # the scale, and stimuli, which are a sample of possible stimuli.
@@ -97,8 +98,9 @@ for (scale in unique(counted$item)) {
   print(anova(without, model))
 }
 )script";
-  scripts.ordinal = head_of(gathered, "Cumulative link mixed models", "ordinal", answers, stimuli) +
-                    R"script(
+  scripts.ordinal =
+      head_of(answer_set, "Cumulative link mixed models", "ordinal", answers, stimuli) +
+      R"script(
 # Answers as ordered categories, without assuming equal steps between them.
 for (scale in unique(counted$item)) {
   d <- droplevels(subset(counted, item == scale))

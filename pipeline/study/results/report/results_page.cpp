@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/html.h"
-#include "pipeline/study/results/gathered_answers.h"
+#include "pipeline/study/results/answer_set.h"
 #include "pipeline/study/results/report/page_style.h"
 #include "pipeline/study/results/report/page_tables.h"
 #include "pipeline/study/results/report/results_report.h"
@@ -17,7 +17,7 @@ namespace {
 class PageParts {
  public:
   PageParts(const Results& results, const std::vector<ResultFigure>& figures)
-      : simulated_(results.gathered.simulated), figures_(figures) {}
+      : simulated_(results.answer_set.simulated), figures_(figures) {}
 
   void section(const std::string& id, const std::string& title, const std::string& html) {
     if (html.empty()) return;
@@ -39,7 +39,9 @@ class PageParts {
               ? ""
               : fmt::format(" Corresponds to figure {} of the thesis.", figure.thesis),
           links(figure.name),
-          figure.was.empty() ? "" : fmt::format(" Formerly named {}.", html_escaped(figure.was)));
+          figure.former_name.empty()
+              ? ""
+              : fmt::format(" Formerly named {}.", html_escaped(figure.former_name)));
     }
     return html;
   }
@@ -69,66 +71,66 @@ std::string part(const std::string& title, const std::string& html) {
   return html.empty() ? "" : heading(title) + html;
 }
 
-std::size_t judged_stimuli(const Gathered& gathered) {
+std::size_t judged_stimuli(const AnswerSet& answer_set) {
   std::set<std::size_t> judged;
-  for (const CountedRating& rating : gathered.ratings) judged.insert(rating.stimulus);
-  for (const CountedChoice& choice : gathered.chosen) judged.insert(choice.stimulus);
-  for (const CountedPreference& pair : gathered.preferences)
+  for (const AnalysedRating& rating : answer_set.ratings) judged.insert(rating.stimulus);
+  for (const AnalysedChoice& choice : answer_set.chosen) judged.insert(choice.stimulus);
+  for (const AnalysedPreference& pair : answer_set.preferences)
     judged.insert({pair.chosen, pair.other});
   std::set<std::string> in_words;
-  for (const Remark& words : gathered.words) in_words.insert(words.stimulus);
+  for (const Remark& words : answer_set.words) in_words.insert(words.stimulus);
   return std::max(judged.size(), in_words.size());
 }
 
 std::string head_html(const Results& results, const FrozenVerdict& frozen) {
-  const Gathered& gathered = results.gathered;
-  std::string html = "<h1>" + html_escaped(gathered.title) + "</h1>\n";
-  if (gathered.simulated) html += "<p class=\"simulated\">Simulated answers. 模擬評定</p>\n";
-  const std::size_t answers = gathered.ratings.size() + gathered.chosen.size() +
-                              gathered.preferences.size() + gathered.words.size();
+  const AnswerSet& answer_set = results.answer_set;
+  std::string html = "<h1>" + html_escaped(answer_set.title) + "</h1>\n";
+  if (answer_set.simulated) html += "<p class=\"simulated\">Simulated answers. 模擬評定</p>\n";
+  const std::size_t answers = answer_set.ratings.size() + answer_set.chosen.size() +
+                              answer_set.preferences.size() + answer_set.words.size();
   html += fmt::format("<p class=\"quiet\">Study {}: {} of {} about {}",
-                      html_escaped(gathered.study), counted(answers, "answer", "answers"),
-                      counted(gathered.people.size(), "participant", "participants"),
-                      counted(judged_stimuli(gathered), "video", "videos"));
-  html +=
-      gathered.design.empty() ? ".</p>\n" : ", design " + html_escaped(gathered.design) + ".</p>\n";
+                      html_escaped(answer_set.study), counted_noun(answers, "answer", "answers"),
+                      counted_noun(answer_set.people.size(), "participant", "participants"),
+                      counted_noun(judged_stimuli(answer_set), "video", "videos"));
+  html += answer_set.design.empty() ? ".</p>\n"
+                                    : ", design " + html_escaped(answer_set.design) + ".</p>\n";
   if (!frozen.sentence.empty())
     html += paragraph(frozen.sentence) + html_list("warnings", frozen.differences);
   return html;
 }
 
 std::string people_html(const Results& results) {
-  const Gathered& gathered = results.gathered;
-  const auto excluded = std::ranges::count_if(gathered.attention, &Attention::is_excluded);
-  std::string html = paragraph(people_sentence(gathered) + ". " + to_sentence(gathered.rule));
+  const AnswerSet& answer_set = results.answer_set;
+  const auto excluded = std::ranges::count_if(answer_set.attention, &Attention::is_excluded);
+  std::string html = paragraph(people_sentence(answer_set) + ". " + to_sentence(answer_set.rule));
   if (excluded > 0) {
     std::vector<std::string> names;
-    for (const Attention& own : gathered.attention)
+    for (const Attention& own : answer_set.attention)
       if (own.is_excluded)
         names.push_back(
             fmt::format("{} ({} of {} checks passed)", own.participant, own.passed, own.checks));
     html += paragraph("Excluded:") + html_list("", names);
   }
-  html += html_list("", unfinished_sentences(gathered)) + html_list("", gathered.notes);
+  html += html_list("", unfinished_sentences(answer_set)) + html_list("", answer_set.notes);
   html += part("Demographics", demographics_html(results));
   html += "<details><summary>All sessions</summary>\n" + sessions_html(results) + "</details>\n";
   return html;
 }
 
-std::string method_html(const Gathered& gathered) {
+std::string method_html(const AnswerSet& answer_set) {
   return paragraph(
       fmt::format("All tests are two-sided with α = {:g}. Correction for multiple comparisons: {}, "
                   "within each family of comparisons. In this section all ends of all scales form "
                   "one family; elsewhere, comparisons on the intended emotion's scale are a family "
                   "of their own. Rows marked * are significant after correction.",
-                  gathered.alpha, name_of(gathered.correction)));
+                  answer_set.alpha, name_of(answer_set.correction)));
 }
 
 std::string best_html(const Results& results, const PageParts& parts) {
   const std::string table = best_seen_html(results);
   if (table.empty()) return "";
   std::string html =
-      method_html(results.gathered) +
+      method_html(results.answer_set) +
       paragraph(
           "For each end of each scale, the video rated highest. “Thesis”: Welch’s test of the "
           "ratings of this video against all ratings of videos of the same setting, itself "
@@ -136,7 +138,7 @@ std::string best_html(const Results& results, const PageParts& parts) {
           "participant, the rating of this video minus the mean of the participant’s ratings of "
           "the other videos of the setting.") +
       table + parts.figures("best");
-  for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
+  for (const StimulusGroup& group : stimulus_groups(results.answer_set)) {
     const std::string rows = comparisons_html(results, ComparisonFamily::best_seen,
                                               group.name == "all" ? "" : group.name);
     if (rows.empty()) continue;
@@ -155,7 +157,7 @@ std::string unmatched_html(const Results& results) {
       sentences.push_back(fmt::format(
           "{}: {} judged both sides, but never for the same setting and emotion, and {} excluded.",
           word_of(family_words, c.family),
-          counted(static_cast<std::size_t>(c.unmatched), "participant", "participants"),
+          counted_noun(static_cast<std::size_t>(c.unmatched), "participant", "participants"),
           c.unmatched == 1 ? "is" : "are"));
   return html_list("", sentences);
 }
@@ -233,7 +235,7 @@ std::string confusion_html(const Results& results, const PageParts& parts) {
         fmt::format("Each presentation is one choice out of {}; percentages are of a row’s "
                     "choices. “Top response”: choices of the intended emotion; the exact binomial "
                     "test compares their number with chance (one of the {}).",
-                    results.gathered.choices.size(), results.gathered.choices.size()));
+                    results.answer_set.choices.size(), results.answer_set.choices.size()));
   return html + recall_html(results) + figures;
 }
 
@@ -265,7 +267,7 @@ std::string catch_html(const Results& results) {
 
 /// The most frequent words, and all texts in a collapsed section.
 std::string words_html(const Results& results, const PageParts& parts) {
-  const std::string answers = remarks_html(results.gathered.words);
+  const std::string answers = remarks_html(results.answer_set.words);
   if (answers.empty()) return "";
   return paragraph(
              "Answers are split at commas, semicolons and line ends; case is ignored, and each "
@@ -312,11 +314,11 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("agreement", "Agreement", agreement_part(results));
   parts.section("catch", "Test–retest", catch_html(results));
   parts.section("preferences", "Pairs", parts.figures("preferences") + preferences_html(results));
-  parts.section("comments", "Comments", remarks_html(results.gathered.remarks));
+  parts.section("comments", "Comments", remarks_html(results.answer_set.remarks));
   parts.section("words", "Free-text answers", words_html(results, parts));
-  parts.section("files", "Files", files_html(tables, !results.gathered.ratings.empty()));
-  const std::string mark = results.gathered.simulated ? "Simulated: " : "";
-  return html_page(mark + results.gathered.title, results_style,
+  parts.section("files", "Files", files_html(tables, !results.answer_set.ratings.empty()));
+  const std::string mark = results.answer_set.simulated ? "Simulated: " : "";
+  return html_page(mark + results.answer_set.title, results_style,
                    head_html(results, frozen) + parts.nav() + parts.body());
 }
 

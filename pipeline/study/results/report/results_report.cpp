@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Name of the file that marks a folder as a report, which may be overwritten.
-constexpr char results_mark[] = ".mien-results";
+constexpr char results_marker[] = ".mien-results";
 
 void write_below(const fs::path& folder, const std::string& path, const std::string& bytes) {
   make_folder((folder / path).parent_path());
@@ -24,7 +24,7 @@ struct ListedFigure {
   std::string file;
   std::string title;
   std::string thesis;
-  std::string was;
+  std::string former_name;
   bool simulated;
 };
 
@@ -34,16 +34,16 @@ constexpr auto figures_columns = table_of<ListedFigure>(
      {"title", "", "title of the figure", [](auto& r) { return r.title; }},
      {"thesis_figure", "", "number of the figure of the emotion thesis that it is like",
       [](auto& r) { return r.thesis; }},
-     {"earlier_name", "", "what its file was called before", [](auto& r) { return r.was; }},
+     {"earlier_name", "", "what its file was called before", [](auto& r) { return r.former_name; }},
      {"simulated", "0/1", "1: made of simulated answers", [](auto& r) { return r.simulated; }}});
 
 /// The list of figures with captions and the corresponding figures of the thesis.
 std::string figure_list(const std::vector<ResultFigure>& figures, const Results& results) {
-  const bool simulated = results.gathered.simulated;
+  const bool simulated = results.answer_set.simulated;
   std::vector<ListedFigure> rows;
   for (const ResultFigure& figure : figures)
-    rows.push_back(
-        {"figures/" + figure.name, figure.plot.title, figure.thesis, figure.was, simulated});
+    rows.push_back({"figures/" + figure.name, figure.plot.title, figure.thesis, figure.former_name,
+                    simulated});
   const auto table = [&](const std::string& file, const std::string& title,
                          const std::string& thesis) {
     rows.push_back({"results/" + file, "Table: " + title, thesis, "", simulated});
@@ -76,11 +76,11 @@ std::string figure_list(const std::vector<ResultFigure>& figures, const Results&
 void clear_results_folder(const fs::path& folder) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw Error({folder.string()}, "is not a folder", "name a folder for the report with -o");
-  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / results_mark))
+  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / results_marker))
     throw Error({folder.string()}, "exists, but was not written by mien study report",
                 "name a new folder with -o");
   make_folder(folder);
-  write_file(motion::inside(folder, results_mark, {folder.string()}), "");
+  write_file(motion::inside(folder, results_marker, {folder.string()}), "");
   for (const char* old : {"data", "results", "figures", "analysis", "report.html", "README.md",
                           "dataset_description.json", "codebook.csv", "figures.csv"})
     fs::remove_all(folder / old);
@@ -98,9 +98,9 @@ void write_results(const Results& results, const std::vector<AnswerRow>& rows,
   for (const ResultFigure& figure : figures)
     write_plot(figure.plot, folder / "figures", figure.name);
   write_below(folder, "figures.csv", figure_list(figures, results));
-  if (!results.gathered.ratings.empty()) {
-    const DatasetPaths paths = dataset_paths(results.gathered.study);
-    const RScripts scripts = r_scripts(results.gathered, paths.answers, paths.stimuli);
+  if (!results.answer_set.ratings.empty()) {
+    const DatasetPaths paths = dataset_paths(results.answer_set.study);
+    const RScripts scripts = r_scripts(results.answer_set, paths.answers, paths.stimuli);
     write_below(folder, "analysis/lme4.R", scripts.mixed);
     write_below(folder, "analysis/ordinal.R", scripts.ordinal);
   }

@@ -46,7 +46,7 @@ TEST(FormulaMark, IsTakenOffAgainWhateverTheTextIs) {
     for (const std::string& field : rows.back()) {
       const std::string marked = with_formula_mark(field);
       EXPECT_EQ(without_formula_mark(marked), field);
-      EXPECT_TRUE(!is_like_formula(marked) || marked.starts_with('\'')) << marked;
+      EXPECT_TRUE(!looks_like_formula(marked) || marked.starts_with('\'')) << marked;
     }
   }
   const CsvTable table = parse_csv(csv.text(), "t.csv");

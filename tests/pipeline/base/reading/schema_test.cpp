@@ -46,7 +46,7 @@ TEST(Schema, TellsEditorsWhatEveryPropertyMeans) {
     int count = 0;
     for_each_property(schema, "", [&](const std::string& path, const json& property) {
       ++count;
-      const json& node = *narrowed({&schema, &property}, json()).node;
+      const json& node = *resolved_schema({&schema, &property}, json()).node;
       EXPECT_TRUE(node.contains("title")) << path;
       EXPECT_TRUE(node.contains("description")) << path;
       if (!node.contains("$ref") && node.contains("type") && node["type"] != "object") {

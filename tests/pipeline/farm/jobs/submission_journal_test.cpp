@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/farm/jobs/job_fates.h"
+#include "pipeline/farm/jobs/job_status.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -29,16 +29,16 @@ class Journal : public testing::Test {
   fs::path folder = temporary.path();
   SubmissionJournal journal{folder};
 
-  std::vector<JobFate> fates(const std::string& queue) const {
-    return job_fates(journal.read(), queue_rows(queue), folder);
+  std::vector<JobStatus> statuses(const std::string& queue) const {
+    return job_statuses(journal.read(), queue_rows(queue), folder);
   }
 };
 
 TEST_F(Journal, TellsWhatWasWrittenIntoIt) {
   EXPECT_TRUE(journal.read().jobs.empty());
-  JournalSubmission asked{
+  JournalSubmission requested{
       "0001", "2026-11-23T00:00:00Z", "draft", 12, {"long", "1:00", "2G", "lab", 8, 3}};
-  journal.note_submission(asked, {intent("2-frames", 5), intent("3-films", 2)});
+  journal.note_submission(requested, {intent("2-frames", 5), intent("3-films", 2)});
   journal.note_job("mien:abc:0001:2-frames", "17");
   journal.note_refusal("mien:abc:0001:3-films", "no \xff such partition");
   const JournalContent content = journal.read();
@@ -74,29 +74,29 @@ TEST_F(Journal, GoesOnBehindALineThatWasCutOffAnywhere) {
 
 TEST_F(Journal, AdoptsAJobThatTheClientDidNotHearOf) {
   journal.note_submission({"0001"}, {intent("2-frames", 2)});
-  const auto found = fates("31|30|1|RUNNING|None|n1|0:01|mien:abc:0001:2-frames\n");
+  const auto found = statuses("31|30|1|RUNNING|None|n1|0:01|mien:abc:0001:2-frames\n");
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].kind, JobFate::Kind::live);
+  EXPECT_EQ(found[0].kind, JobStatus::Kind::live);
   EXPECT_TRUE(found[0].is_adopted);
   EXPECT_EQ(found[0].journal.job, "30");
 }
 
 TEST_F(Journal, TellsAnIntentThatNoJobFollowed) {
   journal.note_submission({"0001"}, {intent("2-frames", 2)});
-  const auto found = fates("");
-  EXPECT_EQ(found.at(0).kind, JobFate::Kind::unanswered);
-  EXPECT_EQ(told_losses(found).size(), 1u);
+  const auto found = statuses("");
+  EXPECT_EQ(found.at(0).kind, JobStatus::Kind::unconfirmed);
+  EXPECT_EQ(lost_job_messages(found).size(), 1u);
 }
 
 TEST_F(Journal, NoticesAJobThatSlurmLostEvenIfItsNumberIsAnothers) {
   journal.note_submission({"0001"}, {intent("2-frames", 2)});
   journal.note_job("mien:abc:0001:2-frames", "17");
   for (const char* queue : {"", "17|17|N/A|RUNNING|None|n1|0:01|somebody else's\n"}) {
-    const auto found = fates(queue);
-    EXPECT_EQ(found.at(0).kind, JobFate::Kind::lost);
+    const auto found = statuses(queue);
+    EXPECT_EQ(found.at(0).kind, JobStatus::Kind::lost);
     EXPECT_TRUE(live_jobs(found).empty());
-    ASSERT_EQ(told_losses(found).size(), 1u);
-    EXPECT_NE(told_losses(found)[0].find("no longer has job 17"), std::string::npos);
+    ASSERT_EQ(lost_job_messages(found).size(), 1u);
+    EXPECT_NE(lost_job_messages(found)[0].find("no longer has job 17"), std::string::npos);
   }
 }
 
@@ -105,13 +105,13 @@ TEST_F(Journal, DoesNotTakeAJobThatRanAndWasForgottenForALostOne) {
   journal.note_job("mien:abc:0001:2-frames", "17");
   fs::create_directories(folder / "farm/0001/log");
   std::ofstream(folder / "farm/0001/log/walks-2-frames-17_2.log") << "\n";
-  EXPECT_EQ(fates("").at(0).kind, JobFate::Kind::ended);
+  EXPECT_EQ(statuses("").at(0).kind, JobStatus::Kind::ended);
 }
 
 TEST_F(Journal, CountsWhatAPersonSubmittedAgainByHand) {
   journal.note_submission({"0001"}, {intent("2-frames", 3)});
   journal.note_job("mien:abc:0001:2-frames", "17");
-  const auto found = fates(
+  const auto found = statuses(
       "17|17|1|COMPLETED|None|n1|0:01|mien:abc:0001:2-frames\n"
       "40|40|3|PENDING|Priority||0:00|mien:abc:0001:2-frames\n");
   EXPECT_EQ(live_jobs(found), (std::vector<std::string>{"40_3"}));

@@ -40,8 +40,9 @@ class BatchScript : public testing::Test {
   fs::path write_script(const SlurmSite& site = {}) const {
     fs::path file = folder / "2-frames.sbatch";
     const std::string script = batch_script(job, folder, call, request, site);
-    std::ofstream(file) << std::regex_replace(script, std::regex("patience=\\d+"),
-                                              "patience=" + std::to_string(patience_seconds));
+    std::ofstream(file) << std::regex_replace(
+        script, std::regex("patience=\\d+"),
+        "patience=" + std::to_string(heartbeat_timeout_seconds));
     return file;
   }
 
@@ -54,7 +55,7 @@ class BatchScript : public testing::Test {
     fs::permissions(call.program, fs::perms::owner_all);
   }
 
-  CommandEnd run_element(int element, int restarts = 0, const SlurmSite& site = {}) const {
+  CommandResult run_element(int element, int restarts = 0, const SlurmSite& site = {}) const {
     return run_command(
         {"env", "SLURM_ARRAY_JOB_ID=17", "SLURM_ARRAY_TASK_ID=" + std::to_string(element),
          "SLURM_RESTART_COUNT=" + std::to_string(restarts), "SLURMD_NODENAME=n1", "bash",
@@ -70,16 +71,16 @@ class BatchScript : public testing::Test {
   StudyCall call;
   BatchJob job;
   JobRequest request;
-  int patience_seconds = folder_patience_seconds;  ///< as an operator may write it
+  int heartbeat_timeout_seconds = folder_wait_limit_seconds;  ///< as an operator may write it
 };
 
 TEST_F(BatchScript, IsSoundBashWhateverPathsAreCalled) {
-  const CommandEnd end =
+  const CommandResult end =
       run_command({"bash", "-n", write_script().string()}, std::chrono::seconds(10));
-  EXPECT_TRUE(end.is_done()) << end.errors;
+  EXPECT_TRUE(end.succeeded()) << end.errors;
   job.elements = 0;
   EXPECT_TRUE(
-      run_command({"bash", "-n", write_script().string()}, std::chrono::seconds(10)).is_done());
+      run_command({"bash", "-n", write_script().string()}, std::chrono::seconds(10)).succeeded());
 }
 
 TEST_F(BatchScript, RunsTheWorkerOnTheLineOfItsElement) {
@@ -100,7 +101,7 @@ TEST_F(BatchScript, GivesTheSiteATransientEndThreeTimesAndThenGivesUp) {
   const SlurmSite requeues{1001, true, true};
   EXPECT_EQ(run_element(3, 0, requeues).code, 75);
   EXPECT_EQ(run_element(3, 2, requeues).code, 75);
-  const CommandEnd last = run_element(3, 3, requeues);
+  const CommandResult last = run_element(3, 3, requeues);
   EXPECT_EQ(last.code, 70);
   EXPECT_NE(last.output.find("ended with 75 on n1 after 3 restarts"), std::string::npos);
   EXPECT_EQ(end_note(), "75 3 n1 \n");
@@ -136,7 +137,7 @@ TEST_F(BatchScript, WaitsForAFolderThatIsAwayBeforeItBegins) {
   programs.add("sleep", "mkdir -p " + motion::in_single_quotes((folder / "ends").string()));
   write_worker("echo made");
   fs::remove_all(folder / "ends");
-  const CommandEnd end = run_element(3);
+  const CommandResult end = run_element(3);
   EXPECT_EQ(end.code, 0) << end.errors;
   EXPECT_NE(end.output.find("does not exist; waiting, at most 3600 s"), std::string::npos);
   EXPECT_NE(end.output.find("continues after waiting 10 s, because"), std::string::npos);
@@ -164,7 +165,7 @@ TEST_F(BatchScript, WaitsForAFolderAsLongAsItHasPatienceAndIsHeldInTheEnd) {
   const std::string slept = motion::in_single_quotes((programs.folder() / "slept").string());
   programs.add("sleep", "echo \"$1\" >>" + slept);
   const SlurmSite requeues{1001, true, true};
-  patience_seconds = 120;
+  heartbeat_timeout_seconds = 120;
   write_worker("exit 74");
   EXPECT_EQ(run_element(3, 2, requeues).code, 75);
   EXPECT_EQ(programs.text_of("slept"), "60\n60\n");
@@ -199,7 +200,7 @@ TEST_F(BatchScript, WritesItsLogItselfWhereSlurmRunsIt) {
   EXPECT_NE(contents(write_script()).find("#SBATCH --output=/dev/null\n"), std::string::npos);
   fs::create_directories(folder / "log");
   write_worker("echo made; echo ill >&2; exit 70");
-  const CommandEnd end =
+  const CommandResult end =
       run_command({"env", "SLURM_JOB_ID=20", "SLURM_ARRAY_JOB_ID=17", "SLURM_ARRAY_TASK_ID=3",
                    "SLURMD_NODENAME=n1", "bash", write_script().string()},
                   std::chrono::seconds(60));

@@ -48,7 +48,7 @@ TEST(QueueRows, AreStuckWhenADependencyIsNeverSatisfied) {
 TEST(QueueRows, AreStuckWhenNoNodeHasWhatTheyAskFor) {
   for (const char* reason : {"PartitionConfig", "BadConstraints"}) {
     const QueueRow row = queue_rows(std::string("2|2|N/A|PENDING|") + reason + "||0:00|x\n").at(0);
-    EXPECT_TRUE(asks_too_much(row) && is_stuck(row)) << reason;
+    EXPECT_TRUE(exceeds_partition(row) && is_stuck(row)) << reason;
   }
 }
 
@@ -76,7 +76,7 @@ TEST(NodeShapes, TellTheMostProcessorsOfAPartition) {
 }
 
 TEST(SlurmSite, IsReadFromTheConfiguration) {
-  const SlurmSite site = site_told(
+  const SlurmSite site = parse_site(
       "Configuration data as of 2026-11-23T00:09:49\n"
       "MaxArraySize            = 10001\n"
       "MaxJobCount             = 20000\n"
@@ -87,7 +87,7 @@ TEST(SlurmSite, IsReadFromTheConfiguration) {
   EXPECT_EQ(site.max_job_count, 20000);
   EXPECT_TRUE(site.requeues_transient);
   EXPECT_TRUE(site.holds_wrong_setup);
-  const SlurmSite plain = site_told("RequeueExit             = (null)\nMaxArraySize = 1001\n");
+  const SlurmSite plain = parse_site("RequeueExit             = (null)\nMaxArraySize = 1001\n");
   EXPECT_FALSE(plain.requeues_transient);
   EXPECT_EQ(plain.max_array_size, 1001);
 }
@@ -158,9 +158,9 @@ TEST(Slurm, DoesNotTakeSilenceForRefusal) {
   programs.add("sbatch",
                "echo 'sbatch: error: Batch job submission failed: Socket timed out on send/recv "
                "operation' >&2; exit 1");
-  EXPECT_THROW(Slurm().submit("a.sbatch", {}), SlurmSilence);
+  EXPECT_THROW(Slurm().submit("a.sbatch", {}), SlurmTimeout);
   programs.add("sbatch", "exec sleep 60");
-  EXPECT_THROW(Slurm(std::chrono::milliseconds(200)).submit("a.sbatch", {}), SlurmSilence);
+  EXPECT_THROW(Slurm(std::chrono::milliseconds(200)).submit("a.sbatch", {}), SlurmTimeout);
 }
 
 // Recorded from Slurm 22.05.8 with MaxJobCount=30, which goes on for two minutes.
@@ -172,7 +172,7 @@ TEST(Slurm, TakesWhatSbatchRepeatsForARefusalInItsOwnWords) {
   try {
     Slurm(std::chrono::milliseconds(500)).submit("a.sbatch", {});
     FAIL() << "it was taken";
-  } catch (const SlurmIsFull& full) {
+  } catch (const SlurmQueueFull& full) {
     const std::string told = full.what();
     EXPECT_NE(told.find("unable to accept job, sleeping and retrying"), std::string::npos) << told;
     EXPECT_NE(told.find("use a larger --chunk for fewer jobs"), std::string::npos) << told;

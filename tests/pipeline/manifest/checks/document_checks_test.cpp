@@ -24,13 +24,13 @@ TEST(KindOfDocument, IsWhatTheKeysSay) {
 }
 
 TEST(OtherDocuments, AreToldFromManifestsByWhatTheyHold) {
-  EXPECT_EQ(to_string(told_as_no_manifest(DocumentKind::scales, "in/mine.yaml")),
+  EXPECT_EQ(to_string(not_a_manifest_fault(DocumentKind::scales, "in/mine.yaml")),
             "in/mine.yaml:1:1: holds scales, and is not a manifest; refer to it in a manifest as "
             "examples: {scales: mine.yaml}; only mien check accepts it directly");
-  EXPECT_NE(to_string(told_as_no_manifest(DocumentKind::set, "a.yaml")).find("{scene: a.yaml}"),
+  EXPECT_NE(to_string(not_a_manifest_fault(DocumentKind::set, "a.yaml")).find("{scene: a.yaml}"),
             std::string::npos);
   EXPECT_NE(
-      to_string(told_as_no_manifest(DocumentKind::recipes, "a.yaml")).find("as recipes: a.yaml;"),
+      to_string(not_a_manifest_fault(DocumentKind::recipes, "a.yaml")).find("as recipes: a.yaml;"),
       std::string::npos);
 }
 

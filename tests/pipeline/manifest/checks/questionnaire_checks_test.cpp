@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/asked_study.h"
 #include "pipeline/temporary_folder.h"
 
@@ -104,7 +104,7 @@ TEST(QuestionnaireChecks, TakeTextsAndScalesFromFiles) {
       read_manifest(folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; });
   ASSERT_TRUE(reading.faults.empty()) << Faults(reading.faults).what();
   EXPECT_EQ(reading.manifest.questionnaire->consent.text, "I agree.\n");
-  const ScaleSet asked = asked_scales(reading.manifest);
+  const ScaleSet asked = questionnaire_scales(reading.manifest);
   ASSERT_EQ(asked.scales.size(), 1u);
   EXPECT_EQ(asked.scales[0].id, "y");
   EXPECT_EQ(asked.scales[0].most, 1.0);
@@ -113,15 +113,16 @@ TEST(QuestionnaireChecks, TakeTextsAndScalesFromFiles) {
 TEST(Asked, AreTheStimuliOfTheLevelsAndTheirEmotions) {
   const Manifest manifest =
       test::asked_study(12, "participants: 4, trials: emotion, stimuli: {actor: [a, c]}");
-  EXPECT_EQ(asked_stimuli(manifest).size(), 8u);
-  ASSERT_EQ(asked_choices(manifest).size(), 3u);
-  EXPECT_EQ(asked_choices(manifest)[1].first, "happy");
-  EXPECT_EQ(asked_scales(test::asked_study(3, "participants: 4, scales: emotions")).scales.size(),
-            6u);
+  EXPECT_EQ(questionnaire_stimuli(manifest).size(), 8u);
+  ASSERT_EQ(questionnaire_choices(manifest).size(), 3u);
+  EXPECT_EQ(questionnaire_choices(manifest)[1].first, "happy");
+  EXPECT_EQ(
+      questionnaire_scales(test::asked_study(3, "participants: 4, scales: emotions")).scales.size(),
+      6u);
   // Single emotions beside the study's own scales.
   const Manifest mixed =
       test::asked_study(3, "participants: 4, scales: [slow-fast, tired-excited]");
-  EXPECT_EQ(asked_scales(mixed).scales.size(), 2u);
+  EXPECT_EQ(questionnaire_scales(mixed).scales.size(), 2u);
 }
 
 }  // namespace

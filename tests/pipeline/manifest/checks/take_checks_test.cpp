@@ -151,7 +151,7 @@ TEST_F(Takes, ThatNobodyChoseAreTold) {
       "      posed: {motion: takes.gltf, frame: 5}}}}\n"
       "  - {id: d, path: {graph: [takes.gltf], script: [{walk: 1}]}}\n");
   std::vector<std::string> told;
-  for (const Fault& one : silent_takes(reading.manifest)) {
+  for (const Fault& one : default_take_warnings(reading.manifest)) {
     told.push_back(one.path + ":" + std::to_string(one.place.line));
     EXPECT_NE(one.wrong.find("\"Walk\" is used"), std::string::npos) << one.wrong;
   }

@@ -18,30 +18,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<KeptFilm> two_films = {{"a", 30, "frames/a"}, {"b", 70, "videos/b.mp4"}};
+const std::vector<ComparableFilm> two_films = {{"a", 30, "frames/a"}, {"b", 70, "videos/b.mp4"}};
 
-std::set<std::pair<std::string, int>> frames_of(const std::vector<FramesToRerender>& lot) {
+std::set<std::pair<std::string, int>> frames_of(const std::vector<FramesToRerender>& sample) {
   std::set<std::pair<std::string, int>> frames;
-  for (const FramesToRerender& drawn : lot) {
+  for (const FramesToRerender& drawn : sample) {
     for (const int frame : drawn.frames) frames.emplace(drawn.film.id, frame);
   }
   return frames;
 }
 
 TEST(DrawnByLot, AreDifferentFramesOfAllFilmsTheSameForASeed) {
-  EXPECT_EQ(frames_of(drawn_by_lot(two_films, 20, 3)).size(), 20u);
-  EXPECT_EQ(frames_of(drawn_by_lot(two_films, 20, 3)), frames_of(drawn_by_lot(two_films, 20, 3)));
-  EXPECT_NE(frames_of(drawn_by_lot(two_films, 20, 3)), frames_of(drawn_by_lot(two_films, 20, 4)));
-  EXPECT_EQ(frames_of(drawn_by_lot(two_films, 1000, 3)).size(), 100u);
-  EXPECT_TRUE(drawn_by_lot({}, 5, 3).empty());
+  EXPECT_EQ(frames_of(sampled_frames(two_films, 20, 3)).size(), 20u);
+  EXPECT_EQ(frames_of(sampled_frames(two_films, 20, 3)),
+            frames_of(sampled_frames(two_films, 20, 3)));
+  EXPECT_NE(frames_of(sampled_frames(two_films, 20, 3)),
+            frames_of(sampled_frames(two_films, 20, 4)));
+  EXPECT_EQ(frames_of(sampled_frames(two_films, 1000, 3)).size(), 100u);
+  EXPECT_TRUE(sampled_frames({}, 5, 3).empty());
 }
 
 TEST(DrawnByLot, AreEachFrameAsOften) {
   int of_a = 0;
   constexpr int lots = 3000;
   for (int seed = 0; seed < lots; ++seed) {
-    const auto lot = drawn_by_lot(two_films, 1, static_cast<std::uint64_t>(seed));
-    of_a += lot[0].film.id == "a" ? 1 : 0;
+    const auto sample = sampled_frames(two_films, 1, static_cast<std::uint64_t>(seed));
+    of_a += sample[0].film.id == "a" ? 1 : 0;
   }
   // 900 expected; four standard deviations of sqrt(3000 × 0.3 × 0.7) = 25.
   EXPECT_NEAR(of_a, 900, 100);
@@ -57,8 +59,8 @@ class RerenderTest : public testing::Test {
   std::vector<RerenderedFrame> all_drawn() const {
     const Manifest made_by = manifest();
     const StudyContents contents = contents_of(study.folder());
-    return rerender(made_by, contents, drawn_by_lot(kept_films(made_by, contents), 1000, 0), 2, {},
-                    {});
+    return rerender(made_by, contents, sampled_frames(comparable_films(made_by, contents), 1000, 0),
+                    2, {}, {});
   }
 
   /// Of a film: how many frames agree, and how many there are.
@@ -154,7 +156,8 @@ std::vector<RerenderedFrame> drawn_again_of_films_alike_in(const std::string& eq
   fs::remove_all(folder.path() / "out/.mien");
   const Manifest made_by = load_manifest(folder.path() / "out/provenance.json", none);
   const StudyContents contents = contents_of(folder.path() / "out");
-  return rerender(made_by, contents, drawn_by_lot(kept_films(made_by, contents), 4, 0), 1, {}, {});
+  return rerender(made_by, contents, sampled_frames(comparable_films(made_by, contents), 4, 0), 1,
+                  {}, {});
 }
 
 TEST(Rerender, AgreesWhateverFilmsAreAlikeIn) {
@@ -175,8 +178,8 @@ TEST_F(RerenderTest, StopsWhenAsked) {
   stop.request_stop();
   const Manifest made_by = manifest();
   const StudyContents contents = contents_of(study.folder());
-  const auto lot = drawn_by_lot(kept_films(made_by, contents), 2, 0);
-  EXPECT_THROW(rerender(made_by, contents, lot, 1, stop.get_token(), {}), Interrupted);
+  const auto sample = sampled_frames(comparable_films(made_by, contents), 2, 0);
+  EXPECT_THROW(rerender(made_by, contents, sample, 1, stop.get_token(), {}), Interrupted);
 }
 
 }  // namespace

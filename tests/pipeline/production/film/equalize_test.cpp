@@ -46,7 +46,7 @@ Manifest study() {
   manifest.ratings.source = Ratings::Source::builtin;
   manifest.stimuli = {stimulus("short", "normal", 1), stimulus("long", "normal", 3)};
   manifest.stimuli[1].look.camera.view = "front";
-  manifest.equalize = {.luminance = Among::study, .duration = true};
+  manifest.equalize = {.luminance = EqualizeGroup::study, .duration = true};
   return manifest;
 }
 
@@ -78,7 +78,7 @@ TEST(Equalize, MakesFilmsOfAStudyAlikeInLuminanceAndDuration) {
 /// A walk as dots, and dots that differ from it in one option.
 Manifest dots_study() {
   Manifest manifest = study();
-  manifest.equalize = {.luminance = Among::study};
+  manifest.equalize = {.luminance = EqualizeGroup::study};
   manifest.stimuli.clear();
   for (const char* id : {"original", "scrambled", "inverted", "noisy", "tinted"}) {
     manifest.stimuli.push_back(stimulus(id, "normal", 1));
@@ -126,7 +126,7 @@ TEST(Equalize, LeavesDotsThatAreOnlyMovedAsLightAsTheirOriginals) {
 TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
   const test::TemporaryFolder folder;
   Manifest manifest = study();
-  manifest.equalize = {.size = Among::study};
+  manifest.equalize = {.size = EqualizeGroup::study};
   // Another height and width of the picture, twice the pixels, a point-light figure.
   manifest.stimuli[0].output.scale = 2.0;
   manifest.stimuli.push_back(stimulus("dots", "normal", 1));
@@ -172,7 +172,7 @@ Manifest differently_framed() {
 TEST(Equalize, MakesFiguresStandAtOnePlaceWhereAllAreSeenWhole) {
   const test::TemporaryFolder folder;
   Manifest manifest = differently_framed();
-  manifest.equalize = {.size = Among::study, .place = Among::study};
+  manifest.equalize = {.size = EqualizeGroup::study, .place = EqualizeGroup::study};
   Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
   const RunResult result = run(production, folder.path() / "out", 1, {}, {});
   for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
@@ -206,8 +206,10 @@ TEST(Equalize, RecordsForFilmsWhatItsTablesTell) {
   const test::TemporaryFolder folder;
   const std::filesystem::path out = folder.path() / "out";
   Manifest manifest = differently_framed();
-  manifest.equalize = {
-      .luminance = Among::figure, .size = Among::study, .place = Among::study, .duration = true};
+  manifest.equalize = {.luminance = EqualizeGroup::figure,
+                       .size = EqualizeGroup::study,
+                       .place = EqualizeGroup::study,
+                       .duration = true};
   const auto made = [&] {
     Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
     const RunResult result = run(production, out, 1, {}, {});
@@ -241,7 +243,7 @@ TEST(Equalize, RecordsForFilmsWhatItsTablesTell) {
 
 TEST(Equalize, FindsNoPlaceForFiguresOfWhichEachFillsItsPictureElsewhere) {
   Manifest manifest = differently_framed();
-  manifest.equalize = {.place = Among::study};
+  manifest.equalize = {.place = EqualizeGroup::study};
   Motions motions(manifest);
   try {
     check_places(manifest, motions);
@@ -250,14 +252,14 @@ TEST(Equalize, FindsNoPlaceForFiguresOfWhichEachFillsItsPictureElsewhere) {
     EXPECT_NE(std::string(error.what()).find("cannot be at the same position"), std::string::npos)
         << error.what();
   }
-  manifest.equalize = {.size = Among::study, .place = Among::study};
+  manifest.equalize = {.size = EqualizeGroup::study, .place = EqualizeGroup::study};
   EXPECT_NO_THROW(check_places(manifest, motions));
 }
 
 TEST(Equalize, TellsInARunTooWhereOnePlaceIsAskedFor) {
   const test::TemporaryFolder folder;
   Manifest manifest = differently_framed();
-  manifest.equalize = {.place = Among::study};
+  manifest.equalize = {.place = EqualizeGroup::study};
   manifest.places.values["equalize"] = {"m.yaml", 5, 11};
   Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
   const RunResult result = run(production, folder.path() / "out", 1, {}, {});
@@ -276,7 +278,7 @@ TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
     manifest.stimuli[dotted].look.set = read_set("void", {});
     manifest.stimuli[dotted].look.camera.view = "side";
   }
-  manifest.equalize = {.luminance = Among::figure, .size = Among::figure};
+  manifest.equalize = {.luminance = EqualizeGroup::figure, .size = EqualizeGroup::figure};
   Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
   for (const TaskOutcome& outcome : run(production, folder.path() / "out", 1, {}, {}).outcomes)
     EXPECT_EQ(outcome.error, "");
@@ -290,7 +292,7 @@ TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
     EXPECT_NE(found(table, column, "near"), found(table, column, "dots"));
   }
   EXPECT_TRUE(faults_in_light(manifest, production.motions()).empty());
-  manifest.equalize = {.luminance = Among::study};
+  manifest.equalize = {.luminance = EqualizeGroup::study};
   EXPECT_FALSE(faults_in_light(manifest, production.motions()).empty());
 }
 
@@ -299,7 +301,7 @@ TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
 TEST(Equalize, MakesNoClipWhereNoExposureReachesTheOthersLuminance) {
   const test::TemporaryFolder folder;
   Manifest manifest = study();
-  manifest.equalize = {.luminance = Among::study};
+  manifest.equalize = {.luminance = EqualizeGroup::study};
   // However bright they are, a few dots on black are dark.
   manifest.stimuli[1].look.figure = scenes::PointLightOptions{.size_px = 1.0};
   manifest.stimuli[1].look.set = read_set("void", {});
@@ -411,7 +413,7 @@ TEST(DotTables, HaveEachDotOnceForEachEye) {
 
 TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
   Manifest manifest = study();
-  manifest.equalize = {.size = Among::study};
+  manifest.equalize = {.size = EqualizeGroup::study};
   const auto is_told = [&] {
     const std::vector<Fault> faults = check_meaning({.manifest = manifest});
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
@@ -425,7 +427,7 @@ TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
 
 TEST(Equalize, CannotMoveAPictureWhoseCameraIsGivenInNumbers) {
   Manifest manifest = study();
-  manifest.equalize = {.place = Among::study};
+  manifest.equalize = {.place = EqualizeGroup::study};
   const auto is_told = [&] {
     const std::vector<Fault> faults = check_meaning({.manifest = manifest});
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {

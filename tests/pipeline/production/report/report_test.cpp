@@ -104,7 +104,7 @@ TEST(Report, ShowsSheetsOfStillsApartFromComparisons) {
 TEST(Report, SaysWhatIsMadeAlike) {
   Manifest manifest = study_called("plain");
   EXPECT_EQ(report_of(manifest).find("Equalized"), std::string::npos);
-  manifest.equalize = {.luminance = Among::study, .duration = true};
+  manifest.equalize = {.luminance = EqualizeGroup::study, .duration = true};
   const std::string page = report_of(manifest);
   EXPECT_NE(page.find("<p>Equalized across stimuli: duration (to the shortest: "),
             std::string::npos);
@@ -119,16 +119,16 @@ TEST(Report, SaysAmongWhichStimuliEachIsAlike) {
     const std::size_t start = page.find("<p>Equalized " + words + ": ");
     return start == std::string::npos ? "" : page.substr(start, page.find("</p>", start) - start);
   };
-  using Member = std::optional<Among> Equalize::*;
+  using Member = std::optional<EqualizeGroup> Equalize::*;
   const std::pair<Member, std::string> members[] = {{&Equalize::luminance, "mean luminance"},
                                                     {&Equalize::size, "height of the standing"},
                                                     {&Equalize::place, "position in the image"}};
   for (const auto& [member, what] : members) {
-    for (const Among among : {Among::study, Among::figure}) {
+    for (const EqualizeGroup among : {EqualizeGroup::study, EqualizeGroup::figure}) {
       Manifest manifest = study_called("plain");
       manifest.equalize.*member = among;
       const std::string page = report_of(manifest);
-      const bool by_figure = among == Among::figure;
+      const bool by_figure = among == EqualizeGroup::figure;
       const std::string of_all = alike_in(page, "across stimuli");
       const std::string of_kinds = alike_in(page, "across stimuli with the same kind of figure");
       EXPECT_EQ(of_all.find(what) != std::string::npos, !by_figure) << what;

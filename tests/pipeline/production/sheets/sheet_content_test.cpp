@@ -36,12 +36,12 @@ TEST(ComparisonSheets, MarkWhatIsHeld) {
   const SheetContent content = sheet_content(reading.manifest.sheets[0], reading.manifest, motions);
   // What is held stands right behind what is asked for.
   ASSERT_GE(content.parameters.size(), 3u);
-  EXPECT_TRUE(content.parameters[0].is_asked());
+  EXPECT_TRUE(content.parameters[0].is_requested());
   const SheetParameter& largeness = content.parameters[1];
   EXPECT_EQ(largeness.name, "largeness");
   EXPECT_EQ(largeness.created.held, 0.55);
   EXPECT_FALSE(largeness.target.held);
-  EXPECT_FALSE(largeness.is_asked());
+  EXPECT_FALSE(largeness.is_requested());
   EXPECT_NEAR(*largeness.created.reached, 0.55, 0.03);
   EXPECT_FALSE(content.parameters[3].is_held());
 

@@ -130,7 +130,7 @@ TEST(Stills, AreTheMiddleFramesOfTheFilms) {
   const test::TemporaryFolder folder;
   for (const bool alike : {false, true}) {
     Manifest manifest = study();
-    manifest.equalize = {.luminance = alike ? std::optional(Among::study) : std::nullopt,
+    manifest.equalize = {.luminance = alike ? std::optional(EqualizeGroup::study) : std::nullopt,
                          .duration = alike};
     const fs::path out = folder.path() / (alike ? "alike" : "plain");
     Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});

@@ -15,7 +15,7 @@ Synthesis some_synthesis() {
   Synthesis synthesis;
   synthesis.motion = motion::builtin_examples("walks-10").examples[0];
   synthesis.weights = Eigen::Vector2d(0.25, 0.75);
-  synthesis.asked = {{"quickness", 0.5}};
+  synthesis.requested = {{"quickness", 0.5}};
   synthesis.reached = {{"quickness", 0.4}};
   synthesis.warnings = {"速さ 0.50 was asked for"};
   return synthesis;

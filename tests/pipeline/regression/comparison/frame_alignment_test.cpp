@@ -7,7 +7,7 @@
 namespace mien::pipeline {
 namespace {
 
-using Told = std::vector<std::string>;
+using Remarks = std::vector<std::string>;
 
 /// A square that goes to the right by some pixels a frame, over a background that stands.
 render::Image8 moving_square(int frame, int noise_seed = 0) {
@@ -40,14 +40,14 @@ std::vector<int> count_to(int end) {
 TEST(FrameAlignment, PairsEachFrameOfTheSameFilm) {
   const auto frames = film(count_to(40));
   const FrameAlignment alignment = align(frames, frames);
-  EXPECT_EQ(alignment.told, Told{});
+  EXPECT_EQ(alignment.remarks, Remarks{});
   ASSERT_EQ(alignment.pairs.size(), 40U);
   for (int i = 0; i < 40; ++i) EXPECT_EQ(alignment.pairs[static_cast<std::size_t>(i)].now, i);
 }
 
 TEST(FrameAlignment, NoiseOfAnEncoderIsNoOtherFrame) {
   const FrameAlignment alignment = align(film(count_to(40), 1), film(count_to(40), 2));
-  EXPECT_EQ(alignment.told, Told{});
+  EXPECT_EQ(alignment.remarks, Remarks{});
   EXPECT_EQ(alignment.pairs.size(), 40U);
 }
 
@@ -56,7 +56,7 @@ TEST(FrameAlignment, TellsADroppedFrame) {
     std::vector<int> frames = count_to(40);
     frames.erase(frames.begin() + dropped);
     const FrameAlignment alignment = align(film(count_to(40)), film(frames));
-    EXPECT_EQ(alignment.told, (Told{"frame " + std::to_string(dropped) + " is missing"}));
+    EXPECT_EQ(alignment.remarks, (Remarks{"frame " + std::to_string(dropped) + " is missing"}));
     EXPECT_EQ(alignment.pairs.size(), 39U);
   }
 }
@@ -64,36 +64,38 @@ TEST(FrameAlignment, TellsADroppedFrame) {
 TEST(FrameAlignment, TellsARepeatedFrame) {
   std::vector<int> frames = count_to(40);
   frames.insert(frames.begin() + 20, 19);
-  EXPECT_EQ(align(film(count_to(40)), film(frames)).told,
-            (Told{"frame 20 repeats the previous one"}));
+  EXPECT_EQ(align(film(count_to(40)), film(frames)).remarks,
+            (Remarks{"frame 20 repeats the previous one"}));
 }
 
 TEST(FrameAlignment, TellsOneThatRepeatsInAnothersPlace) {
   std::vector<int> frames = count_to(40);
   frames[21] = 20;
-  EXPECT_EQ(align(film(count_to(40)), film(frames)).told,
-            (Told{"frame 21 is missing", "frame 21 repeats the previous one"}));
+  EXPECT_EQ(align(film(count_to(40)), film(frames)).remarks,
+            (Remarks{"frame 21 is missing", "frame 21 repeats the previous one"}));
 }
 
 TEST(FrameAlignment, TellsExchangedFrames) {
   std::vector<int> frames = count_to(40);
   std::swap(frames[10], frames[11]);
-  EXPECT_EQ(align(film(count_to(40)), film(frames)).told, (Told{"frames 10 and 11 are exchanged"}));
+  EXPECT_EQ(align(film(count_to(40)), film(frames)).remarks,
+            (Remarks{"frames 10 and 11 are exchanged"}));
 }
 
 TEST(FrameAlignment, TellsAFilmThatBeginsLater) {
   std::vector<int> frames = count_to(40);
   frames.erase(frames.begin(), frames.begin() + 3);
-  EXPECT_EQ(align(film(count_to(40)), film(frames)).told, (Told{"frames 0 to 2 are missing"}));
+  EXPECT_EQ(align(film(count_to(40)), film(frames)).remarks,
+            (Remarks{"frames 0 to 2 are missing"}));
 }
 
 TEST(FrameAlignment, PairsFramesThatWereChangedInTheirPlaces) {
-  for (const Told::size_type first : {0U, 17U, 37U}) {
+  for (const Remarks::size_type first : {0U, 17U, 37U}) {
     auto now = film(count_to(40));
     for (auto i = first; i < first + 3; ++i)
       for (std::uint8_t& channel : now[i]) channel = static_cast<std::uint8_t>(255 - channel);
     const FrameAlignment alignment = align(film(count_to(40)), now);
-    EXPECT_EQ(alignment.told, Told{});
+    EXPECT_EQ(alignment.remarks, Remarks{});
     ASSERT_EQ(alignment.pairs.size(), 40U);
     for (int i = 0; i < 40; ++i) EXPECT_EQ(alignment.pairs[static_cast<std::size_t>(i)].now, i);
   }
@@ -105,7 +107,7 @@ TEST(FrameAlignment, TellsADroppedFrameBesideChangedOnes) {
   auto now = film(frames);
   for (std::uint8_t& channel : now[5]) channel = static_cast<std::uint8_t>(255 - channel);
   const FrameAlignment alignment = align(film(count_to(40)), now);
-  EXPECT_EQ(alignment.told, (Told{"frame 30 is missing"}));
+  EXPECT_EQ(alignment.remarks, (Remarks{"frame 30 is missing"}));
   EXPECT_EQ(alignment.pairs.size(), 39U);
 }
 

@@ -60,7 +60,7 @@ StudyAnswers seven_answers(double strength = 1.0) {
 TEST(Analysis, ClustersTheKeptScalesAndNamesThemAfterTheGroups) {
   const ScaleSet scales = seven_scales();
   const Analysis a = analyse(seven_answers(), scales, four_examples, {.clusters = 3});
-  EXPECT_FALSE(a.none_kept);
+  EXPECT_FALSE(a.none_retained);
   EXPECT_EQ(a.clustered, (std::vector<int>{0, 1, 2, 3, 4, 5}));
   EXPECT_TRUE(a.quantities[6].neutral);
   ASSERT_EQ(a.clusters.size(), 3u);
@@ -99,12 +99,12 @@ TEST(Analysis, TakesGivenNamesAndRefusesBadOnes) {
 TEST(Analysis, GoesOnWithAllScalesWhenNoneIsKept) {
   const ScaleSet scales = seven_scales();
   const Analysis a = analyse(seven_answers(0.4), scales, four_examples, {.clusters = 3});
-  EXPECT_TRUE(a.none_kept);
+  EXPECT_TRUE(a.none_retained);
   EXPECT_EQ(a.clustered.size(), 7u);
   ASSERT_TRUE(a.suggested);
-  int kept = 0;
-  for (const Quantity& q : quantify(a.impressions, scales, *a.suggested)) kept += q.kept();
-  EXPECT_GE(kept, 4);
+  int retained = 0;
+  for (const Quantity& q : quantify(a.impressions, scales, *a.suggested)) retained += q.retained();
+  EXPECT_GE(retained, 4);
   ASSERT_EQ(a.warnings.size(), 1u);
   EXPECT_EQ(a.warnings[0].kind, "thresholds");
   EXPECT_NE(a.warnings[0].text.find("--max-mean 0.7"), std::string::npos) << a.warnings[0].text;
@@ -200,11 +200,11 @@ TEST(Analysis, RealRatingsOfThirtyWalksAreTooDisputedForTheUsualThresholds) {
                                                 {.unknown = AnswerRules::Unknown::ignore});
   const Analysis a = analyse(study, scales, walks, {});
   EXPECT_EQ(a.quantities.size(), 5u);
-  EXPECT_TRUE(a.none_kept);
+  EXPECT_TRUE(a.none_retained);
   ASSERT_TRUE(a.suggested);
-  int kept = 0;
-  for (const Quantity& q : quantify(a.impressions, scales, *a.suggested)) kept += q.kept();
-  EXPECT_GE(kept, 3);
+  int retained = 0;
+  for (const Quantity& q : quantify(a.impressions, scales, *a.suggested)) retained += q.retained();
+  EXPECT_GE(retained, 3);
   EXPECT_EQ(a.clusters.size(), 4u);
   for (const Agreement& agreement : a.agreements) {
     EXPECT_GT(agreement.all.answers_per_stimulus, 14.0);

@@ -38,9 +38,9 @@ TEST(Quantification, FollowsEquations1To3) {
   const std::vector<Quantity> q = quantify(impressions(1.0, scales), scales);
   ASSERT_EQ(q.size(), 3u);
   EXPECT_NEAR(q[0].largest_mean, 1.5, 1e-12);
-  EXPECT_EQ(q[0].at_example, 0);
+  EXPECT_EQ(q[0].extreme_example, 0);
   EXPECT_NEAR(q[0].mean_deviation, 0.5, 1e-12);
-  EXPECT_TRUE(q[0].kept());
+  EXPECT_TRUE(q[0].retained());
   EXPECT_NEAR(q[1].largest_mean, 0.5, 1e-12);
   EXPECT_NEAR(q[1].mean_deviation, 0.25, 1e-12);
   EXPECT_TRUE(q[1].neutral && !q[1].disputed);
@@ -52,7 +52,7 @@ TEST(Quantification, FollowsEquations1To3) {
 TEST(Quantification, KeepsWhatIsExactlyAtAThreshold) {
   const ScaleSet scales = scales_of(-2, 2);
   const Impressions a = impressions(1.0, scales);
-  EXPECT_TRUE(quantify(a, scales, {1.5, 0.5})[0].kept());
+  EXPECT_TRUE(quantify(a, scales, {1.5, 0.5})[0].retained());
   EXPECT_TRUE(quantify(a, scales, {1.51, 0.5})[0].neutral);
   EXPECT_TRUE(quantify(a, scales, {1.5, 0.49})[0].disputed);
 }
@@ -89,14 +89,14 @@ TEST(Quantification, MeansAloneCannotBeDisputed) {
   for (const Quantity& q :
        quantify(impressions_of(means, scales, {{"x", ""}, {"y", ""}}), scales, {1.0, 0.0})) {
     EXPECT_TRUE(std::isnan(q.mean_deviation));
-    EXPECT_TRUE(q.kept());
+    EXPECT_TRUE(q.retained());
   }
 }
 
 TEST(Quantification, TheCurveFallsWithTheMeanAndRisesWithTheDeviation) {
   const ScaleSet scales = scales_of(-3, 3);
   const std::vector<Quantity> q = quantify(impressions(1.5, scales), scales);
-  const std::vector<KeptAt> curve = threshold_curve(q, {}, scales);
+  const std::vector<ThresholdPoint> curve = threshold_curve(q, {}, scales);
   ASSERT_EQ(curve.size(), 82u);
   for (size_t k = 1; k < 41; ++k) {
     EXPECT_LE(curve[k].by_condition, curve[k - 1].by_condition);
@@ -116,16 +116,16 @@ TEST(Quantification, LoosenedThresholdsKeepAtLeastHalf) {
   for (const Thresholds& strict :
        {Thresholds{1.9, 0.1}, Thresholds{1.9, 3.0}, Thresholds{0.2, 0.1}}) {
     const std::vector<Quantity> q = quantify(a, scales, strict);
-    const Thresholds loose = loosened(q, strict, scales);
-    int kept = 0;
-    for (const Quantity& again : quantify(a, scales, loose)) kept += again.kept();
-    EXPECT_GE(kept, 2) << strict.largest_mean << ' ' << strict.mean_deviation;
+    const Thresholds loose = loosened_thresholds(q, strict, scales);
+    int retained = 0;
+    for (const Quantity& again : quantify(a, scales, loose)) retained += again.retained();
+    EXPECT_GE(retained, 2) << strict.largest_mean << ' ' << strict.mean_deviation;
     EXPECT_LE(loose.largest_mean, strict.largest_mean);
     EXPECT_GE(loose.mean_deviation, strict.mean_deviation);
   }
-  // Two of three are kept already.
+  // Two of three are retained already.
   const Thresholds mild = {1.0, 1.7};
-  const Thresholds same = loosened(quantify(a, scales, mild), mild, scales);
+  const Thresholds same = loosened_thresholds(quantify(a, scales, mild), mild, scales);
   EXPECT_EQ(same.largest_mean, 1.0);
   EXPECT_EQ(same.mean_deviation, 1.7);
 }

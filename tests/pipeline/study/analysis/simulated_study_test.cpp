@@ -42,8 +42,8 @@ TEST(SimulatedStudy, OfTwentySevenWalksFindsTheClustersOfTable3) {
     EXPECT_TRUE(analysis.impressions.simulated);
     const PublishedComparison table_3 = compare_with_published(analysis).at(1);
     ASSERT_EQ(table_3.table, "Table 3");
-    EXPECT_GE(table_3.kept_in_both, 28) << seed;
-    EXPECT_GE(table_3.kept_agreement, 38.0 / 41.0) << seed;
+    EXPECT_GE(table_3.retained_in_both, 28) << seed;
+    EXPECT_GE(table_3.retention_agreement, 38.0 / 41.0) << seed;
     EXPECT_GE(table_3.rand, 0.95) << seed;
     EXPECT_GE(table_3.adjusted_rand, 0.9) << seed;
     RecordProperty("adjusted_rand", std::to_string(table_3.adjusted_rand));

@@ -8,9 +8,9 @@ namespace mien::pipeline {
 namespace {
 
 std::vector<DrawnText> texts_of(int scales, bool simulated) {
-  std::vector<KeptAt> curve;
+  std::vector<ThresholdPoint> curve;
   for (const auto condition :
-       {KeptAt::Condition::largest_mean, KeptAt::Condition::mean_deviation}) {
+       {ThresholdPoint::Condition::largest_mean, ThresholdPoint::Condition::mean_deviation}) {
     for (int i = 0; i <= 40; ++i) curve.push_back({condition, 0.05 * i, scales, scales / 2});
   }
   const Plot plot = threshold_chart(curve, {}, scales, simulated);

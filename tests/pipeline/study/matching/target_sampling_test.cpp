@@ -84,7 +84,8 @@ TEST(TargetSampling, TargetsAreSpreadFartherThanPracticeDraws) {
 }
 
 TEST(TargetSampling, NoTwoTargetsAreTheSame) {
-  for (const Unreachable unreachable : {Unreachable::reject, Unreachable::project}) {
+  for (const UnreachablePolicy unreachable :
+       {UnreachablePolicy::reject, UnreachablePolicy::project}) {
     const auto all = sample_targets(random_table(12), names,
                                     {.targets = 20, .practice = 20, .unreachable = unreachable});
     ASSERT_EQ(all.size(), 40u);
@@ -92,9 +93,10 @@ TEST(TargetSampling, NoTwoTargetsAreTheSame) {
       for (std::size_t k = 0; k < i; ++k) EXPECT_GT((all[i].place - all[k].place).norm(), 1e-9);
     }
   }
-  EXPECT_THROW(sample_targets(random_table(1), names,
-                              {.targets = 2, .practice = 0, .unreachable = Unreachable::project}),
-               Error);
+  EXPECT_THROW(
+      sample_targets(random_table(1), names,
+                     {.targets = 2, .practice = 0, .unreachable = UnreachablePolicy::project}),
+      Error);
 }
 
 TEST(TargetSampling, ExamplesThatLeaveNoRoomAreRefused) {
@@ -118,10 +120,10 @@ TEST(TargetSampling, TargetsCanBeMade) {
 
 TEST(TargetSampling, ProjectedTargetsTakeThePlaceOfThoseThatCannotBeMade) {
   const ParameterTable table = random_table(12);
-  const auto own = [&](Unreachable unreachable) {
+  const auto own = [&](UnreachablePolicy unreachable) {
     return sample_targets(table, names, {.targets = 20, .practice = 0, .unreachable = unreachable});
   };
-  for (const SampledTarget& target : own(Unreachable::project))
+  for (const SampledTarget& target : own(UnreachablePolicy::project))
     EXPECT_LT((target.reached - target.place).cwiseAbs().maxCoeff(), 1.001e-3) << target.id;
   // Moved to the border of what is possible, they lie farther apart than those drawn within.
   const auto width = [](const std::vector<SampledTarget>& targets) {
@@ -131,7 +133,7 @@ TEST(TargetSampling, ProjectedTargetsTakeThePlaceOfThoseThatCannotBeMade) {
         widest = std::max(widest, (a.reached - b.reached).norm());
     return widest;
   };
-  EXPECT_GE(width(own(Unreachable::project)), width(own(Unreachable::reject)));
+  EXPECT_GE(width(own(UnreachablePolicy::project)), width(own(UnreachablePolicy::reject)));
 }
 
 // Two of four rows are asked about; spread in all, the stimuli differ more in all.

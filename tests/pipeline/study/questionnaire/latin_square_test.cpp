@@ -25,19 +25,19 @@ TEST(LatinSquare, OfSixBeginsWithThePublishedRow) {
 
 TEST(LatinSquare, BalancesPlacesAndNeighboursForEveryCount) {
   for (std::size_t count = 1; count <= 41; ++count) {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> at_place, follows;
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> position_counts, succession_counts;
     for (std::size_t row = 0; row < williams_rows(count); ++row) {
       const Row order = williams_row(count, row);
       for (std::size_t place = 0; place < count; ++place) {
-        ++at_place[{order[place], place}];
-        if (place > 0) ++follows[{order[place - 1], order[place]}];
+        ++position_counts[{order[place], place}];
+        if (place > 0) ++succession_counts[{order[place - 1], order[place]}];
       }
     }
     const std::size_t times = count % 2 == 0 ? 1 : 2;
-    EXPECT_EQ(at_place.size(), count * count) << count;
-    EXPECT_EQ(follows.size(), count * (count - 1)) << count;
-    for (const auto& [key, number] : at_place) EXPECT_EQ(number, times) << count;
-    for (const auto& [key, number] : follows) EXPECT_EQ(number, times) << count;
+    EXPECT_EQ(position_counts.size(), count * count) << count;
+    EXPECT_EQ(succession_counts.size(), count * (count - 1)) << count;
+    for (const auto& [key, number] : position_counts) EXPECT_EQ(number, times) << count;
+    for (const auto& [key, number] : succession_counts) EXPECT_EQ(number, times) << count;
   }
 }
 

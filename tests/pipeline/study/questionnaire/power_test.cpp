@@ -25,7 +25,7 @@ TEST(PairedTPower, IsThatOfPublishedTables) {
 
 TEST(Power, OfASimulationIsThatOfThePairedTTest) {
   const Manifest manifest = asked_study(6, "participants: 30, scales: [sad-happy]");
-  PowerQuestion question;
+  PowerOptions question;
   question.spread = {.participant = 2.0, .stimulus = 1.0, .residual = 0.8};
   const PowerEstimate estimate = estimate_power(manifest, question);
   // Participants' leaning falls out of a difference, whose deviation is √2 that of a rating.
@@ -34,7 +34,7 @@ TEST(Power, OfASimulationIsThatOfThePairedTTest) {
   EXPECT_NEAR(estimate.power.share, expected, 0.025);  // 3.5 standard errors of 4000 studies
   EXPECT_LE(estimate.power.low, expected);
   EXPECT_GE(estimate.power.high, expected);
-  EXPECT_NEAR(estimate.false_alarms.share, 0.05, 0.0125);
+  EXPECT_NEAR(estimate.false_positives.share, 0.05, 0.0125);
   EXPECT_EQ(estimate.usable, 30.0);
   int needed = 2;
   while (paired_t_power(needed, 0.5, deviation, 0.05) < 0.8) ++needed;
@@ -46,7 +46,7 @@ TEST(Power, OfASimulationIsThatOfThePairedTTest) {
 TEST(Power, CountsWhoSawBothOfAnIncompleteDesign) {
   const Manifest manifest =
       asked_study(12, "participants: 44, scales: [sad-happy], per_participant: 6");
-  PowerQuestion question;
+  PowerOptions question;
   question.studies = 2000;
   const PowerEstimate estimate = estimate_power(manifest, question);
   EXPECT_NEAR(estimate.usable, 44.0 * 6 * 5 / (12 * 11), 0.1);  // 10
@@ -57,7 +57,7 @@ TEST(Power, CountsWhoSawBothOfAnIncompleteDesign) {
 
 TEST(Power, ComparesLevelsByTheMeansOfTheirStimuli) {
   const Manifest manifest = asked_study(12, "participants: 12, scales: [sad-happy]");
-  PowerQuestion question;
+  PowerOptions question;
   question.spread.stimulus = 0.0;
   question.factor = "actor";
   question.level = "a";
@@ -71,20 +71,20 @@ TEST(Power, ComparesLevelsByTheMeansOfTheirStimuli) {
 
 TEST(Power, TellsNoNumberWhereDifferencesOfStimuliMisleadTheTest) {
   const Manifest manifest = asked_study(12, "participants: 12, scales: [sad-happy]");
-  PowerQuestion question;
+  PowerOptions question;
   question.studies = 400;
   question.factor = "actor";
   question.level = "a";
   question.other_level = "b";
   const PowerEstimate estimate = estimate_power(manifest, question);
-  EXPECT_TRUE(is_test_misled(question, estimate));
+  EXPECT_TRUE(is_false_positive_rate_inflated(question, estimate));
   for (const std::string& sentence : power_sentences(question, estimate))
     EXPECT_EQ(sentence.find("Sample size for"), std::string::npos) << sentence;
 }
 
 TEST(Power, IsTheSameForTheSameSeed) {
   const Manifest manifest = asked_study(4, "participants: 20, scales: [sad-happy]");
-  PowerQuestion question;
+  PowerOptions question;
   question.studies = 500;
   const double once = estimate_power(manifest, question).power.share;
   EXPECT_EQ(estimate_power(manifest, question).power.share, once);

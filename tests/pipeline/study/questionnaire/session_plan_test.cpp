@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/math/random_number.h"
-#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/asked_study.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -69,8 +69,8 @@ void expect_sound(const Manifest& manifest, const std::vector<SessionPlan>& plan
     EXPECT_EQ(repeated, asked.repeated);
     EXPECT_LT(plan.seed, std::uint64_t{1} << 53U);
   }
-  EXPECT_LE(seen_range(balance_of(manifest, plans)).most,
-            seen_range(balance_of(manifest, plans)).least + 1);
+  EXPECT_LE(participant_range(balance_of(manifest, plans)).most,
+            participant_range(balance_of(manifest, plans)).least + 1);
 }
 
 TEST(SessionPlan, KeepsWhatItPromisesOverManyRandomDesigns) {
@@ -125,11 +125,11 @@ TEST(SessionPlan, SaysAtItsKeyThatAStimulusCannotBeSeenTwice) {
 TEST(SessionPlan, OfALatinSquareIsBalancedWhereItCanBe) {
   const Manifest even = asked_study(6, "participants: 12, scales: [sad-happy], order: latin");
   const Balance balance = balance_of(even, plan_sessions(even));
-  EXPECT_TRUE(place_range(balance).is_even());
-  EXPECT_EQ(place_range(balance).least, 2);
-  EXPECT_TRUE(follows_range(balance).is_even());
+  EXPECT_TRUE(position_range(balance).is_even());
+  EXPECT_EQ(position_range(balance).least, 2);
+  EXPECT_TRUE(succession_range(balance).is_even());
   const Manifest odd = asked_study(5, "participants: 10, scales: [sad-happy], order: latin");
-  EXPECT_TRUE(follows_range(balance_of(odd, plan_sessions(odd))).is_even());
+  EXPECT_TRUE(succession_range(balance_of(odd, plan_sessions(odd))).is_even());
   const Manifest uneven = asked_study(5, "participants: 7, scales: [sad-happy], order: latin");
   const auto sentences = balance_sentences(uneven, balance_of(uneven, plan_sessions(uneven)), 7);
   EXPECT_NE(sentences.back().find("multiple of 5"), std::string::npos) << sentences.back();
@@ -144,7 +144,7 @@ TEST(SessionPlan, TurnsEachScaleForHalfOfTheParticipants) {
   EXPECT_TRUE(flipped_range(balance).is_even());
   EXPECT_EQ(plans[0].trials[0].items, plans[0].trials[3].items);
   std::set<bool> sides;
-  for (const AskedItem& item : plans[0].trials[0].items) sides.insert(item.flipped);
+  for (const TrialItem& item : plans[0].trials[0].items) sides.insert(item.flipped);
   EXPECT_EQ(sides.size(), 2u);
 }
 
@@ -186,18 +186,18 @@ TEST(SessionPlan, IsExpectedToTakeWhatItsPartsTake) {
       "answer: 2, comment: 3, between: 1, demographic: 4}");
   const SessionPlan plan = plan_sessions(manifest, {{"a1", 5.0}, {"b2", 7.0}, {"c3", 9.0}})[0];
   EXPECT_DOUBLE_EQ(plan.expected_seconds, 3 + 4 + (5 + 7 + 9) + 3 * (2 * 2.0 + 3 + 1));
-  EXPECT_DOUBLE_EQ(words_in("この歩き方"), 2.5);
+  EXPECT_DOUBLE_EQ(word_count("この歩き方"), 2.5);
 }
 
 TEST(LeastFilled, IsWhatWasGivenLeastAndSeenLeast) {
   const auto plans = plans_of(12, "per_participant: 4");
   std::vector<int> given(plans.size()), finished(plans.size());
   for (std::size_t i = 0; i < 3; ++i) given[i] = finished[i] = 1;
-  EXPECT_EQ(given[least_filled(plans, given, finished)], 0);
+  EXPECT_EQ(given[next_plan(plans, given, finished)], 0);
   std::ranges::fill(given, 1);
   std::ranges::fill(finished, 1);
   finished[5] = 0;  // somebody left
-  EXPECT_EQ(least_filled(plans, given, finished), 5u);
+  EXPECT_EQ(next_plan(plans, given, finished), 5u);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/asked_study.h"
 #include "pipeline/study/trials/trial_kind.h"
 #include "pipeline/temporary_folder.h"
@@ -32,7 +32,7 @@ TEST(SimulatedSessions, HaveARowForEveryItemOfEveryTrialThatCanBeReadAgain) {
   EXPECT_EQ(rows.size(), expected);
   const auto again = answer_rows(parse_csv(to_csv(rows), "answers.csv"));
   ASSERT_EQ(again.size(), rows.size());
-  const auto scales = asked_scales_by_item(manifest);
+  const auto scales = response_scales_by_item(manifest);
   for (const AnswerRow& row : again) {
     EXPECT_TRUE(row.simulated);
     EXPECT_EQ(row.design, design_hash(manifest, plans));

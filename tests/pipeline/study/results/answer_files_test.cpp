@@ -35,9 +35,9 @@ TEST(AnswerFiles, RefuseAFolderWithoutAny) {
   EXPECT_THROW(answer_files({folder.path()}), Error);
 }
 
-TEST(WithinPersons, FindNothingWhereAllDifferencesAreAlike) {
-  const WithinPersons within = within_persons({2.0, 2.0, 2.0, 2.0});
-  EXPECT_TRUE(within.all_alike);
+TEST(WithinParticipants, FindNothingWhereAllDifferencesAreAlike) {
+  const WithinParticipants within = within_participants({2.0, 2.0, 2.0, 2.0});
+  EXPECT_TRUE(within.all_equal);
   EXPECT_TRUE(std::isnan(within.t.t) && std::isnan(within.t.p) && std::isnan(within.dz));
   EXPECT_EQ(within.t.mean, 2.0);
 }

@@ -20,7 +20,7 @@ Manifest repeating_study(int participants = 6) {
 }
 
 std::vector<CatchAnswer> caught(const Manifest& manifest, const std::vector<AnswerRow>& rows) {
-  return catch_answers_of(gather(manifest, rows), rows);
+  return catch_answers_of(collect_answers(manifest, rows), rows);
 }
 
 void answer(AnswerRow& row, double value) {
@@ -87,8 +87,8 @@ TEST(CatchTrials, OfWhoIsLeftOutAreToldButNotCounted) {
   std::vector<AnswerRow> rows = answers_to(manifest);
   for (AnswerRow& row : rows)
     if (row.participant == "p003" && row.kind == "attention") row.passed = false;
-  const Gathered gathered = gather(manifest, rows, {.max_failed_checks = 0});
-  const std::vector<CatchSummary> all = catch_summaries_of(catch_answers_of(gathered, rows));
+  const AnswerSet answer_set = collect_answers(manifest, rows, {.max_failed_checks = 0});
+  const std::vector<CatchSummary> all = catch_summaries_of(catch_answers_of(answer_set, rows));
   EXPECT_EQ(all[0].answers, 5 * 2);
   const auto own = std::ranges::find(all, "p003", &CatchSummary::participant);
   ASSERT_NE(own, all.end());

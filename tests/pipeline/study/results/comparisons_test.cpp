@@ -26,20 +26,20 @@ Scale between(const std::string& low, const std::string& high) {
 }
 
 /// Three people, three stimuli of one setting, two scales; `values` by person, stimulus, scale.
-Gathered small_study(const std::vector<std::vector<std::vector<double>>>& values) {
-  Gathered gathered;
-  gathered.scales = {between("sad", "happy"), between("weak", "strong")};
-  gathered.stimuli = {{"walk", "as-is", "neutral", "woman", {}},
-                      {"sad", "modified", "sad", "woman", {}},
-                      {"acted-sad", "acted", "sad", "woman", {}}};
-  gathered.correction = TestCorrection::none;
+AnswerSet small_study(const std::vector<std::vector<std::vector<double>>>& values) {
+  AnswerSet answer_set;
+  answer_set.scales = {between("sad", "happy"), between("weak", "strong")};
+  answer_set.stimuli = {{"walk", "as-is", "neutral", "woman", {}},
+                        {"sad", "modified", "sad", "woman", {}},
+                        {"acted-sad", "acted", "sad", "woman", {}}};
+  answer_set.correction = TestCorrection::none;
   for (std::size_t person = 0; person < values.size(); ++person) {
-    gathered.people.push_back("p" + std::to_string(person));
+    answer_set.people.push_back("p" + std::to_string(person));
     for (std::size_t stimulus = 0; stimulus < values[person].size(); ++stimulus)
       for (std::size_t scale = 0; scale < values[person][stimulus].size(); ++scale)
-        gathered.ratings.push_back({person, stimulus, scale, values[person][stimulus][scale]});
+        answer_set.ratings.push_back({person, stimulus, scale, values[person][stimulus][scale]});
   }
-  return gathered;
+  return answer_set;
 }
 
 const std::vector<std::vector<std::vector<double>>> answers_of_three = {
@@ -58,7 +58,7 @@ TEST(Comparisons, AreMadeFromTheFactorsOfStimuli) {
   const Comparison* modified = found(all, ComparisonFamily::modified_acted, 1, 0);
   ASSERT_NE(modified, nullptr);
   EXPECT_EQ(modified->against, 2u);
-  EXPECT_EQ(modified->own_end, -1);
+  EXPECT_EQ(modified->intended_end, -1);
   EXPECT_EQ(modified->within.people, 3);
   EXPECT_DOUBLE_EQ(modified->mean, -1.0);
   EXPECT_DOUBLE_EQ(modified->mean_against, -5.0 / 3.0);
@@ -68,7 +68,7 @@ TEST(Comparisons, AreMadeFromTheFactorsOfStimuli) {
   ASSERT_NE(neutral, nullptr);
   EXPECT_NEAR(neutral->within.t.mean, (-1.0 - 3.0 + 0.0) / 3.0, 1e-12);
   EXPECT_EQ(neutral->within.wilcoxon.zeros, 1);
-  EXPECT_EQ(found(all, ComparisonFamily::modified_acted, 1, 1)->own_end, 0);
+  EXPECT_EQ(found(all, ComparisonFamily::modified_acted, 1, 1)->intended_end, 0);
   EXPECT_NE(found(all, ComparisonFamily::acted_neutral, 2, 0), nullptr);
 }
 
@@ -84,18 +84,18 @@ TEST(Comparisons, HoldAVideoAgainstItsSettingInBothWays) {
 }
 
 TEST(Comparisons, StayWithinASetting) {
-  Gathered gathered = small_study(answers_of_three);
-  gathered.stimuli[2].setting = "man";
-  const std::vector<Comparison> all = compare(gathered);
+  AnswerSet answer_set = small_study(answers_of_three);
+  answer_set.stimuli[2].setting = "man";
+  const std::vector<Comparison> all = compare(answer_set);
   EXPECT_EQ(found(all, ComparisonFamily::modified_acted, 1, 0), nullptr);
   EXPECT_EQ(found(all, ComparisonFamily::best_seen, 2, 0), nullptr);  // alone there
   EXPECT_EQ(found(all, ComparisonFamily::best_seen, 1, 0)->answers_against, 6);
 }
 
 TEST(Comparisons, AreCorrectedWithinTheirFamily) {
-  Gathered gathered = small_study(answers_of_three);
-  gathered.correction = TestCorrection::holm;
-  for (const Comparison& c : compare(gathered)) {
+  AnswerSet answer_set = small_study(answers_of_three);
+  answer_set.correction = TestCorrection::holm;
+  for (const Comparison& c : compare(answer_set)) {
     if (std::isnan(c.within.t.p)) continue;
     const bool is_alone = c.family != ComparisonFamily::best_seen;  // one own scale, one other
     if (is_alone) {
@@ -107,27 +107,27 @@ TEST(Comparisons, AreCorrectedWithinTheirFamily) {
 }
 
 TEST(Comparisons, SayNothingWhereAFewPeopleDifferByTheSame) {
-  const WithinPersons alike = within_persons({1.0, 1.0});
+  const WithinParticipants alike = within_participants({1.0, 1.0});
   EXPECT_TRUE(std::isnan(alike.t.p));
   EXPECT_DOUBLE_EQ(alike.wilcoxon.p, 0.5);
-  const WithinPersons equal = within_persons({0.0, 0.0, 0.0});
+  const WithinParticipants equal = within_participants({0.0, 0.0, 0.0});
   EXPECT_TRUE(std::isnan(equal.t.p));
   EXPECT_DOUBLE_EQ(equal.wilcoxon.p, 1.0);
   EXPECT_EQ(equal.wilcoxon.zeros, 3);
 }
 
 TEST(Comparisons, OverSettingsTurnEachEmotionToItsEnd) {
-  Gathered gathered;
-  gathered.scales = {between("sad", "happy")};
-  gathered.stimuli = {{"w-sad", "modified", "sad", "woman", {}},
-                      {"w-acted-sad", "acted", "sad", "woman", {}},
-                      {"m-happy", "modified", "happy", "man", {}},
-                      {"m-acted-happy", "acted", "happy", "man", {}}};
-  gathered.people = {"p", "q", "r"};
+  AnswerSet answer_set;
+  answer_set.scales = {between("sad", "happy")};
+  answer_set.stimuli = {{"w-sad", "modified", "sad", "woman", {}},
+                        {"w-acted-sad", "acted", "sad", "woman", {}},
+                        {"m-happy", "modified", "happy", "man", {}},
+                        {"m-acted-happy", "acted", "happy", "man", {}}};
+  answer_set.people = {"p", "q", "r"};
   // p saw both emotions, q sadness alone, r one side alone.
-  gathered.ratings = {{0, 0, 0, -1}, {0, 1, 0, -2}, {0, 2, 0, 2}, {0, 3, 0, 1},
-                      {1, 0, 0, 0},  {1, 1, 0, -1}, {2, 0, 0, -2}};
-  const std::vector<OverallComparison> all = compare_overall(gathered);
+  answer_set.ratings = {{0, 0, 0, -1}, {0, 1, 0, -2}, {0, 2, 0, 2}, {0, 3, 0, 1},
+                        {1, 0, 0, 0},  {1, 1, 0, -1}, {2, 0, 0, -2}};
+  const std::vector<OverallComparison> all = compare_overall(answer_set);
   ASSERT_EQ(all.size(), 2u);  // all, and sad: of happy there is one person
   EXPECT_EQ(all[0].emotion, "");
   EXPECT_EQ(all[0].within.people, 2);
@@ -139,20 +139,20 @@ TEST(Comparisons, OverSettingsTurnEachEmotionToItsEnd) {
 }
 
 /// Four videos of one setting on one scale; `values` by person and video.
-Gathered four_videos(const std::vector<std::vector<double>>& values) {
-  Gathered gathered;
-  gathered.scales = {between("sad", "happy")};
-  gathered.stimuli = {{"own", "acted", "sad", "woman", {}},
-                      {"b", "acted", "happy", "woman", {}},
-                      {"c", "acted", "tired", "woman", {}},
-                      {"d", "acted", "weak", "woman", {}}};
-  gathered.correction = TestCorrection::none;
+AnswerSet four_videos(const std::vector<std::vector<double>>& values) {
+  AnswerSet answer_set;
+  answer_set.scales = {between("sad", "happy")};
+  answer_set.stimuli = {{"own", "acted", "sad", "woman", {}},
+                        {"b", "acted", "happy", "woman", {}},
+                        {"c", "acted", "tired", "woman", {}},
+                        {"d", "acted", "weak", "woman", {}}};
+  answer_set.correction = TestCorrection::none;
   for (std::size_t person = 0; person < values.size(); ++person) {
-    gathered.people.push_back("p" + std::to_string(person));
+    answer_set.people.push_back("p" + std::to_string(person));
     for (std::size_t stimulus = 0; stimulus < values[person].size(); ++stimulus)
-      gathered.ratings.push_back({person, stimulus, 0, values[person][stimulus]});
+      answer_set.ratings.push_back({person, stimulus, 0, values[person][stimulus]});
   }
-  return gathered;
+  return answer_set;
 }
 
 // 1 − 1/3, 0 + 2/3 and −1 + 1/3 have three different sizes as doubles.
@@ -199,18 +199,18 @@ TEST(Comparisons, RankMeansOfAnswersAsWholeNumbersDo) {
 }
 
 TEST(Comparisons, OverSettingsCompareLikeWithLikeAlone) {
-  Gathered gathered;
-  gathered.scales = {between("sad", "happy")};
-  gathered.stimuli = {{"w-sad", "modified", "sad", "woman", {}},
-                      {"w-acted-sad", "acted", "sad", "woman", {}},
-                      {"m-sad", "modified", "sad", "man", {}},
-                      {"m-acted-sad", "acted", "sad", "man", {}}};
-  gathered.people = {"p", "q", "r", "s"};
+  AnswerSet answer_set;
+  answer_set.scales = {between("sad", "happy")};
+  answer_set.stimuli = {{"w-sad", "modified", "sad", "woman", {}},
+                        {"w-acted-sad", "acted", "sad", "woman", {}},
+                        {"m-sad", "modified", "sad", "man", {}},
+                        {"m-acted-sad", "acted", "sad", "man", {}}};
+  answer_set.people = {"p", "q", "r", "s"};
   // p and q judged both of the woman; r the modified woman and the acted man; s both of both, but
   // the man's far apart.
-  gathered.ratings = {{0, 0, 0, -1}, {0, 1, 0, -2}, {1, 0, 0, 0},  {1, 1, 0, -1}, {2, 0, 0, -2},
-                      {2, 3, 0, 2},  {3, 0, 0, -1}, {3, 1, 0, -1}, {3, 2, 0, 2},  {3, 3, 0, -2}};
-  const std::vector<OverallComparison> all = compare_overall(gathered);
+  answer_set.ratings = {{0, 0, 0, -1}, {0, 1, 0, -2}, {1, 0, 0, 0},  {1, 1, 0, -1}, {2, 0, 0, -2},
+                        {2, 3, 0, 2},  {3, 0, 0, -1}, {3, 1, 0, -1}, {3, 2, 0, 2},  {3, 3, 0, -2}};
+  const std::vector<OverallComparison> all = compare_overall(answer_set);
   ASSERT_EQ(all.size(), 2u);
   for (const OverallComparison& c : all) {
     EXPECT_EQ(c.within.people, 3);
@@ -255,8 +255,8 @@ TEST(Comparisons, WriteSmallProbabilitiesAsTheyAre) {
   for (int person = 0; person < 60; ++person)
     values.push_back({person % 3 == 0 ? -1.0 : -2.0, 2, person % 2 == 0 ? 1.0 : 2.0, 2});
   Results results;
-  results.gathered = four_videos(values);
-  results.comparisons = compare(results.gathered);
+  results.answer_set = four_videos(values);
+  results.comparisons = compare(results.answer_set);
   double least = 1.0;
   for (const WrittenTable& table : result_tables(results)) {
     const CsvTable csv = parse_csv(table.csv, std::string(table.form.path));
@@ -274,13 +274,13 @@ TEST(Comparisons, WriteSmallProbabilitiesAsTheyAre) {
 }
 
 TEST(GroupComparisons, AreWelchsOfThePeoplesOwnMeans) {
-  Gathered gathered = four_videos({{1}, {2}, {0}, {-1}, {2}, {0}});
-  gathered.worded_questions = {"gender"};
+  AnswerSet answer_set = four_videos({{1}, {2}, {0}, {-1}, {2}, {0}});
+  answer_set.worded_questions = {"gender"};
   ParticipantTable people{
       parse_csv("participant,session,gender,age\np0,s,woman,20\np1,s,woman,20\np2,s,man,20\n"
                 "p3,s,man,20\np4,s,woman,20\np5,s,other,20\n",
                 "participants.csv")};
-  const std::vector<GroupComparison> all = compare_groups(people, gathered);
+  const std::vector<GroupComparison> all = compare_groups(people, answer_set);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].one, "woman");
   EXPECT_EQ(all[0].other, "man");
@@ -289,13 +289,13 @@ TEST(GroupComparisons, AreWelchsOfThePeoplesOwnMeans) {
   const TTest expected = welch_t_test({1, 2, 2}, {0, -1});
   EXPECT_DOUBLE_EQ(all[0].welch.t, expected.t);
   EXPECT_DOUBLE_EQ(all[0].welch.p, expected.p);
-  gathered.worded_questions.clear();
-  EXPECT_TRUE(compare_groups(people, gathered).empty());
+  answer_set.worded_questions.clear();
+  EXPECT_TRUE(compare_groups(people, answer_set).empty());
 }
 
 TEST(BestSeen, NamesTheVideoFarthestTowardsEachEnd) {
-  const Gathered gathered = small_study(answers_of_three);
-  const std::vector<BestSeen> best = best_seen(gathered, compare(gathered));
+  const AnswerSet answer_set = small_study(answers_of_three);
+  const std::vector<BestSeen> best = best_seen(answer_set, compare(answer_set));
   ASSERT_EQ(best.size(), 4u);
   EXPECT_EQ(best[0].end, "sad");
   EXPECT_EQ(best[0].comparison.stimulus, 2u);
@@ -341,11 +341,11 @@ TEST(Confusion, IsTheShareOfPointsAsReckonedByHand) {
 }
 
 TEST(Confusion, OfChoicesCountsThem) {
-  Gathered gathered = small_study({});
-  gathered.people = {"p", "q"};
-  gathered.choices = {{"sad", "sad"}, {"happy", "happy"}};
-  gathered.chosen = {{0, 1, "sad"}, {1, 1, "happy"}, {0, 2, "sad"}, {1, 2, "sad"}};
-  const std::vector<Confusion> all = confusions_of(gathered);
+  AnswerSet answer_set = small_study({});
+  answer_set.people = {"p", "q"};
+  answer_set.choices = {{"sad", "sad"}, {"happy", "happy"}};
+  answer_set.chosen = {{0, 1, "sad"}, {1, 1, "happy"}, {0, 2, "sad"}, {1, 2, "sad"}};
+  const std::vector<Confusion> all = confusions_of(answer_set);
   ASSERT_FALSE(all.empty());
   EXPECT_FALSE(all.back().by_points);
   EXPECT_EQ(all.back().rows[0].points, (std::vector<double>{3, 1}));
@@ -353,8 +353,8 @@ TEST(Confusion, OfChoicesCountsThem) {
 }
 
 TEST(EndCorrelations, SplitTheScalesAtTheirMiddle) {
-  const Gathered gathered = small_study(answers_of_three);
-  const std::vector<EndCorrelation> all = end_correlations(gathered);
+  const AnswerSet answer_set = small_study(answers_of_three);
+  const std::vector<EndCorrelation> all = end_correlations(answer_set);
   ASSERT_EQ(all.size(), 6u);
   EXPECT_TRUE(all[0].same_scale);
   EXPECT_LT(all[0].correlation.r, 0.0);
@@ -374,20 +374,20 @@ TEST(Summaries, CountTheAnswersAtEachPlace) {
 }
 
 TEST(Reliability, UsesWhatEverybodySaw) {
-  Gathered gathered = small_study(answers_of_three);
-  const std::vector<Reliability> full = reliability_of(gathered);
+  AnswerSet answer_set = small_study(answers_of_three);
+  const std::vector<Reliability> full = reliability_of(answer_set);
   ASSERT_EQ(full.size(), 2u);
   EXPECT_EQ(full[0].complete_people, 3);
   EXPECT_NEAR(full[0].alpha, full[0].intraclass.three_k, 1e-12);
-  gathered.ratings.erase(gathered.ratings.begin());
-  EXPECT_EQ(reliability_of(gathered)[0].complete_people, 2);
-  EXPECT_EQ(reliability_of(gathered)[0].intraclass.answers, 8);
+  answer_set.ratings.erase(answer_set.ratings.begin());
+  EXPECT_EQ(reliability_of(answer_set)[0].complete_people, 2);
+  EXPECT_EQ(reliability_of(answer_set)[0].intraclass.answers, 8);
 }
 
 TEST(Preferences, AreCountedWhicheverSideTheyStoodOn) {
-  Gathered gathered = small_study({});
-  gathered.preferences = {{0, 1, 0, "sad-happy"}, {1, 0, 1, "sad-happy"}, {2, 1, 0, "sad-happy"}};
-  const std::vector<PreferenceCount> counts = preferences_of(gathered);
+  AnswerSet answer_set = small_study({});
+  answer_set.preferences = {{0, 1, 0, "sad-happy"}, {1, 0, 1, "sad-happy"}, {2, 1, 0, "sad-happy"}};
+  const std::vector<PreferenceCount> counts = preferences_of(answer_set);
   ASSERT_EQ(counts.size(), 1u);
   EXPECT_EQ(counts[0].one, 0u);
   EXPECT_EQ(counts[0].for_one, 1);

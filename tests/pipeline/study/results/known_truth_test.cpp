@@ -32,11 +32,11 @@ Findings findings_of(int studies, int participants, const StatedTruth& truth) {
     const Manifest manifest =
         two_emotion_study(participants, 1000 + static_cast<std::uint64_t>(study));
     bool any = false;
-    for (const Comparison& c : compare(gather(manifest, answers_to(manifest, truth)))) {
+    for (const Comparison& c : compare(collect_answers(manifest, answers_to(manifest, truth)))) {
       if (c.family != ComparisonFamily::modified_neutral) continue;
-      if (c.own_end != 0) any = any || c.paired_adjusted < level;
+      if (c.intended_end != 0) any = any || c.paired_adjusted < level;
       if (c.stimulus != 3) continue;
-      if (c.own_end == 0) {
+      if (c.intended_end == 0) {
         found.other_scale += c.within.t.p < level ? 1 : 0;
         continue;
       }
@@ -76,7 +76,7 @@ void expect_power_of_the_design(int studies) {
   constexpr double difference = 0.25;
   constexpr int participants = 20;
   const Findings found = findings_of(studies, participants, {{{"sad", "sad-happy"}, -difference}});
-  PowerQuestion question;
+  PowerOptions question;
   question.spread = steady_people.spread;
   question.difference = difference;
   question.studies = 2000;

@@ -45,11 +45,11 @@ inline Manifest pair_study() {
 }
 
 /// Few who lean to an end, and answers that stay away from the ends.
-inline constexpr SimulatedPeople steady_people = {
-    .spread = {.participant = 0.2, .stimulus = 0.0, .residual = 0.4}, .attentive = 1.0};
+inline constexpr SimulatedParticipants steady_people = {
+    .spread = {.participant = 0.2, .stimulus = 0.0, .residual = 0.4}, .attention_pass_rate = 1.0};
 
 inline std::vector<AnswerRow> answers_to(const Manifest& manifest, const StatedTruth& truth = {},
-                                         const SimulatedPeople& people = steady_people) {
+                                         const SimulatedParticipants& people = steady_people) {
   return simulated_sessions(manifest, plan_sessions(manifest), truth, people);
 }
 

@@ -23,7 +23,7 @@ StoredRecord trial(int session, int number, const std::string& content = "{}") {
           .position = number - 1,
           .name = "trial-" + std::to_string(number),
           .content = content,
-          .kept_at = "2026-01-01T00:00:00Z"};
+          .stored_at = "2026-01-01T00:00:00Z"};
 }
 
 void begin_two(SessionStore& store) {
@@ -35,12 +35,12 @@ TEST(SessionStore, KeepsWhatItIsGivenOnceAndInOrder) {
   const TemporaryFolder folder;
   SessionStore store(folder.path() / "answers.db");
   begin_two(store);
-  EXPECT_EQ(store.keep(trial(0, 2)), Keeping::out_of_order);
-  EXPECT_EQ(store.keep(trial(0, 1, "a")), Keeping::kept);
-  EXPECT_EQ(store.keep(trial(0, 1, "a")), Keeping::same);
-  EXPECT_EQ(store.keep(trial(0, 1, "b")), Keeping::other);
-  EXPECT_EQ(store.keep(trial(1, 1, "b")), Keeping::kept);
-  EXPECT_EQ(store.keep(trial(0, 2, "'; DROP TABLE records; --")), Keeping::kept);
+  EXPECT_EQ(store.keep(trial(0, 2)), RecordOutcome::out_of_order);
+  EXPECT_EQ(store.keep(trial(0, 1, "a")), RecordOutcome::stored);
+  EXPECT_EQ(store.keep(trial(0, 1, "a")), RecordOutcome::same);
+  EXPECT_EQ(store.keep(trial(0, 1, "b")), RecordOutcome::other);
+  EXPECT_EQ(store.keep(trial(1, 1, "b")), RecordOutcome::stored);
+  EXPECT_EQ(store.keep(trial(0, 2, "'; DROP TABLE records; --")), RecordOutcome::stored);
   const std::vector<StoredRecord> records = store.records_of(0);
   ASSERT_EQ(records.size(), 2u);
   EXPECT_EQ(records[0].content, "a");
@@ -54,22 +54,22 @@ TEST(SessionStore, IsThereAgainWithAllThatWasKept) {
     SessionStore store(folder.path() / "answers.db");
     begin_two(store);
     store.keep(trial(1, 1, "kept"));
-    EXPECT_TRUE(store.come(1, "join", "now"));
-    EXPECT_FALSE(store.come(1, "link", "later"));
+    EXPECT_TRUE(store.mark_begun(1, "join", "now"));
+    EXPECT_FALSE(store.mark_begun(1, "link", "later"));
   }
   SessionStore store(folder.path() / "answers.db");
   EXPECT_EQ(store.fact("design"), "abc");
   EXPECT_EQ(store.fact("else"), std::nullopt);
   EXPECT_EQ(store.records_of(1).at(0).content, "kept");
-  EXPECT_EQ(store.sessions().at(1).came_by, "join");
+  EXPECT_EQ(store.sessions().at(1).entry_route, "join");
   EXPECT_EQ(store.sessions().at(1).begun_at, "now");
 }
 
-/// Tells each number over the pipe as soon as it is kept, until it is killed.
+/// Tells each number over the pipe as soon as it is stored, until it is killed.
 [[noreturn]] void keep_until_killed(const std::filesystem::path& file, int first, int pipe_end) {
   SessionStore store(file);
   for (int number = first;; ++number) {
-    if (store.keep(trial(0, number, std::to_string(number))) != Keeping::kept) _exit(1);
+    if (store.keep(trial(0, number, std::to_string(number))) != RecordOutcome::stored) _exit(1);
     if (write(pipe_end, &number, sizeof number) != sizeof number) _exit(2);
   }
 }
@@ -102,7 +102,7 @@ TEST(SessionStore, LosesNothingWhenItsProcessIsKilled) {
   }
   const std::vector<StoredRecord> records = SessionStore(file).records();
   ASSERT_GE(records.size(), static_cast<std::size_t>(told));
-  ASSERT_LE(records.size(), static_cast<std::size_t>(told) + 1);  // kept, but not told any more
+  ASSERT_LE(records.size(), static_cast<std::size_t>(told) + 1);  // stored, but not told any more
   for (std::size_t at = 0; at < records.size(); ++at)
     EXPECT_EQ(records[at].content, std::to_string(at + 1));
 }
@@ -192,14 +192,14 @@ TEST(SessionStore, SaysThatADiskIsFullKeepsNothingOfItAndGoesOnWhenThereIsRoom) 
   const TemporaryFolder folder;
   SessionStore store(folder.path() / "answers.db");
   begin_two(store);
-  ASSERT_EQ(store.keep(trial(0, 1)), Keeping::kept);
+  ASSERT_EQ(store.keep(trial(0, 1)), RecordOutcome::stored);
   {
     const FullDisk full(4096);
     EXPECT_THROW(store.keep(trial(0, 2, std::string(50'000, 'x'))), WriteFailure);
     EXPECT_THROW(store.keep(trial(0, 2, std::string(50'000, 'x'))), WriteFailure);
     EXPECT_EQ(store.records().size(), 1u);
   }
-  EXPECT_EQ(store.keep(trial(0, 2, std::string(50'000, 'x'))), Keeping::kept);
+  EXPECT_EQ(store.keep(trial(0, 2, std::string(50'000, 'x'))), RecordOutcome::stored);
   EXPECT_EQ(store.records().size(), 2u);
 }
 

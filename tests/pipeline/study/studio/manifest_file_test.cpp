@@ -25,7 +25,7 @@ class OpenedManifest : public testing::Test {
   OpenedManifest() { write_file(file_, quickstart); }
 
   /// Saves a text with a change, made from a state of the file.
-  static Saving save(ManifestFile& opened, const ManifestState& from) {
+  static SaveResult save(ManifestFile& opened, const ManifestState& from) {
     ordered_json document = from.document;
     document["stimuli"][0]["adjectives"]["quickness"] = 0.9;
     return opened.save(brisker(from.text), document, from.version);
@@ -39,14 +39,14 @@ TEST_F(OpenedManifest, IsSavedWithTheChangeAndNothingElse) {
   ManifestFile opened(file_, process_environment());
   fs::permissions(file_, fs::perms::owner_read | fs::perms::owner_write);
   const ManifestState before = opened.state();
-  const Saving saving = save(opened, before);
-  EXPECT_EQ(saving.outcome, Saving::Outcome::saved);
+  const SaveResult saving = save(opened, before);
+  EXPECT_EQ(saving.outcome, SaveResult::Outcome::saved);
   const std::string wanted = brisker(quickstart);
   EXPECT_EQ(read_file(file_), wanted);
   EXPECT_EQ(saving.state.text, wanted);
   EXPECT_EQ(fs::status(file_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(opened.save(wanted, saving.state.document, saving.state.version).outcome,
-            Saving::Outcome::unchanged);
+            SaveResult::Outcome::unchanged);
   // Nothing else lies beside it.
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator{}), 1);
 }
@@ -56,22 +56,22 @@ TEST_F(OpenedManifest, IsNotWrittenOverWhenItWasChangedElsewhere) {
   const ManifestState before = opened.state();
   const std::string elsewhere = quickstart + "# a remark\n";
   write_file(file_, elsewhere);
-  const Saving refused = save(opened, before);
-  EXPECT_EQ(refused.outcome, Saving::Outcome::elsewhere);
+  const SaveResult refused = save(opened, before);
+  EXPECT_EQ(refused.outcome, SaveResult::Outcome::elsewhere);
   EXPECT_EQ(refused.state.text, elsewhere);
   EXPECT_EQ(read_file(file_), elsewhere);
   // Into what is there.
-  EXPECT_EQ(save(opened, refused.state).outcome, Saving::Outcome::saved);
+  EXPECT_EQ(save(opened, refused.state).outcome, SaveResult::Outcome::saved);
   EXPECT_EQ(read_file(file_), brisker(elsewhere));
 }
 
 TEST_F(OpenedManifest, IsWrittenAnewWhereItHasGone) {
   ManifestFile opened(file_, process_environment());
   fs::remove(file_);
-  const Saving refused = save(opened, opened.state());
-  EXPECT_EQ(refused.outcome, Saving::Outcome::elsewhere);
+  const SaveResult refused = save(opened, opened.state());
+  EXPECT_EQ(refused.outcome, SaveResult::Outcome::elsewhere);
   EXPECT_FALSE(fs::exists(file_));
-  EXPECT_EQ(save(opened, refused.state).outcome, Saving::Outcome::saved);
+  EXPECT_EQ(save(opened, refused.state).outcome, SaveResult::Outcome::saved);
   EXPECT_EQ(read_file(file_), brisker(quickstart));
 }
 

@@ -92,10 +92,10 @@ TEST_F(Studio, MovesACharacterAsFilmsDo) {
   const Manifest manifest = load_manifest(file_.file(), process_environment());
   Motions motions(manifest);
   const motion::Clip clip = motions.of("guess-1").motion.clip;
-  const scenes::Character worn =
+  const scenes::Character fitted_figure =
       scenes::scaled_to_body(scenes::read_character(folder_.path() / "robot.gltf"), clip.body);
   const motion::JointTransforms rig =
-      scenes::rig_pose(worn, scenes::retargeted_to(worn, clip).poses.back());
+      scenes::rig_pose(fitted_figure, scenes::retargeted_to(fitted_figure, clip).poses.back());
   const std::size_t floats = clip.poses.size() * static_cast<std::size_t>(7 * joints);
   std::vector<float> poses(floats);
   std::memcpy(poses.data(), response.body.data() + response.body.size() - 4 * floats, 4 * floats);

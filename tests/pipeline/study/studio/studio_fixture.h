@@ -34,7 +34,7 @@ class Studio : public testing::Test {
         service_(file_,
                  {{"index.html", {"<p>", "text/html"}}, {"studio.js", {"1", "text/javascript"}}},
                  folder_.path() / "out", 2) {
-    service_.listens_at(4711);
+    service_.set_port(4711);
   }
 
   HttpRequest request(const std::string& method, std::vector<std::string> path,
@@ -66,9 +66,9 @@ class Studio : public testing::Test {
   /// Waits for a job and returns its final state.
   nlohmann::ordered_json ended(int job) {
     for (;;) {
-      const nlohmann::ordered_json told =
+      const nlohmann::ordered_json job_state =
           nlohmann::ordered_json::parse(get({"jobs", std::to_string(job)}).body);
-      if (told["state"] != "running") return told;
+      if (job_state["state"] != "running") return job_state;
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   }

@@ -50,43 +50,43 @@ class Places : public testing::Test {
 const ordered_json names_beside = {{"examples", {{"set", {{"folder", "../beside"}}}}}};
 
 TEST_F(Places, AreTheFoldersOfCapturesBelowTheManifest) {
-  const ordered_json listed = places().listed();
+  const ordered_json listing = places().listing();
   std::vector<std::string> folders;
-  for (const ordered_json& one : listed["folders"]) folders.push_back(one["folder"]);
+  for (const ordered_json& one : listing["folders"]) folders.push_back(one["folder"]);
   EXPECT_EQ(folders, (std::vector<std::string>{"captures", "captures/old", "figures"}));
-  EXPECT_EQ(listed["folders"][0]["motions"], ordered_json({"run.bvh", "walk.bvh"}));
-  EXPECT_EQ(listed["characters"], ordered_json({"figures/robot.vrm"}));
-  EXPECT_EQ(listed["all"], true);
+  EXPECT_EQ(listing["folders"][0]["motions"], ordered_json({"run.bvh", "walk.bvh"}));
+  EXPECT_EQ(listing["characters"], ordered_json({"figures/robot.vrm"}));
+  EXPECT_EQ(listing["all"], true);
 }
 
 TEST_F(Places, AreAlsoBelowTheFolderThatTheManifestNames) {
-  const ordered_json listed = places(names_beside).listed();
+  const ordered_json listing = places(names_beside).listing();
   std::vector<std::string> folders;
-  for (const ordered_json& one : listed["folders"]) folders.push_back(one["folder"]);
+  for (const ordered_json& one : listing["folders"]) folders.push_back(one["folder"]);
   EXPECT_EQ(folders, (std::vector<std::string>{"../beside", "../beside/more", "captures",
                                                "captures/old", "figures"}));
-  EXPECT_TRUE(places(names_beside).hold("../beside/more"));
-  EXPECT_FALSE(places().hold("../beside/more"));
+  EXPECT_TRUE(places(names_beside).contains("../beside/more"));
+  EXPECT_FALSE(places().contains("../beside/more"));
 }
 
 TEST_F(Places, HoldWhatIsThereAndNothingElse) {
   const StudioPlaces here = places();
   for (const char* name : {"captures", "captures/", "./captures/old", ".", "captures/walk.bvh",
                            "figures/robot.vrm", "captures/../captures"})
-    EXPECT_TRUE(here.hold(name)) << name;
+    EXPECT_TRUE(here.contains(name)) << name;
   for (const char* name :
        {"..", "../beside", "/etc", "/etc/passwd", "captures/notes.txt", "my.yaml", "captures/none",
         "way-out", "way-out/more", "figures/out.bvh", "captures/../../beside"})
-    EXPECT_FALSE(here.hold(name)) << name;
+    EXPECT_FALSE(here.contains(name)) << name;
 }
 
 TEST_F(Places, EndSomewhere) {
   std::string deep = "study";
   for (int depth = 0; depth < 9; ++depth) deep += "/d";
   put(deep + "/far.bvh");
-  const ordered_json listed = places().listed();
-  EXPECT_EQ(listed["all"], false);
-  EXPECT_EQ(listed["folders"].size(), 3u);
+  const ordered_json listing = places().listing();
+  EXPECT_EQ(listing["all"], false);
+  EXPECT_EQ(listing["folders"].size(), 3u);
 }
 
 }  // namespace

@@ -19,16 +19,16 @@ Trial trial_of(const TrialKind& kind) {
 
 /// Calls `ask` with every item of every kind that a manifest may ask for, on every form of scale.
 void for_each_question(auto&& ask) {
-  const AskedScale scales[] = {{.points = 5},
-                               {.points = 2, .least = -1, .most = 1},
-                               {.slider = true, .least = 0, .most = 3},
-                               {.words = true, .low = "sad", .high = "happy"}};
+  const ResponseScale scales[] = {{.points = 5},
+                                  {.points = 2, .least = -1, .most = 1},
+                                  {.slider = true, .least = 0, .most = 3},
+                                  {.words = true, .low = "sad", .high = "happy"}};
   for (const auto& [name, form] : trial_form_words) {
     const TrialKind& kind = trial_kind_of(*form);
     const Trial trial = trial_of(kind);
-    for (const AskedScale& scale : scales) {
+    for (const ResponseScale& scale : scales) {
       if (scale.words && !form->is_on_scale) continue;
-      for (const AskedItem& item : trial.items)
+      for (const TrialItem& item : trial.items)
         ask(kind, Question{trial, item, item.item == form->item ? nullptr : &scale, choices});
     }
   }
@@ -43,7 +43,7 @@ AnswerRow completed(const Question& question, const std::string& raw) {
   return row;
 }
 
-GivenResponse response_of(const Question& question, const std::string& raw) {
+ItemResponse response_of(const Question& question, const std::string& raw) {
   const bool is_number = raw.find_first_not_of("0123456789") == std::string::npos;
   return {.item = question.item.item, .value_raw = raw, .is_number = is_number};
 }
@@ -60,7 +60,7 @@ TEST(TrialKinds, AreAllThatAManifestMayAskForByTheSameNames) {
 
 TEST(TrialKinds, TakeEveryAnswerThatACheckMayAskFor) {
   for_each_question([](const TrialKind& kind, const Question& question) {
-    const std::vector<std::string> answers = kind.checkable(question);
+    const std::vector<std::string> answers = kind.attention_answers(question);
     ASSERT_FALSE(answers.empty());
     EXPECT_EQ(std::set<std::string>(answers.begin(), answers.end()).size(), answers.size());
     for (const std::string& answer : answers)
@@ -74,7 +74,7 @@ TEST(TrialKinds, TakeWhatSimulatedPeopleAnswer) {
       const double share = 0.01 * i;
       const SimulatedView view{.opinion = [&](std::size_t which) { return share - 0.5 * which; },
                                .shown = i % 3 == 0 ? "calm" : "angry",
-                               .is_seen = i % 2 == 0,
+                               .is_recognised = i % 2 == 0,
                                .chance = share};
       const std::string raw = kind.simulated(question, view);
       EXPECT_EQ(kind.fault(question, response_of(question, raw)), "") << kind.name << " " << raw;
@@ -92,7 +92,7 @@ TEST(TrialKinds, RefuseWhatNoPageOffers) {
 }
 
 TEST(Trials, ThatAskAnEmotionAskScalesAsRatingsDo) {
-  const AskedScale scale{.points = 5, .least = -2, .most = 2};
+  const ResponseScale scale{.points = 5, .least = -2, .most = 2};
   const Trial emotion = trial_of(emotion_trials), rating = trial_of(rating_trials);
   const Question one{emotion, emotion.items[0], &scale, choices};
   const Question other{rating, rating.items[0], &scale, choices};
@@ -108,7 +108,7 @@ TEST(Trials, ThatAskAnEmotionAskScalesAsRatingsDo) {
 
 TEST(Trials, OfTwoStimuliAreAnsweredWithOneOfThem) {
   const Trial trial = trial_of(pair_trials);
-  const AskedScale scale;
+  const ResponseScale scale;
   const Question question{trial, trial.items[0], &scale, choices};
   EXPECT_EQ(completed(question, "left").value, "walk");
   EXPECT_EQ(completed(question, "right").value, "run");
@@ -123,7 +123,7 @@ TEST(Trials, AreCalledAttentionChecksWhereAnAnswerIsExpected) {
 }
 
 TEST(RawAnswer, GoesThereAndBackWhicheverEndIsLeft) {
-  AskedScale scale{.points = 7, .least = -3, .most = 3};
+  ResponseScale scale{.points = 7, .least = -3, .most = 3};
   EXPECT_EQ(value_of_raw(scale, 1, false), -3.0);
   EXPECT_EQ(value_of_raw(scale, 1, true), 3.0);
   EXPECT_EQ(value_of_raw(scale, 5, false), 1.0);

@@ -132,28 +132,28 @@ TEST(AnswerRow, TellsSeveralFaultsAtOnce) {
   std::string table = to_csv({row_of("p", 1, "a")});
   for (const std::string name : {"stimulus", "simulated"})
     table.replace(table.find(name), name.size(), "x_" + name);
-  const std::string told = faults_of(table);
-  EXPECT_NE(told.find("no column \"stimulus\""), std::string::npos);
-  EXPECT_NE(told.find("no column \"simulated\""), std::string::npos);
+  const std::string notes = faults_of(table);
+  EXPECT_NE(notes.find("no column \"stimulus\""), std::string::npos);
+  EXPECT_NE(notes.find("no column \"simulated\""), std::string::npos);
   EXPECT_NE(faults_of(to_csv({})).find("a.csv:1:1: holds no answers"), std::string::npos);
   EXPECT_NE(faults_of("").find("the table is empty"), std::string::npos);
 }
 
 TEST(AnswerRow, IsNotThereTwice) {
-  const std::string told =
+  const std::string notes =
       faults_of(to_csv({row_of("p", 1, "a"), row_of("p", 1, "b"), row_of("p", 1, "a")}));
-  EXPECT_NE(told.find("a.csv:4:"), std::string::npos);
-  EXPECT_NE(told.find("participant \"p\" answers trial 1 on \"a\" a second time (first: a.csv:2:"),
+  EXPECT_NE(notes.find("a.csv:4:"), std::string::npos);
+  EXPECT_NE(notes.find("participant \"p\" answers trial 1 on \"a\" a second time (first: a.csv:2:"),
             std::string::npos)
-      << told;
+      << notes;
 }
 
 TEST(AnswerRow, TellsPeopleWithOneNameApartByWhatTheyAnsweredTwice) {
   std::vector<AnswerRow> rows = {row_of("p1", 1, "a", "x"), row_of("p1", 2, "a", "y"),
                                  row_of("p2", 1, "a", "x"), row_of("p2", 1, "a", "y")};
-  const std::vector<std::string> told = tell_people_apart(rows);
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0],
+  const std::vector<std::string> notes = separate_participants(rows);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0],
             "participant \"p2\" has 2 different sessions, treated as different people: x, y");
   EXPECT_EQ(rows[0].participant, "p1");
   EXPECT_EQ(rows[1].participant, "p1");

@@ -29,8 +29,8 @@ TEST(AnswersOfFiles, TakesOnceWhatIsThereAgain) {
   const AnswersOfFiles all =
       answers_of_files({folder.path() / "one.csv", folder.path() / "two.csv"});
   EXPECT_EQ(all.rows.size(), 2U);
-  ASSERT_EQ(all.told.size(), 1U);
-  EXPECT_NE(all.told[0].find("2 answers were saved more than once"), std::string::npos);
+  ASSERT_EQ(all.notes.size(), 1U);
+  EXPECT_NE(all.notes[0].find("2 answers were saved more than once"), std::string::npos);
 }
 
 TEST(AnswersOfFiles, RefusesTwoAnswersThatDiffer) {

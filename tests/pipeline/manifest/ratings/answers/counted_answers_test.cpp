@@ -9,7 +9,7 @@
 namespace mien::pipeline {
 namespace {
 
-ScaleSet asked_scales() {
+ScaleSet questionnaire_scales() {
   ScaleSet set;
   set.scales.push_back({.id = "sad-happy", .low = "sad", .high = "happy"});
   return set;
@@ -50,7 +50,7 @@ std::vector<AnswerRow> questionnaire() {
 }
 
 TEST(CountedAnswers, AreReadAsRatingsOfAManifest) {
-  const Answers answers = parse_answers(to_csv(questionnaire()), "a.csv", asked_scales());
+  const Answers answers = parse_answers(to_csv(questionnaire()), "a.csv", questionnaire_scales());
   ASSERT_EQ(answers.answers.size(), 4u);
   EXPECT_EQ(answers.answers[0].participant, "p1");
   EXPECT_EQ(answers.answers[0].stimulus, "walk");
@@ -65,12 +65,12 @@ TEST(CountedAnswers, AreReadAsRatingsOfAManifest) {
 TEST(CountedAnswers, OfASimulationAreMarked) {
   std::vector<AnswerRow> rows = questionnaire();
   for (AnswerRow& row : rows) row.simulated = true;
-  EXPECT_TRUE(parse_answers(to_csv(rows), "a.csv", asked_scales()).simulated);
+  EXPECT_TRUE(parse_answers(to_csv(rows), "a.csv", questionnaire_scales()).simulated);
 }
 
 TEST(CountedAnswers, AreAnalysedAsTheyAre) {
   const StudyAnswers study = study_answers(parse_csv(to_csv(questionnaire()), "a.csv"),
-                                           asked_scales(), {{"walk", ""}, {"run", ""}}, {});
+                                           questionnaire_scales(), {{"walk", ""}, {"run", ""}}, {});
   EXPECT_EQ(study.answers.size(), 4u);
 }
 
@@ -78,7 +78,7 @@ TEST(CountedAnswers, KeepTheirPlacesInFaults) {
   std::vector<AnswerRow> rows = questionnaire();
   rows[2].value = "7";
   try {
-    parse_answers(to_csv(rows), "a.csv", asked_scales());
+    parse_answers(to_csv(rows), "a.csv", questionnaire_scales());
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("a.csv:4:"), std::string::npos) << error.what();
@@ -89,7 +89,7 @@ TEST(CountedAnswers, ThatAreNoneAreRefused) {
   std::vector<AnswerRow> rows = questionnaire();
   rows.resize(2);
   try {
-    parse_answers(to_csv(rows), "a.csv", asked_scales());
+    parse_answers(to_csv(rows), "a.csv", questionnaire_scales());
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("no ratings to analyse"), std::string::npos);

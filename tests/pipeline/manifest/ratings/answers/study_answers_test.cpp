@@ -33,7 +33,7 @@ std::string study_refusal(const std::string& csv, const AnswerRules& rules = {})
   return "accepted";
 }
 
-std::vector<std::string> told(const StudyAnswers& study) {
+std::vector<std::string> notes(const StudyAnswers& study) {
   std::vector<std::string> lines;
   for (const StudyWarning& warning : study.warnings) {
     lines.push_back(warning.kind + " " + to_string(warning.place) + " " + warning.text);
@@ -67,7 +67,7 @@ TEST(StudyAnswers, AreReadWithTheirPlacesAndExtraColumns) {
 TEST(StudyAnswers, CompleteOnesAreToldNothingAbout) {
   const StudyAnswers study = read(clean);
   EXPECT_EQ(study.answers.size(), 8u);
-  EXPECT_TRUE(study.warnings.empty()) << told(study).front();
+  EXPECT_TRUE(study.warnings.empty()) << notes(study).front();
   EXPECT_EQ(study.plain().answers[4].stimulus, "a");
 }
 
@@ -82,7 +82,7 @@ TEST(StudyAnswers, RepeatedOnesAreSettledByTheRule) {
   EXPECT_EQ(value(Rules::Repeated::mean).answers[0].value, -0.5);
   EXPECT_EQ(value(Rules::Repeated::mean).answers.size(), 8u);
   EXPECT_EQ(
-      told(value(Rules::Repeated::last)),
+      notes(value(Rules::Repeated::last)),
       std::vector<std::string>{"repeated x.csv:10:15 a second answer of participant \"p\" about "
                                "\"a\" on \"slow-fast\" (the other in line 2): the last is used"});
 }
@@ -109,8 +109,8 @@ TEST(StudyAnswers, OfManyUnknownNamesTheFirstAreTold) {
       "examples and scales (--unknown ignore leaves them out)"))
       << told_faults;
   // warnings.csv has room for all.
-  EXPECT_EQ(told(read(csv, {.unknown = Rules::Unknown::ignore})).size(), 9u);
-  EXPECT_EQ(told(read(csv, {.unknown = Rules::Unknown::ignore, .plain = true})).back(),
+  EXPECT_EQ(notes(read(csv, {.unknown = Rules::Unknown::ignore})).size(), 9u);
+  EXPECT_EQ(notes(read(csv, {.unknown = Rules::Unknown::ignore, .plain = true})).back(),
             "unknown-stimulus x.csv:15:3 and 4 more unknown stimuli (5 rows) excluded");
 }
 
@@ -122,9 +122,10 @@ TEST(StudyAnswers, UnknownNamesAreToldOnceWithTheirRows) {
             "\"open\"? (--unknown ignore leaves it out)");
   const StudyAnswers study = read(csv, {.unknown = Rules::Unknown::ignore});
   EXPECT_EQ(study.answers.size(), 8u);
-  EXPECT_EQ(told(study), (std::vector<std::string>{
-                             "unknown-stimulus x.csv:10:3 unknown stimulus \"c\" (2 rows) excluded",
-                             "unknown-scale x.csv:12:5 unknown scale \"opne\" (1 row) excluded"}));
+  EXPECT_EQ(notes(study),
+            (std::vector<std::string>{
+                "unknown-stimulus x.csv:10:3 unknown stimulus \"c\" (2 rows) excluded",
+                "unknown-scale x.csv:12:5 unknown scale \"opne\" (1 row) excluded"}));
 }
 
 TEST(StudyAnswers, MissingOnesAreToldOrRefused) {
@@ -137,7 +138,7 @@ TEST(StudyAnswers, MissingOnesAreToldOrRefused) {
       "missing x.csv:2:15 no value of participant \"p\" about \"a\" on \"slow-fast\"",
       "missing x.csv:6:10 participant \"q\" did not answer about \"b\"",
       "missing x.csv:6:10 participant \"q\" did not answer about \"a\" on \"slow-fast\""};
-  EXPECT_EQ(told(read(csv)), expected);
+  EXPECT_EQ(notes(read(csv)), expected);
   EXPECT_EQ(read(csv).answers.size(), 8u);
   EXPECT_EQ(study_refusal(csv, {.missing = Rules::Missing::refuse}),
             "x.csv:2:15: no value of participant \"p\" about \"a\" on \"slow-fast\"; complete it, "
@@ -151,14 +152,14 @@ TEST(StudyAnswers, MissingOnesAreToldOrRefused) {
 TEST(StudyAnswers, WhereEverybodySawAPartNothingIsMissing) {
   const StudyAnswers study =
       read(std::string(study_header) + "p,a,open,1\nq,b,open,2\nr,a,open,-1\ns,b,open,0\n");
-  EXPECT_TRUE(study.warnings.empty()) << told(study).front();
+  EXPECT_TRUE(study.warnings.empty()) << notes(study).front();
 }
 
 TEST(StudyAnswers, OnAScaleThatNobodyWasAskedOfAStimulusAreNotMissing) {
   const StudyAnswers study = read(std::string(study_header) +
                                   "p,a,open,1\np,a,slow-fast,2\np,b,open,2\n"
                                   "q,a,open,0\nq,a,slow-fast,1\nq,b,open,1\n");
-  EXPECT_TRUE(study.warnings.empty()) << told(study).front();
+  EXPECT_TRUE(study.warnings.empty()) << notes(study).front();
 }
 
 TEST(StudyAnswers, ConstantParticipantsAreToldAndDroppedOnDemand) {
@@ -166,11 +167,11 @@ TEST(StudyAnswers, ConstantParticipantsAreToldAndDroppedOnDemand) {
   const std::string csv = clean + "z,a,slow-fast,1\nz,b,slow-fast,1\nz,a,open,1.5\nz,b,open,1.5\n";
   const StudyAnswers kept = read(csv);
   EXPECT_EQ(kept.answers.size(), 12u);
-  EXPECT_EQ(told(kept), std::vector<std::string>{"constant-participant x.csv:10:15 participant "
-                                                 "\"z\" gave the same answer 4 times: kept"});
+  EXPECT_EQ(notes(kept), std::vector<std::string>{"constant-participant x.csv:10:15 participant "
+                                                  "\"z\" gave the same answer 4 times: kept"});
   const StudyAnswers dropped = read(csv, {.constant = Rules::Constant::drop});
   EXPECT_EQ(dropped.answers.size(), 8u);
-  EXPECT_NE(told(dropped).front().find("excluded"), std::string::npos);
+  EXPECT_NE(notes(dropped).front().find("excluded"), std::string::npos);
 }
 
 TEST(StudyAnswers, EveryFaultIsToldAtOnce) {

@@ -130,14 +130,14 @@ TEST(FeatureParameters, AreNamedInTablesAndOnSheetsAndRestOnNoRatings) {
   EXPECT_EQ(content.target.origin, "from features");
   // What was requested, and what people would say of both blends.
   ASSERT_EQ(content.parameters.size(), 3u + 45u);
-  EXPECT_FALSE(content.parameters[3].is_asked());
+  EXPECT_FALSE(content.parameters[3].is_requested());
   EXPECT_EQ(content.parameters[0].name, "lateral swing of the upper body");
   EXPECT_EQ(content.parameters[0].japanese, "上半身の左右の揺れ");
-  EXPECT_EQ(content.parameters[0].target.asked, 0.8);
-  EXPECT_EQ(content.parameters[0].created.asked, 0.3);
+  EXPECT_EQ(content.parameters[0].target.requested, 0.8);
+  EXPECT_EQ(content.parameters[0].created.requested, 0.3);
   EXPECT_EQ(content.parameters[0].target.reached, motions.of("swaying").reached[0].second);
-  EXPECT_FALSE(content.parameters[1].created.asked);
-  EXPECT_FALSE(content.parameters[2].target.asked);
+  EXPECT_FALSE(content.parameters[1].created.requested);
+  EXPECT_FALSE(content.parameters[2].target.requested);
 
   const CsvTable table = parse_csv(parameters_table.csv(manifest, motions), "parameters.csv");
   ASSERT_EQ(table.rows.size(), 2u * (2u + 45u));

@@ -136,22 +136,22 @@ TEST_F(SimulatedMatching, KnowsHowFarUntouchedSlidersAre) {
   }
   // By a threshold that fits, somebody has something to do in at least half of the trials.
   Manifest fitted = manifest;
-  fitted.matching->threshold_m = fitting_threshold(distances);
+  fitted.matching->threshold_m = suggested_threshold(distances);
   const auto free = std::ranges::count_if(distances, [&](const StartingDistance& one) {
     return one.metres < fitted.matching->threshold_m;
   });
   EXPECT_LE(2 * free, static_cast<long>(distances.size()));
   fitted.matching->threshold_m = 10.0;
-  EXPECT_NE(matched_at_start(fitted, study).find("6 of 6 pairs"), std::string::npos);
+  EXPECT_NE(starting_match_warning(fitted, study).find("6 of 6 pairs"), std::string::npos);
   fitted.matching->threshold_m = 1e-6;
-  EXPECT_EQ(matched_at_start(fitted, study), "");
+  EXPECT_EQ(starting_match_warning(fitted, study), "");
 }
 
 TEST(StartingDistance, GivesAThresholdNoHigherThanThePapers) {
   const auto threshold = [](std::vector<double> metres) {
     std::vector<StartingDistance> distances;
     for (const double one : metres) distances.push_back({"t", "weights", one});
-    return fitting_threshold(distances);
+    return suggested_threshold(distances);
   };
   EXPECT_DOUBLE_EQ(threshold({0.3, 0.2, 0.4}), 0.06);
   EXPECT_DOUBLE_EQ(threshold({0.035, 0.02, 0.05}), 0.017);

@@ -173,11 +173,11 @@ TEST(Export, OfAnotherDesignDoesNotMixWithAnswersToTheFirst) {
   const Exported exported;
   write_export(exported.files(), place);
   const std::string design = design_hash(exported.manifest, exported.plans);
-  EXPECT_NO_THROW(refuse_answers_to_another(place, "another"));  // nobody has answered yet
+  EXPECT_NO_THROW(refuse_answers_to_other_design(place, "another"));  // nobody has answered yet
   write_file(place / "answers/data/subject-p001_description-answers_data.csv", "of somebody");
-  EXPECT_NO_THROW(refuse_answers_to_another(place, design));
+  EXPECT_NO_THROW(refuse_answers_to_other_design(place, design));
   try {
-    refuse_answers_to_another(place, "another");
+    refuse_answers_to_other_design(place, "another");
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("holds answers to a different questionnaire"),

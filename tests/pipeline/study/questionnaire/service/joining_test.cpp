@@ -17,7 +17,7 @@ TEST_F(Service, TellsASecondBrowserThatTheSessionIsOpenElsewhere) {
   EXPECT_EQ(from("trial-1", "a1b2").status, 200);
   QuestionnaireService again(study_, store_);  // and after a restart
   EXPECT_EQ(again.sessions().state(0).browser, "a1b2");
-  EXPECT_EQ(again.sessions().state(0).kept, 3u);
+  EXPECT_EQ(again.sessions().state(0).stored, 3u);
 }
 
 TEST_F(Service, TellsAPageThatItsParticipantHasRefused) {

@@ -20,7 +20,7 @@ namespace {
 /// What the processes of this test tell one another.
 struct Board {
   std::atomic<int> port = 0;      ///< of the server that runs; 0: none yet
-  std::atomic<int> answered = 0;  ///< records that a client was told to be kept
+  std::atomic<int> answered = 0;  ///< records that a client was told to be stored
   std::atomic<int> killed = 0;
   std::atomic<bool> is_over = false;
 };
@@ -133,10 +133,10 @@ void answer_while_killing(int participants, int kills) {
   SessionStore store(file);
   EXPECT_EQ(store.records().size(), static_cast<std::size_t>(records));
   for (int index = 0; index < participants; ++index) {
-    const std::vector<StoredRecord> kept = store.records_of(index);
-    ASSERT_EQ(kept.size(), names.size()) << index;
+    const std::vector<StoredRecord> stored = store.records_of(index);
+    ASSERT_EQ(stored.size(), names.size()) << index;
     for (std::size_t at = 0; at < names.size(); ++at)
-      EXPECT_EQ(kept[at].content,
+      EXPECT_EQ(stored[at].content,
                 good_record(study, index, names[at], "browser-" + std::to_string(index)).dump());
   }
 }

@@ -68,7 +68,7 @@ TEST_F(Service, GoesOnWhereAnEarlierOneEnded) {
   give(1, "trial-2");
   QuestionnaireService again(study_, store_);
   EXPECT_EQ(again.sessions().lab_link(), service_.sessions().lab_link());
-  EXPECT_EQ(again.sessions().state(1).kept, 4u);
+  EXPECT_EQ(again.sessions().state(1).stored, 4u);
   EXPECT_EQ(again.sessions().histograms(), service_.sessions().histograms());
 }
 

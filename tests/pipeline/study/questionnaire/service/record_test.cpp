@@ -154,7 +154,7 @@ TEST(RowsOfAPage, AreThoseThatThePageItselfMakes) {
   const std::filesystem::path folder =
       std::filesystem::path(MIEN_SOURCE_DIR) / "tests/pipeline/study/questionnaire";
   const auto told = nlohmann::ordered_json::parse(read_file(folder / "page_session.json"));
-  const AskedFacts facts = asked_facts(told.at("experiment"));
+  const QuestionnaireFacts facts = questionnaire_facts(told.at("experiment"));
   const SessionPlan plan = plan_in(nlohmann::json(told.at("experiment").at("sessions").at(0)),
                                    nlohmann::json(told.at("experiment").at("stimuli")));
   std::vector<AnswerRow> rows;

@@ -14,7 +14,7 @@ std::string token_of_stimulus(const std::string& stimulus) {
   return "m" + std::to_string(std::hash<std::string>()(stimulus) % 1'000'000 + 1'000'000);
 }
 
-Trial rating(int number, const std::string& stimulus, std::vector<AskedItem> items) {
+Trial rating(int number, const std::string& stimulus, std::vector<TrialItem> items) {
   return {.number = number, .block = "main", .stimuli = {stimulus}, .items = std::move(items)};
 }
 
@@ -55,7 +55,7 @@ nlohmann::ordered_json session_of(const SessionPlan& plan) {
     nlohmann::ordered_json media = nlohmann::ordered_json::array();
     for (const std::string& stimulus : trial.stimuli) media.push_back(token_of_stimulus(stimulus));
     nlohmann::ordered_json items = nlohmann::ordered_json::array();
-    for (const AskedItem& item : trial.items)
+    for (const TrialItem& item : trial.items)
       items.push_back({{"item", item.item}, {"flipped", item.flipped}});
     trials.push_back(
         {{"number", trial.number},
@@ -112,7 +112,7 @@ nlohmann::ordered_json example_experiment(const std::vector<SessionPlan>& plans)
   return experiment;
 }
 
-nlohmann::json response_to(const ServedStudy& study, const Trial& trial, const AskedItem& asked) {
+nlohmann::json response_to(const ServedStudy& study, const Trial& trial, const TrialItem& asked) {
   nlohmann::json value = 1 + trial.number % 5;
   const auto scale = study.facts.scales.find(asked.item);
   if (scale != study.facts.scales.end() && scale->second.slider) value = 70;
@@ -130,7 +130,7 @@ ServedStudy example_study(const std::filesystem::path& folder, int participants,
   for (int index = 0; index < participants; ++index)
     study.plans.push_back(example_plan(index, more));
   study.experiment = example_experiment(study.plans);
-  study.facts = asked_facts(study.experiment);
+  study.facts = questionnaire_facts(study.experiment);
   for (const auto& [token, stimulus] : study.experiment.at("stimuli").items()) {
     const std::filesystem::path file = folder / (stimulus.get<std::string>() + ".mp4");
     std::ofstream(file) << "film of " << token;
@@ -155,7 +155,7 @@ nlohmann::json good_record(const ServedStudy& study, int plan, const std::string
                            {{"item", "hand"}, {"value_raw", "left"}}};
   const Trial* trial = trial_of(study.plans.at(static_cast<std::size_t>(plan)), name);
   if (trial == nullptr) return record;
-  for (const AskedItem& asked : trial->items)
+  for (const TrialItem& asked : trial->items)
     record["responses"].push_back(response_to(study, *trial, asked));
   record["replays"] = 1;
   record["trial_ms"] = 8123;

@@ -38,7 +38,7 @@ class Service : public testing::Test {
 
   void give_all(int session, const std::string& browser = "a1b2") {
     const SessionState before = service_.sessions().state(session);
-    for (std::size_t at = before.kept; at < before.names.size(); ++at)
+    for (std::size_t at = before.stored; at < before.names.size(); ++at)
       ASSERT_EQ(give(session, before.names[at], browser).status, 200) << before.names[at];
   }
 

@@ -9,7 +9,7 @@ namespace mien::pipeline {
 namespace {
 
 Results results_of_study(const Manifest& manifest, const std::vector<AnswerRow>& rows) {
-  return results_of(gather(manifest, rows), rows, {});
+  return results_of(collect_answers(manifest, rows), rows, {});
 }
 
 std::vector<ResultFigure> figures_of(const Results& results, const std::string& section) {
@@ -54,15 +54,15 @@ TEST(ResultFigures, CountsTheWordsThatMostPeopleGave) {
     if (row.stimulus == "sad")
       row.value = row.participant == "p001" ? "Tired, slow、TIRED" : "  tired ;悲しい";
   const Results results = results_of_study(manifest, rows);
-  std::vector<GivenWord> own = results.words;
-  std::erase_if(own, [](const GivenWord& count) { return count.stimulus != "sad"; });
+  std::vector<WordFrequency> own = results.words;
+  std::erase_if(own, [](const WordFrequency& count) { return count.stimulus != "sad"; });
   ASSERT_EQ(own.size(), 3u);
   EXPECT_EQ(own[0].word, "tired");
   EXPECT_EQ(own[0].people, 4);
   EXPECT_EQ(own[1].word, "悲しい");
   EXPECT_EQ(own[1].people, 3);
   EXPECT_EQ(own[2].word, "slow");
-  EXPECT_EQ(own[2].asked, 4);
+  EXPECT_EQ(own[2].respondents, 4);
   const auto figures = figures_of(results, "words");
   ASSERT_EQ(figures.size(), 1u);
   test::expect_texts_apart(figures[0].plot);

@@ -47,7 +47,7 @@ Reported reported_study(bool simulated = true) {
       parse_csv("participant,session,design,consented_at,finished,age,gender\n"
                 "p001,s,d,,1,20,woman\np002,s,d,,1,30,man\np003,s,d,,1,40,woman\n",
                 "participants.csv")};
-  reported.results = results_of(gather(manifest, reported.rows), reported.rows, people);
+  reported.results = results_of(collect_answers(manifest, reported.rows), reported.rows, people);
   return reported;
 }
 
@@ -130,7 +130,7 @@ std::vector<AnswerRow> planted_answers(const Manifest& manifest, const std::vect
     const std::string usual = std::exchange(cell.text, name);
     try {
       std::vector<AnswerRow> tried = answer_rows(table);
-      gather(manifest, tried);
+      collect_answers(manifest, tried);
       read = std::move(tried);
       ++planted;
     } catch (const std::runtime_error&) {
@@ -160,7 +160,7 @@ TEST(ResultsReport, WritesNothingElsewhereWhateverItsTablesName) {
                                   ",s,d,,1," + name + "," + name + "\np002,s,d,,1,man,b\n",
                               "participants.csv");
   people.header.back().text = name;
-  reported.results = results_of(gather(manifest, reported.rows), reported.rows, {people});
+  reported.results = results_of(collect_answers(manifest, reported.rows), reported.rows, {people});
   write_report(reported, {}, report);
   EXPECT_TRUE(fs::exists(report / "figures/histograms-by-..-..-..-planted.svg"));
   EXPECT_EQ(test::surroundings(root.path(), report), before);
@@ -211,7 +211,8 @@ TEST(ResultsReport, NamesFiguresOfActorsAndGenderWhereThereAreTwo) {
   for (int i = 1; i <= 12; ++i)
     table += fmt::format("p{:03},s,{}\n", i, i % 2 == 0 ? "woman" : "man");
   const auto files = written_report(
-      {results_of(gather(manifest, rows), rows, {parse_csv(table, "participants.csv")}), rows});
+      {results_of(collect_answers(manifest, rows), rows, {parse_csv(table, "participants.csv")}),
+       rows});
   const CsvTable list = parse_csv(files.at("figures.csv"), "figures.csv");
   std::map<std::string, std::string> numbered;
   for (const auto& row : list.rows)
@@ -272,7 +273,7 @@ TEST(ResultsReport, SaysNothingOfSimulationWhereAnswersWereGiven) {
 /// Of any study, answered by nobody.
 std::map<std::string, std::string> report_on(const Manifest& manifest,
                                              const std::vector<AnswerRow>& rows) {
-  return written_report({results_of(gather(manifest, rows), rows, {}), rows});
+  return written_report({results_of(collect_answers(manifest, rows), rows, {}), rows});
 }
 
 TEST(ResultsReport, OfPairsNamesNoScriptsAndSaysWhatWasAsked) {
@@ -397,7 +398,7 @@ TEST(ResultsReport, KeepsAnswersThatGoBackInAsRatings) {
   const auto files = usual_report();
   const std::string& csv = files.at(dataset_paths("two-emotions").answers);
   ScaleSet scales;
-  scales.scales = reported_study().results.gathered.scales;
+  scales.scales = reported_study().results.answer_set.scales;
   const Answers answers = parse_answers(csv, "answers.csv", scales);
   EXPECT_EQ(answers.answers.size(), 12u * 5u * 2u);
   EXPECT_TRUE(answers.simulated);
@@ -407,15 +408,15 @@ TEST(ResultsReport, FindsWhatWasPutIn) {
   const Reported reported = reported_study();
   int found = 0;
   for (const Comparison& c : reported.results.comparisons)
-    if (c.family == ComparisonFamily::modified_neutral && c.own_end != 0)
-      found += c.paired_adjusted < 0.05 && c.own_end * c.within.t.mean > 0.0 ? 1 : 0;
+    if (c.family == ComparisonFamily::modified_neutral && c.intended_end != 0)
+      found += c.paired_adjusted < 0.05 && c.intended_end * c.within.t.mean > 0.0 ? 1 : 0;
   EXPECT_EQ(found, 2);
   EXPECT_GT(reported.results.reliability[0].intraclass.two_k, 0.8);
 }
 
 TEST(Demographics, AreMeansOfNumbersAndCountsOfWords) {
   const Reported reported = reported_study();
-  const auto all = demographics_of(reported.results.demographics, reported.results.gathered);
+  const auto all = demographics_of(reported.results.demographics, reported.results.answer_set);
   ASSERT_EQ(all.size(), 6u);
   EXPECT_EQ(all[0].question, "age");
   EXPECT_DOUBLE_EQ(all[0].value, 30.0);
@@ -432,7 +433,7 @@ TEST(Demographics, OfTextsAreCountedEvenWhereTheyAreDigits) {
   manifest.questionnaire->demographics[0].answer = {};
   const ParticipantTable people{
       parse_csv("participant,shoe\np001,33\np002,33\n", "participants.csv")};
-  const auto all = demographics_of(people, gather(manifest, answers_to(manifest)));
+  const auto all = demographics_of(people, collect_answers(manifest, answers_to(manifest)));
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].answer, "33");
   EXPECT_TRUE(all[0].is_count);

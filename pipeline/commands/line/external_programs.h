@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/commands/line/command.h"
+
+namespace mien::pipeline {
+
+/// A command of mien that is implemented by another program in the same folder: `mien study`
+/// executes mien-study, as in git, so that rendering alone does not require building or loading a
+/// server.
+struct ExternalProgram {
+  const char* command;
+  const char* summary;
+  const char* program;
+};
+inline constexpr ExternalProgram regress_program{
+    "regress", "Compare a study or a motion with an approved state, and report changes",
+    "mien-regress"};
+inline constexpr ExternalProgram studio_program{
+    "studio", "Edit a manifest's motions with sliders in the browser", "mien-study"};
+inline constexpr ExternalProgram study_program{
+    "study", "Design, run and analyse rating studies and matching experiments", "mien-study"};
+inline constexpr ExternalProgram external_programs[] = {regress_program, studio_program,
+                                                        study_program};
+
+/// The command as listed by `mien --help`, without its subcommands.
+Command external_command(const ExternalProgram& other);
+
+/// Replaces the process with the program of the typed command (exec), with the same arguments;
+/// returns if this program implements it. Throws std::runtime_error if that program is missing.
+void exec_external_program(int argc, char** argv);
+
+/// Throws std::runtime_error if this program was started by another version of mien.
+void refuse_version_mismatch();
+
+/// The commands of a program as JSON, from which another program generates its help and manual.
+std::string program_as_json(const Command& program);
+
+/// The program with the commands of the other programs. Throws std::runtime_error if one of those
+/// is missing or does not answer.
+Command with_external_programs(Command program);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,40 @@
+#include "pipeline/commands/study/prepared_questionnaire.h"
+
+#include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/questionnaire_content.h"
+
+namespace mien::pipeline {
+
+PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& arguments,
+                                             const Console& console) {
+  const std::filesystem::path file = resolve_manifest(arguments.manifest, console);
+  Manifest manifest = load_manifest(file, process_environment(), arguments.out);
+  questionnaire_of(manifest);
+  ProductionArguments shown = arguments;
+  shown.only = shown_stimuli(manifest);
+  Production production(with_media(std::move(manifest)), options_of(shown));
+  PreparedQuestionnaire made;
+  made.manifest = production.manifest();
+  made.folder = folder_of(arguments, made.manifest);
+  make_study(production, made.folder, arguments, console);
+  made.plans = plan_sessions(made.manifest);
+  made.media = media_of(made.manifest, made.plans, made.folder);
+  VideoSeconds seconds;
+  for (const auto& [stimulus, media] : made.media) seconds[stimulus] = media.seconds;
+  made.plans = plan_sessions(made.manifest, seconds);
+  return made;
+}
+
+std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments) {
+  return {
+      argument("manifest", &arguments.manifest,
+               "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
+               "one of mien manifests"),
+      option("--out", &arguments.out, "Folder of all studies").with_default(),
+      quality_option(arguments.quality),
+      option("--jobs,-j", &arguments.jobs, "Number of parallel tasks (default: one per processor)")
+          .between(1, 1024)};
+}
+
+}  // namespace mien::pipeline

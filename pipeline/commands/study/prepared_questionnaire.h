@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/production_options.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/study/questionnaire/experiment/media.h"
+#include "pipeline/study/questionnaire/session_plan.h"
+
+namespace mien::pipeline {
+
+/// A questionnaire whose study is complete: all media shown to participants exist.
+struct PreparedQuestionnaire {
+  Manifest manifest;
+  std::filesystem::path folder;  ///< of the study
+  std::vector<SessionPlan> plans;
+  MediaFiles media;
+};
+
+/// Reads the manifest, runs the missing tasks of its study like `mien run`, and plans the sessions.
+/// Throws Error if there is no questionnaire or the study fails, and Interrupted.
+PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& arguments,
+                                             const Console& console);
+
+/// The options that select the study and how it is run: the manifest, --out, --quality and --jobs.
+/// The short option -o is left to the command.
+std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/farm/jobs/job_status.h"
+#include "pipeline/farm/stages.h"
+
+namespace mien::pipeline {
+
+/// Stored frames and chunk count of each film, by its task ("film:walk").
+using ProgressByFilm = std::map<std::string, FilmProgress>;
+
+/// Stored frames of films that are due: drawn earlier, or published although the video is missing.
+/// `planned`: one outcome per task. `frames`: number of frames of each film. `folder`: the study's.
+/// Only checks that files exist; a worker verifies them and redraws damaged ones.
+ProgressByFilm stored_film_progress(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
+                                    const std::map<std::string, int>& frames,
+                                    const std::filesystem::path& folder);
+
+/// Adds the frames assigned to live jobs and keeps the number of chunks those jobs use.
+void add_frames_of_live_jobs(const std::vector<JobStatus>& statuses,
+                             const std::map<std::string, int>& frames,
+                             const std::filesystem::path& folder, ProgressByFilm& film_progress);
+
+}  // namespace mien::pipeline

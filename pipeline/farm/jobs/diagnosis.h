@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/farm/jobs/job_status.h"
+#include "pipeline/farm/slurm/slurm_output.h"
+
+namespace mien::pipeline {
+
+/// Why a job is stopped ("held by hand"), and what to do about it.
+struct Diagnosis {
+  std::string cause;
+  std::string remedy;
+};
+
+/// Meaning of an exit code: one of worker_codes.h, or one of `mien run` for the job that completes
+/// a submission (`is_rest`). `study`: its arguments in commands, "my.yaml --out o".
+Diagnosis diagnose_exit(const ElementExit& end, bool is_rest, const std::string& study);
+
+/// Cause for a job that Slurm ended before it could record an exit code. `study`: as above.
+Diagnosis diagnose_state(const QueueRow& row, const std::string& study);
+
+/// Cause for a job that Slurm holds, if no exit code explains it. `study`: as above.
+Diagnosis diagnose_hold(const QueueRow& row, const std::string& study);
+
+/// Cause for jobs submitted before the study was edited. `study`: as above.
+Diagnosis diagnose_edit(const std::string& study);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/study/results/answer_set.h"
+
+namespace mien::pipeline {
+
+/// The frequency of a word among free-text answers about a stimulus.
+struct WordFrequency {
+  std::string stimulus;
+  std::string item;
+  std::string word;     ///< in lower case, trimmed
+  int people = 0;       ///< number of participants who used it
+  int respondents = 0;  ///< number of participants with any word for this stimulus and item
+};
+
+/// Splits free-text answers at commas, semicolons and line breaks (, ; 、 ， ； ) and counts each
+/// word once per participant and stimulus. Sorted by stimulus in the order of the manifest, item,
+/// falling frequency, then alphabetically.
+std::vector<WordFrequency> word_frequencies_of(const AnswerSet& answer_set);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace mien::pipeline {
+
+/// Number of records of ended processes that are kept: the newest of those that drew frames, from
+/// which the time per frame is estimated.
+inline constexpr std::size_t retained_records = 64;
+
+/// Removes attempts, claims and records of dead processes from a study's folder, except the newest
+/// records of drawing times. `now` is a file just written there; its time serves as the present.
+void remove_stale_files(const std::filesystem::path& folder, const std::filesystem::path& now);
+
+/// Removes files that are not needed once a study is complete: claims, and unpublished frames
+/// unless a process other than `self` is drawing some. `now`: as above.
+void remove_intermediates(const std::filesystem::path& folder, const std::filesystem::path& now,
+                          const std::string& self);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,119 @@
+#include "pipeline/study/results/answer_set.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/study/results/two_emotions.h"
+
+namespace mien::pipeline {
+namespace {
+
+std::vector<AnswerRow> read_back(const std::vector<AnswerRow>& rows) {
+  return answer_rows(parse_csv(to_csv(rows), "a.csv"));
+}
+
+std::string gather_refusal(const Manifest& manifest, const std::vector<AnswerRow>& rows) {
+  try {
+    collect_answers(manifest, read_back(rows));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+bool tells(const std::string& refusal, const std::string& words) {
+  return refusal.find(words) != std::string::npos;
+}
+
+TEST(AnswerSet, KnowsWhatStimuliAre) {
+  const Manifest manifest = two_emotion_study(4);
+  const AnswerSet answer_set = collect_answers(manifest, answers_to(manifest));
+  ASSERT_EQ(answer_set.stimuli.size(), 5u);
+  EXPECT_TRUE(answer_set.stimuli[0].is_neutral());
+  EXPECT_EQ(answer_set.stimuli[3].made, "modified");
+  EXPECT_EQ(answer_set.stimuli[3].emotion, "sad");
+  EXPECT_EQ(answer_set.stimuli[3].setting, "woman");
+  EXPECT_EQ(answer_set.people.size(), 4u);
+  EXPECT_EQ(answer_set.ratings.size(), 4u * 5u * 2u);
+  EXPECT_TRUE(answer_set.simulated);
+  EXPECT_EQ(answer_set.points, 11);
+}
+
+TEST(AnswerSet, TellsEveryFaultWithItsPlace) {
+  const Manifest manifest = two_emotion_study(2);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  rows[0].stimulus = "wlak";
+  rows[1].item = "sad-hapy";
+  rows[2].value = "9";
+  rows[3].value = "soon";
+  const std::string refusal = gather_refusal(manifest, rows);
+  EXPECT_TRUE(tells(refusal, "a.csv:2:")) << refusal;
+  EXPECT_TRUE(tells(refusal, "the study has no stimulus \"wlak\"; did you mean \"walk\"?"))
+      << refusal;
+  EXPECT_TRUE(tells(refusal, "does not ask \"sad-hapy\"; did you mean \"sad-happy\"?")) << refusal;
+  EXPECT_TRUE(tells(refusal, "a.csv:4:")) << refusal;
+  EXPECT_TRUE(tells(refusal, "\"9\" is not a valid answer on")) << refusal;
+  EXPECT_TRUE(tells(refusal, "\"soon\" is not a valid answer on")) << refusal;
+}
+
+TEST(AnswerSet, RefusesValuesThatContradictTheRawAnswer) {
+  const Manifest manifest = two_emotion_study(2);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  rows[0].pole_left = rows[0].pole_left == "low" ? "high" : "low";
+  rows[0].value_raw = "100";
+  rows[0].value = rows[0].pole_left == "low" ? "-2" : "2";
+  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "the raw answer 100 with the"));
+}
+
+TEST(AnswerSet, RefusesAnswersOfAnotherDesignAndOfAnotherKind) {
+  const Manifest manifest = two_emotion_study(2);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  rows.back().design = "ffff";
+  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of design \"ffff\" among"));
+  rows = answers_to(manifest);
+  rows[0].kind = "emotion";
+  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of kind emotion, but"));
+}
+
+TEST(AnswerSet, RefusesWhatHoldsNothingThatCounts) {
+  const Manifest manifest = two_emotion_study(2);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  for (AnswerRow& row : rows) row.is_practice = true;
+  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "a.csv:1:1: holds no answers to analyse"));
+}
+
+TEST(AnswerSet, LeavesOutWhoFailsChecksAndSaysSo) {
+  Manifest manifest = two_emotion_study(6);
+  manifest.questionnaire->attention_every = 2;
+  SimulatedParticipants people = steady_people;
+  std::vector<AnswerRow> rows = answers_to(manifest, {}, people);
+  int failed = 0;
+  for (AnswerRow& row : rows)
+    if (row.participant == "p003" && row.kind == "attention") {
+      row.passed = false;
+      ++failed;
+    }
+  ASSERT_GE(failed, 2);
+  EXPECT_EQ(collect_answers(manifest, rows).people.size(), 5u);
+  EXPECT_EQ(collect_answers(manifest, rows, {.max_failed_checks = failed}).people.size(), 6u);
+  const AnswerSet answer_set = collect_answers(manifest, rows);
+  EXPECT_TRUE(answer_set.attention[2].is_excluded);
+  EXPECT_EQ(std::count(answer_set.people.begin(), answer_set.people.end(), "p003"), 0);
+}
+
+TEST(AnswerSet, TakesChoicesAndPairs) {
+  Manifest manifest = two_emotion_study(6);
+  manifest.questionnaire->trials = &emotion_form;
+  const AnswerSet chosen = collect_answers(manifest, answers_to(manifest));
+  EXPECT_EQ(chosen.chosen.size(), 6u * 5u);
+  EXPECT_EQ(chosen.choices.size(), 3u);
+  manifest.questionnaire->trials = &pair_form;
+  manifest.questionnaire->pairs = {{"walk", "sad"}, {"walk", "happy"}};
+  manifest.questionnaire->scales.ids = {"sad-happy"};
+  const AnswerSet pairs =
+      collect_answers(manifest, answers_to(manifest, {{{"happy", "sad-happy"}, 2.0}}));
+  EXPECT_EQ(pairs.preferences.size(), 6u * 2u);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
