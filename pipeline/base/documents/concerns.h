@@ -50,7 +50,7 @@ enum : unsigned {
 };
 }  // namespace concerns
 
-// field_values.h, value_forms.h
+// Defined in field_values.h.
 struct Given;
 struct Writing;
 
