@@ -51,7 +51,7 @@ enum : unsigned {
 };
 }  // namespace concerns
 
-// field_values.h, value_forms.h
+// Defined in field_values.h.
 struct DocumentValue;
 struct WritingOptions;
 
