@@ -141,12 +141,12 @@ ordered_json document_about(const ordered_json& document, const std::vector<std:
                        [&](const auto& id) { return stimulus["id"] == id; });
   };
   const ordered_json& all = document["stimuli"];
-  // A foil depends on the stimulus that it names.
+  // Foils depend on the stimulus that they name.
   const bool needs_others = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
     return is_wanted(stimulus) && stimulus.contains("foil");
   });
   if (needs_others) return about;
-  // A hold depends on a reference, which resolve_holds chooses from all candidates.
+  // Holds depend on a reference, which resolve_holds chooses from all candidates.
   const bool holds = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
     return is_wanted(stimulus) && stimulus.contains("hold");
   });

@@ -22,7 +22,7 @@ BarChart differences_chart(const Gathered& gathered, const std::string& title) {
   return chart;
 }
 
-/// `end` is +1 where positive differences are towards the emotion that was meant, else −1.
+/// `end` is +1 where positive differences are towards the intended emotion, otherwise −1.
 Bar difference_bar(const Gathered& gathered, const std::string& name, int end,
                    const WithinPersons& within, double p, const std::string& setting) {
   constexpr int fewest = 5;  // participants, so that intervals fit on the page

@@ -19,7 +19,7 @@ const ScaleSet& pairs() {
 
 std::string stimulus(int i) { return "s" + std::to_string(i); }
 
-/// Stimuli asked for 0.1, 0.2, … of one scale.
+/// Stimuli synthesised for the values 0.1, 0.2, … of one scale.
 std::vector<MadeParameter> asked_for(int count) {
   std::vector<MadeParameter> made;
   for (int i = 1; i <= count; ++i) made.push_back({stimulus(i), "slow-fast", 0.1 * i, 0.1 * i});
@@ -51,7 +51,7 @@ TEST(Calibration, FindsTheLineThatPeopleSeeBy) {
   EXPECT_NEAR(calibration.corrections[0].r_squared, 1.0, 1e-12);
 }
 
-// The point of it all: who is asked for `next` is seen as was wanted.
+// A stimulus synthesised for `next` is perceived at the wanted value.
 TEST(Calibration, CorrectsTheNextRound) {
   const auto made = asked_for(9);
   const auto seen = [](double asked) { return 0.1 + 0.7 * asked; };
