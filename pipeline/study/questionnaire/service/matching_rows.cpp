@@ -21,7 +21,7 @@ constexpr auto trials_columns = table_of<MatchedTrial>(
      {"time_s", "s", "from the trial's beginning to the match, or to the limit",
       [](auto& r) { return r.match.time_s; }},
      {"success", "0/1", "1: matched within the limit", [](auto& r) { return r.match.success; }},
-     {"simulated", "0/1", "1: a trial that nobody did", [](auto& r) { return r.simulated; }},
+     {"simulated", "0/1", "1: a simulated trial", [](auto& r) { return r.simulated; }},
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.trial.number; }},
      {"d", "m", "D of the last setting", [](auto& r) { return r.match.d; }},
      {"guess_s", "s", "time of the blind guess", [](auto& r) { return r.match.guess_s; }},
@@ -49,8 +49,7 @@ constexpr auto changes_columns = table_of<MatchedChange>(
      {"value", "", "its new value", [](auto& r) { return r.change.value; }},
      {"d", "m", "D of the motion made of it; empty where the next change came sooner",
       [](auto& r) { return r.change.d; }},
-     {"simulated", "0/1", "1: of a trial that nobody did",
-      [](auto& r) { return r.of.simulated; }}});
+     {"simulated", "0/1", "1: of a simulated trial", [](auto& r) { return r.of.simulated; }}});
 
 }  // namespace
 

@@ -151,7 +151,7 @@ bool StudySessions::has_enough() const {
   return is_full();
 }
 
-/// Must not be asked while somebody else may join.
+/// Call only while holding the lock, so that no other session is added meanwhile.
 bool StudySessions::is_full() const {
   std::vector<bool> finished(study_.plans.size());
   for (const SessionState& state : states_)
@@ -160,7 +160,7 @@ bool StudySessions::is_full() const {
          states_.size() >= most_sessions_a_plan * study_.plans.size();
 }
 
-/// Must not be asked while somebody else may join.
+/// Call only while holding the lock, so that no other session is added meanwhile.
 StoredSession StudySessions::further_session() const {
   std::vector<int> given(study_.plans.size()), finished(study_.plans.size());
   for (const SessionState& state : states_) {
