@@ -89,7 +89,7 @@ constexpr auto calibration_columns = table_of<GivenOrSimulated<PerceivedParamete
       [](auto& r) { return r.of.perceived; }},
      {"sd", "0–1", "standard deviation of it, n − 1", [](auto& r) { return r.of.deviation; }},
      {"people", "", "who answered", [](auto& r) { return r.of.people; }},
-     {"next", "0–1", "what to ask for so that people see what was asked for now",
+     {"next", "0–1", "value to request so that the present target is perceived",
       [](auto& r) { return r.of.next; }}});
 
 constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
@@ -97,12 +97,13 @@ constexpr auto corrections_columns = table_of<GivenOrSimulated<Correction>>(
     {{"parameter", "", "scale or group of scales", [](auto& r) { return r.of.parameter; }},
      whose_ratings_column,
      {"stimuli", "", "stimuli that it is fitted to", [](auto& r) { return r.of.stimuli; }},
-     {"intercept", "0–1", "perceived where 0 is asked for", [](auto& r) { return r.of.intercept; }},
+     {"intercept", "0–1", "perceived value where 0 is requested",
+      [](auto& r) { return r.of.intercept; }},
      {"slope", "", "growth of perceived by asked", [](auto& r) { return r.of.slope; }},
      {"slope_se", "", "its standard error", [](auto& r) { return r.of.slope_error; }},
      {"r_squared", "0–1", "share of the variance explained",
       [](auto& r) { return r.of.r_squared; }},
-     {"usable", "0/1", "1: people saw more where more was asked for",
+     {"usable", "0/1", "1: perceived values increase with requested ones",
       [](auto& r) { return r.of.is_usable(); }}});
 
 }  // namespace

@@ -76,7 +76,7 @@ constexpr auto method_columns = table_of<GivenOrSimulated<MethodTrial>>(
     "methods.csv", "method of interpolation",
     {{"method", "", "the method", [](auto& r) { return motion::name_of(r.of.method); }},
      {"wishes", "", "settings of the sliders that were tried", [](auto& r) { return r.of.wishes; }},
-     {"mean_error", "0–1", "|reached − asked| of the parameter that is missed most, mean",
+     {"mean_error", "0–1", "mean of the largest |reached − target| over parameters",
       [](auto& r) { return shortest_measured(r.of.mean_error); }},
      {"worst_error", "0–1", "the largest of these",
       [](auto& r) { return shortest_measured(r.of.worst_error); }},
@@ -84,7 +84,7 @@ constexpr auto method_columns = table_of<GivenOrSimulated<MethodTrial>>(
       [](auto& r) { return shortest_measured(r.of.jump); }},
      {"mean_examples", "", "effective number of examples, 1 / Σ w²",
       [](auto& r) { return r.of.mean_examples; }},
-     {"mean_d_m", "m", "D to the motion that has what is asked for",
+     {"mean_d_m", "m", "D to the blend that has the target parameters",
       [](auto& r) { return r.of.mean_distance; }},
      whose_ratings_column});
 
