@@ -77,7 +77,7 @@ int show_plan(const ProductionArguments& arguments, const Console& console) {
                               options_of(arguments));
   tell_warnings(production.manifest().renamed, console);
   const std::filesystem::path folder = folder_of(arguments, production.manifest());
-  const std::vector<TaskOutcome> planned = glance(production.graph(), folder);
+  const std::vector<TaskOutcome> planned = quick_plan(production.graph(), folder);
   const std::vector<std::string> stale = shown_paths(stale_in(folder, production));
   if (arguments.json) {
     show_json(production.graph(), planned, production.manifest(), folder.string(), stale, console);

@@ -105,7 +105,7 @@ int run_production(const ProductionArguments& arguments, const Console& console)
   RunResult result;
   {
     Progress progress(console.err, console.err_is_terminal, production.graph(),
-                      glance(production.graph(), folder), steady_seconds);
+                      quick_plan(production.graph(), folder), steady_seconds);
     result = run(production, folder, jobs_of(arguments), console.stop, progress.observer(),
                  arguments.exclusive ? Sharing::exclusive : Sharing::shared);
   }

@@ -131,15 +131,15 @@ void many_stimuli(benchmark::State& state) {
     std::unique_ptr<Production> production;
     state.counters["plan"] = seconds_of([&] {
       production = std::make_unique<Production>(std::move(manifest), ProductionOptions{});
-      benchmark::DoNotOptimize(glance(production->graph(), folder / "out"));
+      benchmark::DoNotOptimize(quick_plan(production->graph(), folder / "out"));
     });
     state.counters["plan_peak_MB"] = peak_megabytes();
     for (const auto& [kind, seconds] : simulated_run(*production, folder / "out")) {
       if (kind == "motion" || kind == "tables" || kind == "design" || kind == "report")
         state.counters[kind] = seconds;
     }
-    state.counters["glance"] =
-        seconds_of([&] { benchmark::DoNotOptimize(glance(production->graph(), folder / "out")); });
+    state.counters["glance"] = seconds_of(
+        [&] { benchmark::DoNotOptimize(quick_plan(production->graph(), folder / "out")); });
     state.counters["look_up"] =
         seconds_of([&] { benchmark::DoNotOptimize(plan(production->graph(), folder / "out")); });
     state.counters["peak_MB"] = peak_megabytes();

@@ -73,7 +73,7 @@ void make_study(Production& production, const std::filesystem::path& folder,
   RunResult result;
   {
     Progress progress(console.err, console.err_is_terminal, production.graph(),
-                      glance(production.graph(), folder), steady_seconds);
+                      quick_plan(production.graph(), folder), steady_seconds);
     result = run(production, folder, jobs_of(arguments), console.stop, progress.observer());
   }
   if (result.was_interrupted) throw Interrupted{};

@@ -9,6 +9,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/live_stream.h"
 #include "pipeline/commands/motion/motion.h"

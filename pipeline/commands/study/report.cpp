@@ -104,7 +104,7 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
   verdict.differences =
       frozen_differences(options.frozen, manifest, fs::exists(made) ? made : fs::path());
   const std::string frozen = fs::path(options.frozen).filename().string();
-  const std::string run = rows.front().design;  // collect_answers has seen that there is no other
+  const std::string run = rows.front().design;  // collect_answers refuses others
   const auto design = nlohmann::json::parse(read_zip(options.frozen).at("design.json"));
   compare_choices(options, design.value("analysis", nlohmann::json::object()), verdict.differences);
   if (!run.empty() && run != design.value("design", ""))

@@ -21,20 +21,20 @@ struct LiveChoice {
       primary;  ///< adjectives shown at once; empty: the scales' groups, or all
 };
 
-/// As the manifest has it, without targets.
+/// The choice of the manifest, without targets.
 LiveChoice live_choice(const Manifest& manifest);
 
-/// What a browser needs to make motions of the study's examples: the same as a stimulus of the
-/// manifest with the choice's interpolation and output would have. Throws Error when the examples
-/// cannot be blended, there are none, or there is no such stimulus.
+/// Everything that a browser needs to synthesise motions from the study's examples, equal to those
+/// of a stimulus of the manifest with the interpolation and output of `choice`. Throws Error when
+/// there are no examples, they cannot be blended, or a target is missing.
 motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,
                                const LiveChoice& choice);
 
-/// A body as pages read it: names, parents, offsets and tips of its joints.
+/// A skeleton as JSON for pages: names, parents, offsets and tips of its joints.
 nlohmann::ordered_json body_info(const motion::Skeleton& body);
 
 /// What pages read first (LiveInfo of pipeline/study/page/src/live/core.ts): body, examples,
-/// sliders with their texts and where the examples lie on the average, targets. `primary`:
+/// sliders with their texts and the mean value of the examples, targets. `primary`:
 /// adjectives shown at once; empty: the scales' groups, or all where there are none.
 nlohmann::ordered_json live_info(const motion::LiveBundle& bundle, const ScaleSet& scales,
                                  const std::vector<std::string>& primary);

@@ -14,12 +14,12 @@
 
 namespace mien::pipeline {
 
-/// Motions made for pages that a server gives out. For several threads: as many requests at once as
-/// there are processors are worked on, others wait.
+/// Synthesises motions for the pages of a server. Thread-safe: as many requests as there are
+/// processors are handled at once, others wait.
 ///
 /// Routes below wherever the server puts them; `rest` is what follows there:
 ///
-///     GET  info        JSON: what there is to choose from (live_info)
+///     GET  info        JSON: the options of the page (live_info)
 ///     GET  bundle      the bundle (motion/live/live_bundle.h), for a module in the browser
 ///     POST make        {"kind": "adjectives", "sliders": ["quickness"], "values": [0.7]}
 ///     POST distance    the same with "target": "t1"
@@ -27,7 +27,7 @@ namespace mien::pipeline {
 ///     POST target      {"name": "t1"}
 ///
 /// Answers to POST are bytes (motion/live/live_message.h). What cannot be made is answered with 400
-/// or 404 and JSON that says why. How often somebody may ask is the caller's to decide.
+/// or 404 and JSON that says why. Rate limits are up to the caller.
 class LiveMotions {
  public:
   explicit LiveMotions(motion::LiveBundle bundle, int at_once = 0);

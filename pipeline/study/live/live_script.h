@@ -16,7 +16,7 @@ std::filesystem::path live_module_beside(const std::filesystem::path& program);
 /// there.
 std::filesystem::path live_module();
 
-/// A script for a page that nobody serves, whose requests a browser would refuse: it sets
+/// A script for a page opened from disk, which a browser does not let fetch files: it sets
 /// `globalThis.mien_live_files` to { module, bundle }, each in base64, for openWasm of
 /// pipeline/study/page/src/live/core.ts.
 std::string live_script(const std::filesystem::path& module, const motion::LiveBundle& bundle);

@@ -46,7 +46,7 @@ struct MatchingSettings {
 ///
 /// Throws Faults with every fault: a column missing, a number below 0 or none, a success after the
 /// limit or without a time, a success that is neither 0 nor 1, an empty name, a trial that is there
-/// twice; and Error: rows of several designs, limits or thresholds, of people and of nobody,
+/// twice; and Error: rows of several designs, limits or thresholds, real and simulated rows,
 /// another limit than the tables', no trial at all.
 MatchingResults read_matching_results(const std::vector<std::filesystem::path>& files,
                                       const MatchingSettings& settings = {});

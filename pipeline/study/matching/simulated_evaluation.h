@@ -36,7 +36,7 @@ struct InterfaceResult {
 };
 
 /// Sliders for all primary adjectives, all primary features, and all examples. Adjectives are left
-/// out when nobody rated the examples.
+/// out when the examples have no ratings.
 std::vector<SliderInterface> interfaces_of(const Repertoire& repertoire);
 
 /// Evaluates each interface on each target by simulation. Targets are points in the primary
@@ -67,7 +67,7 @@ std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& resu
 WrittenTable results_table(const std::vector<InterfaceResult>& results);
 WrittenTable summary_table(const std::vector<InterfaceSummary>& summaries);
 
-/// Bars of what the interfaces came to, marked as simulated: D of the nearest slider settings and
+/// Bar charts of the summaries, marked as simulated: D of the nearest slider settings and
 /// of first guesses with ±1 SD and the threshold, success of first guesses, failures (after figures
 /// 7, 8 and 11 of the adjective paper).
 Plot simulated_chart(const std::vector<InterfaceSummary>& summaries, double threshold_m);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/statistics/named_random.h"
+#include "pipeline/production/synthesis/slider_interface.h"
 
 namespace mien::pipeline {
 

@@ -42,7 +42,7 @@ struct PowerEstimate {
   SimulatedShare power;            ///< at the planned number
   SimulatedShare false_positives;  ///< false positives at the planned number
   double usable = 0.0;             ///< mean number of participants who saw both
-  int needed = 0;       ///< least number with the wanted_power power; 0: more than max_participants
+  int needed = 0;       ///< least number with the wanted power; 0: more than max_participants
   int needed_low = 0;   ///< from the upper limit of the Monte-Carlo interval
   int needed_high = 0;  ///< from the lower limit; 0: more than max_participants
 };

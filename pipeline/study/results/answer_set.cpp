@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault.h"

@@ -8,7 +8,7 @@ using ComparisonRow = ResultRow<Comparison>;
 using OverallRow = ResultRow<OverallComparison>;
 using GroupRow = ResultRow<GroupComparison>;
 
-/// Of the tests within persons.
+/// Columns of the tests within participants.
 template <class Row>
 constexpr std::array within_columns = std::to_array<ResultColumn<Row>>({
     {"paired_difference", "scale points",

@@ -94,7 +94,7 @@ constexpr auto catch_summary_columns = result_table<CatchSummaryRow>(
       [](auto& r) { return r.of.retest.low; }},
      {"retest_high", "-1–1", "upper end", [](auto& r) { return r.of.retest.high; }}});
 
-/// Of texts that people wrote.
+/// The form of tables of free texts.
 constexpr auto remarks_table(std::string_view path, std::string_view rows) {
   return result_table<RemarkRow>(
       path, rows,

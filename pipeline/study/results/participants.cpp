@@ -7,6 +7,7 @@
 #include "motion/text/as_number.h"
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
+#include "pipeline/study/results/summaries.h"
 
 namespace mien::pipeline {
 

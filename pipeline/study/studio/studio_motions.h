@@ -32,9 +32,9 @@ class StudioMotions {
  public:
   explicit StudioMotions(DraftReader& reader) : reader_(reader) {}
 
-  /// What there is to choose from with the document's examples: "examples" and "sliders" as in
-  /// LiveInfo (pipeline/study/page/src/live/core.ts), "simulated": nobody has given the ratings,
-  /// "faults": why there are none. Throws DraftFaults.
+  /// The options with the document's examples: "examples" and "sliders" as in
+  /// LiveInfo (pipeline/study/page/src/live/core.ts), "simulated": whether the ratings are
+  /// simulated, "faults": why there are no sliders. Throws DraftFaults.
   nlohmann::ordered_json choices(const nlohmann::ordered_json& document);
 
   /// The motion of `show`, a stimulus of the document or an example, as bytes:

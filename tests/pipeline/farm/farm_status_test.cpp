@@ -86,7 +86,7 @@ TEST_F(FarmStatusOfAStudy, TellsThatAllIsDoneAsPlanDoes) {
   fs::remove(folder / "videos" / "one.mp4");
   const FarmStatus one_less = status();
   EXPECT_FALSE(one_less.is_complete);
-  for (const Share& share : one_less.stages) {
+  for (const StageProgress& share : one_less.stages) {
     if (share.name == "films") {
       EXPECT_EQ(share.done, share.total - 1);
     } else if (share.name == "study") {

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/tasks/disk_fault.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

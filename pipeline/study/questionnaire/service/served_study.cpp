@@ -19,7 +19,7 @@ std::set<std::string> tokens_of(const nlohmann::ordered_json& session) {
   return tokens;
 }
 
-/// Of experiment.json, without media.
+/// The parts of experiment.json that all sessions share, without media.
 nlohmann::ordered_json shared_part(const ServedStudy& study) {
   nlohmann::ordered_json own;
   for (const auto& [name, value] : study.experiment.items())

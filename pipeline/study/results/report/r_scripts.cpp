@@ -24,7 +24,7 @@ std::vector<std::string> varied_factors(const AnswerSet& answer_set) {
   return factors;
 }
 
-/// The answers that lie on a scale (is_on_scale), in R.
+/// The condition, in R, for answers on a scale (is_on_scale).
 std::string on_scale_in_r() {
   std::string condition;
   for (const auto& [name, form] : trial_form_words) {
