@@ -38,7 +38,7 @@ class MainPart {
         share_(share),
         index_(index),
         // Where all see the same order, random additions are the same for all too.
-        order_seed_(derived_seed(manifest.seed, questionnaire_.order.kind == TrialOrder::Kind::fixed
+        order_seed_(hashed_seed(manifest.seed, questionnaire_.order.kind == TrialOrder::Kind::fixed
                                                     ? "everybody"
                                                     : participant_name(index))) {}
 
@@ -71,7 +71,7 @@ class MainPart {
     for (const std::string& level : subjects_.blocks)
       if (std::ranges::find(levels, level) == levels.end()) levels.push_back(level);
     for (const std::size_t place :
-         square_row(levels.size(), index_, derived_seed(manifest_.seed, "blocks"))) {
+         square_row(levels.size(), index_, hashed_seed(manifest_.seed, "blocks"))) {
       Subjects block;
       for (const std::size_t subject : share_)
         if (subjects_.blocks[subject] == levels[place]) block.push_back(subject);

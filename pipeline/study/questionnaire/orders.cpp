@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-std::uint64_t derived_seed(std::uint64_t seed, std::string_view name) {
+std::uint64_t hashed_seed(std::uint64_t seed, std::string_view name) {
   std::uint64_t hash = motion::random_bits(seed, 0);
   for (const unsigned char letter : name) hash = motion::random_bits(hash ^ letter, 1);
   return hash;
@@ -19,7 +19,7 @@ std::size_t random_choice(std::size_t count, std::uint64_t seed, std::string_vie
                           std::uint64_t index) {
   assert(count > 0);
   // The high part of the product (Lemire 2019); its bias is below 2⁻³².
-  const std::uint64_t bits = motion::random_bits(derived_seed(seed, name), index) >> 32U;
+  const std::uint64_t bits = motion::random_bits(hashed_seed(seed, name), index) >> 32U;
   return static_cast<std::size_t>((bits * count) >> 32U);
 }
 

@@ -15,8 +15,8 @@ std::vector<std::size_t> random_order(std::size_t count, std::uint64_t seed, std
 std::size_t random_choice(std::size_t count, std::uint64_t seed, std::string_view name,
                           std::uint64_t index = 0);
 
-/// A seed derived from the study's seed and a name.
-std::uint64_t derived_seed(std::uint64_t seed, std::string_view name);
+/// A seed for a named decision: a hash of the seed and the name.
+std::uint64_t hashed_seed(std::uint64_t seed, std::string_view name);
 
 /// A row of Williams' Latin square of 0 … count − 1 (Williams 1949), balanced for carry-over. In
 /// `count` rows each number occurs once in each place. For an even count, each follows each other

@@ -89,7 +89,7 @@ class PowerSimulation {
   }
 
   void run_study(int study) {
-    stream_ = motion::random_bits(derived_seed(question_.seed, "power"),
+    stream_ = motion::random_bits(hashed_seed(question_.seed, "power"),
                                   static_cast<std::uint64_t>(study));
     if (question_.factor.empty()) choose_two();
     RunningTest test;

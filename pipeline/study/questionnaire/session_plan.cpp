@@ -37,7 +37,7 @@ class Planner {
     plan_.index = index_;
     plan_.participant = participant_name(index_);
     // So that a double of JavaScript represents it exactly.
-    plan_.seed = derived_seed(manifest_.seed, plan_.participant) >> 11U;
+    plan_.seed = hashed_seed(manifest_.seed, plan_.participant) >> 11U;
     lay_choices();
     lay_items();
     lay_practice();

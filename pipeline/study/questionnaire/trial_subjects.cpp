@@ -66,7 +66,7 @@ std::vector<std::vector<std::size_t>> participant_subjects(const Manifest& manif
                                                            const TrialSubjects& subjects,
                                                            std::size_t count) {
   return incomplete_blocks(subjects.size(), subjects_per_participant(manifest, subjects), count,
-                           derived_seed(manifest.seed, "shares"), kinds_of(subjects));
+                           hashed_seed(manifest.seed, "shares"), kinds_of(subjects));
 }
 
 }  // namespace mien::pipeline

@@ -81,7 +81,7 @@ SessionPlan plan_of(const Manifest& manifest, int index) {
   const Strings targets = matching_targets(manifest);
   SessionPlan plan{.index = index, .participant = participant_name(index)};
   // So that a number of JavaScript represents it exactly.
-  plan.seed = derived_seed(manifest.seed, plan.participant) >> 11U;
+  plan.seed = hashed_seed(manifest.seed, plan.participant) >> 11U;
   const auto participant = static_cast<std::size_t>(index);
   if (matching.order == MatchingOrder::guesses_first)
     add_target_blocks(plan, matching, targets, participant);
