@@ -35,7 +35,7 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-noto-cjk)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "mien makes the videos of studies of how people see human motion. A study is
 described in a YAML file: example motions, the adjectives that a new motion
-should answer to, how it is to be shown. mien synthesises the motions,
+should answer to, how it is to be shown. mien synthesizes the motions,
 ray-traces them, encodes and checks the videos, draws comparison sheets, and
 writes down exactly what it did. The same file gives the same bytes each time.
 

@@ -33,7 +33,7 @@ struct LiveBundle {
   FeatureScale feature_scale;
   SynthesisOptions how;
   double frames_per_second = 30.0;
-  Playback playback;  ///< as in clip files of synthesised motions
+  Playback playback;  ///< as in clip files of synthesized motions
   std::vector<LiveTarget> targets;
 };
 

@@ -28,7 +28,7 @@ struct LiveMotion {
   std::vector<FootPlant> plants;
 };
 
-/// Synthesises motions from slider values interactively. The interpolation of an interface is
+/// Synthesizes motions from slider values interactively. The interpolation of an interface is
 /// fitted when it is first used. Not thread-safe; needs no threads or files.
 class LiveCore {
  public:

@@ -19,18 +19,18 @@ struct SynthesisContext {
   double frames_per_second = 30.0;
 };
 
-/// A synthesised motion as in a stimulus: feet locked if the options say so.
+/// A synthesized motion as in a stimulus: feet locked if the options say so.
 struct SynthesisedMotion {
   Example motion;
   InterpolatedWeights found;
   std::vector<FootPlant> plants;  ///< as found before the lock
 };
 
-/// Synthesises a blend; of a set that is not to be blended, the example with the largest weight.
+/// Synthesizes a blend; of a set that is not to be blended, the example with the largest weight.
 SynthesisedMotion synthesise_from_weights(const Eigen::VectorXd& weights,
                                           const SynthesisContext& context);
 
-/// Synthesises the blend that the interface's method gives for slider values.
+/// Synthesizes the blend that the interface's method gives for slider values.
 SynthesisedMotion synthesise_at(const FittedInterface& interface,
                                 const Eigen::RowVectorXd& settings,
                                 const SynthesisContext& context);

@@ -23,7 +23,7 @@ struct KnockStyle {
 KnockStyle sad_knock();
 KnockStyle angry_knock();
 
-/// A body that stands, raises its right hand, knocks, and lowers it: synthesised, not captured. The
+/// A body that stands, raises its right hand, knocks, and lowers it: synthesized, not captured. The
 /// wrist goes by minimum-jerk paths between its stations (Flash and Hogan 1985), the arm follows by
 /// two-bone inverse kinematics. Faces +Z, feet side by side, soles at y = 0, does not loop.
 /// Keytimes: start, first hit, last hit, end. Throws Error for fewer than one knock, times or frame

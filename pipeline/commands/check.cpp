@@ -30,7 +30,7 @@ struct CheckOptions {
   bool json = false;
 };
 
-/// Maximum number of motions of a large study that are synthesised for the check.
+/// Maximum number of motions of a large study that are synthesized for the check.
 constexpr std::size_t most_rehearsed = 50;
 
 /// A manifest's faults, or those of a file of scales, recipes or a set.

@@ -1,4 +1,4 @@
-// Clips synthesised per second: weights, blend and foot lock of one clip from a built-in set.
+// Clips synthesized per second: weights, blend and foot lock of one clip from a built-in set.
 
 #include <cstdint>
 
@@ -42,7 +42,7 @@ void query_weights(benchmark::State& state) {
 }
 BENCHMARK(query_weights)->Unit(benchmark::kMicrosecond);
 
-void synthesise(benchmark::State& state, const char* name, bool lock) {
+void synthesize(benchmark::State& state, const char* name, bool lock) {
   const ExampleSet set = builtin_examples(name);
   const auto basis = fit_cardinal_basis(spread_parameters(set.examples.size(), 5));
   const Eigen::RowVectorXd at = Eigen::RowVectorXd::Constant(5, 0.5);
@@ -54,10 +54,10 @@ void synthesise(benchmark::State& state, const char* name, bool lock) {
   state.counters["clips/s"] =
       benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
-BENCHMARK_CAPTURE(synthesise, blend_of_10, "walks-10", false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(synthesise, blend_of_10_foot_locked, "walks-10", true)
+BENCHMARK_CAPTURE(synthesize, blend_of_10, "walks-10", false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(synthesize, blend_of_10_foot_locked, "walks-10", true)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(synthesise, blend_of_27_foot_locked, "walks-27", true)
+BENCHMARK_CAPTURE(synthesize, blend_of_27_foot_locked, "walks-27", true)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

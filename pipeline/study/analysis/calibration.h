@@ -18,7 +18,7 @@ namespace mien::pipeline {
 // Calibration of stimuli by ratings: the requested parameters, those of the blend by the ratings of
 // its examples, and those perceived by participants.
 
-/// A parameter of a synthesised stimulus.
+/// A parameter of a synthesized stimulus.
 struct StimulusParameter {
   std::string stimulus;
   std::string parameter;

@@ -24,7 +24,7 @@ struct LiveChoice {
 /// The choice of the manifest, without targets.
 LiveChoice live_choice(const Manifest& manifest);
 
-/// Everything that a browser needs to synthesise motions from the study's examples, equal to those
+/// Everything that a browser needs to synthesize motions from the study's examples, equal to those
 /// of a stimulus of the manifest with the interpolation and output of `choice`. Throws Error when
 /// there are no examples, they cannot be blended, or a target is missing.
 motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,

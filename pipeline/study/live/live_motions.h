@@ -14,7 +14,7 @@
 
 namespace mien::pipeline {
 
-/// Synthesises motions for the pages of a server. Thread-safe: as many requests as there are
+/// Synthesizes motions for the pages of a server. Thread-safe: as many requests as there are
 /// processors are handled at once, others wait.
 ///
 /// Routes below wherever the server puts them; `rest` is what follows there:

@@ -12,7 +12,7 @@
 namespace mien::pipeline {
 
 struct EvaluationOptions {
-  /// Methods of interpolation to evaluate; each synthesises the targets itself, at the same
+  /// Methods of interpolation to evaluate; each synthesizes the targets itself, at the same
   /// parameters. Empty: the method of `interpolation`.
   std::vector<motion::InterpolationMethod> methods;
   std::vector<double> steps = {0.1, 0.25};  ///< slider grids whose nearest settings are tried
@@ -30,7 +30,7 @@ struct InterfaceResult {
   int user = 0;                 ///< from 1; 0: the nearest setting of the grid
   double first_distance = 0.0;  ///< D, metres: the nearest setting, or the user's first guess
   double distance = 0.0;        ///< D in the end, metres
-  int views = 1;                ///< motions synthesised and viewed
+  int views = 1;                ///< motions synthesized and viewed
   bool first_matches = false;
   bool matches = false;  ///< in the end
 };

@@ -21,7 +21,7 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
 double word_count(std::string_view text);
 
 /// Duration of the video of each stimulus in seconds, including title card, fixation cross and
-/// blanks. Synthesises the motions. Throws Error.
+/// blanks. Synthesizes the motions. Throws Error.
 VideoSeconds video_seconds(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -21,7 +21,7 @@ using StatedTruth = std::map<std::pair<std::string, std::string>, double>;
 StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& file);
 
 /// Ratings by the model of simulated raters (simulated_raters.h) from features of the motions,
-/// which are synthesised. Throws Error, also for scales that the model does not know.
+/// which are synthesized. Throws Error, also for scales that the model does not know.
 StatedTruth measured_truth(const Manifest& manifest);
 
 /// How simulated participants respond.

@@ -78,7 +78,7 @@ bool has_stimuli(const ordered_json& about) {
   return about.contains("stimuli") && !about["stimuli"].empty();
 }
 
-/// Figures take longer to check than motions take to synthesise.
+/// Figures take longer to check than motions take to synthesize.
 ordered_json without_looks(ordered_json document) {
   document.erase("look");
   if (!document.contains("stimuli") || !document["stimuli"].is_array()) return document;

@@ -26,7 +26,7 @@ struct StudioMotion {
   std::optional<motion::Example> compared;
 };
 
-/// Synthesises motions of drafts as a run does. Caches examples and the last motions. Thread-safe;
+/// Synthesizes motions of drafts as a run does. Caches examples and the last motions. Thread-safe;
 /// one motion is made at a time.
 class StudioMotions {
  public:
