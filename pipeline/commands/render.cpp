@@ -196,7 +196,7 @@ std::vector<CommandOption> file_options(RenderOptions& options) {
                    "(red)")
           .values(1, 3),
       take_option(options.take),
-      option("--layout", &options.layout, "Motions to use of several")
+      option("--layout", &options.layout, "How two or three motions are shown in one scene")
           .one_of({"superimposed", "side-by-side"})
           .with_default(),
       option("-o,--output", &options.out,

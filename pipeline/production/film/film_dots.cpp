@@ -50,15 +50,15 @@ constexpr auto dots_columns = table_of<DotRow>(
      {"dot", "", "number of the dot, counted from 0; the same in all frames",
       [](auto& r) { return r.number; }},
      {"kind", "", "joint name, limb, noise or mask", [](auto& r) { return r.dot.kind; }},
-     {"x_px", "pixels", "centre of the dot from the left edge; empty behind the camera",
+     {"x_px", "pixels", "centre of the dot from the left edge; empty if it is behind the camera",
       [](auto& r) { return r.pixels(0); }},
      {"y_px", "pixels", "centre of the dot from the upper edge, downwards",
       [](auto& r) { return r.pixels(1); }},
      {"x_m", "m", "world position: to the figure's left", [](auto& r) { return r.at.x(); }},
      {"y_m", "m", "world position: up", [](auto& r) { return r.at.y(); }},
      {"z_m", "m", "world position: in the walking direction", [](auto& r) { return r.at.z(); }},
-     {"visible", "0/1", "1: inside the eye's image", [](auto& r) { return r.is_visible; }},
-     {"eye", "", "both; for a stereo pair left or right, one row each",
+     {"visible", "0/1", "1: inside the image (of that eye)", [](auto& r) { return r.is_visible; }},
+     {"eye", "", "both; for a stereo pair, left or right, with one row for each",
       [](auto& r) { return r.eye; }}});
 
 /// The rows of one frame of an actor's dots, counted from `first` on, as one eye sees them.

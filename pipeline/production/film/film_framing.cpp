@@ -39,7 +39,7 @@ constexpr auto sizes_columns = table_of<EqualizedSize>(
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      {"framed_px", "pixels", "height of the standing figure before equalizing",
       [](auto& r) { return in_hundredths(r.framed_px); }},
-     {"figure_px", "pixels", "height in all films: the smallest of these",
+     {"figure_px", "pixels", "height in all films: the smallest of those before equalizing",
       [](auto& r) { return r.figure_px; }}});
 
 struct EqualizedPlace {

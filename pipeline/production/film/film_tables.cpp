@@ -101,8 +101,8 @@ constexpr auto views_columns = table_of<MadeFilm>(
       }},
      {"figure_x_px", "pixels",
       "horizontal position of the figure, to the right of the image centre: the midpoint of its "
-      "path on the floor, or, for a camera that follows it, its own position; empty behind the "
-      "camera",
+      "path on the floor, or, for a camera that follows it, its own position; empty if the figure "
+      "is behind the camera",
       [](auto& r) { return place_of_figure(r.record, 0); }},
      {"figure_y_px", "pixels", "the same vertically, below the image centre",
       [](auto& r) { return place_of_figure(r.record, 1); }}});

@@ -78,7 +78,7 @@ constexpr auto joint_distances_columns = table_of<ComparedJoint>(
      {"joint", "", "joint", [](auto& r) { return motion::name_of(r.joint); }},
      {"time", "0–1",
       "corresponding moment, as a fraction of the duration: 0, 0.1, … 1; matched by keytimes where "
-      "both motions have as many",
+      "both motions have the same number of keytimes",
       [](auto& r) { return r.time; }},
      {"distance_m", "m", "distance of the joint from its position in the target",
       [](auto& r) { return r.distance_m; }}});

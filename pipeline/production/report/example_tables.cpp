@@ -68,7 +68,7 @@ constexpr auto examples_columns = table_of<ExampleRow>(
       [](auto& r) { return r.seconds(&motion::FrameRange::first); }},
      {"last_s", "s", "time of the last frame in the file",
       [](auto& r) { return r.seconds(&motion::FrameRange::last); }},
-     {"loops", "0/1", "1: one gait cycle, closed to a loop",
+     {"loops", "0/1", "1: one gait cycle, closed into a loop",
       [](auto& r) { return r.example.clip.loops; }},
      {"mirrored", "0/1", "1: the file holds one step only; the other is its mirror image",
       [](auto& r) { return r.origin && r.origin->is_mirrored; }},
@@ -98,7 +98,8 @@ constexpr auto expectations_columns = table_of<ExpectedExample>(
       "participants who rated this example and the one before; empty for the first example and for "
       "given means",
       [](auto& r) { return r.of_step(&ExpectedStep::people); }},
-     {"difference", "0–1", "mean over them of this example's value minus that of the one before",
+     {"difference", "0–1",
+      "mean over those participants of this example's value minus that of the one before",
       [](auto& r) { return r.of_step(&ExpectedStep::difference); }},
      {"difference_low", "0–1", "lower end of its 95 % interval (paired t)",
       [](auto& r) { return r.of_step(&ExpectedStep::low); }},

@@ -73,7 +73,7 @@ constexpr auto clips_columns = table_of<MadeClip>(
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus.id; }},
      {"role", "", "target, created or reference", [](auto& r) { return name_of(r.stimulus.role); }},
      ratings_column,
-     {"source", "", "source of the motion: adjectives, features, weights or clip",
+     {"source", "", "source of the motion: adjectives, features, weights, clip or path",
       [](auto& r) { return source_of(r.stimulus); }},
      {"frames", "", "number of frames shown, over all cycles", [](auto& r) { return r.frames; }},
      {"duration_s", "s", "duration shown, over all cycles",
@@ -116,8 +116,8 @@ constexpr auto parameters_columns = table_of<ParameterRow>(
       "the examples; for a modified motion, before modification",
       [](auto& r) { return shortest_measured(r.reached); }},
      {"least", "0–1",
-      "lower end of the feasible range: the least that blends of the examples reach with the other "
-      "requested parameters met",
+      "lower end of the feasible range: the lowest value of all blends of the examples that have "
+      "the other requested values",
       [](auto& r) { return r.possible ? r.possible->least : NAN; }},
      {"most", "0–1", "upper end of the feasible range",
       [](auto& r) { return r.possible ? r.possible->most : NAN; }},

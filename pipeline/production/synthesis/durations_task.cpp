@@ -24,7 +24,8 @@ constexpr auto durations_columns = table_of<FilmDuration>(
     "metrics/durations.csv", "stimulus, if duration is equalized",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      {"own_s", "s", "duration of its film before equalizing", [](auto& r) { return r.own_s; }},
-     {"duration_s", "s", "duration of all films, to the nearest frame: the shortest of these",
+     {"duration_s", "s",
+      "duration of all films, to the nearest frame: the shortest of those before equalizing",
       [](auto& r) { return r.common_s; }}});
 
 std::string durations_csv(const Manifest& manifest, Motions& motions) {

@@ -19,18 +19,20 @@ constexpr auto trials_columns = table_of<MatchedTrial>(
      {"interface", "", "adjectives, features, weights …",
       [](auto& r) { return r.trial.items.front().item; }},
      {"first_guess_d", "m", "D of the blind guess", [](auto& r) { return r.match.first_guess_d; }},
-     {"time_s", "s", "from the trial's beginning to the match, or to the limit",
+     {"time_s", "s", "time from the blind guess to the match; without a match, the time limit",
       [](auto& r) { return r.match.time_s; }},
      {"success", "0/1", "1: matched within the limit", [](auto& r) { return r.match.success; }},
      {"simulated", "0/1", "1: simulated trial", [](auto& r) { return r.simulated; }},
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.trial.number; }},
      {"d", "m", "D of the last setting", [](auto& r) { return r.match.d; }},
-     {"guess_s", "s", "time of the blind guess", [](auto& r) { return r.match.guess_s; }},
+     {"guess_s", "s", "time from the start of the trial to the blind guess",
+      [](auto& r) { return r.match.guess_s; }},
      {"attempt", "", "attempt at the trial, from 1; above 1 after a reload",
       [](auto& r) { return r.match.attempt; }},
      {"session", "", "random id of the browser session", [](auto& r) { return r.session; }},
      {"design", "", "hash of the experiment", [](auto& r) { return r.design; }},
-     {"limit_s", "s", "time allowed", [](auto& r) { return r.limit_s; }},
+     {"limit_s", "s", "time limit for a match, from the blind guess",
+      [](auto& r) { return r.limit_s; }},
      {"threshold_m", "m", "D below which motions match", [](auto& r) { return r.threshold_m; }}});
 
 constexpr auto changes_columns = table_of<MatchedChange>(
@@ -49,7 +51,8 @@ constexpr auto changes_columns = table_of<MatchedChange>(
       [](auto& r) { return r.change.action; }},
      {"slider", "", "the slider moved, added or removed", [](auto& r) { return r.change.slider; }},
      {"value", "", "its new value", [](auto& r) { return r.change.value; }},
-     {"d", "m", "D of the resulting motion; empty if the next change came before it was made",
+     {"d", "m",
+      "D of the resulting motion; empty if the next change came before the motion was synthesized",
       [](auto& r) { return r.change.d; }},
      {"simulated", "0/1", "1: simulated trial", [](auto& r) { return r.of.simulated; }}});
 
