@@ -67,7 +67,7 @@ Placed placed_sliders(const LiveSetting& setting, const ExampleSet& set) {
           Eigen::RowVectorXd(Eigen::Map<const Eigen::RowVectorXd>(setting.values.data(), count))};
 }
 
-LiveMotion as_live(SynthesisedMotion made) {
+LiveMotion as_live(SynthesizedMotion made) {
   return {std::move(made.motion), std::move(made.found.weights), std::move(made.plants)};
 }
 
@@ -82,7 +82,7 @@ LiveMotion LiveCore::example(std::string_view name) const {
   Eigen::VectorXd weights =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bundle_.examples.examples.size()));
   weights[static_cast<Eigen::Index>(index)] = 1.0;
-  LiveMotion made = as_live(synthesise_from_weights(weights, context()));
+  LiveMotion made = as_live(synthesize_from_weights(weights, context()));
   made.motion.name = name;
   return made;
 }
@@ -114,7 +114,7 @@ const FittedInterface& LiveCore::fitted(const SliderInterface& interface) {
 LiveMotion LiveCore::make(const LiveSetting& setting) {
   const Placed placed = placed_sliders(setting, bundle_.examples);
   const FittedInterface& interface = fitted(placed.interface);
-  return as_live(synthesise_for(interface, placed.settings, context(),
+  return as_live(synthesize_for(interface, placed.settings, context(),
                                 {bundle_.feature_scale, bundle_.features}));
 }
 

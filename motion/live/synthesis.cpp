@@ -14,7 +14,7 @@ namespace {
 constexpr int feature_trials = 8;
 constexpr double feature_met = 0.005;
 
-void lock_feet(const SynthesisContext& context, SynthesisedMotion& made) {
+void lock_feet(const SynthesisContext& context, SynthesizedMotion& made) {
   Clip& clip = made.motion.clip;
   made.plants = foot_plants(clip);
   if (context.how.foot_lock) clip = foot_locked(clip, made.plants);
@@ -28,9 +28,9 @@ BlendOptions blend_options(const SynthesisContext& context) {
 
 }  // namespace
 
-SynthesisedMotion synthesise_from_weights(const Eigen::VectorXd& weights,
+SynthesizedMotion synthesize_from_weights(const Eigen::VectorXd& weights,
                                           const SynthesisContext& context) {
-  SynthesisedMotion made;
+  SynthesizedMotion made;
   made.found.weights = weights;
   if (context.examples.blendable) {
     made.motion = blend(context.examples, weights, blend_options(context));
@@ -44,10 +44,10 @@ SynthesisedMotion synthesise_from_weights(const Eigen::VectorXd& weights,
   return made;
 }
 
-SynthesisedMotion synthesise_at(const FittedInterface& interface,
+SynthesizedMotion synthesize_at(const FittedInterface& interface,
                                 const Eigen::RowVectorXd& settings,
                                 const SynthesisContext& context) {
-  SynthesisedMotion made;
+  SynthesizedMotion made;
   made.found = weights_at(interface.interpolator, settings);
   const bool is_blend = !std::holds_alternative<StatisticalModel>(interface.interpolator.method);
   made.motion = is_blend ? blend(context.examples, made.found.weights, blend_options(context))
@@ -58,7 +58,7 @@ SynthesisedMotion synthesise_at(const FittedInterface& interface,
 }
 
 Eigen::RowVectorXd measured_parameters(const std::vector<std::string>& names,
-                                       const SynthesisedMotion& made,
+                                       const SynthesizedMotion& made,
                                        const FeatureTable& features) {
   const FeatureValues values = scaled(features.scale, measure_features(made.motion));
   Eigen::RowVectorXd measured(static_cast<Eigen::Index>(names.size()));
@@ -70,15 +70,15 @@ Eigen::RowVectorXd measured_parameters(const std::vector<std::string>& names,
   return measured;
 }
 
-SynthesisedMotion synthesise_with_features(const FittedInterface& interface,
+SynthesizedMotion synthesize_with_features(const FittedInterface& interface,
                                            const Eigen::RowVectorXd& requested,
                                            const SynthesisContext& context,
                                            const FeatureTable& features) {
   Eigen::RowVectorXd settings = requested;
-  std::optional<SynthesisedMotion> best;
+  std::optional<SynthesizedMotion> best;
   double least = 0.0;
   for (int trial = 0; trial < feature_trials; ++trial) {
-    SynthesisedMotion made = synthesise_at(interface, settings, context);
+    SynthesizedMotion made = synthesize_at(interface, settings, context);
     const Eigen::RowVectorXd missed =
         requested - measured_parameters(interface.sliders.sliders, made, features);
     const double worst = missed.lpNorm<Eigen::Infinity>();
@@ -92,13 +92,13 @@ SynthesisedMotion synthesise_with_features(const FittedInterface& interface,
   return std::move(*best);
 }
 
-SynthesisedMotion synthesise_for(const FittedInterface& interface,
+SynthesizedMotion synthesize_for(const FittedInterface& interface,
                                  const Eigen::RowVectorXd& requested,
                                  const SynthesisContext& context, const FeatureTable& features) {
   const bool is_met = interface.sliders.kind == InterfaceKind::features &&
                       context.how.weights.method == InterpolationMethod::reach;
-  return is_met ? synthesise_with_features(interface, requested, context, features)
-                : synthesise_at(interface, requested, context);
+  return is_met ? synthesize_with_features(interface, requested, context, features)
+                : synthesize_at(interface, requested, context);
 }
 
 }  // namespace mien::motion

@@ -20,18 +20,18 @@ struct SynthesisContext {
 };
 
 /// A synthesized motion as in a stimulus: feet locked if the options say so.
-struct SynthesisedMotion {
+struct SynthesizedMotion {
   Example motion;
   InterpolatedWeights found;
   std::vector<FootPlant> plants;  ///< as found before the lock
 };
 
 /// Synthesizes a blend; of a set that is not to be blended, the example with the largest weight.
-SynthesisedMotion synthesise_from_weights(const Eigen::VectorXd& weights,
+SynthesizedMotion synthesize_from_weights(const Eigen::VectorXd& weights,
                                           const SynthesisContext& context);
 
 /// Synthesizes the blend that the interface's method gives for slider values.
-SynthesisedMotion synthesise_at(const FittedInterface& interface,
+SynthesizedMotion synthesize_at(const FittedInterface& interface,
                                 const Eigen::RowVectorXd& settings,
                                 const SynthesisContext& context);
 
@@ -44,18 +44,18 @@ struct FeatureTable {
 
 /// Measured feature parameters of a motion.
 Eigen::RowVectorXd measured_parameters(const std::vector<std::string>& names,
-                                       const SynthesisedMotion& made, const FeatureTable& features);
+                                       const SynthesizedMotion& made, const FeatureTable& features);
 
 /// The motion whose measured features are nearest to the requested ones: the slider values are
 /// corrected by the deviations, at most eight times, until no feature deviates by more than 0.005.
-SynthesisedMotion synthesise_with_features(const FittedInterface& interface,
+SynthesizedMotion synthesize_with_features(const FittedInterface& interface,
                                            const Eigen::RowVectorXd& requested,
                                            const SynthesisContext& context,
                                            const FeatureTable& features);
 
 /// The motion for requested parameters as in a stimulus: with features and the method `reach` by
-/// synthesise_with_features, else by synthesise_at.
-SynthesisedMotion synthesise_for(const FittedInterface& interface,
+/// synthesize_with_features, else by synthesize_at.
+SynthesizedMotion synthesize_for(const FittedInterface& interface,
                                  const Eigen::RowVectorXd& requested,
                                  const SynthesisContext& context, const FeatureTable& features);
 

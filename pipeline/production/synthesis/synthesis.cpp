@@ -58,7 +58,7 @@ NamedValues blended(const NamedValues& requests, const ParameterTable& table,
 
 /// Features are measured of the motion; what people would say of it can only be summed.
 NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& repertoire,
-                               const motion::SynthesisedMotion& made) {
+                               const motion::SynthesizedMotion& made) {
   const NamedValues& requests = requested_values(stimulus);
   if (stimulus.features.empty())
     return blended(requests, repertoire.parameters, made.found.weights);
@@ -133,7 +133,7 @@ motion::SynthesisContext synthesis_context(const Interpolation& interpolation, c
   return {examples_for(interpolation, repertoire), interpolation, output.fps};
 }
 
-Synthesis as_synthesis(motion::SynthesisedMotion made) {
+Synthesis as_synthesis(motion::SynthesizedMotion made) {
   Synthesis result;
   result.planted_drift_m = motion::planted_drift(made.motion.clip, made.plants);
   result.motion = std::move(made.motion);
@@ -144,7 +144,7 @@ Synthesis as_synthesis(motion::SynthesisedMotion made) {
 
 Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
                        const Interpolation& interpolation, const Repertoire& repertoire) {
-  return as_synthesis(motion::synthesise_from_weights(
+  return as_synthesis(motion::synthesize_from_weights(
       weights, synthesis_context(interpolation, output, repertoire)));
 }
 
@@ -174,7 +174,7 @@ Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire
   const Interpolation& how = stimulus.interpolation;
   const ParameterRequest request = request_of(stimulus, repertoire);
   const FittedInterface sliders = fit_interface(request.sliders, how, repertoire, request.held);
-  motion::SynthesisedMotion made = motion::synthesise_for(
+  motion::SynthesizedMotion made = motion::synthesize_for(
       sliders, request.settings, synthesis_context(how, stimulus.output, repertoire),
       {repertoire.features.scale, repertoire.features.table});
   std::vector<std::string> warnings = sliders.interpolator.remarks;
@@ -258,7 +258,7 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   assert(is_blend(stimulus));
   if (requested_values(stimulus).empty()) return given_weights(stimulus.weights, repertoire);
-  // Features are met by trial (synthesise_with_features).
+  // Features are met by trial (synthesize_with_features).
   if (!stimulus.features.empty()) return from_parameters(stimulus, repertoire).weights;
   const ParameterRequest request = request_of(stimulus, repertoire);
   const FittedInterface sliders =
