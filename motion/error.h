@@ -13,13 +13,13 @@ struct Place {
   int column = 0;
 };
 
-/// "file:line:column" with the unknown parts left out.
+/// "file:line:column", omitting unknown parts.
 std::string to_string(const Place& place);
 
 /// An error in the user's input: a file, a manifest, an option.
 ///
-/// `what()` reads "file:line:column: what is wrong; how to mend it". The command line turns it into
-/// exit code 2.
+/// `what()` reads "file:line:column: what is wrong; how to fix it". The command line reports it and
+/// exits with code 2.
 class Error : public std::runtime_error {
  public:
   Error(Place place, std::string_view wrong, std::string_view remedy);

@@ -15,30 +15,31 @@ inline constexpr int segment_count = 14;
 /// The joint whose frame each segment follows.
 extern const std::array<int, segment_count> segment_joints;
 
-/// Dynamics of the body in one frame, world space. Masses are shares of the body's mass.
+/// Dynamics of the body in one frame, in world space. Masses are fractions of the body mass.
 struct BodyDynamics {
-  JointTransforms world;  ///< of the low-pass filtered motion
-  std::array<double, segment_count> mass{};
-  std::array<Vec3, segment_count> centre;        ///< m
-  std::array<Vec3, segment_count> acceleration;  ///< m/s²
-  std::array<Vec3, segment_count>
-      momentum_rate;  ///< of rotation about the centre, m²/s² per kg of body
+  JointTransforms world;                     ///< joint transforms of the low-pass filtered motion
+  std::array<double, segment_count> mass{};  ///< fractions of the body mass
+  std::array<Vec3, segment_count> centre;    ///< centres of mass of the segments, m
+  std::array<Vec3, segment_count> acceleration;  ///< of the segments' centres of mass, m/s²
+  /// Rate of change of each segment's angular momentum about its own centre of mass, per kg of
+  /// body mass: m²/s².
+  std::array<Vec3, segment_count> momentum_rate;
 
   Vec3 centre_of_mass = Vec3::Zero();  ///< m
   Vec3 velocity = Vec3::Zero();        ///< of the centre of mass, m/s
-  /// Ground reaction force by inverse dynamics: the acceleration of the centre of mass minus
-  /// gravity, newtons per kg of body mass.
+  /// Ground reaction force by inverse dynamics, N per kg of body mass (m/s²): the acceleration of
+  /// the centre of mass minus the gravitational acceleration.
   Vec3 ground_reaction = Vec3::Zero();
-  /// Zero-moment point: the point of the floor about which this force has no horizontal moment
-  /// (Vukobratović and Borovac 2004); within the soles of a body without other support.
-  /// Meaningless, and set to the centre of mass, while the vertical force is less than a tenth of
-  /// the body's weight.
+  /// Zero-moment point: the point on the floor about which the ground reaction force has no
+  /// horizontal moment (Vukobratović and Borovac 2004), m. It lies within the support polygon if
+  /// only the floor supports the body. While the vertical force is less than a tenth of the body
+  /// weight, it is undefined and set to the floor point below the centre of mass.
   Vec3 zero_moment_point = Vec3::Zero();
 };
 
-/// Dynamics of a subject of the canonical body, frame by frame, after a 6 Hz low-pass of its root
-/// and rotations (`gait_cutoff_hz`; Winter 2009). Segments rotate as cylinders with the radii of
-/// gyration of de Leva 1996.
+/// Dynamics of a subject with the canonical body, one entry per frame. The root positions and joint
+/// rotations are first low-pass filtered at 6 Hz (`gait_cutoff_hz`; Winter 2009). Segments are
+/// rotationally symmetric about their long axes, with the radii of gyration of de Leva (1996).
 std::vector<BodyDynamics> body_dynamics(const LintSubject& subject);
 
 }  // namespace mien::motion

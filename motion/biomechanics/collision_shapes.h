@@ -19,23 +19,24 @@ struct RoundCone {
 /// A part of the body that is tested for self-intersection.
 struct CollisionPart {
   std::string_view name;  ///< "left forearm"
-  BodyJoint joint;        ///< whose frame it follows
+  BodyJoint joint;        ///< the joint whose frame the part follows
 };
 
 /// Head, neck, chest, abdomen, pelvis, and on either side upper arm, forearm, hand, thigh, shank
 /// and foot.
 const std::vector<CollisionPart>& collision_parts();
 
-/// The shapes of the parts in a pose, in the order of `collision_parts`; radii of an adult of 1.75
-/// m, scaled to the body.
+/// The shapes of the parts in a pose, in the order of `collision_parts`, world space. Radii are
+/// those of an adult of 1.75 m, scaled to the body.
 std::vector<RoundCone> collision_shapes(const Skeleton& body, const JointTransforms& world);
 
-/// Penetration depth of two shapes, metres; negative: the distance between them.
+/// Penetration depth of two shapes, metres. If they do not overlap, it is negative: minus the
+/// distance between them.
 double penetration_depth(const RoundCone& a, const RoundCone& b);
 
-/// A pair of parts to test: not adjacent, nor with a common neighbour at one joint. `allowed` is
-/// their penetration while the body stands at ease, at least 0, because the shapes only approximate
-/// a body.
+/// A pair of parts to test for intersection. Adjacent parts and parts with a common neighbour at
+/// one joint are not tested. `allowed` is the penetration depth in a relaxed standing pose, metres,
+/// at least 0: it is tolerated because the shapes only approximate a body.
 struct CollisionPair {
   int a = 0;
   int b = 0;

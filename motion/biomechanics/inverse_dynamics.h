@@ -7,19 +7,19 @@
 
 namespace mien::motion {
 
-/// A joint whose torque is checked, with the limit of strong adults.
+/// A joint whose torque is checked, and the limit for strong adults.
 struct TorqueJoint {
   int joint;
-  double limit;  ///< N·m for a body mass of 70 kg; others in proportion
+  double limit;  ///< N·m for a body mass of 70 kg; proportional to body mass
 };
 
 /// Ankles, knees, hips, elbows, shoulders and the lower spine.
 const std::vector<TorqueJoint>& torque_joints();
 
-/// Joint torques, newton metres per kg of body mass, in the order of `torque_joints`: the net
-/// torques of muscles and ligaments by inverse dynamics (Newton–Euler, summed over the distal
-/// segments). The ground reaction force acts on the planted feet: on a single foot at the point of
-/// its sole nearest to the zero-moment point, on two feet divided by the lever rule.
+/// Magnitudes of the net joint torques of muscles and ligaments, newton metres per kg of body mass,
+/// in the order of `torque_joints`; by inverse dynamics (Newton–Euler, summed over the distal
+/// segments). The ground reaction force acts on each planted foot at the point of its sole nearest
+/// to the zero-moment point; with two planted feet it is divided between them by the lever rule.
 std::vector<double> joint_torques(const BodyDynamics& moment, const Support& support);
 
 }  // namespace mien::motion

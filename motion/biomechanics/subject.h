@@ -6,35 +6,36 @@
 
 namespace mien::motion {
 
-/// Least floor speed of a walk in place; slower movement is sway.
+/// Minimum speed of the floor under a walk in place, m/s; slower movement of the feet is sway.
 inline constexpr double slowest_treadmill_m_s = 0.25;
 
-/// A motion prepared for the checks: unit rotations; a loop unrolled to three laps, so that the
-/// middle one has both neighbours; a walk in place converted to a travelling one.
+/// A motion prepared for the checks: its rotations are normalised; a loop is repeated to three
+/// laps, so that the middle lap has neighbours on both sides; a walk in place is converted to a
+/// travelling walk.
 struct LintSubject {
   Clip clip;       ///< does not loop
-  int frames = 0;  ///< of the motion that was given
-  int start = 0;   ///< frame of `clip` at which that motion begins: its middle lap
+  int frames = 0;  ///< number of frames of the original motion
+  int start = 0;   ///< first frame of the original motion in `clip`: of the middle lap if it loops
   bool was_loop = false;
-  std::vector<JointTransforms> world;  ///< of every frame of `clip`
-  double scale = 1.0;         ///< stature divided by 1.75 m; 1 when it is not the canonical body
-  Vec3 floor = Vec3::Zero();  ///< m/s; of the floor under a motion given in place
+  std::vector<JointTransforms> world;  ///< world transforms for every frame of `clip`
+  double scale = 1.0;         ///< stature divided by 1.75 m; 1 if the body is not the canonical one
+  Vec3 floor = Vec3::Zero();  ///< m/s; velocity of the floor under a motion in place
 
   int frame_count() const { return clip.frame_count(); }
   double rate() const { return clip.frames_per_second; }
-  /// World positions of one joint.
+  /// World positions of a joint, one per frame of `clip`, metres.
   std::vector<Vec3> path(int joint) const;
 };
 
-/// Prepares a motion. Its numbers must be finite, its rotations not zero, and it has at least one
-/// frame.
+/// Prepares a motion. Its numbers must be finite and its rotations non-zero, and it must have at
+/// least one frame.
 LintSubject lint_subject(const Clip& motion);
 
-/// Frame of `other` that corresponds to `frame` of `subject`: at the same share of the motion's
-/// duration, same lap.
+/// The frame of `other` that corresponds to `frame` of `subject`: at the same fraction of the
+/// motion's duration, in the same lap.
 double corresponding_frame(const LintSubject& subject, double frame, const LintSubject& other);
 
-/// Seconds of `other` that one second of `subject` corresponds to: 1 unless the tempo was changed.
+/// Seconds of `other` that correspond to one second of `subject`: 1 unless the tempo was changed.
 double pace(const LintSubject& subject, const LintSubject& other);
 
 }  // namespace mien::motion

@@ -7,30 +7,30 @@
 
 namespace mien::motion {
 
-/// Base of support in one frame: corners, world space, y = 0. A foot without weight
-/// (weight_bearing.h) has none.
+/// Base of support in one frame: corners in world space, metres, y = 0. A foot that does not bear
+/// weight (weight_bearing.h) contributes no corners.
 struct Support {
-  std::vector<Vec3> left;         ///< corners of the part of the left sole on the floor
-  std::vector<Vec3> right;        ///< of the right sole
-  std::vector<Vec3> elsewhere{};  ///< knees, hands and seat on the floor
+  std::vector<Vec3> left;         ///< corners of the part of the left sole that is on the floor
+  std::vector<Vec3> right;        ///< the same of the right sole
+  std::vector<Vec3> elsewhere{};  ///< knees, hands and pelvis that rest on the floor
 
   bool empty() const { return left.empty() && right.empty() && elsewhere.empty(); }
   std::vector<Vec3> all() const;
 };
 
-/// The base of support in every frame. Of a bearing foot the sole within 0.03 m of its lowest point
-/// counts, with a width of 0.09 m (at a stature of 1.75 m).
+/// The base of support in every frame. The contact area of a bearing foot is the part of the sole
+/// within 0.03 m of its lowest point, with a width of 0.09 m (at a stature of 1.75 m).
 std::vector<Support> supports(const LintSubject& subject);
 
-/// Horizontal distance, metres, of a point from the convex hull of the corners; negative inside.
+/// Horizontal distance of a point from the convex hull of the corners, metres; negative inside.
 /// `corners` must not be empty.
 double signed_distance_to_hull(const Vec3& point, const std::vector<Vec3>& corners);
 
-/// The point of the convex hull that is nearest to `point`, on the floor.
+/// The point of the convex hull nearest to `point`, on the floor. `corners` must not be empty.
 Vec3 nearest_in_hull(const Vec3& point, const std::vector<Vec3>& corners);
 
-/// Dynamics and support of a subject, frame by frame: the input of the checks of balance and
-/// forces.
+/// Dynamics and base of support of a subject, one entry per frame: the input of the balance and
+/// force checks.
 struct BodyOnFloor {
   std::vector<BodyDynamics> moments;
   std::vector<Support> supports;
@@ -38,8 +38,8 @@ struct BodyOnFloor {
 
 BodyOnFloor body_on_floor(const LintSubject& subject);
 
-/// Sets the values of the first and last 0.1 s to NaN, unless the motion loops: accelerations are
-/// unreliable there.
+/// Sets the values of the first and last 0.1 s to NaN, where accelerations are unreliable, unless
+/// the motion is a loop. One value per frame.
 void mask_ends(const LintSubject& subject, std::vector<double>& values);
 
 }  // namespace mien::motion

@@ -15,14 +15,14 @@ namespace mien::motion {
 /// Selection of the motion files of a set of examples.
 struct ExampleFolder {
   std::filesystem::path path;
-  std::string include = "*";  ///< pattern of file names (matches_glob)
-  std::string exclude;        ///< pattern; empty excludes nothing
-  std::string take;           ///< name of the motion in files with several; empty: the first
+  std::string include = "*";  ///< pattern of file names to include (matches_glob)
+  std::string exclude;        ///< pattern of file names to exclude; empty: none
+  std::string take;           ///< name of the motion to use in files with several; empty: the first
   CycleChoice cycle = CycleChoice::automatic;
   bool shorten_names = true;  ///< name examples by the part of the file name in which they differ
   std::vector<std::pair<std::string, std::string>> names;  ///< file stem → name; takes precedence
-  /// File stem → manual keytimes, seconds (make_example.h). Empty: they are detected; otherwise
-  /// every file needs the same number.
+  /// File stem → manual keytimes, seconds (make_example.h). If empty, keytimes are detected;
+  /// otherwise every file must have the same number of them.
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;
   /// False: each motion keeps its own body and keytimes.
   bool blendable = true;
@@ -31,19 +31,20 @@ struct ExampleFolder {
 /// The selected motion files, sorted by name. Throws Error if the folder or files do not exist.
 std::vector<std::filesystem::path> example_files(const ExampleFolder& folder);
 
-/// Names of the examples of these files, in their order. Throws Error if a name occurs twice.
+/// Names of the examples of the selected files, in the order of `example_files`. Throws Error if a
+/// name occurs twice.
 std::vector<std::string> example_names(const ExampleFolder& folder);
 
 /// The source of an example.
 struct ExampleOrigin {
   std::filesystem::path file;
-  double frames_per_second = 0.0;  ///< of the file
-  int file_frames = 0;
-  FrameRange frames;         ///< range of the file that the example was cut from
-  bool is_mirrored = false;  ///< the range is one step; the other step is its mirror image
+  double frames_per_second = 0.0;  ///< frame rate of the file
+  int file_frames = 0;             ///< number of frames of the file
+  FrameRange frames;               ///< frames of the file from which the example was cut
+  bool is_mirrored = false;        ///< the range is one step; the other step is its mirror image
 };
 
-/// A set of examples and its sources.
+/// A set of examples and their sources.
 struct LoadedExamples {
   ExampleSet set;
   std::vector<std::string> file_stems;  ///< aligned with the examples
@@ -51,21 +52,22 @@ struct LoadedExamples {
   std::vector<std::string> warnings;    ///< sentences that name the example
 };
 
-/// Reads the files, maps all files of one rig together, cuts and straightens each motion
-/// (make_example.h), and, to be blended, puts all on the first one's body (retarget.h). Throws
-/// Error naming the file that cannot be used: unreadable, not human, with another number of
-/// keytimes than the first, a duplicate name, or manual keytimes for a file that does not exist.
+/// Loads a set of examples: reads the files, maps all files of one rig together, and cuts and
+/// straightens each motion (make_example.h). If the set is blendable, all motions are retargeted to
+/// the body of the first one (retarget.h). Throws Error naming the file if one is unreadable, is
+/// not human or has a different number of keytimes than the first, if a name occurs twice, or if
+/// manual keytimes refer to a file that does not exist.
 LoadedExamples load_examples(const ExampleFolder& folder);
 
-/// Whether a file name matches a pattern of `*` (any characters), `?` (any one), `[abc]`, `[a-z]`,
-/// `[!a]` (one of, one not of) and `{walk,run}` (either; may be nested). Upper and lower case
-/// differ.
+/// Whether a file name matches a pattern of `*` (any characters), `?` (any one character), `[abc]`
+/// or `[a-z]` (one of these), `[!a]` (any other) and `{walk,run}` (alternatives; may be nested).
+/// Case-sensitive.
 bool matches_glob(std::string_view pattern, std::string_view name);
 
-/// Short labels for files that belong together: the common prefix and suffix of all stems (names
-/// without extension) are removed, in whole parts between "_", "." and spaces.
-/// {"dataset-1_walk_sad_001", "dataset-1_walk_proud_001"} gives {"sad", "proud"}. A single stem
-/// stays as it is.
+/// Short labels for a group of files: the prefix and suffix common to all stems (file names without
+/// extension) are removed, in whole parts separated by "_", "." or spaces.
+/// {"dataset-1_walk_sad_001", "dataset-1_walk_proud_001"} becomes {"sad", "proud"}. A single stem
+/// is returned unchanged.
 std::vector<std::string> labels_from_names(std::span<const std::string> stems);
 
 }  // namespace mien::motion

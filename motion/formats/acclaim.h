@@ -10,33 +10,37 @@
 namespace mien::motion {
 
 struct AcclaimOptions {
-  /// The ASF file; when not given, see `find_asf`.
+  /// The ASF file; if empty, see `find_asf`.
   std::optional<std::filesystem::path> skeleton = std::nullopt;
-  /// When not given, the AMC's :SAMPLES-PER-SECOND, else 120, the rate of the CMU database.
+  /// If empty, the AMC file's :SAMPLES-PER-SECOND, or 120, the rate of the CMU database.
   std::optional<double> frames_per_second = std::nullopt;
 };
 
 /// Reads an Acclaim motion (AMC) with its skeleton (ASF), as in the CMU motion capture database.
 ///
-/// A bone becomes a joint of its name at the bone's start; `tip` is the end of a bone without
-/// children. With axis frame C (the product of the axis line's rotations) and M the product of the
-/// rx, ry, rz of a frame, the joint's rotation is C·M·C⁻¹, so that all joints' frames are parallel
-/// to the world's at rest. Rotations apply in the order they are listed, the first innermost:
-/// "rx ry rz" is Rz·Ry·Rx. The axis line's numbers are about x, y and z whatever its order.
+/// Each bone becomes a joint of the same name, located at the start of the bone; the end of a bone
+/// without children becomes the joint's `tip`. With C the axis frame (the product of the rotations
+/// of the axis line) and M the product of the rotations rx, ry and rz of a frame, the rotation of
+/// the joint is C·M·C⁻¹, so that all joint frames are parallel to the world frame at rest.
+/// Rotations are applied in the order in which they are listed, the first one innermost: "rx ry rz"
+/// means Rz·Ry·Rx. The numbers of the axis line are always angles about x, y and z, whatever its
+/// order.
 ///
-/// Unit: `:units length` u other than 1 follows the rule of the CMU database, value / u inches, and
-/// the recording is in metres: value · 0.0254 / u. With length 1 or none it stays in file units.
+/// Units: with a `:units length` u other than 1, values are converted as in the CMU database (value
+/// / u is in inches), and the recording is in metres: value · 0.0254 / u. If the length is 1 or
+/// missing, values remain in file units.
 ///
-/// Throws mien::Error with file, line and column for faults in either file: among others a frame
-/// that lacks a bone or has it twice, frame numbers that do not count up by one, bones that the
-/// hierarchy does not connect, and degrees of freedom other than rotations below the root.
+/// Throws mien::Error with file, line and column for faults in either file, for example a frame in
+/// which a bone is missing or occurs twice, frame numbers that do not increase by one, bones that
+/// are not connected by the hierarchy, or degrees of freedom other than rotations below the root.
 Recording read_amc(const std::filesystem::path& path, const AcclaimOptions& options = {});
 
-/// The skeleton of an AMC file: in its folder, `02.asf` for `02_01.amc`, else `walk.asf` for
-/// `walk.amc`, else the only .asf file. Throws mien::Error when there is none or no telling.
+/// The skeleton of an AMC file, in the same folder: `02.asf` for `02_01.amc`, otherwise `walk.asf`
+/// for `walk.amc`, otherwise the only .asf file. Throws mien::Error if there is no .asf file, or
+/// several of which none has such a name.
 std::filesystem::path find_asf(const std::filesystem::path& amc);
 
-/// A file in memory; the name serves error messages.
+/// A file in memory; the name is used in error messages.
 struct NamedText {
   std::string_view text;
   std::string file_name;

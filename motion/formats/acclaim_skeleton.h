@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// One number of a bone's line in an AMC frame.
+/// A degree of freedom of a bone: one number of its line in an AMC frame.
 struct AcclaimFreedom {
   int axis = 0;          ///< 0 x, 1 y, 2 z
   bool rotation = true;  ///< else a translation
@@ -16,15 +16,15 @@ struct AcclaimFreedom {
 
 /// The axes and degrees of freedom of a bone.
 struct AcclaimBone {
-  Quat axis = Quat::Identity();          ///< C: the frame that the bone turns in
-  std::vector<AcclaimFreedom> freedoms;  ///< in the order of the AMC's numbers
+  Quat axis = Quat::Identity();          ///< C: the frame relative to which the bone rotates
+  std::vector<AcclaimFreedom> freedoms;  ///< in the order of the numbers in the AMC file
 };
 
-/// The contents of an ASF file. Bone j moves joint j; 0 is the root.
+/// The contents of an ASF file. Bone j moves joint j; bone 0 is the root.
 struct AcclaimSkeleton {
   Skeleton skeleton;
   std::vector<AcclaimBone> bones;
-  double metres_per_unit = 1.0;  ///< 1 also when the unit is unknown
+  double metres_per_unit = 1.0;  ///< also 1 if the unit is unknown
   double radians_per_unit = radians_per_degree;
 };
 

@@ -12,13 +12,13 @@ namespace mien::motion {
 /// The rotation of an axis line, in the file's unit of angles.
 struct AsfAxis {
   Vec3 angles = Vec3::Zero();  ///< about x, y and z
-  std::string order = "XYZ";   ///< the first letter's turn is the innermost
+  std::string order = "XYZ";   ///< the rotation of the first letter is the innermost
 };
 
 /// A bone as described in its begin … end block.
 struct AsfBone {
   std::string name;
-  size_t place = 0;  ///< index of the block in the text
+  size_t place = 0;  ///< index of the block in the text, for error messages
   std::optional<Vec3> direction;
   std::optional<double> length;
   std::optional<AsfAxis> axis;
@@ -29,14 +29,14 @@ struct AsfBone {
 
 /// The statements of an ASF file, in its own units.
 struct AsfFile {
-  std::vector<AsfBone> bones;  ///< the root, then those of :bonedata
+  std::vector<AsfBone> bones;  ///< the root, then the bones of :bonedata
   Vec3 root_position = Vec3::Zero();
   double length_unit = 1.0;
   double radians_per_unit = radians_per_degree;
 };
 
-/// Reads the text to its end. Every bone has a name, direction, length and axis, and at most one
-/// parent. Throws mien::Error.
+/// Reads an ASF text to its end. Every bone must have a name, direction, length and axis, and at
+/// most one parent. Throws mien::Error.
 AsfFile parse_asf_file(TextCursor& cursor);
 
 }  // namespace mien::motion

@@ -8,45 +8,43 @@
 
 namespace mien::motion {
 
-/// Reads a BVH file (Biovision hierarchy): one ROOT, joints in any order, one to six channels in
-/// any order on any joint or none at all. Offsets stay in the file's unit and axes; angles are
-/// degrees.
+/// Reads a BVH file (Biovision hierarchy): one ROOT, joints in any order, and on any joint up to
+/// six channels in any order. Offsets keep the unit and axes of the file; angles are in degrees.
 ///
-/// - A joint's rotation is the product of its rotation channels in CHANNELS order.
-/// - Position channels replace OFFSET, each the one coordinate it names. The root's give
-///   `root_position`; when another joint has any, every pose gets `offsets`.
-/// - A frame stands on one line or on several. Comments (# and //) are ignored.
-/// - A frame time is converted to the frame rate that it was rounded from (frame_rate.h).
+/// - The rotation of a joint is the product of its rotation channels in CHANNELS order.
+/// - Each position channel replaces the corresponding coordinate of OFFSET. Those of the root
+///   determine `root_position`; if another joint has position channels, every pose gets `offsets`.
+/// - A frame may extend over several lines. Comments (# and //) are ignored.
+/// - A frame time is converted to the frame rate from which it was rounded (frame_rate.h).
 ///
-/// Throws mien::Error with file, line and column for everything that is not a BVH motion of at
-/// least one frame: among others a second ROOT, numbers that are not finite, a frame with more or
-/// fewer numbers than there are channels, and a `Frames:` that differs from the frames there are.
+/// Throws mien::Error with file, line and column for anything that is not a BVH motion of at least
+/// one frame, for example a second ROOT, numbers that are not finite, a frame with more or fewer
+/// numbers than there are channels, or a `Frames:` that differs from the actual number of frames.
 Recording read_bvh(const std::filesystem::path& path);
 
-/// As `read_bvh`, from a text in memory; `file_name` serves error messages and the recording's
-/// name.
+/// As `read_bvh`, for a text in memory; `file_name` is used in error messages and as the name of
+/// the recording.
 Recording parse_bvh(std::string_view text, const std::string& file_name);
 
-/// Number of decimals that are written for positions, angles (degrees) and the frame time
-/// (seconds).
+/// Number of decimals written for positions, angles (degrees) and the frame time (seconds).
 inline constexpr int bvh_position_decimals = 7;
 inline constexpr int bvh_angle_decimals = 9;
 inline constexpr int bvh_time_decimals = 12;
 
-/// The recording as BVH text: joints depth first, channels X, Y, Z position then Z, X, Y rotation
-/// on the root, Z, X, Y rotation on the others, and all six on a joint whose offset changes over
-/// the poses. Angles run on over ±180° so that curves between frames do not jump. Positions have 7
-/// decimals, angles 9. Control characters and braces in names become '_'.
+/// The recording as BVH text, joints depth first. The root has the channels X, Y, Z position and Z,
+/// X, Y rotation; other joints have the Z, X, Y rotation only, or all six channels if their offset
+/// changes over the poses. Angles continue beyond ±180°, so that interpolated curves do not jump.
+/// Positions have 7 decimals, angles 9. Control characters and braces in names are replaced by '_'.
 ///
-/// The recording has at least one pose. The same recording gives the same text.
+/// The recording has at least one pose. The same recording always produces the same text.
 std::string to_bvh(const Recording& recording);
 
-/// The result of `parse_bvh(to_bvh(recording))`, to the last bit but without the text, for a
-/// recording as made by `to_recording`: joints depth first, with names that can be written, and no
-/// offsets of poses.
+/// The result of `parse_bvh(to_bvh(recording))`, identical to the last bit but computed without the
+/// text. The recording must be as returned by `to_recording`: joints depth first, with valid names,
+/// and without per-pose offsets.
 Recording as_read_from_bvh(const Recording& recording);
 
-/// Writes a recording as a BVH file. Throws WriteFailure when the file cannot be written.
+/// Writes a recording as a BVH file. Throws WriteFailure if the file cannot be written.
 void write_bvh(const Recording& recording, const std::filesystem::path& path);
 
 }  // namespace mien::motion

@@ -10,24 +10,24 @@
 
 namespace mien::motion {
 
-/// One number of each BVH frame.
+/// A channel: one number of each BVH frame.
 struct BvhChannel {
   int joint = 0;
   Axis axis = Axis::x;
-  bool rotation = false;  ///< degrees about the axis; else the coordinate along it
+  bool rotation = false;  ///< true: degrees about the axis; false: the coordinate along it
 };
 
 /// The HIERARCHY section of a BVH file.
 struct BvhHierarchy {
   Skeleton skeleton;
-  std::vector<BvhChannel> channels;  ///< in the order of a frame's numbers
+  std::vector<BvhChannel> channels;  ///< in the order of the numbers of a frame
 };
 
-/// The text with its comments (from '#' or '//' to the line's end) replaced by blanks, so that
-/// positions stay.
+/// The text with its comments (from '#' or '//' to the end of the line) replaced by blanks, so that
+/// positions in the text are preserved.
 std::string without_bvh_comments(std::string_view text);
 
-/// Reads from HIERARCHY up to and with MOTION. Throws mien::Error.
+/// Parses the text from HIERARCHY up to and including MOTION. Throws mien::Error.
 BvhHierarchy parse_bvh_hierarchy(TextCursor& cursor);
 
 }  // namespace mien::motion

@@ -4,13 +4,15 @@
 
 namespace mien::motion {
 
-/// Rotations as BVH files hold them: angles about the Z, X and Y axis, in this order, degrees.
+// BVH files represent a rotation by angles about the Z, X and Y axes, in this order, in degrees.
 
-/// Euler angles, radians, of a rotation: of the two equivalent triples and their full turns those
-/// nearest to the previous frame's, so that curves are continuous across ±180°.
+/// The Euler angles of a rotation about the Z, X and Y axes, in this order, radians. Of all
+/// equivalent triples, those nearest to the angles of the previous frame are returned, so that
+/// curves are continuous across ±180°.
 Vec3 bvh_angles(const Quat& rotation, const Vec3& previous);
 
-/// rotation · (turn about a coordinate axis), as each channel that is read turns its joint.
+/// `rotation` followed on the right by a rotation about a coordinate axis, as applied for each
+/// rotation channel.
 Quat turned(const Quat& rotation, Axis axis, double degrees);
 
 }  // namespace mien::motion

@@ -17,21 +17,22 @@ struct BvhHead {
 };
 
 /// Parses a BVH text (bvh.h) incrementally, in chunks that may end anywhere. A frame is available
-/// once its last line has ended; their number is not known before the end, so `Frames:` is only
-/// reported. Keeps the header, and no more than one chunk and one frame.
+/// once its last line is complete. Because the number of frames is not known before the end, the
+/// value of `Frames:` is reported but not checked. Memory is limited to the header, one chunk and
+/// one frame.
 ///
-/// Throws mien::Error with file, line and column as soon as the text is seen to be no BVH: as
-/// `parse_bvh` but for the number of frames, and for a head of more than 4 MiB or a frame of more
-/// than 64 characters a number (and 4 KiB), which no source sends.
+/// Throws mien::Error with file, line and column as soon as the text is found not to be BVH: for
+/// the same faults as `parse_bvh` except a wrong number of frames, and also for a header of more
+/// than 4 MiB, or a frame of more than 4 KiB plus 64 characters per number.
 class BvhStream {
  public:
   explicit BvhStream(std::string file_name) : file_(std::move(file_name)) {}
 
-  /// Takes the next piece of the text.
+  /// Adds the next chunk of the text.
   void push(std::string_view piece);
 
-  /// End of the input: a last line without a line end is complete. Throws if the header or a frame
-  /// is incomplete.
+  /// Marks the end of the input; the last line need not end with a line break. Throws mien::Error
+  /// if the header or a frame is incomplete.
   void finish();
 
   /// The header; empty until "Frame Time:" and its number have been parsed.
@@ -47,14 +48,14 @@ class BvhStream {
 
   std::string file_;
   std::string text_;    ///< input that has not been parsed yet
-  size_t seen_ = 0;     ///< how much of it was scanned, in whole lines
-  size_t numbers_ = 0;  ///< words in those lines, once the header is complete
-  int first_line_ = 1;  ///< number of the line that `text_` begins with
+  size_t seen_ = 0;     ///< number of characters of `text_` scanned so far, in whole lines
+  size_t numbers_ = 0;  ///< number of words in these lines, once the header is complete
+  int first_line_ = 1;  ///< line number of the first line of `text_`
   bool finished_ = false;
   bool knows_kind_ = false;  ///< the first word was HIERARCHY
-  bool has_label_ = false;   ///< a line that begins with "Frame Time" was seen
+  bool has_label_ = false;   ///< a line that begins with "Frame Time" has been read
   std::optional<BvhHead> head_;
-  Pose before_;  ///< the pose before a frame's channels are applied
+  Pose before_;  ///< the initial pose to which the channels of each frame are applied
 };
 
 }  // namespace mien::motion

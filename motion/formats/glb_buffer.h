@@ -16,7 +16,7 @@ enum class GlbElement { scalar, vec2, vec3, vec4, mat4 };
 /// GPU buffer target of an accessor.
 enum class GlbUse { none, vertices, indices };
 
-/// The binary chunk of a GLB file (glTF 2.0) that is being written, with its buffer views and
+/// The binary chunk of a GLB file (glTF 2.0) under construction, with its buffer views and
 /// accessors.
 struct GlbBuffer {
   std::string bytes;
@@ -24,7 +24,8 @@ struct GlbBuffer {
   nlohmann::ordered_json accessors = nlohmann::ordered_json::array();
 };
 
-/// Adds the numbers with a view and an accessor of their own; returns the accessor's index.
+/// Adds numbers to the buffer with a buffer view and an accessor of their own. Returns the index of
+/// the accessor.
 std::size_t add(GlbBuffer& buffer, const std::vector<float>& numbers, GlbElement element,
                 GlbUse use = GlbUse::none);
 std::size_t add(GlbBuffer& buffer, const std::vector<std::uint16_t>& numbers, GlbElement element,
@@ -33,15 +34,15 @@ std::size_t add(GlbBuffer& buffer, const std::vector<std::uint32_t>& numbers, Gl
                 GlbUse use = GlbUse::none);
 
 /// As `add`, with the minimum and maximum of each component, which glTF requires for key times and
-/// positions. There is at least one element.
+/// positions. There must be at least one element.
 std::size_t add_bounded(GlbBuffer& buffer, const std::vector<float>& numbers, GlbElement element,
                         GlbUse use = GlbUse::none);
 
-/// Adds a file, such as a picture; returns its view's index.
+/// Adds a file, such as an image. Returns the index of its buffer view.
 std::size_t add_file(GlbBuffer& buffer, std::string_view file);
 
-/// The GLB file of a document, to which the version and the buffer's description are added. Names
-/// in it may contain invalid UTF-8.
+/// The bytes of a GLB file with the given document, to which the version and the description of the
+/// buffer are added. Invalid UTF-8 in names is allowed.
 std::string glb_of(nlohmann::ordered_json document, const GlbBuffer& buffer);
 
 }  // namespace mien::motion

@@ -9,47 +9,50 @@
 
 namespace mien::motion {
 
-/// Reads the figure and one animation of a glTF 2.0 file, text (.gltf, with its .bin files) or
-/// binary (.glb): the one that `take` names, else the first that moves anything. `takes` of the
-/// recording lists them; one without a name is called "take 3" by its place, a second "Walk"
-/// "Walk 2". Units and axes are glTF's: metres, +Y up.
+/// Reads the figure and one animation of a glTF 2.0 file, text (.gltf with its .bin files) or
+/// binary (.glb). The animation is the one named by `take`, or else the first one that moves
+/// anything. `takes` of the recording lists the names of all of them: the third, if it has no name,
+/// is "take 3", and a second one named "Walk" is "Walk 2". Units and axes are those of glTF:
+/// metres, +Y up.
 ///
-/// - The skeleton is the joints of the skins and the nodes between them, parents first, children in
-///   the order of the file; without a skin, all nodes of the tree that the animation moves
-///   (gltf_figure.h). Of two figures the larger one, which `notes` tell. A node without a name is
-///   called "joint_0", "joint_1", … by its place in the skeleton. A still, childless node
-///   without a mesh that is the only child of a last joint is the tip of its bone.
-/// - World positions are exact whatever scales and matrices there are: nodes above the root become
-///   part of the root's pose, scales part of the offsets. Every pose gets `offsets` only when a
-///   joint moves on its parent by more than a millionth of the longest offset.
-/// - Samplers: STEP, LINEAR, CUBICSPLINE; floats or integers; sparse accessors; buffer
-///   views compressed by meshopt.
-/// - Frames run from the first key to the last, at the rate of the keys when those of the longest
-///   track are evenly spaced at 10 a second or more (slower for recordings, gltf_track.h), else at
-///   30. Without an animation there is one frame, the pose of the nodes.
+/// - The skeleton consists of the joints of the skins and the nodes between them, parents first and
+///   children in the order of the file. Without a skin, it consists of all nodes of the tree that
+///   the animation moves (gltf_figure.h). If there are two figures, the larger one is used, and
+///   `notes` gets a sentence about this. A node without a name is called "joint_0", "joint_1", … by
+///   its index in the skeleton. If the only child of a leaf joint is a node that is not animated,
+///   has no children and has no mesh, its position is the `tip` of the joint.
+/// - World positions are exact for any scales and matrices: nodes above the root become part of the
+///   root's pose, and scales become part of the offsets. Poses get `offsets` only if a joint moves
+///   relative to its parent by more than a millionth of the longest offset.
+/// - Supported are STEP, LINEAR and CUBICSPLINE interpolation, float and integer values, sparse
+///   accessors, and buffer views compressed by meshopt.
+/// - Frames extend from the first key to the last. Their rate is that of the keys if the track with
+///   the most keys has evenly spaced keys at 10 per second or more (or fewer for recordings,
+///   gltf_track.h), otherwise 30 per second. Without an animation there is one frame, the pose of
+///   the nodes.
 ///
-/// Throws mien::Error naming the file, for JSON faults with line and column, for everything that is
-/// no such figure: among others a take that is not there, indices and buffers out of bounds, a node
-/// with two parents, numbers that are not finite, more than an hour of motion.
+/// Throws mien::Error naming the file (for JSON faults also line and column) if it contains no such
+/// figure or is invalid: for example if `take` does not exist, indices or buffers are out of
+/// bounds, a node has two parents, numbers are not finite, or the motion is longer than an hour.
 Recording read_gltf(const std::filesystem::path& path,
                     const std::optional<std::string>& take = std::nullopt);
 
-/// As `read_gltf`, from a file in memory; `file_name` serves error messages and the recording's
-/// name. A file that keeps its buffers in other files is refused.
+/// As `read_gltf`, for a file in memory; `file_name` is used in error messages and as the name of
+/// the recording. A file that refers to other files for its buffers is refused.
 Recording parse_gltf(std::string_view bytes, const std::string& file_name,
                      const std::optional<std::string>& take = std::nullopt);
 
-/// The recording as a binary glTF file: a node for each joint and, named "…_end", for each tip; one
-/// animation with a rotation for every joint and a translation for the root and for joints whose
-/// offset changes over the poses; and a mesh of octahedra from joint to joint, skinned so that
-/// importers make an armature of the nodes. The bind pose has no rotations. Numbers are 32-bit
-/// floats; lengths are written as they are and read as metres by others (`in_metres` makes them
-/// so).
+/// The recording as a binary glTF file. It has a node for each joint and one named "…_end" for each
+/// tip; one animation, with a rotation track for every joint and a translation track for the root
+/// and for joints whose offset changes over the poses; and a mesh of octahedra along the bones,
+/// skinned so that importers create an armature from the nodes. The bind pose has no rotations.
+/// Numbers are 32-bit floats. Lengths are written unchanged, and glTF readers interpret them as
+/// metres; use `in_metres` beforehand to convert them.
 ///
-/// The recording has at least one pose. The same recording gives the same bytes.
+/// The recording has at least one pose. The same recording always produces the same bytes.
 std::string to_glb(const Recording& recording);
 
-/// Writes a recording as a GLB file. Throws mien::Error when the file cannot be written.
+/// Writes a recording as a GLB file. Throws mien::Error if the file cannot be written.
 void write_glb(const Recording& recording, const std::filesystem::path& path);
 
 }  // namespace mien::motion

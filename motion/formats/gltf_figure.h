@@ -12,18 +12,19 @@ namespace mien::motion {
 /// The nodes of a glTF file that form the figure.
 struct GltfFigure {
   std::vector<int> above;    ///< the root's ancestors, topmost first
-  std::vector<int> joints;   ///< depth first
-  std::vector<int> parents;  ///< of each joint, as the skeleton counts; −1 for the root
+  std::vector<int> joints;   ///< joints of the skeleton, depth first
+  std::vector<int> parents;  ///< index of the parent of each joint in `joints`; −1 for the root
 };
 
-/// The joints of the skins and the nodes between them; skins that share joints, or of which one
-/// hangs on the other, are one figure's. Without a skin: all nodes of the tree that moves, but for
-/// cameras and the ends of bones. Of several figures the one with most joints, the first of those;
-/// `notes` then gets a sentence. Throws mien::Error when there is neither a skin nor an animation.
+/// The figure of a file: the joints of its skins and the nodes between them. Skins belong to the
+/// same figure if they share joints or if one is attached to the other. Without a skin, the figure
+/// consists of all nodes of the animated tree except cameras and the ends of bones. If there are
+/// several figures, the one with the most joints is returned (the first of equals), and a sentence
+/// is added to `notes`. Throws mien::Error if there is neither a skin nor an animation.
 GltfFigure gltf_figure(const GltfFile& file, const GltfNodes& nodes,
                        const std::vector<GltfTrack>& tracks, std::vector<std::string>& notes);
 
-/// Whether each node is moved by a track.
+/// For each node, whether a track moves it.
 std::vector<bool> moved_nodes(const GltfNodes& nodes, const std::vector<GltfTrack>& tracks);
 
 /// The node that marks the end of a leaf joint's bone, or −1.

@@ -17,22 +17,23 @@ struct NodeTransform {
 /// The nodes of a file as a forest.
 struct GltfNodes {
   std::vector<int> parents;                ///< −1 for roots
-  std::vector<std::vector<int>> children;  ///< as the file lists them
-  std::vector<NodeTransform> at_rest;      ///< without animation
-  std::vector<int> parents_first;          ///< all nodes, depth first
+  std::vector<std::vector<int>> children;  ///< in the order of the file
+  std::vector<NodeTransform> at_rest;      ///< transforms without animation
+  std::vector<int> parents_first;          ///< all nodes, depth first (parents before children)
 
   int size() const { return static_cast<int>(parents.size()); }
 };
 
-/// The nodes of a file; matrices are split into translation, rotation and scale, shear is left out.
-/// Throws mien::Error: children that do not exist, two parents, circles, numbers that are not
-/// finite or too few, a rotation of length zero.
+/// The nodes of a file. Matrices are decomposed into translation, rotation and scale; shear is
+/// ignored. Throws mien::Error for children that do not exist, nodes with two parents, cycles,
+/// missing or non-finite numbers, and rotations of length zero.
 GltfNodes parse_nodes(const GltfFile& file);
 
-/// The lowest node at or above all of `wanted`. Throws mien::Error when there is none.
+/// The lowest common ancestor of the `wanted` nodes, possibly one of them. Throws mien::Error if
+/// there is none.
 int common_root(const GltfFile& file, const GltfNodes& nodes, const std::vector<int>& wanted);
 
-/// The nodes at or above `wanted` and at or below `root`, depth first.
+/// The nodes on the paths from `root` to the `wanted` nodes, inclusive, depth first.
 std::vector<int> nodes_between(const GltfNodes& nodes, int root, const std::vector<int>& wanted);
 
 }  // namespace mien::motion

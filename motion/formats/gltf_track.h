@@ -18,56 +18,58 @@ struct GltfTrack {
   Interpolation interpolation = Interpolation::linear;
   std::vector<double> times;  ///< seconds, increasing, at least one
 
-  /// For each time 3 numbers or the 4 of a quaternion (x, y, z, w); for cubic splines three times
-  /// as many: in-tangent, value, out-tangent.
+  /// For each key time, 3 numbers, or 4 for a quaternion (x, y, z, w); for cubic splines three
+  /// times as many: in-tangent, value, out-tangent.
   std::vector<double> numbers;
 };
 
-/// Key in the `extras` of an animation under which our GLB writer states a frame rate below 10
-/// frames a second, which the key times do not determine.
+/// Key in the `extras` of an animation in which the GLB writer states a frame rate below 10 frames
+/// per second, because the key times alone do not determine it.
 inline constexpr const char* gltf_rate_key = "framesPerSecond";
 
 /// An animation of a file that moves any node.
 struct GltfTake {
   int animation = 0;
-  std::string name;  ///< as the file says; "take 3" for the third animation without a name; the
-                     ///< second of one name is called "Walk 2"
+  std::string name;  ///< as in the file; "take 3" for the third animation if it has no name; "Walk
+                     ///< 2" for the second one named "Walk"
 };
 
 std::vector<GltfTake> gltf_takes(const GltfFile& file);
 
 /// The tracks of an animation of the file.
-/// Throws mien::Error: key times that do not increase or are negative, more or fewer values than
-/// keys, two tracks for one part, rotations of length zero, and whatever `accessor_numbers`
-/// refuses.
+/// Throws mien::Error for key times that are negative or do not increase, more or fewer values than
+/// keys, two tracks for the same component of a node, rotations of length zero, and for the reasons
+/// of `accessor_numbers`.
 std::vector<GltfTrack> parse_tracks(const GltfFile& file, int animation);
 
-/// The frame rate stated by our GLB writer for an animation; 0 when none.
+/// The frame rate stated by the GLB writer for an animation; 0 if there is none.
 double stated_frame_rate(const GltfFile& file, int animation);
 
-/// Sets the track's value at a time in the transform, clamped to the first and last key (glTF 2.0
-/// specification, appendix C).
+/// Sets the component of the transform that the track animates to its value at `seconds`, clamped
+/// to the first and last key (glTF 2.0 specification, appendix C).
 void apply(const GltfTrack& track, double seconds, NodeTransform& transform);
 
-/// When to sample tracks.
+/// The times at which tracks are sampled.
 struct TrackTiming {
   double first = 0.0;  ///< seconds of the first key of all tracks
-  double last = 0.0;   ///< and of the last one
+  double last = 0.0;   ///< seconds of the last key of all tracks
   double frames_per_second = 30.0;
-  std::vector<double> keys;  ///< of evenly spaced keys that span all tracks, their own times
+  std::vector<double> keys;  ///< times of the frames, if they are evenly spaced keys that span all
+                             ///< tracks; otherwise empty
 };
 
-/// When to sample tracks (at least one). The rate is that of the track with the most keys if they
-/// are evenly spaced at 10 a second or more; also slower if all tracks have the same eight keys or
-/// more and none is a spline, which indicates a recording rather than sparse keyframes. Else it is
-/// `stated`, or 30.
+/// The sampling times of tracks (at least one). The frame rate is that of the track with the most
+/// keys if they are evenly spaced at 10 per second or more. A lower rate is accepted only if it
+/// equals `stated`, or if all tracks have the same eight keys or more and none is a cubic spline,
+/// which indicates a recording rather than sparse keyframes. Otherwise the rate is `stated`, or 30
+/// frames per second if `stated` is 0.
 TrackTiming timing_of(const std::vector<GltfTrack>& tracks, double stated = 0.0);
 
-/// Number of frames from the first key to the last.
+/// Number of frames from the first key to the last, inclusive.
 size_t frame_count(const TrackTiming& timing);
 
-/// Seconds at which a frame is sampled. Key times are rounded: where frames are keys, it is the
-/// key's time, so that the frame is that key.
+/// The time at which a frame is sampled, seconds. If frames coincide with keys, it is the time of
+/// the key, which may be rounded, so that the frame equals the key.
 double seconds_of_frame(const TrackTiming& timing, size_t frame);
 
 }  // namespace mien::motion

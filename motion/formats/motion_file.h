@@ -10,32 +10,32 @@
 
 namespace mien::motion {
 
-/// A format of motion files, recognised by the ending of a file's name. The list in motion_file.cpp
-/// is the only one: reading, writing, messages and help texts are derived from it. To support
-/// another format, add an entry there.
+/// A format of motion files, recognised by the file extension. The list in motion_file.cpp is the
+/// only one: reading, writing, messages and help texts are derived from it. To support another
+/// format, add an entry to it.
 struct MotionFormat {
   std::string_view ending;  ///< in lower case: ".bvh"
-  std::string_view name;    ///< "BVH"; endings of one format have the same
-  std::string_view part_ending =
-      {};                    ///< of files beside it that it refers to: ".asf"; may be empty
-  bool has_takes = false;    ///< a file may hold several motions to choose a take from
+  std::string_view name;    ///< "BVH"; extensions of the same format have the same name
+  /// Extension of companion files in the same folder: ".asf"; may be empty.
+  std::string_view part_ending = {};
+  bool has_takes = false;    ///< a file may contain several motions (takes)
   bool is_streamed = false;  ///< frames can be read as they arrive (bvh_stream.h)
   bool is_metric = false;    ///< written in metres with +Y up, whatever the input
   Recording (*read)(const std::filesystem::path& path, const std::optional<std::string>& take);
   void (*write)(const Recording& recording, const std::filesystem::path& path) = nullptr;
 };
 
-/// All of them, one for each ending.
+/// All formats, one entry per file extension.
 std::span<const MotionFormat> motion_formats();
 
-/// The ending of a file's name in lower case, as formats have it: ".bvh" of "Walk.BVH".
+/// The extension of a file name in lower case, as in `MotionFormat::ending`: ".bvh" for "Walk.BVH".
 std::string lower_case_ending(const std::filesystem::path& path);
 
-/// The format of a file by the ending of its name, in upper or lower case; null where it is none.
+/// The format of a file by its extension, in upper or lower case; null if the extension is unknown.
 const MotionFormat* motion_format(const std::filesystem::path& path);
 
-/// Those that are read, are written, or may hold several motions, in words: "BVH (.bvh), Acclaim
-/// (.amc) or glTF (.gltf, .glb)".
+/// The formats that can be read, can be written, or may contain several motions, as text: "BVH
+/// (.bvh), Acclaim (.amc) or glTF (.gltf, .glb)".
 std::string formats_read();
 std::string formats_written();
 std::string formats_with_takes();
@@ -43,19 +43,19 @@ std::string formats_with_takes();
 /// Whether `read_motion` supports a file's extension.
 bool is_motion_file(const std::filesystem::path& path);
 
-/// Reads a motion by its file's extension. Throws mien::Error: no such file, another extension, or
-/// what the reader of the format finds wrong. `take` chooses a motion of a file that holds several;
-/// formats of single motions refuse it.
+/// Reads a motion in the format of the file's extension. Throws mien::Error if the file does not
+/// exist, its extension is not supported, or the reader of the format finds a fault. `take` selects
+/// a motion in a file with several; formats with single motions refuse it.
 Recording read_motion(const std::filesystem::path& path,
                       const std::optional<std::string>& take = std::nullopt);
 
-/// As `read_motion`, where an empty `take` means the first of several motions.
+/// As `read_motion`; an empty `take` selects the first motion.
 Recording read_take(const std::filesystem::path& path, const std::string& take);
 
-/// Whether a file of this extension may hold several motions to choose a take from.
+/// Whether a file with this extension may contain several motions (takes).
 bool may_hold_takes(const std::filesystem::path& path);
 
-/// Writes a motion by its file's extension. Throws mien::Error.
+/// Writes a motion in the format of the file's extension. Throws mien::Error.
 void write_motion(const Recording& recording, const std::filesystem::path& path);
 
 }  // namespace mien::motion

@@ -8,31 +8,32 @@
 namespace mien::motion {
 
 struct ContactOptions {
-  double height_metres = 0.04;         ///< above the point's own stance level
-  double on_speed = 0.15;              ///< m/s below which contact begins
-  double off_speed = 0.3;              ///< m/s above which it ends
-  double shortest_gap = 0.07;          ///< seconds; shorter gaps are closed
+  double height_metres = 0.04;         ///< maximum height above the stance level of the point
+  double on_speed = 0.15;              ///< m/s; contact begins below this speed
+  double off_speed = 0.3;              ///< m/s; contact ends above this speed
+  double shortest_gap = 0.07;          ///< seconds; shorter gaps in a contact are closed
   double shortest_plant = 0.1;         ///< seconds; shorter contacts are dropped
-  Vec3 floor_velocity = Vec3::Zero();  ///< m/s; of the floor under a clip in place
+  Vec3 floor_velocity = Vec3::Zero();  ///< m/s; velocity of the floor under a clip in place
 };
 
-/// Contact of the parts of one foot with the floor, frame by frame (points of sole.h).
+/// Contact of the parts of one foot with the floor, one entry per frame (points of sole.h).
 struct FootContact {
   std::vector<bool> heel;
-  std::vector<bool> toes;  ///< ball or tip
-  std::vector<bool> foot;  ///< either, short gaps closed and short contacts dropped
+  std::vector<bool> toes;  ///< the ball of the foot or the tip of the toes
+  std::vector<bool> foot;  ///< heel or toes, with short gaps closed and short contacts dropped
 };
 
-/// A point of the foot touches while it is within `height_metres` of its stance level (third
-/// percentile of its height) and slow, with hysteresis of speed: below `on_speed` it begins, above
-/// `off_speed` it ends. Contacts of a looping clip run on over its seam.
+/// Detects contact of one foot. A point of the foot is in contact while it is within
+/// `height_metres` of its stance level (the 3rd percentile of its height) and slow; with
+/// hysteresis, contact begins below `on_speed` and ends above `off_speed`. In looping clips,
+/// contacts continue across the seam.
 FootContact foot_contact(const Clip& clip, bool left, const ContactOptions& options = {});
 
-/// The stretches of contact of both feet by time, as `foot_locked` takes them.
+/// The intervals of contact of both feet in order of time: the plants for `foot_locked`.
 std::vector<FootPlant> foot_plants(const Clip& clip, const ContactOptions& options = {});
 
-/// Velocity of the floor under a looping clip that walks in place: the common velocity of the
-/// planted feet. Zero for clips that travel or have no planted foot.
+/// Velocity of the floor under a looping clip that walks in place, m/s, world space: the common
+/// velocity of the planted feet. Zero for clips that travel or do not loop.
 Vec3 floor_velocity(const Clip& loop);
 
 }  // namespace mien::motion

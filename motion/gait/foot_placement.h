@@ -13,18 +13,18 @@ struct FootPlace {
   Quat rotation;
 };
 
-/// Target positions of a foot over an interval of frames. In a looping clip the interval may extend
-/// past the end into the next cycle.
+/// Target positions and orientations of a foot over an interval of frames. In a looping clip the
+/// interval may extend past the end into the next cycle.
 struct FootTrajectory {
   bool left = true;
-  int first = 0;  ///< frame of places.front()
-  std::vector<FootPlace> places;
+  int first = 0;                  ///< frame of places.front()
+  std::vector<FootPlace> places;  ///< one per frame
 };
 
 /// Moves the feet to given targets by leg IK. Corrections at the ends of an interval fade over
-/// `blend_seconds`; the pelvis is lowered, smoothly, where a leg cannot reach; knees stay in their
-/// plane and bones keep their lengths (after Kovar, Schreiner and Gleicher 2002). `lowered` is
-/// subtracted from the height of the left and right foot in all frames.
+/// `blend_seconds`; the pelvis is lowered smoothly where a leg cannot reach; knees stay in their
+/// planes and bones keep their lengths (after Kovar, Schreiner and Gleicher 2002). `lowered` holds
+/// the metres by which the left and the right foot are lowered in all frames.
 Clip with_feet_placed(const Clip& clip, const std::vector<FootTrajectory>& stretches,
                       const FootLockOptions& options = {},
                       const std::array<double, 2>& lowered = {0.0, 0.0});

@@ -3,11 +3,11 @@
 namespace mien::motion {
 
 /// An interval of frames in which one foot stands on the floor. In a looping clip `last` may lie
-/// beyond the last frame: the plant goes on in the next cycle.
+/// beyond the last frame: the plant continues in the next cycle.
 struct FootPlant {
   bool left = true;
   int first = 0;  ///< frame
-  int last = 0;   ///< frame, included
+  int last = 0;   ///< frame, inclusive
 };
 
 }  // namespace mien::motion

@@ -7,15 +7,17 @@
 
 namespace mien::motion {
 
-/// How far a foot slides on the floor while it is planted: metres, horizontal, largest over the
-/// plants. Of clips that do not loop.
+/// The horizontal distance by which a foot slides on the floor while planted, metres; maximum over
+/// all plants. The clip must not loop.
 ///
-/// Measured at the points of contact: the heel's edge, the ball (under the toe joint) and the tip
-/// of the toes, each while it is within 5 mm of the foot's lowest point in the plant. Of several
-/// points in contact the slowest counts: a foot that rolls on its heel's edge, lifts its heel over
-/// its ball or pivots on it does not slide. `planted_drift` (foot_lock.h) follows a point of the
-/// heel 2 cm above the sole, which a heel that rolls down moves by half a centimetre, and a ball
-/// until it is 1 cm above the floor.
+/// Slip is measured at the points of contact: the edge of the heel, the ball (under the toe joint)
+/// and the tip of the toes, each while it is within 5 mm of the lowest point of the foot during the
+/// plant. If several points are in contact, the slowest one counts, so a foot that rolls over the
+/// edge of its heel, or lifts its heel or pivots on its ball, does not slide.
+///
+/// `planted_drift` (foot_lock.h) measures other points: one of the heel 2 cm above the sole, which
+/// moves by half a centimetre when the heel rolls down, and the ball until it is 1 cm above the
+/// floor.
 double planted_slide(const Clip& clip, const std::vector<FootPlant>& plants);
 
 }  // namespace mien::motion

@@ -14,36 +14,39 @@ inline constexpr int gait_keytime_count = 7;
 
 /// One gait cycle of a clip.
 ///
-/// Keytimes are seconds after the left heel strike: left heel strike (0), right toe off, left
-/// mid-stance (the right ankle passes the left; where, limping, it only comes up to it, half of its
-/// way), right heel strike, left toe off, right mid-stance,
-/// next left heel strike (the period). In running the toe offs come before the other foot's strike;
-/// they then stand one frame after it, so that the keytimes always ascend.
+/// Keytimes are in seconds after the left heel strike: left heel strike (0), right toe off, left
+/// mid-stance, right heel strike, left toe off, right mid-stance, next left heel strike (the
+/// period). At left mid-stance the right ankle passes the left one; in a limp in which it does not
+/// pass, it is halfway between its positions (relative to the left ankle) at the start and at the
+/// end of the step. In running, each toe off precedes the strike of the other foot; its keytime is
+/// then set to one frame after the strike, so that keytimes always ascend.
 struct GaitCycle {
-  int start_frame = 0;       ///< nearest frame to the first heel strike
-  int end_frame = 0;         ///< nearest frame to the same foot's next heel strike
-  bool starts_left = true;   ///< cut at left heel strikes; else at right ones, as short takes need
+  int start_frame = 0;       ///< frame nearest to the first heel strike
+  int end_frame = 0;         ///< frame nearest to the next heel strike of the same foot
+  bool starts_left = true;   ///< cut at left heel strikes; false: at right ones
   double left_strike = 0.0;  ///< frame of the left heel strike in [start_frame, end_frame)
   std::array<double, gait_keytime_count> keytimes{};
-  double speed_m_s = 0.0;   ///< pelvis displacement over the cycle by the period
+  double speed_m_s = 0.0;   ///< pelvis displacement over the cycle divided by the period
   bool is_half = false;     ///< one step only; the other is its mirror image (`mirrored_loop`)
   bool has_flight = false;  ///< running: both feet off the floor between toe off and strike
-  double steadiness = 0.0;  ///< 0–1; 1: constant speed, straight, of typical period, seamless
-  std::vector<std::string> warnings;  ///< plain sentences
+  double steadiness = 0.0;  ///< 0–1; 1: constant speed, straight, typical period, no visible seam
+  std::vector<std::string> warnings;  ///< sentences
 };
 
-/// All complete cycles by time: from left heel strike to left heel strike or, when there is no such
-/// pair, from right to right. Feet that stay where they are take no steps: there is none in
-/// standing.
+/// All complete cycles in order of time: from left heel strike to left heel strike or, if there are
+/// none of these, from right to right. Feet that stay in place take no steps, so a standing motion
+/// has no cycles.
 std::vector<GaitCycle> gait_cycles(const Clip& clip);
 
-/// The steadiest cycle; empty when the clip holds none that is a walk or run (steadiness ≥ 0.1). A
-/// take too short for two strikes of one foot gives the two moments, 0.5–2 s apart, at which the
-/// pose is most alike, when a left and a right step lie between.
+/// The steadiest cycle; empty if no cycle is a walk or run (steadiness ≥ 0.1). In a take of up to 4
+/// s without two strikes of one foot, the cycle extends between the two most similar poses, 0.5–2 s
+/// apart, if they enclose a left and a right step; otherwise one step and its mirror image are used
+/// (`is_half`).
 std::optional<GaitCycle> steadiest_cycle(const Clip& clip);
 
-/// The cycle of a looping clip that contains exactly one: start 0, end its frame count. Empty when
-/// the loop has not exactly one heel strike of either foot.
+/// The cycle of a looping clip that contains exactly one gait cycle: `start_frame` is 0,
+/// `end_frame` the frame count. Empty if the loop does not have exactly one heel strike of each
+/// foot.
 std::optional<GaitCycle> cycle_of_loop(const Clip& loop);
 
 }  // namespace mien::motion

@@ -10,42 +10,44 @@ namespace mien::motion {
 /// A flight phase of running: an interval between two plants without ground contact.
 struct Flight {
   int first = 0;
-  int last = 0;                ///< included
-  bool takes_off_left = true;  ///< the foot that left the floor
-  bool lands_left = true;
+  int last = 0;                ///< inclusive
+  bool takes_off_left = true;  ///< whether the left foot takes off, otherwise the right one
+  bool lands_left = true;      ///< whether the left foot lands, otherwise the right one
 };
 
-/// Gaps of at least 0.06 s between the plants of a clip that does not loop, in which the pelvis is
-/// higher than over 0.4 s on either side and, where they last 0.25 s, falls. (In walking it is
-/// lowest between two single supports, where a strict judgement of contact may also leave a gap.)
+/// The flight phases of a clip that does not loop: gaps of at least 0.06 s between plants in which
+/// the mean height of the pelvis is above its mean including 0.4 s on either side and, if the gap
+/// lasts 0.25 s or more, the pelvis is in free fall. In walking, by contrast, the pelvis is lowest
+/// between two single supports, where a strict contact threshold may also leave a gap.
 std::vector<Flight> flights(const Clip& clip, const std::vector<FootPlant>& plants);
 
 struct GaitEvent {
   enum class Kind { heel_strike, toe_off };
   Kind kind = Kind::heel_strike;
   bool left = true;
-  double frame = 0.0;      ///< between frames, by a parabola through the three nearest
-  bool confirmed = false;  ///< the foot's contact begins (heel strike) or ends within 0.1 s of it
+  double frame = 0.0;      ///< fractional; by a parabola through the three nearest frames
+  bool confirmed = false;  ///< a contact of the foot begins or ends within 0.1 s
 };
 
-/// Position of each foot relative to the pelvis along the direction of walking, metres, frame by
-/// frame, low-pass filtered (`gait_cutoff_hz`).
+/// Position of each foot relative to the pelvis along the walking direction, metres, one entry per
+/// frame, low-pass filtered (`gait_cutoff_hz`). Heels are ankle joints, toes are toe joints.
 struct FootProgress {
-  std::vector<double> left_heel;  ///< ankle joint
+  std::vector<double> left_heel;
   std::vector<double> right_heel;
   std::vector<double> left_toe;
   std::vector<double> right_toe;
 };
 
-/// Direction of walking, frame by frame, as horizontal unit vectors: the pelvis' velocity below 1
-/// Hz if that is more than 0.2 m/s, else its facing direction.
+/// The walking direction in each frame, as horizontal unit vectors: the direction of the pelvis
+/// velocity (low-pass filtered at 1 Hz) if its speed is more than 0.2 m/s, otherwise the facing
+/// direction.
 std::vector<Vec3> walking_directions(const Clip& clip);
 
 FootProgress foot_progress(const Clip& clip);
 
-/// Heel strikes and toe offs by time (Zeni et al. 2008): a heel strike is where the heel is
-/// farthest before the pelvis, a toe off where the toe is farthest behind it. Works in place and
-/// travelling. Events of a looping clip lie in [0, frames).
+/// Heel strikes and toe offs in order of time (Zeni et al. 2008): a heel strike is where the heel
+/// is farthest in front of the pelvis, a toe off where the toe is farthest behind it. Works for
+/// clips that travel and clips in place. Events of a looping clip lie in [0, frames).
 std::vector<GaitEvent> gait_events(const Clip& clip);
 
 }  // namespace mien::motion

@@ -9,9 +9,10 @@
 
 namespace mien::motion {
 
-/// The seven events of a stride from one foot's heel strike to its next, in frames: strike,
-/// the other foot's toe off, the other ankle passing, the other foot's strike, own toe off, own
-/// ankle passing, next strike. In running the toe offs lie before the strikes they follow here.
+/// The seven events of a stride, from a heel strike of one foot to its next, in fractional frames:
+/// heel strike, toe off of the other foot, passing of the other ankle, strike of the other foot,
+/// own toe off, passing of the own ankle, next heel strike. In running, each toe off occurs before
+/// the heel strike listed ahead of it.
 struct Stride {
   bool left = true;  ///< the foot that strikes first
   double strike = 0.0;
@@ -21,18 +22,18 @@ struct Stride {
   double toe_off = 0.0;
   double passes = 0.0;
   double next_strike = 0.0;
-  bool confirmed = true;  ///< all of its events agree with foot contacts
+  bool confirmed = true;  ///< all events agree with foot contacts
 
   double period() const { return next_strike - strike; }
 };
 
-/// All strides of one foot, by time; stretches between two strikes that hold no single step of the
-/// other foot are left out.
+/// All strides of one foot in order of time. An interval between two strikes of the foot is omitted
+/// if it does not contain exactly one step of the other foot.
 std::vector<Stride> strides(std::span<const GaitEvent> events, const FootProgress& progress,
                             bool left);
 
-/// Keytimes in frames after the left heel strike, ascending by at least one frame: 0 … period.
-/// Empty when the period is too short for that.
+/// The 7 keytimes (gait.h), in frames after the left heel strike, from 0 to the period and at least
+/// one frame apart. Empty if the period is too short for that.
 std::optional<std::array<double, 7>> left_based_keyframes(const Stride& stride);
 
 /// The frame of the stride's left heel strike.

@@ -22,7 +22,7 @@
 namespace mien::motion {
 
 struct InverseDistance {
-  double power = 2.0;
+  double power = 2.0;  ///< exponent of the inverse distances, > 0
 };
 
 struct GridOfWeights {
@@ -32,30 +32,30 @@ struct GridOfWeights {
 
 struct DirectShares {};
 
-/// A method, fitted to a set of examples and their parameters.
+/// A method fitted to a set of examples and their parameters.
 struct Interpolator {
   DistinctParameters distinct;
-  std::vector<std::string> names;  ///< of the parameters
+  std::vector<std::string> names;  ///< names of the parameters
   std::variant<CardinalBasis, Reach, NearestNeighbours, InverseDistance, GridOfWeights, Kriging,
                StatisticalModel, WordClicks, DirectShares>
       method;
-  /// Sentences about the fit for the user: examples with equal parameters, collinear parameters, a
-  /// system that had to be regularised.
+  /// Sentences about the fit for the user, for example about examples with equal parameters,
+  /// collinear parameters, or a system that had to be regularised.
   std::vector<std::string> remarks;
 };
 
 /// The blend weights of the examples at given parameters.
 struct InterpolatedWeights {
-  Eigen::VectorXd weights;                 ///< one an example, ≥ 0, sum 1; for `pca` of any sign
-  std::optional<double> expected_error_m;  ///< kriging: expected RMS distance of joints, metres
+  Eigen::VectorXd weights;  ///< one per example, ≥ 0, sum 1; for `pca` also negative
+  std::optional<double> expected_error_m;  ///< kriging: expected RMS joint distance, metres
   std::vector<std::string> remarks;        ///< sentences about this query
 };
 
-/// Fits a method. `parameters`: one row for each example of the set (N × M; N × N and ignored for
-/// `direct`). `names`: of the parameters, for remarks; numbers if empty. The last `held` parameters
-/// are not requested but held as nearly as possible: for `reach` they have lower priority, the
-/// other methods treat them like the rest. Throws Error when the method does not support that many
-/// parameters.
+/// Fits a method to a set of examples. `parameters` has one row per example (N × M; for `direct` N
+/// × N and ignored). `names` are the parameter names used in remarks; if empty, numbers are used.
+/// The last `held` parameters are not requested but kept as close as possible to given values:
+/// `reach` gives them lower priority, whereas the other methods treat them like the rest. Throws
+/// Error if the method does not support so many parameters.
 Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& parameters,
                               const InterpolationOptions& options,
                               const std::vector<std::string>& names = {}, Eigen::Index held = 0);
@@ -63,15 +63,16 @@ Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& para
 InterpolatedWeights weights_at(const Interpolator& interpolator,
                                const Eigen::RowVectorXd& parameters);
 
-/// The motion at given parameters: a blend by `weights_at`, or the motion of the statistical model.
+/// The motion at given parameters: a blend with `weights_at`, or the motion of the statistical
+/// model.
 Example motion_at(const Interpolator& interpolator, const ExampleSet& set,
                   const Eigen::RowVectorXd& parameters, const BlendOptions& options = {});
 
-/// Shares divided by their sum; equal when all are zero. Shares are ≥ 0.
+/// Shares divided by their sum; equal weights if all are zero. Shares must be ≥ 0.
 Eigen::VectorXd direct_weights(const Eigen::VectorXd& shares);
 
-/// Half the mean squared distance, m², of the 20 joints over the 11 corresponding times of D, for
-/// every pair of examples (N × N): the dissimilarity of motions for kriging.
+/// The dissimilarity of motions for kriging, for every pair of examples (N × N): half the mean
+/// squared distance, m², over the 20 joints and 11 corresponding times of D.
 Eigen::MatrixXd half_squared_differences(const ExampleSet& set);
 
 }  // namespace mien::motion

@@ -7,20 +7,20 @@
 
 namespace mien::motion {
 
-/// How blend weights are computed from parameters.
+/// Method of computing blend weights from parameters.
 enum class InterpolationMethod {
-  reach,     ///< meets the request exactly, as near to `cardinal` as possible (reach.h); default
-  cardinal,  ///< linear part and cubic B-splines (cardinal_basis.h): the paper's
+  reach,     ///< meets the request exactly, with weights as near as possible to `cardinal`; default
+  cardinal,  ///< linear part and cubic B-splines (cardinal_basis.h); the method of the paper
   nearest,   ///< nearest neighbours among examples and random blends of them
-  inverse_distance,  ///< Shepard's inverse distances
-  grid,              ///< multilinear on a regular grid of another method's weights
+  inverse_distance,  ///< inverse distance weighting (Shepard)
+  grid,              ///< multilinear interpolation of another method's weights on a regular grid
   kriging,           ///< universal kriging, with an error estimate
-  pca,               ///< statistical model of the motions; yields no blend
+  pca,               ///< statistical model of the motions; does not blend examples
   incremental,       ///< incremental clicks on words, solved with the pseudo-inverse
-  direct,            ///< the parameters are the examples' shares
+  direct,            ///< the parameters are the weights of the examples, up to normalisation
 };
 
-/// Their names in manifests and tables.
+/// Names of the methods in manifests and tables.
 inline constexpr mien::Words<InterpolationMethod> interpolation_methods = {
     {"reach", InterpolationMethod::reach},
     {"cardinal", InterpolationMethod::cardinal},
@@ -37,9 +37,9 @@ inline std::string_view name_of(InterpolationMethod method) {
 }
 
 struct NearestNeighboursOptions {
-  int neighbours = 0;  ///< number of neighbours, the farthest with weight 0; 0 means M + 2
-  int trials = 300;    ///< random blends that are tried as further samples; 0 for none
-  double least_distance = 0.05;  ///< of a blend's parameters from those of every other sample
+  int neighbours = 0;  ///< number of neighbours, the farthest of which has weight 0; 0 means M + 2
+  int trials = 300;    ///< random blends to try as additional samples; 0 for none
+  double least_distance = 0.05;  ///< minimum distance of a blend's parameters from other samples
   std::uint64_t seed = 0;
 
   friend bool operator==(const NearestNeighboursOptions&,
@@ -47,44 +47,45 @@ struct NearestNeighboursOptions {
 };
 
 struct KrigingOptions {
-  bool linear_drift = true;  ///< universal kriging; otherwise ordinary kriging (constant mean)
-  double nugget = 0.0;       ///< share of the sill taken as noise of the examples; 0 is exact
+  bool linear_drift = true;  ///< true: universal kriging; false: ordinary kriging (constant mean)
+  double nugget = 0.0;  ///< fraction of the sill attributed to noise in the examples; 0 is exact
 
   friend bool operator==(const KrigingOptions&, const KrigingOptions&) = default;
 };
 
-/// Estimator of a statistical model for the motion at given parameters.
+/// Estimator for the motion at given parameters in a statistical model.
 enum class ModelEstimate {
-  expected,     ///< mean of the motions that have them: regression of coordinates on parameters
-  most_likely,  ///< maximum a posteriori: likely by itself, and with parameters as measured near
+  expected,  ///< mean of the motions with these parameters: regression of coordinates on parameters
+  most_likely,  ///< maximum a posteriori: a likely motion whose measured parameters are near the
+                ///< given ones
 };
 
 struct StatisticalModelOptions {
   ModelEstimate estimate = ModelEstimate::expected;
-  double noise = 0.1;  ///< most likely: SD with which a motion's parameters are known, > 0
-  double variance_share = 0.95;  ///< of the examples' variance that the components keep
+  double noise = 0.1;  ///< for `most_likely`: standard deviation of the noise in parameters, > 0
+  double variance_share = 0.95;  ///< fraction of the examples' variance that the components retain
   double ridge = 1e-3;           ///< added to the variances of the parameters
-  int samples = 60;              ///< of a motion between its first and last keytime
+  int samples = 60;              ///< moments per motion, from its first to its last keytime
 
   friend bool operator==(const StatisticalModelOptions&, const StatisticalModelOptions&) = default;
 };
 
-/// The method from which a grid's nodes are sampled.
+/// The method that computes the weights at the nodes of a grid.
 enum class GridSource { cardinal, nearest };
 
-/// Largest number of parameters of a grid: a cell has 2^M corners.
+/// Maximum number of parameters of a grid: a cell has 2^M corners.
 inline constexpr int max_grid_dimensions = 8;
 
-/// Options of all methods; only those of the chosen method apply.
+/// Options of all methods; only those of the selected method apply.
 struct InterpolationOptions {
   InterpolationMethod method = InterpolationMethod::reach;
   NearestNeighboursOptions nearest;
-  double power = 2.0;  ///< of inverse distances, > 0
-  int grid_cells = 8;  ///< a dimension
+  double power = 2.0;  ///< exponent of inverse distances, > 0
+  int grid_cells = 8;  ///< per dimension
   GridSource grid_source = GridSource::cardinal;
   KrigingOptions kriging;
   StatisticalModelOptions pca;
-  double click_step = 0.25;  ///< standard deviations over the examples
+  double click_step = 0.25;  ///< change per click, in standard deviations over the examples
 
   friend bool operator==(const InterpolationOptions&, const InterpolationOptions&) = default;
 };

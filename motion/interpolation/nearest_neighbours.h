@@ -8,32 +8,34 @@
 
 namespace mien::motion {
 
-/// Measures the parameters of the blend with these weights (≥ 0, sum 1).
+/// Function that measures the parameters of the blend with given weights (≥ 0, sum 1).
 using MeasureBlend = std::function<Eigen::RowVectorXd(const Eigen::VectorXd& weights)>;
 
 /// Samples of parameter space: the examples and random blends of them (Kovar and Gleicher 2004).
-/// Each sample is a set of weights, and the parameters that these really have.
+/// Each sample consists of weights and the measured parameters of the blend with these weights.
 struct NearestNeighbours {
-  Eigen::MatrixXd parameters;  ///< one row a sample (S × M); the first N rows are the examples
-  Eigen::MatrixXd weights;     ///< one row a sample (S × N)
-  int neighbours = 1;
+  Eigen::MatrixXd parameters;  ///< one row per sample (S × M); the first N rows are the examples
+  Eigen::MatrixXd weights;     ///< one row per sample (S × N)
+  int neighbours = 1;          ///< number of nearest samples that contribute to a blend
 };
 
-/// `places`: parameters of examples, all different (N × M). Random blends are made of M + 1
-/// examples each and kept when their parameters, as `measure` finds them (mean of the examples' by
-/// weight when empty), are farther than `least_distance` from all samples so far. What is drawn
-/// depends on the seed and on where the examples stand, not on their order.
+/// Samples parameter space. `places` holds the parameters of the examples, all different (N × M).
+/// Each random blend combines M + 1 examples and is kept if its parameters are farther than
+/// `least_distance` from all previous samples. The parameters are determined by `measure`, or as
+/// the weighted mean of those of the examples if it is empty. The random draws depend on the seed
+/// and on the parameters of the examples, but not on their order.
 NearestNeighbours fit_nearest_neighbours(const Eigen::MatrixXd& places,
                                          const NearestNeighboursOptions& options = {},
                                          const MeasureBlend& measure = {});
 
-/// Weights of the N examples: of the k nearest samples by 1/d_i − 1/d_k, which fades a neighbour
-/// out before another takes its place. A sample nearer than 1e-9 has all the weight. With two
-/// samples both count, by 1/d. ≥ 0, sum 1.
+/// Weights of the N examples (≥ 0, sum 1) at given parameters: a weighted mean of the k nearest
+/// samples. Their weights are proportional to 1/d_i − 1/d_k, which fades out a neighbour before
+/// another one replaces it, or to 1/d_i if there are only two samples. A sample closer than 1e-9
+/// gets all the weight.
 Eigen::VectorXd weights(const NearestNeighbours& samples, const Eigen::RowVectorXd& parameters);
 
-/// Shepard's weights, w_i ∝ d_i^−power, over all places. ≥ 0, sum 1; all at a place nearer than
-/// 1e-9.
+/// Shepard's inverse distance weights, w_i ∝ d_i^−power, of all rows of `places`; ≥ 0, sum 1. A row
+/// closer than 1e-9 gets all the weight.
 Eigen::VectorXd inverse_distance_weights(const Eigen::MatrixXd& places,
                                          const Eigen::RowVectorXd& parameters, double power = 2.0);
 

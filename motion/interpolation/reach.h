@@ -6,37 +6,38 @@
 
 namespace mien::motion {
 
-/// Weights that meet the requested parameters exactly where possible: of all weights w ≥ 0, Σ w =
-/// 1, whose weighted parameters are the requested ones, those nearest to the cardinal basis'
-/// weights; if there are none, those with the smallest deviation. Related to inverse blending
-/// (Huang & Kallmann 2010), which adjusts weights until a constraint on the pose holds. The weights
-/// follow the parameters continuously.
+/// Weights that meet the requested parameters exactly where possible. Of all weights w ≥ 0 with Σ w
+/// = 1 whose weighted mean of parameters equals the request, those nearest to the weights of the
+/// cardinal basis are chosen; if there are none, those with the smallest deviation from the
+/// request. Related to inverse blending (Huang & Kallmann 2010), which adjusts weights until a
+/// constraint on the pose is satisfied. The weights are continuous functions of the parameters.
 ///
-/// Parameters may also be held: then, among weights that meet the requested ones, those with the
-/// smallest deviation of the held ones are preferred.
+/// Parameters may also be held: among weights that meet the requested parameters, those with the
+/// smallest deviation of the held parameters are preferred.
 struct Reach {
-  CardinalBasis basis;        ///< of the requested parameters alone
-  Eigen::MatrixXd asked;      ///< one column for each place, one row for each requested parameter
-  Eigen::MatrixXd held_rows;  ///< the same of the held ones
+  CardinalBasis basis;        ///< of the requested parameters only
+  Eigen::MatrixXd asked;      ///< requested parameters of the examples: one row per parameter, one
+                              ///< column per example
+  Eigen::MatrixXd held_rows;  ///< held parameters of the examples, in the same layout
 };
 
-/// Fits the method. `places`: one row for each place, the requested parameters first, then `held`
-/// held ones.
+/// Fits the method. `places` holds the parameters of the examples, one row each: the requested
+/// parameters first, then the `held` last columns.
 Reach fit_reach(const Eigen::MatrixXd& places, Eigen::Index held);
 
-/// The weights of the places at `parameters`, in the order of the columns of `places`.
+/// The weights of the rows of `places` at given parameters, in the order of the rows.
 Eigen::VectorXd weights(const Reach& reach, const Eigen::RowVectorXd& parameters);
 
-/// The range of a parameter that blends can have.
+/// The range of a parameter attainable by blends.
 struct ParameterRange {
   double least = 0.0;
   double most = 0.0;
   double miss = 0.0;  ///< Euclidean deviation of the other parameters from the request
 };
 
-/// Feasible range of parameter `which`, over weights ≥ 0, Σ = 1, whose other parameters are those
-/// of `request` or, if the examples do not allow that, as near as possible. `places`: one row for
-/// each place; exact to 1e-6. Solved by linear programming.
+/// Feasible range of parameter `which` over all weights ≥ 0 with Σ = 1 that give the other
+/// parameters the values in `request` or, if the examples do not allow that, the nearest possible
+/// ones. `places` has one row per example. Exact to 1e-6; solved by linear programming.
 ParameterRange feasible_range(const Eigen::MatrixXd& places, const Eigen::RowVectorXd& request,
                               Eigen::Index which);
 

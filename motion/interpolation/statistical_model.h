@@ -10,33 +10,35 @@
 
 namespace mien::motion {
 
-/// A motion as one long vector, registered in time: at each of `samples` corresponding moments the
-/// direction vectors of all joints and the root, and once the logarithms of the keytime intervals
-/// and the displacement of a cycle.
+/// A statistical model of motions. Each motion is represented as one long vector, registered in
+/// time: the direction vectors of all joints and the root position at each of `samples`
+/// corresponding moments, followed by the logarithms of the keytime intervals and the displacement
+/// per cycle.
 ///
-/// Principal components of the examples' vectors and their regression on parameters (after Min,
-/// Chen and Chai 2009): x = mean + components · c, and the coordinates at parameters are either
-/// expected, E[c|p] = Σ_cp (Σ_pp + ridge)⁻¹ (p − p̄), or most likely: those that minimise
-/// ‖C c − (p − p̄)‖²/noise² + cᵀ Λ⁻¹ c, where C, the regression of parameters on coordinates,
-/// measures a motion and Λ holds the components' variances. Both are linear in p. Unlike the other
-/// methods it does not reproduce its examples: variation that only few of them share is lost.
+/// The model consists of the principal components of the examples' vectors and the regression
+/// between coordinates and parameters (after Min, Chen and Chai 2009): x = mean + components · c.
+/// The coordinates at given parameters are either expected, E[c|p] = Σ_cp (Σ_pp + ridge)⁻¹ (p −
+/// p̄), or most likely, minimising ‖C c − (p − p̄)‖²/noise² + cᵀ Λ⁻¹ c. Here C is the regression of
+/// parameters on coordinates, which predicts the parameters of a motion, and Λ holds the variances
+/// of the components. Both estimates are linear in p. Unlike the other methods, the model does not
+/// reproduce its examples: variation that only few of them share is lost.
 struct StatisticalModel {
   Skeleton body;
   bool loops = false;
   int samples = 0;
-  std::vector<double> keytimes;  ///< of the mean motion: the time in which all are registered
+  std::vector<double> keytimes;  ///< of the mean motion, seconds: the common time base
   WarpShape warp = WarpShape::monotone;
-  Eigen::VectorXd mean;                 ///< D
-  Eigen::MatrixXd components;           ///< D × q, orthonormal
-  Eigen::VectorXd variances;            ///< q, descending
-  double kept_variance = 1.0;           ///< share of the examples' variance
-  Eigen::RowVectorXd parameter_mean;    ///< M
-  Eigen::MatrixXd regression;           ///< q × M: of either estimate
-  Eigen::MatrixXd example_coordinates;  ///< q × N: c of the examples
+  Eigen::VectorXd mean;               ///< D
+  Eigen::MatrixXd components;         ///< D × q, orthonormal
+  Eigen::VectorXd variances;          ///< q, descending
+  double kept_variance = 1.0;         ///< retained fraction of the examples' variance
+  Eigen::RowVectorXd parameter_mean;  ///< M
+  Eigen::MatrixXd regression;  ///< q × M: from parameters to coordinates, by either estimate
+  Eigen::MatrixXd example_coordinates;  ///< q × N: coordinates c of the examples
 };
 
-/// `parameters`: one row an example (N × M). The set's examples stand on one body and have the same
-/// number of keytimes.
+/// Fits the model. `parameters` has one row per example (N × M). All examples have the same body
+/// and the same number of keytimes.
 StatisticalModel fit_statistical_model(const ExampleSet& set, const Eigen::MatrixXd& parameters,
                                        const StatisticalModelOptions& options = {},
                                        WarpShape warp = WarpShape::monotone);
@@ -44,12 +46,12 @@ StatisticalModel fit_statistical_model(const ExampleSet& set, const Eigen::Matri
 /// Coordinates at given parameters, expected or most likely.
 Eigen::VectorXd coordinates_at(const StatisticalModel& model, const Eigen::RowVectorXd& parameters);
 
-/// The motion with these coordinates. A loop's duration is rounded to whole frames.
+/// The motion with given coordinates. The duration of a loop is rounded to whole frames.
 Example motion_of(const StatisticalModel& model, const Eigen::VectorXd& coordinates,
                   double frames_per_second);
 
-/// Weights of the examples (sum 1, may be negative) whose sum of vectors is the motion at
-/// the parameters: what this method amounts to as a blend.
+/// The equivalent blend weights of the examples (sum 1, possibly negative): the weighted sum of
+/// their vectors is the motion at the given parameters.
 Eigen::VectorXd equivalent_weights(const StatisticalModel& model,
                                    const Eigen::RowVectorXd& parameters);
 

@@ -8,7 +8,7 @@ namespace mien::motion {
 
 /// Options of motion synthesis from examples.
 struct SynthesisOptions {
-  InterpolationOptions weights;  ///< from parameters to shares of the examples
+  InterpolationOptions weights;  ///< computation of blend weights from parameters
   RotationBlend rotations = RotationBlend::karcher_mean;
   WarpShape time_warp = WarpShape::monotone;
   bool foot_lock = true;

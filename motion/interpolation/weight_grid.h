@@ -8,7 +8,8 @@
 
 namespace mien::motion {
 
-/// Weights at parameters by another method, which the grid samples.
+/// Function that computes weights at given parameters by another method; it is sampled at the nodes
+/// of the grid.
 using WeightsAt = std::function<Eigen::VectorXd(const Eigen::RowVectorXd& parameters)>;
 
 /// A regular grid over parameter space, with multilinear interpolation between its nodes (Wiley and
@@ -16,14 +17,16 @@ using WeightsAt = std::function<Eigen::VectorXd(const Eigen::RowVectorXd& parame
 struct WeightGrid {
   Eigen::RowVectorXd first;  ///< lowest node of each dimension
   Eigen::RowVectorXd last;   ///< highest node of each dimension
-  int cells = 8;             ///< a dimension
+  int cells = 8;             ///< per dimension
 };
 
-/// Throws Error when there are more than `max_grid_dimensions` parameters: a cell has 2^M corners.
+/// A grid that spans the examples (one row of `places` each). Throws Error if there are more than
+/// `max_grid_dimensions` parameters, because a cell has 2^M corners.
 WeightGrid make_weight_grid(const Eigen::MatrixXd& places, int cells);
 
-/// Multilinear between the corners of the cell in which the parameters lie. Outside the grid: the
-/// nearest place on its border. Sums to 1 when `at_node` does; equal to it at the nodes.
+/// Weights at given parameters by multilinear interpolation between the corners of the grid cell.
+/// Parameters outside the grid are clamped to its border. Equal to `at_node` at the nodes; they sum
+/// to 1 if those of `at_node` do.
 Eigen::VectorXd weights(const WeightGrid& grid, const WeightsAt& at_node,
                         const Eigen::RowVectorXd& parameters);
 

@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// One click on a word: a parameter is to grow (+1) or shrink (−1) by one step.
+/// One click on a word: a request to increase (+1) or decrease (−1) a parameter by one step.
 struct Click {
   int parameter = 0;
   int sign = 1;
@@ -15,21 +15,21 @@ struct Click {
   friend bool operator==(const Click&, const Click&) = default;
 };
 
-/// Incremental control with words (after Förger and Takala 2012): each click moves the weights by
-/// the least change that moves the named parameters by a step and keeps the sum, found with the
-/// pseudo-inverse. The result depends on the path.
+/// Incremental control by words (after Förger and Takala 2012). Each click applies the smallest
+/// change of weights that changes the named parameters by one step and preserves the sum of the
+/// weights, computed with the pseudo-inverse. The result depends on the sequence of clicks.
 struct WordClicks {
-  Eigen::MatrixXd standardised;  ///< M × N: parameters of examples, mean 0 and SD 1 a row
-  Eigen::VectorXd mean;          ///< M
-  Eigen::VectorXd deviation;     ///< M; 1 where all examples have the same value
-  double step = 0.25;            ///< of a click, in standard deviations over the examples
+  Eigen::MatrixXd standardised;  ///< M × N: parameters of examples, mean 0 and SD 1 per row
+  Eigen::VectorXd mean;          ///< M: means of the parameters
+  Eigen::VectorXd deviation;  ///< M: standard deviations; 1 where all examples have the same value
+  double step = 0.25;         ///< change per click, in standard deviations over the examples
 };
 
-/// `places`: one row an example (N × M). More examples than parameters are needed for every click
-/// to be able to move its parameter alone.
+/// Fits the method. `places` has one row per example (N × M). Not every combination of parameter
+/// changes is attainable unless there are more examples than parameters.
 WordClicks fit_word_clicks(const Eigen::MatrixXd& places, double step = 0.25);
 
-/// The weights (≥ 0, sum 1) after one click on a word that names these parameters.
+/// The weights (≥ 0, sum 1) after a click on a word that names the given parameters.
 Eigen::VectorXd clicked(const WordClicks& words, const Eigen::VectorXd& weights,
                         std::span<const Click> word);
 
@@ -37,11 +37,11 @@ Eigen::VectorXd clicked(const WordClicks& words, const Eigen::VectorXd& weights,
 struct ClickPath {
   std::vector<Click> clicks;
   Eigen::VectorXd weights;
-  bool arrived = false;  ///< every parameter is within half a step of the request
+  bool arrived = false;  ///< whether every parameter is within half a step of the request
 };
 
-/// Simulates a patient user: from equal weights, clicks on the parameter that is farthest from the
-/// request as long as that reduces the total deviation.
+/// Simulates a patient user who starts from equal weights and repeatedly clicks on the parameter
+/// farthest from the request, as long as that reduces the total deviation.
 ClickPath click_towards(const WordClicks& words, const Eigen::RowVectorXd& request);
 
 }  // namespace mien::motion

@@ -6,24 +6,24 @@
 
 namespace mien::motion {
 
-/// How bad a finding is.
+/// Severity of a finding.
 enum class Severity {
-  warning,  ///< worth a look; captures show it too
-  error,    ///< broken: no body moves so, or the clip is not what it claims to be
+  warning,  ///< suspicious; also occurs in motion capture
+  error,    ///< a fault: impossible for a human body, or invalid data
 };
 
 /// "warning", "error".
 std::string_view name_of(Severity severity);
 
-/// A fault of a motion and its position.
+/// A fault of a motion and its location.
 struct Finding {
-  std::string check;  ///< which rule: one of `lint_checks()` (lint.h)
-  std::string
-      joint;      ///< "LeftKnee"; parts of two joints as "LeftWrist/Chest"; empty: the whole body
-  int first = 0;  ///< frames of the clip
-  int last = 0;   ///< included; of a loop it may lie beyond the end, where frame n is frame 0
+  std::string check;  ///< identifier of the check: one of `lint_checks()` (lint.h)
+  /// "LeftKnee"; parts at two joints as "LeftWrist/Chest"; empty: the whole body.
+  std::string joint;
+  int first = 0;  ///< first frame of the clip
+  int last = 0;  ///< inclusive; in a loop of n frames it may be n or more: frame n is frame 0 again
   double measured = 0.0;   ///< the worst value in these frames, in `unit`
-  double threshold = 0.0;  ///< the threshold of this severity that it exceeds, in `unit`
+  double threshold = 0.0;  ///< the exceeded threshold of this severity, in `unit`
   std::string unit;        ///< "m", "m/s", "°", "rad/s", "N·m", "s", …; empty: a ratio
   Severity severity = Severity::warning;
   std::string sentence;  ///< description for readers who do not know the thresholds

@@ -10,35 +10,39 @@
 
 namespace mien::motion {
 
-/// One rule of the lint.
+/// One check of the lint.
 struct LintCheck {
   std::string_view id;          ///< "foot-skate"
-  std::string_view what;        ///< what it looks for, a few words
-  bool needs_original = false;  ///< finds nothing without one
+  std::string_view what;        ///< short description of what it checks
+  bool needs_original = false;  ///< requires an original; without one it reports nothing
 };
 
-/// All rules, in the order of their findings.
+/// All checks, in the order of their findings.
 const std::vector<LintCheck>& lint_checks();
 
-/// Checks a motion for physical impossibilities: invalid data, joints beyond their range, parts of
-/// the body in each other, feet that slide, sink or float, lost balance, impossible forces and
+/// Checks a motion for physical impossibilities: invalid data, joints beyond their range,
+/// intersecting body parts, feet that slide, sink or float, loss of balance, impossible forces and
 /// torques.
 ///
-/// The clip is in metres, +Y up, its floor at y = 0; a loop is judged as going on for ever, and one
-/// that walks in place as on a treadmill. Of a skeleton that is not the canonical body only the
-/// data is checked. With an `original` (the motion before it was modified, on any canonical body)
-/// what that did already counts less, and timing, phases and jerk are compared; it need not last
-/// as long, since moments are compared by their share of the duration. Findings are ordered by
+/// The clip is in metres, +Y up, with the floor at y = 0. A loop is treated as repeating
+/// indefinitely, and a loop that walks in place as a walk on a treadmill. If the skeleton is not
+/// the canonical body, only the validity of the data is checked.
+///
+/// With an `original` (the motion before modification, on any canonical body), faults of the
+/// original count less, and contact timing, limb phases and jerk are compared with it. The
+/// durations may differ: moments correspond at the same normalised time. Findings are ordered by
 /// check, frame and joint. A clip without frames has none.
 std::vector<Finding> lint(const Clip& clip, const LintOptions& options = {},
                           const Clip* original = nullptr);
 
-/// The finding of check `calibration-pose`: a different pose before the motion of a canonical body,
-/// such as a T-pose in frame 0. None if the clip has no frames or non-finite numbers.
+/// The finding of the check `calibration-pose`: a different pose before the motion of a canonical
+/// body, such as a T-pose in frame 0. Empty if there is none, or if the clip has no frames or
+/// non-finite numbers.
 std::optional<Finding> calibration_pose(const Clip& clip);
 
-/// Checks the data of a recording as it was read, before it is mapped to the canonical body, whose
-/// bone lengths are constant: non-finite numbers and changing bone lengths.
+/// Checks the data of a recording as read from a file for non-finite numbers and changing bone
+/// lengths. After conversion to the canonical body such changes can no longer be detected, because
+/// its bone lengths are constant.
 std::vector<Finding> lint(const Recording& recording, const LintOptions& options = {});
 
 }  // namespace mien::motion

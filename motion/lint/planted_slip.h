@@ -7,13 +7,13 @@
 
 namespace mien::motion {
 
-/// Accumulated horizontal slip of a planted foot in each frame of a plant, except its first and
-/// last 0.05 s, in which the foot lands and leaves; from zero, metres. Measured at the lowest part
+/// Accumulated horizontal slip of a planted foot, metres, in each frame of a plant except its first
+/// and last 0.05 s, in which the foot lands and lifts. Begins at zero; measured at the lowest part
 /// of the sole.
 std::vector<Vec3> planted_track(const LintSubject& subject, const FootPlant& plant);
 
-/// Largest slip, metres, of a planted foot between any two frames of a plant, rolling excluded: the
-/// extent of planted_track.
+/// Largest slip of a planted foot between any two frames of a plant, metres, excluding rolling: the
+/// extent of `planted_track`.
 double planted_slip(const LintSubject& subject, const FootPlant& plant);
 
 }  // namespace mien::motion

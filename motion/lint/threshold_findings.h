@@ -16,41 +16,46 @@ namespace mien::motion {
 /// Value of a frame without a measurement.
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-/// A quantity that is measured in every frame, with its thresholds.
+/// A quantity measured in every frame, with its thresholds.
 struct MeasuredFault {
   std::string_view check;
   std::string joint;
   std::string unit;
   Levels levels;
-  double shortest_seconds = 0.0;  ///< shorter intervals are ignored; a frame is enough…
-  int shortest_frames = 1;        ///< …but for this
+  double shortest_seconds = 0.0;  ///< minimum duration of an exceedance, seconds
+  int shortest_frames = 1;        ///< minimum duration of an exceedance, frames
+  /// Returns the description of a finding from its largest value.
   std::function<std::string(double worst)> sentence;
 };
 
-/// Adds a finding for every interval in which `values` (one for each frame of the subject's clip,
-/// in the fault's unit; `no_value` if not measured) are above the warning level; gaps of up to 0.1
-/// s are bridged. It is an error if the values exceed the error level for the shortest duration.
+/// Adds a finding for every interval in which `values` exceed the warning level; gaps of up to 0.1
+/// s are bridged. `values` has one entry per frame of the subject's clip, in the unit of the fault,
+/// `no_value` where not measured. An interval counts if the values exceed the warning level for the
+/// minimum duration without a gap; it is an error if they exceed the error level for the minimum
+/// duration.
 void add_threshold_findings(std::vector<Finding>& findings, const LintSubject& subject,
                             const MeasuredFault& fault, std::span<const double> values);
 
-/// A finding with a measured value, without frames and sentence: an error above the error level,
-/// else a warning.
+/// A finding with a measured value but without frames and sentence: an error if the value is above
+/// the error level, otherwise a warning.
 Finding graded_finding(std::string_view check, double measured, const std::string& unit,
                        const Levels& levels);
 
-/// Adds a finding whose frames are those of the subject's clip, unless it lies in another lap of a
-/// loop than the middle one.
+/// Adds a finding whose frames are those of the subject's clip, converting them to frames of the
+/// original motion. For loops, a finding that begins in another lap than the middle one is
+/// discarded.
 void add_finding(std::vector<Finding>& findings, const LintSubject& subject, Finding finding);
 
-/// The levels, raised to the largest value of the original (one for each frame, NaN if not
-/// measured), with the same distance between them.
+/// The levels raised so that the warning level is not below the largest value of the original,
+/// keeping the difference between them. `of_original` has one value per frame, NaN where not
+/// measured.
 Levels raised_levels(const Levels& levels, std::span<const double> of_original);
 
-/// A number with that many decimals: "12.3".
+/// A number with the given number of decimals: "12.3".
 std::string rounded(double value, int decimals);
 
-/// A joint's name for sentences: of the canonical body in words, "left knee"; any other as in the
-/// file, "DEF_BN_Leg_L_02".
+/// A joint name for use in sentences: "left knee" for a joint of the canonical body; any other name
+/// unchanged, "DEF_BN_Leg_L_02".
 std::string display_name(std::string_view joint_name);
 
 }  // namespace mien::motion

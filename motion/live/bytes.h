@@ -41,7 +41,8 @@ class ByteWriter {
   void choice(Choice value, int /*count*/) {
     whole(static_cast<int>(value));
   }
-  /// Calls `show` for each item. `least_bytes`: the smallest size of an item.
+  /// Writes the number of items, then calls `show` for each one. `least_bytes`: the smallest size
+  /// of an item.
   template <class Items, class Show>
   void list(const Items& items, std::size_t /*least_bytes*/, Show show) {
     whole(static_cast<int>(items.size()));
@@ -64,8 +65,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Throws Error for invalid input: a count beyond the remaining bytes, a number that is not finite,
-/// an unknown enumerator.
+/// Reads the values in the order in which ByteWriter wrote them. Throws Error for invalid input: a
+/// count beyond the remaining bytes, a number that is not finite, an unknown enumerator.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : left_(bytes) {}
@@ -111,7 +112,7 @@ class ByteReader {
   }
 
   std::size_t left() const { return left_.size(); }
-  /// Reads the number of items that follow, each of `least_bytes` or more.
+  /// Reads the number of items that follow, each of at least `least_bytes` bytes.
   std::size_t count_of(std::size_t least_bytes);
   [[noreturn]] static void refuse();
 
@@ -119,7 +120,7 @@ class ByteReader {
   std::string_view left_;
 };
 
-/// FNV-1a, 64 bits: inputs that differ in one byte have different checksums.
+/// FNV-1a hash, 64 bits: inputs that differ in one byte have different checksums.
 std::uint64_t checksum(std::string_view bytes);
 
 }  // namespace mien::motion

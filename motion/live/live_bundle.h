@@ -20,33 +20,33 @@ struct LiveTarget {
   std::string name;
   Example motion;
   Eigen::VectorXd weights;  ///< blend weights; empty if it is not a blend
-  Playback playback;        ///< as in its clip file,
-  int shown_frames = 0;     ///< of which only the first frames are shown; 0: all
+  Playback playback;        ///< as in its clip file
+  int shown_frames = 0;     ///< number of leading frames that are shown; 0: all
 };
 
 /// All data for motion synthesis by sliders without files, in a browser.
 struct LiveBundle {
   std::string info;           ///< JSON for pages: the available choices
-  ExampleSet examples;        ///< that can be blended; with settled feet where feet are locked
+  ExampleSet examples;        ///< examples for blending; with settled feet if feet are locked
   ParameterTable adjectives;  ///< may be empty
   ParameterTable features;
   FeatureScale feature_scale;
   SynthesisOptions how;
   double frames_per_second = 30.0;
-  Playback playback;  ///< as in clip files of synthesized motions
+  Playback playback;  ///< as in the clip files of synthesized motions
   std::vector<LiveTarget> targets;
 };
 
 /// Version of the binary layout.
 inline constexpr int live_bundle_version = 1;
 
-/// "MIENLIVE", version, length and checksum of what follows, then the bundle: little endian,
-/// doubles exact. The same bundle gives the same bytes.
+/// The binary form of a bundle: "MIENLIVE", then the version, length and checksum of the rest, then
+/// the bundle; little endian, doubles exact. The same bundle always produces the same bytes.
 std::string to_bytes(const LiveBundle& bundle);
 
-/// Parses a bundle. Throws Error when the bytes are no bundle, of another version, truncated or
-/// corrupted, or contain invalid data: no examples, joints that are not the body's, keytimes that
-/// do not ascend, tables of another number of examples, …
+/// Parses a bundle. Throws Error if the bytes are not a bundle, are of another version, truncated
+/// or corrupt, or contain invalid data: no examples, joints that are not those of the body,
+/// keytimes that do not ascend, tables for a different number of examples, …
 LiveBundle parse_live_bundle(std::string_view bytes);
 
 }  // namespace mien::motion

@@ -17,35 +17,35 @@ namespace mien::motion {
 /// The slider values of an interface.
 struct LiveSetting {
   InterfaceKind kind = InterfaceKind::adjectives;
-  std::vector<std::string> sliders;  ///< weights that are not named are 0
-  std::vector<double> values;        ///< 0 to 1, one a slider
+  std::vector<std::string> sliders;  ///< names of sliders; weights that are not named are 0
+  std::vector<double> values;        ///< 0 to 1, one per slider
 };
 
 /// A motion to be shown: one cycle of a loop.
 struct LiveMotion {
   Example motion;
-  Eigen::VectorXd weights;  ///< one for each example; empty if it is not a blend
+  Eigen::VectorXd weights;  ///< one per example; empty if it is not a blend
   std::vector<FootPlant> plants;
 };
 
 /// Synthesizes motions from slider values interactively. The interpolation of an interface is
-/// fitted when it is first used. Not thread-safe; needs no threads or files.
+/// fitted on first use. Not thread-safe; uses no threads or files.
 class LiveCore {
  public:
   /// Keeps a reference to the bundle.
   explicit LiveCore(const LiveBundle& bundle) : bundle_(bundle) {}
 
-  /// An example or target as a stimulus of that name alone would be. Throws Error when there is
-  /// none of that name.
+  /// An example or a target, as a stimulus with this name alone would show it. Throws Error if the
+  /// name is unknown.
   LiveMotion example(std::string_view name) const;
   LiveMotion target(std::string_view name) const;
 
-  /// The motion of a setting, as a stimulus with the same request would be. Throws Error for an
-  /// unknown or repeated slider, a value outside 0 to 1, or more parameters than the method takes.
+  /// The motion for a setting, as for a stimulus with the same request. Throws Error for an unknown
+  /// or repeated slider, a value outside 0 to 1, or more parameters than the method supports.
   LiveMotion make(const LiveSetting& setting);
 
-  /// Distance as `mien motion compare` measures it for the clip files of both, the target first.
-  /// Throws Error as `make` does, and when there is no such target.
+  /// The distance between a target and the motion for a setting, as measured by `mien motion
+  /// compare` for their clip files. Throws Error as `make` does, and for an unknown target.
   Distance distance(std::string_view target, const LiveSetting& setting);
 
  private:
@@ -56,7 +56,7 @@ class LiveCore {
 
   const LiveBundle& bundle_;
   std::map<std::vector<std::string>, FittedInterface> fitted_;  ///< by kind and sliders
-  std::map<std::string, Example, std::less<>> compared_;        ///< targets as they are compared
+  std::map<std::string, Example, std::less<>> compared_;        ///< targets prepared for comparison
 };
 
 }  // namespace mien::motion

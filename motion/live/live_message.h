@@ -7,15 +7,18 @@
 
 namespace mien::motion {
 
-// Binary messages from the motion core to pages, from a server or from the module in the browser;
+// Binary messages from the motion core to pages, sent by a server or by the module in the browser;
 // little endian.
 
-/// u32 "MOVE", frames, joints, loops, keytimes, weights; then f64: frames a second, displacement
-/// (3), keytimes, weights, world positions (frames × joints × 3, metres), world rotations (frames ×
-/// joints × 4: x, y, z, w); then u8: whether the left and the right foot stand (frames × 2).
+/// The message for a motion. u32: "MOVE", number of frames, number of joints, whether it loops,
+/// number of keytimes, number of weights. f64: frames per second, displacement per cycle (3,
+/// metres), keytimes (seconds), weights, world positions (frames × joints × 3, metres), world
+/// rotations (frames × joints × 4: x, y, z, w). u8: whether the left and the right foot are planted
+/// (frames × 2).
 std::string to_message(const LiveMotion& motion);
 
-/// u32 "DIST", 0; then f64: D, D_sum, by joint (20), by time (11). Metres.
+/// The message for a distance. u32: "DIST", 0. f64: D, D_sum, distance by joint (20), distance by
+/// time (11); metres.
 std::string to_message(const Distance& distance);
 
 }  // namespace mien::motion

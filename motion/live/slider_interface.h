@@ -14,8 +14,8 @@
 
 namespace mien::motion {
 
-// Interfaces for making motions: sliders for adjectives, for features, or for the weights of the
-// examples. A stimulus that names parameters is one setting of such sliders.
+// Interfaces for creating motions: sliders for adjectives, for features, or for the weights of the
+// examples. A stimulus that specifies parameters corresponds to one setting of such sliders.
 
 enum class InterfaceKind { adjectives, features, weights };
 
@@ -29,25 +29,25 @@ inline const char* name_of(InterfaceKind kind) { return word_of(interface_kinds,
 /// The sliders of an interface, from 0 to 1.
 struct SliderInterface {
   InterfaceKind kind = InterfaceKind::adjectives;
-  std::vector<std::string> sliders;  ///< of weights: all examples in their order
+  std::vector<std::string> sliders;  ///< names; for weights all examples in their order
 };
 
 /// An interface with its fitted interpolation.
 struct FittedInterface {
   SliderInterface sliders;
-  Interpolator interpolator;  ///< of the weights' interface: the shares themselves
+  Interpolator interpolator;  ///< for weights, the identity up to normalisation
 };
 
-/// Fits an interface to the examples that will be blended. `table`: their values of the interface's
-/// parameters; ignored for weights. The last `held` sliders are held, not requested
-/// (interpolation.h). Throws Error when the examples lack a slider's parameter, or the method does
-/// not support that many.
+/// Fits an interface to the examples to be blended. `table` holds the values of the examples for
+/// the parameters of the interface; it is ignored for weights. The last `held` sliders are held
+/// rather than requested (interpolation.h). Throws Error if the examples lack the parameter of a
+/// slider, or the method does not support so many parameters.
 FittedInterface fit_interface(const SliderInterface& interface, const SynthesisOptions& how,
                               const ExampleSet& examples, const ParameterTable& table,
                               Eigen::Index held = 0);
 
-/// The motion for slider values, without foot lock (synthesis.h). Weights that are all 0 give the
-/// mean of all examples.
+/// The motion for slider values, without foot locking (synthesis.h). If all weights are 0, the mean
+/// of all examples.
 Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
                   const SynthesisOptions& how, const ExampleSet& examples,
                   double frames_per_second = 30.0);

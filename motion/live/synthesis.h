@@ -12,49 +12,51 @@
 
 namespace mien::motion {
 
-/// Examples and options of motion synthesis: everything but the slider values.
+/// Examples and options of motion synthesis: everything except the slider values.
 struct SynthesisContext {
-  const ExampleSet& examples;  ///< with settled feet where feet are locked (settled_feet.h)
+  const ExampleSet& examples;  ///< with settled feet if feet are locked (settled_feet.h)
   const SynthesisOptions& how;
   double frames_per_second = 30.0;
 };
 
-/// A synthesized motion as in a stimulus: feet locked if the options say so.
+/// A synthesized motion as in a stimulus, with feet locked if the options specify it.
 struct SynthesizedMotion {
   Example motion;
-  InterpolatedWeights found;
-  std::vector<FootPlant> plants;  ///< as found before the lock
+  InterpolatedWeights found;      ///< blend weights
+  std::vector<FootPlant> plants;  ///< as detected before foot locking
 };
 
-/// Synthesizes a blend; of a set that is not to be blended, the example with the largest weight.
+/// Synthesizes a blend. If the set is not blendable, the example with the largest weight is used
+/// instead.
 SynthesizedMotion synthesize_from_weights(const Eigen::VectorXd& weights,
                                           const SynthesisContext& context);
 
-/// Synthesizes the blend that the interface's method gives for slider values.
+/// Synthesizes the motion for slider values by the interpolation method of the interface.
 SynthesizedMotion synthesize_at(const FittedInterface& interface,
                                 const Eigen::RowVectorXd& settings,
                                 const SynthesisContext& context);
 
-/// How feature parameters are measured: a blend's features differ from the weighted sum of the
-/// examples'.
+/// Scale and table for measuring feature parameters: the features of a blend differ from the
+/// weighted sum of those of the examples.
 struct FeatureTable {
-  const FeatureScale& scale;    ///< of the examples
-  const ParameterTable& table;  ///< fallback for a feature that the motion does not have
+  const FeatureScale& scale;    ///< scale of the features over the examples
+  const ParameterTable& table;  ///< fallback for a feature that cannot be measured in the motion
 };
 
-/// Measured feature parameters of a motion.
+/// The measured feature parameters of a motion, in the order of `names`.
 Eigen::RowVectorXd measured_parameters(const std::vector<std::string>& names,
                                        const SynthesizedMotion& made, const FeatureTable& features);
 
-/// The motion whose measured features are nearest to the requested ones: the slider values are
-/// corrected by the deviations, at most eight times, until no feature deviates by more than 0.005.
+/// The motion whose measured features are closest to the requested ones. Slider values are
+/// corrected by the deviations in up to eight trials, until no scaled feature deviates by 0.005 or
+/// more.
 SynthesizedMotion synthesize_with_features(const FittedInterface& interface,
                                            const Eigen::RowVectorXd& requested,
                                            const SynthesisContext& context,
                                            const FeatureTable& features);
 
-/// The motion for requested parameters as in a stimulus: with features and the method `reach` by
-/// synthesize_with_features, else by synthesize_at.
+/// The motion for requested parameters as in a stimulus: by `synthesize_with_features` for features
+/// with the method `reach`, otherwise by `synthesize_at`.
 SynthesizedMotion synthesize_for(const FittedInterface& interface,
                                  const Eigen::RowVectorXd& requested,
                                  const SynthesisContext& context, const FeatureTable& features);

@@ -104,10 +104,10 @@ TEST(QuestionnaireChecks, TakeTextsAndScalesFromFiles) {
       read_manifest(folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; });
   ASSERT_TRUE(reading.faults.empty()) << Faults(reading.faults).what();
   EXPECT_EQ(reading.manifest.questionnaire->consent.text, "I agree.\n");
-  const ScaleSet asked = questionnaire_scales(reading.manifest);
-  ASSERT_EQ(asked.scales.size(), 1u);
-  EXPECT_EQ(asked.scales[0].id, "y");
-  EXPECT_EQ(asked.scales[0].most, 1.0);
+  const ScaleSet scales = questionnaire_scales(reading.manifest);
+  ASSERT_EQ(scales.scales.size(), 1u);
+  EXPECT_EQ(scales.scales[0].id, "y");
+  EXPECT_EQ(scales.scales[0].most, 1.0);
 }
 
 TEST(Asked, AreTheStimuliOfTheLevelsAndTheirEmotions) {
