@@ -16,7 +16,7 @@ Clip footprints(const std::vector<Vec3>& left, const std::vector<Vec3>& right) {
   clip.body = standard_body();
   clip.frames_per_second = 100.0;
   const Pose standing = standing_pose(clip.body);
-  const auto ankle = [&](BodyJoint joint) {
+  const auto ankle = [&](BodyJoint joint) -> Vec3 {
     return world_positions(clip.body, standing)[static_cast<size_t>(joint)] -
            standing.root_position;
   };
