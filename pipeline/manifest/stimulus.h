@@ -61,7 +61,7 @@ void fields_of(auto&& field, MaybeConst<Interpolation> auto& how) {
   field("foot_lock", how.foot_lock, concerns::motion);
 }
 
-/// A motion file that is shown unmodified.
+/// A motion file from which a stimulus takes its motion.
 struct ClipSource {
   std::filesystem::path file;                ///< resolved
   std::string take;                          ///< take of a file with several; empty: the first
@@ -106,12 +106,12 @@ struct Stimulus {
                                              ///< motion graph, in the order of their names
   std::optional<Foil>
       foil;       ///< if set, the motion is derived from the original stimulus (resolve_foils)
-  Look look;      ///< the manifest's with this stimulus's own values over it
-  Output output;  ///< the manifest's with the stimulus's own values over it
-  Interpolation interpolation;           ///< the manifest's with the stimulus's own values over it
-  std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
-  OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
-  RegressionLimits regression;           ///< the manifest's with this stimulus's own over it
+  Look look;      ///< the manifest's, with the stimulus's own values applied
+  Output output;  ///< the manifest's, with the stimulus's own values applied
+  Interpolation interpolation;           ///< the manifest's, with the stimulus's own values applied
+  std::vector<ModificationStep> modify;  ///< modifications of that motion, in order
+  OnFault on_fault = OnFault::warn;      ///< the stimulus's own, otherwise the manifest's
+  RegressionLimits regression;           ///< the manifest's, with the stimulus's own values applied
 };
 
 void fields_of(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
@@ -134,7 +134,7 @@ void fields_of(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
   field("interpolation", stimulus.interpolation, concerns::motion);
 }
 
-/// Whether it is blended from examples, and not shown from a file or walked along a path.
+/// Whether a stimulus is blended from examples, and not taken from a file or walked along a path.
 inline bool is_blend(const Stimulus& stimulus) { return !stimulus.clip && !stimulus.walk; }
 
 }  // namespace mien::pipeline

@@ -22,7 +22,7 @@ using Mood = std::vector<std::pair<std::string, double>>;
 struct WalkStep {
   std::optional<double> walk_s;    ///< seconds
   std::optional<double> turn_deg;  ///< rotation in degrees, positive to the left; not 0
-  std::optional<double> stand_s;   ///< seconds, from the end of the last step
+  std::optional<double> stand_s;   ///< seconds, from when the walker has come to rest
   std::optional<double> pace;  ///< share of the mood's speed; unset: the pace of the path or, for a
                                ///< turn, of the preceding step
   double curve_deg_s = 0.0;  ///< turning rate of a walk in degrees per second, positive to the left
