@@ -32,12 +32,12 @@ struct Examples {
   std::string exclude;           ///< glob on file names; empty excludes nothing
   std::string take;              ///< take of files with several motions; empty: the first
   motion::CycleChoice cycle = motion::CycleChoice::automatic;
-  std::vector<std::pair<std::string, std::vector<double>>>
-      keytimes;  ///< set manually: file stem → keytimes
-  bool blendable =
-      true;  ///< retargeted to one body and aligned in time; otherwise each motion is used as it is
-  Labels labels =
-      Labels::from_name;  ///< from the distinguishing part of the file name, or from all of it
+  /// Set manually: file stem → keytimes.
+  std::vector<std::pair<std::string, std::vector<double>>> keytimes;
+  /// Retargeted to one body and aligned in time; otherwise each motion is used as it is.
+  bool blendable = true;
+  /// From the distinguishing part of the file name, or from all of it.
+  Labels labels = Labels::from_name;
   std::vector<std::pair<std::string, std::string>> given_labels;  ///< file stem → label
 };
 

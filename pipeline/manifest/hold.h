@@ -16,11 +16,11 @@ struct Stimulus;
 /// Rated parameters that a stimulus does not request and that should keep their values as closely
 /// as the examples allow.
 struct Hold {
-  bool others =
-      false;  ///< all parameters of the same kind (groups or scales) that are not requested
+  /// All parameters of the same kind (groups or scales) that are not requested.
+  bool others = false;
   std::vector<std::string> names;  ///< hold only these parameters
-  std::vector<std::pair<std::string, double>>
-      values;  ///< hold these parameters at given values, 0…1
+  /// Hold these parameters at given values, 0…1.
+  std::vector<std::pair<std::string, double>> values;
   /// The stimulus whose values `others` and `names` keep: the first with the role of a reference.
   /// If empty, they are held at the mean of the examples. (A vector of at most one element, because
   /// a Stimulus contains a Hold.)

@@ -40,8 +40,8 @@ inline constexpr Words<EqualizeGroup> equalize_group_words = {{"study", Equalize
 /// Properties of films that are equalized across stimuli; none by default.
 struct Equalize {
   std::optional<EqualizeGroup> luminance;  ///< mean luminance of the films, equalized by exposure
-  std::optional<EqualizeGroup>
-      size;  ///< height of the figures in pixels, equalized by the distance of the camera
+  /// Height of the figures in pixels, equalized by the distance of the camera.
+  std::optional<EqualizeGroup> size;
   std::optional<EqualizeGroup> place;  ///< position of the figures in the picture, equalized by
                                        ///< shifting the picture's centre
   bool duration = false;               ///< number of frames, set to that of the shortest stimulus

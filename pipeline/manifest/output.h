@@ -77,8 +77,8 @@ struct VideoKindsForm {
 /// The files written for a stimulus, their format and size.
 struct Output {
   std::array<int, 2> size{960, 540};  ///< width and height of the camera's picture, in pixels
-  double scale =
-      1.0;  ///< factor by which the picture's resolution is multiplied; the view is unchanged
+  /// Factor by which the picture's resolution is multiplied; the view is unchanged.
+  double scale = 1.0;
   std::optional<std::array<int, 4>> crop;  ///< the part of the picture that is kept, in pixels of
                                            ///< `size`: left, top, width, height
   double fps = 30.0;
@@ -89,8 +89,8 @@ struct Output {
   FrameFormat frames = FrameFormat::png;
   std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< without duplicates
   Presentation presentation;
-  std::vector<std::string> clips{
-      "bvh"};  ///< file extensions of the exported motions, clips/<id>.bvh
+  /// File extensions of the exported motions, clips/<id>.bvh.
+  std::vector<std::string> clips{"bvh"};
 
   /// Returns the width and height of the whole picture in pixels, after scaling.
   std::array<int, 2> whole_size() const;

@@ -95,8 +95,8 @@ struct AnalysisPlan {
   TextSource plan;      ///< text of the plan, included in the preregistration
   double alpha = 0.05;  ///< significance level of each test
   TestCorrection correction = TestCorrection::holm;
-  int max_failed_checks =
-      1;  ///< participants who fail more attention checks than this are excluded
+  /// Participants who fail more attention checks than this are excluded.
+  int max_failed_checks = 1;
 };
 
 void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
@@ -110,19 +110,19 @@ void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
 /// not affect the stimuli.
 struct Questionnaire {
   std::string title;  ///< empty: the study's name
-  InterfaceLanguage language =
-      InterfaceLanguage::english;  ///< language of the interface and of the scales' labels
-  int participants = 0;            ///< planned number
+  /// Language of the interface and of the scales' labels.
+  InterfaceLanguage language = InterfaceLanguage::english;
+  int participants = 0;                      ///< planned number
   TextSource consent, instructions, ending;  ///< empty: not given
   std::string question;  ///< shown above the items of a trial; empty: a default text
   StimulusChoice stimuli;
   int per_participant = 0;                 ///< number of analysed trials per participant; 0: all
   const TrialForm* trials = &rating_form;  ///< form of the trials
   ScaleChoice scales;
-  std::vector<std::pair<std::string, std::string>>
-      choices;  ///< possible answers: id → displayed text
-  std::vector<std::vector<std::string>>
-      pairs;  ///< stimuli of each pair, for forms with two stimuli; empty: all pairs
+  /// Possible answers: id → displayed text.
+  std::vector<std::pair<std::string, std::string>> choices;
+  /// Stimuli of each pair, for forms with two stimuli; empty: all pairs.
+  std::vector<std::vector<std::string>> pairs;
   AnswerSettings answer;
   TrialOrder order;
   std::vector<std::string> no_repeats;  ///< factors in which successive trials must differ

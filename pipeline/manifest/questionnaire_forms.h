@@ -47,8 +47,8 @@ struct ScaleChoice {
   bool all = false;       ///< all scales of the study or of the file
   bool emotions = false;  ///< the six scales of the emotion thesis
   std::vector<std::string> ids;
-  std::filesystem::path
-      file;           ///< file of the questionnaire's own scales; empty: the study's scales
+  /// File of the questionnaire's own scales; empty: the study's scales.
+  std::filesystem::path file;
   ScaleSet own = {};  ///< content of that file, once the manifest has been read
 };
 

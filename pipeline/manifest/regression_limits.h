@@ -11,8 +11,8 @@ namespace mien::pipeline {
 /// The largest differences from the approved baseline at which a stimulus still counts as
 /// unchanged: `regression:` of a manifest or of one of its stimuli.
 struct RegressionLimits {
-  double position_mm =
-      1.0;  ///< of joints and their virtual points in world space, at any time; millimetres
+  /// Of joints and their virtual points in world space, at any time; millimetres.
+  double position_mm = 1.0;
   double turn_degrees = 0.1;      ///< of joint rotations relative to their parents; degrees
   double speed_m_s = 0.05;        ///< of joint velocities; m/s
   double contact_seconds = 0.05;  ///< change of the time of a heel strike or toe off; seconds
@@ -20,8 +20,8 @@ struct RegressionLimits {
   bool findings = false;          ///< allow new lint errors
   double perceptual = 0.0;  ///< mean ꟻLIP of a key frame whose difference exceeds noise, 0 … 1
   double psnr_db = 0.1;     ///< loss of a video's PSNR against its frames; dB
-  std::vector<std::pair<std::string, double>>
-      parts_mm;  ///< body part → its own position_mm: "left hand"
+  /// Body part → its own position_mm: "left hand".
+  std::vector<std::pair<std::string, double>> parts_mm;
 
   friend bool operator==(const RegressionLimits&, const RegressionLimits&) = default;
 };

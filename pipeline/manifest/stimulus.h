@@ -104,10 +104,10 @@ struct Stimulus {
   std::optional<WalkPath> walk;              ///< `path:`
   std::vector<ModificationStep> walk_moods;  ///< recipes named by the moods of a path through a
                                              ///< motion graph, in the order of their names
-  std::optional<Foil>
-      foil;       ///< if set, the motion is derived from the original stimulus (resolve_foils)
-  Look look;      ///< the manifest's, with the stimulus's own values applied
-  Output output;  ///< the manifest's, with the stimulus's own values applied
+  /// If set, the motion is derived from the original stimulus (resolve_foils).
+  std::optional<Foil> foil;
+  Look look;                             ///< the manifest's, with the stimulus's own values applied
+  Output output;                         ///< the manifest's, with the stimulus's own values applied
   Interpolation interpolation;           ///< the manifest's, with the stimulus's own values applied
   std::vector<ModificationStep> modify;  ///< modifications of that motion, in order
   OnFault on_fault = OnFault::warn;      ///< the stimulus's own, otherwise the manifest's

@@ -38,15 +38,16 @@ inline std::string_view name_of(StyleMethod method) { return word_of(style_metho
 /// A modification by an older method: `{method: unuma, neutral: normal, styled: sad}`.
 struct StyleStep {
   StyleMethod method = StyleMethod::amaya;
-  std::string neutral;  ///< example
-  std::string styled;   ///< example
-  int harmonics = 7;    ///< unuma
-  int order = 10;       ///< hsu
-  int inputs = 3;       ///< hsu
-  int components = 6;   ///< shapiro
-  std::vector<int>
-      swap;  ///< shapiro: indices of exchanged components; empty: the two that differ most
-  std::uint64_t seed = 0;  ///< shapiro
+  std::string neutral;  ///< name of the neutral example
+  std::string styled;   ///< name of the styled example
+  int harmonics = 7;    ///< unuma: harmonics of the cycle, ≥ 1
+  int order = 10;       ///< hsu: states of the model, 1 … 10
+  int inputs = 3;       ///< hsu: principal components of the neutral motion as inputs, ≥ 1
+  int components = 6;   ///< shapiro: independent components, ≥ 1
+  /// shapiro: indices of the exchanged components, from 0 (the strongest); empty: the two that
+  /// differ most.
+  std::vector<int> swap;
+  std::uint64_t seed = 0;  ///< shapiro: seed of the analysis
   bool feet = true;        ///< lock the feet after the transfer
 };
 

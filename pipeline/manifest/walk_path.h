@@ -20,7 +20,7 @@ using Mood = std::vector<std::pair<std::string, double>>;
 
 /// One step of a walker's script. Exactly one of walk, turn and stand is given.
 struct WalkStep {
-  std::optional<double> walk_s;    ///< seconds
+  std::optional<double> walk_s;    ///< duration in seconds
   std::optional<double> turn_deg;  ///< rotation in degrees, positive to the left; not 0
   std::optional<double> stand_s;   ///< seconds, from when the walker has come to rest
   std::optional<double> pace;  ///< share of the mood's speed; unset: the pace of the path or, for a
@@ -81,8 +81,8 @@ struct WalkPath {
   std::vector<FloorPoint> points;  ///< vertices of a polyline path with rounded corners
   std::vector<MoodChange> moods;   ///< changes of mood along the points, by time
   std::vector<GraphMotion> graph;  ///< motions of the graph; empty: the walker is controlled
-  double threshold_m =
-      0.06;  ///< transition threshold of the graph, metres (motion/motion_graph/motion_graph.h)
+  /// Transition threshold of the graph, metres (motion/motion_graph/motion_graph.h).
+  double threshold_m = 0.06;
 
   friend bool operator==(const WalkPath&, const WalkPath&) = default;
 };

@@ -26,8 +26,8 @@ struct Look {
 
   scenes::SetPlan set;  ///< the set named by `scene`, once it has been read (look_checks.h)
 
-  Colours colours =
-      Colours::neutral;  ///< for films of stimuli; overlays always use the colours of roles
+  /// For films of stimuli; overlays always use the colours of roles.
+  Colours colours = Colours::neutral;
 };
 
 /// Returns the name of the set, including the default one.

@@ -14,8 +14,8 @@ namespace mien::pipeline {
 /// provenance.json and not among the store's own files, so that it is copied with the study.
 inline constexpr char not_kept_path[] = "not-kept.json";
 
-/// Returns the artifacts listed there as removed, by path; empty if there is no list. Throws Error
-/// if the list is damaged.
+/// Returns the artifacts that the list in the study's folder names as removed, by path; empty if
+/// there is no list. Throws Error if the list is damaged.
 std::vector<ArtifactRecord> not_kept_in(const std::filesystem::path& folder);
 
 /// Adds entries to the list, replacing those with the same path.

@@ -29,8 +29,8 @@ struct StudyContents {
   std::vector<ArtifactRecord> artifacts;  ///< by path
   std::vector<ArtifactRecord> inputs;     ///< copies of the files that describe the study, by path
   std::string as_run;                     ///< path of the manifest that reproduces the study
-  int inputs_elsewhere =
-      0;  ///< number of recordings and characters that are not copied into the study
+  /// Number of recordings and characters that are not copied into the study.
+  int inputs_elsewhere = 0;
 
   std::filesystem::path provenance() const { return folder / "provenance.json"; }
   const ArtifactRecord* find(const std::string& path) const;
@@ -41,7 +41,7 @@ struct StudyContents {
 /// study or names files outside its folder.
 StudyContents contents_of(const std::filesystem::path& study);
 
-/// Returns the study's folder, given the same.
+/// Returns the study's folder, given as for contents_of.
 std::filesystem::path study_folder_of(const std::filesystem::path& study);
 
 /// Whether a path belongs to bookkeeping and not to the study: the files of the store and the farm.

@@ -17,8 +17,8 @@ namespace mien::pipeline {
 
 /// The equalized properties of one film.
 struct Equalized {
-  float exposure_stops =
-      0.0f;  ///< added to the exposure of the tone curve; EXR files are not affected
+  /// Added to the exposure of the tone curve; EXR files are not affected.
+  float exposure_stops = 0.0f;
   Framing framing;
 };
 

@@ -33,7 +33,7 @@ std::string fade_fault(const Stimulus& film, int film_frames);
 
 inline constexpr char fade_remedy[] = "make them shorter, or show more cycles";
 
-/// Shows a film with what comes before and after it.
+/// Shows a film with the pictures before and after it.
 ///
 /// Fades mix film and background in linear light: frame n (from 0) of the m frames of a fade-in has
 /// the share (n + ½) / m. Neither the card nor the cross fades.

@@ -39,8 +39,8 @@ struct FilmRecord {
   int film_frames = 0;
   int first_film_frame = 0;  ///< index of the film's first frame in the videos
   std::vector<VideoRecord> videos;
-  std::vector<std::string>
-      warnings;  ///< about the figures, such as parts of a character that are not shown
+  /// About the figures, such as parts of a character that are not shown.
+  std::vector<std::string> warnings;
 };
 
 VideoRecord video_record(const std::string& file, render::VideoKind kind, double fps,

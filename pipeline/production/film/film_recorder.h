@@ -49,8 +49,8 @@ class FilmRecorder {
   const FilmSettings& settings_;
   Presenter presenter_;
   render::VideoSketch sketch_;
-  std::map<render::VideoKind, std::filesystem::path>
-      files_;  // files whose encoders have not started
+  // Files whose encoders have not started.
+  std::map<render::VideoKind, std::filesystem::path> files_;
   std::map<render::VideoKind, render::VideoWriter> writers_;
   std::map<render::VideoKind, render::VideoReceipt> receipts_;
   std::map<render::VideoKind, render::VideoCheck> checks_;

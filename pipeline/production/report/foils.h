@@ -13,8 +13,8 @@ struct EmotionMeasures {
   double path_m = 0.0;  ///< path length of head, wrists and ankles relative to the body, mean over
                         ///< these, per cycle
   double duration_s = 0.0;  ///< duration of a cycle
-  double unevenness =
-      0.0;  ///< coefficient of variation of their speeds, mean over these; 0 at constant speed
+  /// Coefficient of variation of their speeds, mean over these; 0 at constant speed.
+  double unevenness = 0.0;
 };
 
 EmotionMeasures measure_emotion(const motion::Clip& clip);

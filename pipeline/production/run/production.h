@@ -32,10 +32,10 @@ struct ProductionOptions {
 ///                                           metrics/films/<id>.json
 ///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
 ///           motions → shots → stills → page
-///   durations motions → numbers             metrics/durations.csv: what equalizing them needs
-///   sizes     motions → shots → numbers     metrics/sizes.csv: what equalizing size needs
-///   places    motions → shots → numbers     metrics/places.csv: and place
-///   exposure  motions → shots → numbers     metrics/exposure.csv: and luminance
+///   durations motions → numbers             metrics/durations.csv: for equalized duration
+///   sizes     motions → shots → numbers     metrics/sizes.csv: for equalized size
+///   places    motions → shots → numbers     metrics/places.csv: for equalized place
+///   exposure  motions → shots → numbers     metrics/exposure.csv: for equalized luminance
 ///   tables  motions → numbers               metrics/*.csv
 ///   films   films → numbers                 metrics/luminance.csv, videos.csv, views.csv
 ///   design  all films → factors, files   metrics/stimuli.csv, warnings.csv, codebook.json

@@ -16,8 +16,8 @@ struct SheetMotion {
   std::string id;      ///< id of the stimulus or example: "guess-1"
   std::string origin;  ///< source of the motion: "from adjectives", "example", "as captured"
   motion::Example motion;
-  std::vector<std::pair<std::string, double>>
-      weights;  ///< example → share; empty if it is not a blend
+  /// Example → share; empty if it is not a blend.
+  std::vector<std::pair<std::string, double>> weights;
 };
 
 /// The requested, held and reached value of a parameter of a motion, as shares of its range: 0 low,

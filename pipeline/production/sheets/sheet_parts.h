@@ -67,7 +67,7 @@ void draw_figures(Canvas& canvas, const SheetContent& content, const Box& box);
 /// Joint × time distances as colours, and their mean over joints as numbers.
 void draw_heat_map(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// Mean and largest distance of each joint, beside its row of the heat map.
+/// Mean and largest distance of each joint, next to its row of the heat map.
 void draw_joint_bars(Canvas& canvas, const SheetContent& content, const Box& box);
 
 /// Position over time of the three joints with the largest mean distance; the plots of a joint

@@ -16,8 +16,8 @@ struct ModifiedMotion {
   motion::Example motion;
   double share = 1.0;            ///< applied share of the requested strengths; below 1 if reduced
   double planted_drift_m = 0.0;  ///< largest drift of a foot planted in the original, metres
-  std::vector<motion::Finding>
-      findings;                       ///< lint findings of the result compared with the original
+  /// Lint findings of the result compared with the original.
+  std::vector<motion::Finding> findings;
   std::vector<std::string> notes;     ///< intermediate steps, plain sentences
   std::vector<std::string> warnings;  ///< consequences of lint errors, plain sentences
 };

@@ -13,8 +13,8 @@ namespace mien::pipeline {
 /// transferred by normalized time.
 struct RestyledMotion {
   motion::Example motion;
-  double planted_drift_m =
-      0.0;  ///< largest drift of a transferred plant, metres; 0 without foot locking
+  /// Largest drift of a transferred plant, metres; 0 without foot locking.
+  double planted_drift_m = 0.0;
   std::vector<std::string> notes;
 };
 

@@ -20,24 +20,24 @@ struct Synthesis {
   /// One weight per example; empty for a motion file. They may be negative for a statistical model
   /// (interpolation.h).
   Eigen::VectorXd weights;
-  std::optional<double>
-      expected_error_m;   ///< error of joint positions predicted by kriging, metres
+  /// Error of joint positions predicted by kriging, metres.
+  std::optional<double> expected_error_m;
   NamedValues requested;  ///< the parameters that the stimulus sets
   /// The values reached for the same parameters. Adjectives: Σ weight · value over the blend;
   /// features: measured on the finished motion, on the examples' scale.
   NamedValues reached;
   NamedValues held;          ///< the values at which parameters were held
   NamedValues held_reached;  ///< values of the held parameters in the blend
-  std::vector<FeasibleParameter>
-      feasible;  ///< one per requested parameter; empty for a statistical model
-  double planted_drift_m =
-      0.0;  ///< largest horizontal drift over all foot plants of the result, metres
+  /// One per requested parameter; empty for a statistical model.
+  std::vector<FeasibleParameter> feasible;
+  /// Largest horizontal drift over all foot plants of the result, metres.
+  double planted_drift_m = 0.0;
   std::vector<std::string> warnings;
   std::vector<std::string> notes;  ///< plain sentences that require no action
   std::string modified;         ///< description of the modifications ("sad × 0.8"); empty for none
   double modified_share = 1.0;  ///< applied share of the requested strengths (OnFault::reduce)
-  std::vector<motion::Finding>
-      findings;  ///< lint findings; a modified motion is compared with the original
+  /// Lint findings; a modified motion is compared with the original.
+  std::vector<motion::Finding> findings;
 };
 
 /// Returns the blend weights of a stimulus: the given ones, or those computed from its adjectives

@@ -26,11 +26,11 @@ struct AnswerRow {
   std::string against;          ///< the reference, or the other stimulus of a pair
   std::string item;             ///< id of the scale, or the form's own item (TrialForm)
   std::string value_raw;        ///< position from the left, chosen word, "left" or "right"
-  std::string
-      value;  ///< value in the scale's range, where the maximum is the high pole; or the choice
+  /// Value in the scale's range, where the maximum is the high pole; or the choice.
+  std::string value;
   std::string pole_left;  ///< "low" or "high"; empty for items without poles
-  std::optional<double>
-      rt_ms;  ///< response time in milliseconds, from the moment at which an answer was possible
+  /// Response time in milliseconds, from the moment at which an answer was possible.
+  std::optional<double> rt_ms;
   bool is_practice = false;
   bool is_warmup = false;
   bool is_catch = false;  ///< attention checks and repeated stimuli

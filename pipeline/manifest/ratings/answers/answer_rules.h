@@ -13,12 +13,8 @@ namespace mien::pipeline {
 
 /// The treatment of answers that do not conform to the study's plan. Every treatment is reported.
 struct AnswerRules {
-  enum class Repeated {
-    refuse,
-    first,
-    last,
-    mean
-  };                                      ///< ordered by `order` if given, otherwise by line
+  /// `first` and `last` refer to `order` if given, otherwise to the line.
+  enum class Repeated { refuse, first, last, mean };
   enum class Unknown { refuse, ignore };  ///< unknown scales and stimuli
   enum class Constant { keep, drop };     ///< participants who give the same answer throughout
   enum class Missing { ignore, refuse };
@@ -57,8 +53,8 @@ struct StudyWarning {
 
 /// The answers of a study about its examples, after the rules have been applied.
 struct StudyAnswers {
-  std::vector<StudyAnswer>
-      answers;  ///< in file order; at most one per participant, stimulus and scale
+  /// In file order; at most one per participant, stimulus and scale.
+  std::vector<StudyAnswer> answers;
   std::vector<StudyWarning> warnings;
   bool simulated = false;
 

@@ -35,8 +35,8 @@ struct RatedExample {
 /// The motions that answers may be about.
 struct AnswerSubjects {
   std::vector<RatedExample> examples;
-  std::set<std::string>
-      left_out;  ///< known names whose answers are ignored: files that are not examples
+  /// Known names whose answers are ignored: files that are not examples.
+  std::set<std::string> left_out;
   bool ignore_unknown = false;  ///< ignore and report unknown stimuli and scales
 };
 

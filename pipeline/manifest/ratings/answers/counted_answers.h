@@ -35,8 +35,8 @@ std::vector<Fault> contradicted_values(const std::vector<AnswerRow>& rows, const
 
 /// The rule by which inattentive participants are excluded.
 struct AttentionRule {
-  int max_failed_checks =
-      1;  ///< participants who fail more checks are excluded; one failure may be an oversight
+  /// Participants who fail more checks are excluded; one failure may be an oversight.
+  int max_failed_checks = 1;
 };
 
 /// The number of a participant's attention checks and of those passed.

@@ -39,8 +39,8 @@ struct ExpectedStep {
 struct ExpectationCheck {
   std::string parameter;
   std::vector<PlacedExample> order;  ///< in the expected order
-  std::vector<std::size_t>
-      violated;                     ///< indices i where example i + 1 is not rated above example i
+  /// Indices i where example i + 1 is not rated above example i.
+  std::vector<std::size_t> violated;
   std::vector<ExpectedStep> steps;  ///< element i: from example i to example i + 1
 
   bool holds() const { return violated.empty(); }

@@ -45,8 +45,8 @@ struct WordAnswers {
   std::vector<WordCoverage> coverage;     ///< in the lexicon's order
   std::vector<WordCount> not_understood;  ///< modifiers, most frequent first
   std::vector<WordCount> respelled;       ///< most frequent first
-  std::vector<WordCount>
-      left_out;  ///< languages missing from the lexicon, with their numbers of answers
+  /// Languages missing from the lexicon, with their numbers of answers.
+  std::vector<WordCount> left_out;
   std::vector<StimulusCount> stimuli;  ///< sorted by name
 };
 
