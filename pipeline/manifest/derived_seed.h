@@ -5,7 +5,7 @@
 
 namespace mien::pipeline {
 
-/// A seed for the named part of a study: a hash of the study's seed and the name.
+/// Returns the seed of the named part of a study: a hash of the study's seed and the name.
 std::uint64_t derived_seed(std::uint64_t study_seed, std::string_view name);
 
 }  // namespace mien::pipeline

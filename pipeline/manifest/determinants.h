@@ -6,32 +6,32 @@
 
 namespace mien::pipeline {
 
-// What artifacts depend on, as parts of their keys.
+// Inputs on which artifacts depend, as parts of their keys.
 
-/// What many tasks of a production share; found once, because files are read for it.
+/// The inputs shared by many tasks of a production; computed once, because files are read.
 struct SharedDeterminants {
   Hash libraries;
   Hash repertoire;  ///< the examples, their ratings and scales
   FileKeys& files;
 };
 
-/// `files` outlives what is returned.
+/// `files` must outlive the returned value.
 SharedDeterminants shared_determinants(const Manifest& manifest, FileKeys& files);
 
-/// How a stimulus's motion is made, without the repertoire.
+/// Adds all inputs of a stimulus's motion except the repertoire.
 void add_motion(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files);
 
-/// How examples are blended.
+/// Adds the interpolation settings.
 void add_interpolation(KeyBuilder& key, const Interpolation& how);
 
-/// How a shot is staged and drawn, without the motion.
+/// Adds the settings by which a shot is staged and rendered, without the motion.
 void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files);
 
-/// What concerns tables and pages alone, as its values are: the text of the manifest may take them
-/// from the environment.
+/// Adds the settings that affect only tables and pages, by their values: the text of the manifest
+/// may take them from environment variables.
 void add_page(KeyBuilder& key, const Manifest& manifest);
 
-/// What a video shows beside the film.
+/// Adds what a video shows before and after the film.
 void add_presentation(KeyBuilder& key, const Presentation& presentation);
 
 }  // namespace mien::pipeline

@@ -10,26 +10,27 @@
 
 namespace mien::pipeline {
 
-/// The manifest's folder of examples in the words of the motion core.
+/// Returns the manifest's folder of examples as a type of the motion module.
 motion::ExampleFolder example_folder(const Examples& examples);
 
-/// Files that the repertoire is made of: they determine every clip that is made from it.
+/// Returns the files of the repertoire, which determine every clip made from it.
 std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest);
 
-/// Names of the examples, found without reading a motion. Throws Error.
+/// Returns the names of the examples, without reading a motion. Throws Error.
 std::vector<std::string> example_names(const Manifest& manifest);
 
-/// The examples as answers may name them, found without reading a motion. Throws Error.
+/// Returns the names under which answers may refer to the examples, without reading a motion.
+/// Throws Error.
 std::vector<RatedExample> rated_examples(const Manifest& manifest);
 
-/// Stems of all motion files of the examples' folder, chosen or not. Throws Error.
+/// Returns the stems of all motion files in the examples' folder, selected or not. Throws Error.
 std::vector<std::string> stems_in_folder(const Examples& examples);
 
-/// Files that a motion file of its format may refer to: all beside it with the ending of its parts,
-/// in upper or lower case.
+/// Returns the files that a motion file may refer to: all files in its folder with the extension of
+/// its format's parts, in upper or lower case.
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file);
 
-/// The answers of the file that the manifest's ratings name. Throws Error.
+/// Returns the answers in the file that the manifest's ratings name. Throws Error.
 Answers given_answers(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -16,7 +16,7 @@ namespace mien::pipeline {
 
 struct Examples;
 
-/// `labels:` of a folder: a rule, or a map.
+/// `labels:` of a folder: a rule or a map.
 struct LabelsForm {
   static void read(const DocumentValue& given, Examples& examples);
   static nlohmann::ordered_json write(const Examples& examples, const WritingOptions& how);
@@ -30,11 +30,14 @@ struct Examples {
   std::filesystem::path folder;  ///< resolved
   std::string include = "*";     ///< glob on file names
   std::string exclude;           ///< glob on file names; empty excludes nothing
-  std::string take;              ///< of glTF files with several motions; empty: their first
+  std::string take;              ///< take of files with several motions; empty: the first
   motion::CycleChoice cycle = motion::CycleChoice::automatic;
-  std::vector<std::pair<std::string, std::vector<double>>> keytimes;  ///< by hand, by file stem
-  bool blendable = true;  ///< on one body with corresponding moments; else each for itself
-  Labels labels = Labels::from_name;  ///< the part of the name that differs, or all of it
+  /// Set manually: file stem → keytimes.
+  std::vector<std::pair<std::string, std::vector<double>>> keytimes;
+  /// Retargeted to one body and aligned in time; otherwise each motion is used as it is.
+  bool blendable = true;
+  /// From the distinguishing part of the file name, or from all of it.
+  Labels labels = Labels::from_name;
   std::vector<std::pair<std::string, std::string>> given_labels;  ///< file stem → label
 };
 
@@ -43,7 +46,7 @@ inline constexpr Words<motion::CycleChoice> cycle_words = {
     {"whole", motion::CycleChoice::whole},
     {"start-peak-end", motion::CycleChoice::start_peak_end}};
 
-/// Of a folder.
+/// The fields of a folder of examples.
 void fields_of(auto&& field, MaybeConst<Examples> auto& examples) {
   field("folder", examples.folder, concerns::repertoire);
   field("include", examples.include, concerns::repertoire);
@@ -55,22 +58,22 @@ void fields_of(auto&& field, MaybeConst<Examples> auto& examples) {
   field.by("labels", examples, concerns::repertoire, LabelsForm());
 }
 
-/// `set:`: a built-in set, or a folder.
+/// `set:`: a built-in set or a folder.
 struct ExampleSetForm {
   static void read(const DocumentValue& given, Examples& examples);
   static nlohmann::ordered_json write(const Examples& examples, const WritingOptions& how);
   static void walk(auto& names) { names.template of<Examples>(); }
 };
 
-/// What people thought of the examples.
+/// Ratings of the examples by participants.
 struct Ratings {
   enum class Source { none, builtin, simulated, file };
 
   Source source = Source::none;
   std::filesystem::path file;              ///< CSV of answers or of means, resolved
   int raters = 14;                         ///< simulated only
-  bool ignore_unknown = false;             ///< answers about other stimuli or scales are left out
-  std::vector<Expectation> expected = {};  ///< which examples should lie above which
+  bool ignore_unknown = false;             ///< ignore answers about unknown stimuli or scales
+  std::vector<Expectation> expected = {};  ///< expected order of the examples (manipulation checks)
 };
 
 inline constexpr Words<Ratings::Source> ratings_words = {{"none", Ratings::Source::none},
@@ -79,7 +82,7 @@ inline constexpr Words<Ratings::Source> ratings_words = {{"none", Ratings::Sourc
 
 inline constexpr Words<bool> unknown_words = {{"error", false}, {"ignore", true}};
 
-/// `ratings:`: a word, or a file.
+/// `ratings:`: a keyword or a file.
 struct RatingsForm {
   static void read(const DocumentValue& given, Ratings& ratings);
   static nlohmann::ordered_json write(const Ratings& ratings, const WritingOptions& how);
@@ -90,19 +93,19 @@ void fields_of(auto&& field, MaybeConst<Expectation> auto& expected) {
   field("order", expected.order, concerns::page | concerns::required);
 }
 
-/// What the ratings are on: the built-in 41 adjective pairs, or a file.
+/// The scales of the ratings: the 41 built-in adjective pairs or a file.
 struct ScalesSource {
   std::filesystem::path file;  ///< empty: built-in
-  ScaleSet set;                ///< what the file holds, once it has been read
+  ScaleSet set;                ///< content of the file, once it has been read
 };
 
-/// Those that a file holds. Throws as read_scales.
+/// Reads the scales of a file. Throws as read_scales does.
 ScalesSource scales_in(const std::filesystem::path& file);
 
-/// The scales themselves.
+/// Returns the scales of a source.
 ScaleSet scales_of(const ScalesSource& source);
 
-/// `scales:`: builtin, or a file.
+/// `scales:`: `builtin` or a file.
 struct ScalesForm {
   static void read(const DocumentValue& given, ScalesSource& scales);
   static nlohmann::ordered_json write(const ScalesSource& scales, const WritingOptions& how);

@@ -16,21 +16,22 @@ struct Stimulus;
 /// Factor of the design → its level, in the order of the manifest: {actor: k, emotion: sad}.
 using Factors = std::vector<std::pair<std::string, std::string>>;
 
-/// `factors:` whose levels may be texts, numbers and truth values.
+/// `factors:`, whose levels may be texts, numbers or booleans.
 struct FactorsForm {
   static void read(const DocumentValue& given, Factors& factors);
   static nlohmann::ordered_json write(const Factors& factors, const WritingOptions&);
 };
 
-/// The levels of a stimulus: those that it states and, of these four, what it does not state but is
-/// plain from how it is made: `emotion` and `strength` of the recipes that modify it (several are
-/// joined by "+"), `example` when one alone has weight, `clip`, the name of its file.
+/// Returns the levels of a stimulus: the stated ones and, where they are not stated, the four that
+/// follow from how it is made: `emotion` and `strength` of the recipes that modify it (several are
+/// joined by "+"), `example` if a single example has weight, and `clip`, the name of its file.
 Factors levels_of(const Stimulus& stimulus);
 
-/// All factors of a study: first those that are stated, as they come up, then the others.
+/// Returns all factors of a study: first the stated ones in order of first appearance, then the
+/// derived ones.
 std::vector<std::string> factors_of(const Manifest& manifest);
 
-/// The level of one factor; empty where the stimulus has none.
+/// Returns the level of one factor; empty if the stimulus has none.
 std::string level_of(const Stimulus& stimulus, const std::string& factor);
 
 }  // namespace mien::pipeline

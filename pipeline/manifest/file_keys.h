@@ -7,14 +7,14 @@
 
 namespace mien::pipeline {
 
-/// What files stand for in the keys of artifacts: each by its name and content, with the files that
-/// belong to it, and not by the folder that it lies in. A file that many stimuli name is read once,
-/// when it is first asked for.
+/// Hashes of files for the keys of artifacts. A hash covers the file's name, its content and the
+/// files that belong to it, but not its folder. Each file is read once, when its hash is first
+/// requested.
 class FileKeys {
  public:
   const Hash& of(const std::filesystem::path& file);
 
-  /// The hash of a character's file with the buffers and pictures that it refers to.
+  /// Returns the hash of a character's file including the buffers and images that it refers to.
   const Hash& of_character(const std::filesystem::path& file);
 
  private:

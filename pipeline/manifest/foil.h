@@ -12,7 +12,7 @@ namespace mien::pipeline {
 
 struct Manifest;
 
-/// What of a modified motion a foil leaves as it was before.
+/// The aspect of a modified motion that a foil leaves unmodified.
 enum class FoilAspect { posture, path_length, speed, acceleration };
 
 inline constexpr Words<FoilAspect> foil_aspect_words = {{"posture", FoilAspect::posture},
@@ -22,10 +22,10 @@ inline constexpr Words<FoilAspect> foil_aspect_words = {{"posture", FoilAspect::
 
 inline std::string_view name_of(FoilAspect aspect) { return word_of(foil_aspect_words, aspect); }
 
-/// Another stimulus with all of its modifications but one aspect, so that the two differ in that
-/// alone.
+/// A stimulus with all modifications of another stimulus except one aspect, so that the two differ
+/// only in that aspect.
 struct Foil {
-  std::string of;  ///< id of the stimulus
+  std::string of;  ///< id of the original stimulus
   FoilAspect differ = FoilAspect::posture;
 
   friend bool operator==(const Foil&, const Foil&) = default;
@@ -36,9 +36,9 @@ void fields_of(auto&& field, MaybeConst<Foil> auto& foil) {
   field("differ", foil.differ, concerns::motion | concerns::required, foil_aspect_words);
 }
 
-/// Gives every foil the motion of the stimulus that it is of, and that stimulus's modifications
-/// without the aspect. Their own recipes must have been resolved. Faults: a stimulus that is not
-/// there or is a foil itself, and one whose modifications have nothing of the aspect.
+/// Gives each foil the motion of its original stimulus and that stimulus's modifications without
+/// the aspect. The recipes of the modifications must have been resolved. Returns faults if the
+/// original does not exist, is itself a foil, or is not modified in that aspect.
 std::vector<Fault> resolve_foils(Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -13,27 +13,29 @@ namespace mien::pipeline {
 struct Manifest;
 struct Stimulus;
 
-/// Rated parameters that a stimulus does not ask for and that shall stay where they are, or as near
+/// Rated parameters that a stimulus does not request and that should keep their values as closely
 /// as the examples allow.
 struct Hold {
-  bool others = false;             ///< all of the same kind, groups or scales, not asked for
-  std::vector<std::string> names;  ///< or these
-  std::vector<std::pair<std::string, double>> values;  ///< or these, at 0…1
-  /// Where `others` and `names` stay: at what this stimulus has, the first with the role of a
-  /// reference; without one at the mean of the examples. (A list of one or none, because a stimulus
-  /// has a hold itself.)
+  /// All parameters of the same kind (groups or scales) that are not requested.
+  bool others = false;
+  std::vector<std::string> names;  ///< hold only these parameters
+  /// Hold these parameters at given values, 0…1.
+  std::vector<std::pair<std::string, double>> values;
+  /// The stimulus whose values `others` and `names` keep: the first with the role of a reference.
+  /// If empty, they are held at the mean of the examples. (A vector of at most one element, because
+  /// a Stimulus contains a Hold.)
   std::vector<Stimulus> reference;
 
   bool anything() const { return others || !names.empty() || !values.empty(); }
 };
 
-/// `hold:`: "others", names, or values by name.
+/// `hold:`: "others", names, or a map of names to values.
 struct HoldForm {
   static void read(const DocumentValue& given, Hold& hold);
   static nlohmann::ordered_json write(const Hold& hold, const WritingOptions& how);
 };
 
-/// Gives each hold its reference. Foils are resolved before (foil.h).
+/// Sets the reference of each hold. Foils must have been resolved (foil.h).
 void resolve_holds(Manifest& manifest);
 
 }  // namespace mien::pipeline

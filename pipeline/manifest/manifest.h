@@ -18,19 +18,20 @@
 
 namespace mien::pipeline {
 
-/// What emotions are made of.
+/// The source of the recipes for emotions.
 struct RecipesSource {
-  std::string name = "builtin";  ///< or "fig29", or what was written
-  std::filesystem::path file;    ///< resolved; empty for what comes with the program
+  std::string name = "builtin";  ///< "builtin", "fig29" or the file as written
+  std::filesystem::path file;    ///< resolved; empty for built-in recipes
 };
 
-/// `recipes:`: builtin, fig29, or a file.
+/// `recipes:`: `builtin`, `fig29` or a file.
 struct RecipesForm {
   static void read(const DocumentValue& given, RecipesSource& recipes);
   static nlohmann::ordered_json write(const RecipesSource& recipes, const WritingOptions& how);
 };
 
-/// The stimuli that share one equalized value: all of the study, or those of one kind of figure.
+/// The set of stimuli that share one equalized value: the whole study, or all stimuli with one kind
+/// of figure.
 enum class EqualizeGroup { study, figure };
 
 inline constexpr Words<EqualizeGroup> equalize_group_words = {{"study", EqualizeGroup::study},
@@ -38,11 +39,12 @@ inline constexpr Words<EqualizeGroup> equalize_group_words = {{"study", Equalize
 
 /// Properties of films that are equalized across stimuli; none by default.
 struct Equalize {
-  std::optional<EqualizeGroup> luminance;  ///< mean luminance of the films, by the exposure
-  std::optional<EqualizeGroup> size;  ///< pixels that figures are tall, by the camera's distance
-  std::optional<EqualizeGroup>
-      place;              ///< where figures stand in the picture, by the shift of its middle
-  bool duration = false;  ///< number of frames: that of the shortest
+  std::optional<EqualizeGroup> luminance;  ///< mean luminance of the films, equalized by exposure
+  /// Height of the figures in pixels, equalized by the distance of the camera.
+  std::optional<EqualizeGroup> size;
+  std::optional<EqualizeGroup> place;  ///< position of the figures in the picture, equalized by
+                                       ///< shifting the picture's centre
+  bool duration = false;               ///< number of frames, set to that of the shortest stimulus
 
   friend bool operator==(const Equalize&, const Equalize&) = default;
 };
@@ -62,21 +64,23 @@ void fields_of(auto&& field, MaybeConst<Equalize> auto& equalize) {
   field("duration", equalize.duration, concerns::picture);
 }
 
-/// `equalize:`: an array of names, or a map.
+/// `equalize:`: an array of names or a map.
 struct EqualizeForm {
   static void read(const DocumentValue& given, Equalize& equalize);
   static nlohmann::ordered_json write(const Equalize& equalize, const WritingOptions& how);
   static void walk(auto& names) { names.template of<Equalize>(); }
 };
 
-/// The stimuli in groups, each of which is equalized within itself, in the order of the manifest.
+/// Returns the groups of stimuli within which a property is equalized, in the order of the
+/// manifest.
 std::vector<std::vector<const Stimulus*>> equalized_groups(const std::vector<Stimulus>& stimuli,
                                                            EqualizeGroup group_by);
 
-/// A production as its author wrote it, defaults filled in and overrides merged.
+/// A manifest with defaults filled in and overrides merged.
 struct Manifest {
   std::filesystem::path file;
-  std::string command;  ///< that makes it, as far as it bears on what is made; set by Production
+  std::string command;  ///< command line that makes the study, reduced to what affects the
+                        ///< artifacts; set by Production
   int version = 1;
   std::string study;
   std::uint64_t seed = 0;
@@ -96,10 +100,10 @@ struct Manifest {
   std::optional<Questionnaire> questionnaire;
   std::optional<Matching> matching;
   Places places;
-  std::vector<Fault> renamed;  ///< warnings of keys that are written with their former names
+  std::vector<Fault> renamed;  ///< warnings about keys with deprecated names
 };
 
-/// What a stimulus or an overlay of that manifest is before it says anything itself.
+/// Return a stimulus or an overlay that has only the manifest's defaults.
 Stimulus plain_stimulus(const Manifest& manifest);
 Overlay plain_overlay(const Manifest& manifest);
 
@@ -132,7 +136,7 @@ void fields_of(auto&& field, MaybeConst<Manifest> auto& manifest) {
   field("matching", manifest.matching, concerns::nothing);
 }
 
-/// All that films are made of: the stimuli, then the overlays.
+/// Returns everything that is filmed: the stimuli, then the overlays.
 std::vector<const Stimulus*> films_of(const Manifest& manifest);
 
 }  // namespace mien::pipeline

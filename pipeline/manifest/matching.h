@@ -7,33 +7,33 @@
 
 namespace mien::pipeline {
 
-/// When something is seen of a guess: at once, trial by trial, or once a guess has been made with
-/// every interface at the same target.
+/// When participants see the result of a guess: after each trial, or once they have made a guess at
+/// the target with every interface.
 enum class MatchingOrder { trial_by_trial, guesses_first };
 
 inline constexpr Words<MatchingOrder> matching_order_words = {
     {"trial-by-trial", MatchingOrder::trial_by_trial},
     {"guesses-first", MatchingOrder::guesses_first}};
 
-/// A matching experiment: participants bring a motion as near to a target as they can, with one
-/// interface of sliders or another. It has no influence on the stimuli.
+/// A matching experiment: participants adjust the sliders of one or more interfaces until a motion
+/// matches a target as closely as possible. It does not affect the stimuli.
 struct Matching {
   std::string title;  ///< empty: the study's name
   InterfaceLanguage language = InterfaceLanguage::english;
-  int participants = 0;                      ///< planned
-  TextSource consent, instructions, ending;  ///< empty where nothing is said
-  std::vector<std::string> targets;          ///< stimuli; empty: those whose role is target
-  std::vector<std::string> practice;         ///< stimuli, tried before all others
+  int participants = 0;                      ///< planned number
+  TextSource consent, instructions, ending;  ///< empty: not given
+  std::vector<std::string> targets;  ///< stimulus ids; empty: all stimuli with the role of a target
+  std::vector<std::string> practice;  ///< stimulus ids, shown before all others
   std::vector<std::string> interfaces = {"adjectives", "features", "weights"};
   MatchingOrder order = MatchingOrder::trial_by_trial;
-  std::vector<std::string>
-      primary;  ///< adjectives shown at once; empty: the scales' groups, or all
+  std::vector<std::string> primary;   ///< adjectives shown initially; empty: the scales' groups, or
+                                      ///< all adjectives if there are none
   std::vector<std::string> offered;   ///< adjectives that may be added; empty: all rated pairs
-  std::vector<std::string> features;  ///< shown at once; empty: the four groups
-  double limit_s = 300.0;             ///< for a match, after the guess
-  double threshold_m = 0.06;          ///< D below which a motion matches, metres
-  bool shows_distance = true;         ///< while sliders are moved
-  bool shows_examples = false;        ///< one after the other, beside the task
+  std::vector<std::string> features;  ///< features shown initially; empty: the four groups
+  double limit_s = 300.0;             ///< time limit for a match, after the guess
+  double threshold_m = 0.06;          ///< distance D below which a motion matches
+  bool shows_distance = true;         ///< show the distance while sliders are moved
+  bool shows_examples = false;        ///< show the examples one after the other next to the task
   std::string target_colour = "#2e8b57";
   std::string created_colour = "#3465c8";
   Phones phones = Phones::refused;

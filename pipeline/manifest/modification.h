@@ -15,17 +15,18 @@
 
 namespace mien::pipeline {
 
-/// A pose that stands still: a frame of an example or of a motion file.
+/// A static pose: a frame of an example or of a motion file.
 struct PoseSource {
-  std::string example;         ///< empty: a file
+  std::string example;         ///< empty: `file` is used
   std::filesystem::path file;  ///< resolved
-  std::string take;            ///< of a file with several; empty: its first
+  std::string take;            ///< take of a file with several; empty: the first
   int frame = 0;
 
   friend bool operator==(const PoseSource&, const PoseSource&) = default;
 };
 
-/// The motion of a pose: a file when the text ends like one, else an example.
+/// The motion of a pose: a file if the text ends in a motion file's extension, otherwise an
+/// example.
 struct PoseMotionForm {
   static void read(const DocumentValue& given, PoseSource& pose);
   static nlohmann::ordered_json write(const PoseSource& pose, const WritingOptions& how);
@@ -69,13 +70,13 @@ void fields_of(auto&& field, MaybeConst<motion::PathGains> auto& gains) {
   field("bands", gains.bands, concerns::motion);
 }
 
-/// `limbs: [head, left-hand]`: head, hands, feet and single ones of these.
+/// `limbs: [head, left-hand]`: head, hands, feet, or a single hand or foot.
 struct LimbsForm {
   static void read(const DocumentValue& given, motion::Limbs& limbs);
   static nlohmann::ordered_json write(const motion::Limbs& limbs, const WritingOptions&);
 };
 
-/// `posture: {head-flexion: 12}`: units that it names take the place of the same units.
+/// `posture: {head-flexion: 12}`: a named unit replaces the same unit of the recipe.
 struct PostureForm {
   static void read(const DocumentValue& given, std::vector<motion::PostureChange>& posture);
   static nlohmann::ordered_json write(const std::vector<motion::PostureChange>& posture,
@@ -101,16 +102,16 @@ void fields_of(auto&& field, MaybeConst<motion::Modification> auto& modification
   field("soft_limits", modification.soft_joint_limits, concerns::motion);
 }
 
-/// What a recipe or a manifest says of a modification. What it leaves out stays as it is.
+/// The settings of a modification that a recipe or a manifest states; all others remain unchanged.
 struct ModificationEdit {
-  motion::Modification values;  ///< of which those count that are named
-  std::set<std::string> named;  ///< "paths", "posture", …
+  motion::Modification values;  ///< only the options in `named` are valid
+  std::set<std::string> named;  ///< stated options: "paths", "posture", …
   std::optional<PoseDifferenceSource> pose;
 
   bool names(const std::string& option) const { return named.contains(option); }
 };
 
-/// The members of a map that say something of a modification.
+/// The members of a map that belong to a modification.
 struct EditForm {
   static void read(const DocumentValue& given, ModificationEdit& edit);
   static nlohmann::ordered_json write(const ModificationEdit& edit, const WritingOptions& how);
@@ -121,14 +122,15 @@ struct EditForm {
   }
 };
 
-/// The modification with what the edit says over it. The pose difference is not read here.
+/// Returns the modification with the stated settings of the edit applied. The pose difference is
+/// not read.
 motion::Modification with_edit(motion::Modification modification, const ModificationEdit& edit);
 
-/// How a motion is given an emotion: a row of figure 29 of the emotion thesis, or the user's own.
+/// A recipe for an emotion: a row of figure 29 of the emotion thesis, or the user's own.
 struct Recipe {
   std::string name;  ///< "sad", "energetic-sad"
   std::string japanese;
-  std::string note;  ///< a sentence on what it does
+  std::string note;  ///< description in one sentence
   ModificationEdit edit;
 };
 
@@ -138,12 +140,14 @@ void fields_of(auto&& field, MaybeConst<Recipe> auto& recipe) {
   field.inside(recipe.edit, concerns::motion, EditForm());
 }
 
-/// What is done about a motion whose lint finds errors that the original does not have.
+/// The treatment of a modified motion in which the lint finds errors that the original does not
+/// have.
 enum class OnFault {
-  warn,    ///< it is made, and the report says so (default)
-  fail,    ///< the run stops with an error
-  revert,  ///< the motion is left unmodified, and the report says so
-  reduce,  ///< it is modified only as strongly as is clean, and the report states how strongly
+  warn,    ///< keep the motion and report a warning (default)
+  fail,    ///< stop the run with an error
+  revert,  ///< leave the motion unmodified and report a warning
+  reduce,  ///< reduce the modification until there are no new errors, and report the remaining
+           ///< strength
 };
 
 inline constexpr Words<OnFault> fault_words = {{"warn", OnFault::warn},
@@ -153,18 +157,18 @@ inline constexpr Words<OnFault> fault_words = {{"warn", OnFault::warn},
 
 inline std::string_view name_of(OnFault choice) { return word_of(fault_words, choice); }
 
-/// One change of a motion, in the order of the manifest.
+/// One modification of a motion, in the order of the manifest.
 struct ModificationStep {
-  std::string path;       ///< in the manifest: "stimuli[2].modify" or "stimuli[2].modify[0]"
+  std::string path;       ///< path in the manifest: "stimuli[2].modify" or "stimuli[2].modify[0]"
   std::string emotion;    ///< a recipe's name; empty for none
-  double strength = 1.0;  ///< of recipe and edit together
-  ModificationEdit edit;  ///< over the recipe
-  motion::Modification modification;         ///< the recipe with the edit over it, at strength 1
-  std::optional<PoseDifferenceSource> pose;  ///< not yet part of the modification
-  std::optional<StyleStep> style;            ///< an older method, instead of all this but strength
+  double strength = 1.0;  ///< strength of recipe and edit together
+  ModificationEdit edit;  ///< applied to the recipe
+  motion::Modification modification;         ///< the recipe with the edit applied, at strength 1
+  std::optional<PoseDifferenceSource> pose;  ///< not yet included in `modification`
+  std::optional<StyleStep> style;  ///< an older method; then only `strength` applies besides
 };
 
-/// The members of a map that name an older method and its options.
+/// The members of a map that belong to an older method: its name and options.
 struct StyleForm {
   static void read(const DocumentValue& given, std::optional<StyleStep>& style);
   static nlohmann::ordered_json write(const std::optional<StyleStep>& style,
@@ -172,7 +176,7 @@ struct StyleForm {
   static void walk(auto& names) { names.template of<StyleStep>(); }
 };
 
-/// As it is written. (What its artifacts depend on is `modification`, `pose` and `style`.)
+/// The fields as written in the manifest. (Artifacts depend on `modification`, `pose` and `style`.)
 void fields_of(auto&& field, MaybeConst<ModificationStep> auto& step) {
   field("emotion", step.emotion, concerns::motion);
   field("strength", step.strength, concerns::motion);

@@ -29,16 +29,17 @@ inline constexpr Words<FrameFormat> frame_format_words = {{"none", FrameFormat::
 inline std::string_view name_of(Quality quality) { return word_of(quality_words, quality); }
 
 /// What a video shows before and after the film, in this order: card, fixation cross, blank, film,
-/// blank; each as many whole frames as come nearest to its seconds. Frame files are the film alone.
+/// blank. Each duration is rounded to the nearest whole number of frames. Frame files contain only
+/// the film.
 struct Presentation {
-  std::string card;               ///< a text, lines parted by \n; empty for none
-  double card_seconds = 2.0;      ///< when there is a text
-  double fixation_seconds = 0.0;  ///< a cross in the middle
-  int fixation_size = 32;         ///< pixels from end to end
+  std::string card;               ///< text, with lines separated by \n; empty for none
+  double card_seconds = 2.0;      ///< duration of the card, if there is a text
+  double fixation_seconds = 0.0;  ///< duration of a cross in the centre
+  int fixation_size = 32;         ///< width and height of the cross, in pixels
   double blank_before = 0.0;      ///< seconds
   double blank_after = 0.0;       ///< seconds
-  double fade_in = 0.0;           ///< seconds of the film that rise from the background
-  double fade_out = 0.0;          ///< seconds of the film that sink into it
+  double fade_in = 0.0;           ///< duration of the film's fade from the background, in seconds
+  double fade_out = 0.0;          ///< duration of the film's fade to the background, in seconds
   double background = 0.5;        ///< grey, sRGB: 0 black … 1 white
 
   friend bool operator==(const Presentation&, const Presentation&) = default;
@@ -73,29 +74,31 @@ struct VideoKindsForm {
                                       const WritingOptions&);
 };
 
-/// What is written for a stimulus, and how large.
+/// The files written for a stimulus, their format and size.
 struct Output {
-  std::array<int, 2> size{960, 540};  ///< pixels of the picture that the camera frames
-  double scale = 1.0;                 ///< all is drawn so many times as large, and shows the same
-  std::optional<std::array<int, 4>> crop;  ///< the part that is kept, in pixels of `size`: from the
-                                           ///< left, from the top, width, height
+  std::array<int, 2> size{960, 540};  ///< width and height of the camera's picture, in pixels
+  /// Factor by which the picture's resolution is multiplied; the view is unchanged.
+  double scale = 1.0;
+  std::optional<std::array<int, 4>> crop;  ///< the part of the picture that is kept, in pixels of
+                                           ///< `size`: left, top, width, height
   double fps = 30.0;
   int cycles = 3;         ///< repetitions of a looping clip
-  bool in_place = false;  ///< walk on the spot instead of travelling
+  bool in_place = false;  ///< remove travel (walk on the spot)
   Quality quality = Quality::standard;
-  double shutter = 0.0;  ///< degrees of 360 for which the shutter is open: motion blur
+  double shutter = 0.0;  ///< shutter angle for motion blur: degrees of 360 per frame
   FrameFormat frames = FrameFormat::png;
-  std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< each once
+  std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< without duplicates
   Presentation presentation;
-  std::vector<std::string> clips{"bvh"};  ///< endings of the motion files, clips/<id>.bvh
+  /// File extensions of the exported motions, clips/<id>.bvh.
+  std::vector<std::string> clips{"bvh"};
 
-  /// Pixels of the picture that the camera frames, drawn to scale.
+  /// Returns the width and height of the whole picture in pixels, after scaling.
   std::array<int, 2> whole_size() const;
 
-  /// The part of it that is kept, if not all.
+  /// Returns the cropped part of the whole picture; empty if all of it is kept.
   std::optional<render::Window> window() const;
 
-  /// Pixels of what is kept: of the frames and videos.
+  /// Returns the width and height of frames and videos in pixels, after scaling and cropping.
   std::array<int, 2> shown_size() const;
 
   friend bool operator==(const Output&, const Output&) = default;

@@ -35,14 +35,15 @@ inline constexpr Words<TestCorrection> correction_words = {
     {"bh", TestCorrection::benjamini_hochberg},
     {"none", TestCorrection::none}};
 
-/// How a scale is answered: on points, unless it is a slider or in words.
+/// How a scale is answered: on discrete points by default, on a slider or in free words.
 struct AnswerSettings {
-  int points = 5;       ///< from one end of a scale to the other, both counted
-  bool slider = false;  ///< raw answers 0 … 100 from the left
-  bool words = false;   ///< free words; the raw answer is the text
-  bool anchors = true;  ///< each point has its words ("very sad"), and not the ends alone
-  StartsAt starts_at = StartsAt::none;  ///< what is chosen before an answer is given
-  PoleSide side = PoleSide::random;     ///< of the high end: by participant and item, or right
+  int points = 5;                       ///< number of points, including both ends
+  bool slider = false;                  ///< raw answers are 0 … 100 from left to right
+  bool words = false;                   ///< free words; the raw answer is the text
+  bool anchors = true;                  ///< every point is labelled ("very sad"), not only the ends
+  StartsAt starts_at = StartsAt::none;  ///< initial state of a scale
+  PoleSide side = PoleSide::random;     ///< side of the high end: random for each participant and
+                                        ///< item, or fixed at the right
   friend bool operator==(const AnswerSettings&, const AnswerSettings&) = default;
 };
 
@@ -57,9 +58,9 @@ void fields_of(auto&& field, MaybeConst<AnswerSettings> auto& answer) {
 
 /// A question about the participant.
 struct Demographic {
-  std::string id;       ///< column of the table of participants
+  std::string id;       ///< column in the table of participants
   std::string ask;      ///< the question
-  AnswerChoice answer;  ///< a number, a text, or one of a list
+  AnswerChoice answer;  ///< a number, a text, or one of several choices
   bool required = false;
 };
 
@@ -70,13 +71,14 @@ void fields_of(auto&& field, MaybeConst<Demographic> auto& question) {
   field("required", question.required, concerns::nothing);
 }
 
-/// What a session is reckoned to take beside its videos; seconds.
+/// The estimated duration of a session in addition to its videos, in seconds except for the reading
+/// speed.
 struct Pace {
-  double words_per_minute = 200.0;  ///< of texts that are read
-  double answer = 3.5;              ///< an item of a trial, read and answered
-  double comment = 5.0;             ///< a trial with a place for one, on the average
-  double between = 1.5;             ///< from one trial to the next
-  double demographic = 8.0;         ///< a question about the participant
+  double words_per_minute = 200.0;  ///< reading speed for texts
+  double answer = 3.5;              ///< to read and answer an item of a trial
+  double comment = 5.0;             ///< mean time for comments per trial, if comments are allowed
+  double between = 1.5;             ///< between successive trials
+  double demographic = 8.0;         ///< per question about the participant
   friend bool operator==(const Pace&, const Pace&) = default;
 };
 
@@ -88,12 +90,13 @@ void fields_of(auto&& field, MaybeConst<Pace> auto& pace) {
   field("demographic", pace.demographic, concerns::nothing);
 }
 
-/// What is said before the answers are seen about how they will be looked at.
+/// The preregistered analysis plan.
 struct AnalysisPlan {
-  TextSource plan;      ///< in words; part of the preregistration
-  double alpha = 0.05;  ///< level of every test
+  TextSource plan;      ///< text of the plan, included in the preregistration
+  double alpha = 0.05;  ///< significance level of each test
   TestCorrection correction = TestCorrection::holm;
-  int max_failed_checks = 1;  ///< a participant who fails more attention checks is excluded
+  /// Participants who fail more attention checks than this are excluded.
+  int max_failed_checks = 1;
 };
 
 void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
@@ -103,32 +106,34 @@ void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
   field("max_failed_checks", analysis.max_failed_checks, concerns::nothing);
 }
 
-/// The questions to participants about the stimuli of a manifest, in which order, and how it is
-/// shown. It has no influence on the stimuli.
+/// The questions asked about the stimuli of a manifest, their order and their presentation. It does
+/// not affect the stimuli.
 struct Questionnaire {
   std::string title;  ///< empty: the study's name
-  InterfaceLanguage language =
-      InterfaceLanguage::english;            ///< of the interface, and of the scales' ends
-  int participants = 0;                      ///< planned
-  TextSource consent, instructions, ending;  ///< empty where nothing is said
-  std::string question;                      ///< above the items of a trial; empty for a usual one
+  /// Language of the interface and of the scales' labels.
+  InterfaceLanguage language = InterfaceLanguage::english;
+  int participants = 0;                      ///< planned number
+  TextSource consent, instructions, ending;  ///< empty: not given
+  std::string question;  ///< shown above the items of a trial; empty: a default text
   StimulusChoice stimuli;
-  int per_participant = 0;                 ///< trials that are analysed; 0: all
-  const TrialForm* trials = &rating_form;  ///< the question about a stimulus
+  int per_participant = 0;                 ///< number of analysed trials per participant; 0: all
+  const TrialForm* trials = &rating_form;  ///< form of the trials
   ScaleChoice scales;
-  std::vector<std::pair<std::string, std::string>> choices;  ///< to choose from: id → as shown
-  std::vector<std::vector<std::string>> pairs;  ///< of forms with two stimuli; empty: all
+  /// Possible answers: id → displayed text.
+  std::vector<std::pair<std::string, std::string>> choices;
+  /// Stimuli of each pair, for forms with two stimuli; empty: all pairs.
+  std::vector<std::vector<std::string>> pairs;
   AnswerSettings answer;
   TrialOrder order;
   std::vector<std::string> no_repeats;  ///< factors in which successive trials must differ
-  std::vector<std::string> practice;    ///< stimuli of trials before the main part
-  int warm_up = 0;          ///< trials more at the beginning of the main part, not analysed
-  int attention_every = 0;  ///< a check after so many trials; 0: none
-  int repeated = 0;         ///< catch trials: stimuli that are shown a second time
+  std::vector<std::string> practice;    ///< stimuli of the practice trials
+  int warm_up = 0;  ///< additional trials at the beginning of the main part that are not analysed
+  int attention_every = 0;  ///< number of trials between attention checks; 0: no checks
+  int repeated = 0;         ///< number of stimuli that are shown a second time (catch trials)
   Replays replays;
   Watching watch = Watching::full;
   bool comments = false;
-  std::string reference;  ///< stimulus that is shown beside; empty for none
+  std::string reference;  ///< id of the stimulus shown next to the rated one; empty for none
   ShownAs view = ShownAs::video;
   Phones phones = Phones::refused;
   std::vector<Demographic> demographics;

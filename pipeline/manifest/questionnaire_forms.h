@@ -13,11 +13,11 @@
 
 namespace mien::pipeline {
 
-/// A text for participants, as it stands in the manifest or in a file. Once a manifest has been
-/// read, `text` is filled in either case.
+/// A text for participants, given in the manifest or in a file. `text` is filled in in both cases
+/// once the manifest has been read.
 struct TextSource {
   std::string text;
-  std::filesystem::path file;  ///< resolved; empty where the manifest says it itself
+  std::filesystem::path file;  ///< resolved; empty: the text is in the manifest
 
   bool empty() const { return text.empty(); }
 };
@@ -29,8 +29,8 @@ struct TextForm {
   static void walk(auto& names) { names.add("file"); }
 };
 
-/// Which stimuli are asked about: those named, or those whose levels are among the given ones in
-/// each factor; all when it says neither.
+/// The stimuli that are rated: those named, or those whose level is among the given ones for each
+/// factor; all if neither is given.
 struct StimulusChoice {
   std::vector<std::string> ids;
   std::vector<std::pair<std::string, std::vector<std::string>>> levels;
@@ -42,13 +42,14 @@ struct StimulusChoiceForm {
   static nlohmann::ordered_json write(const StimulusChoice& choice, const WritingOptions& how);
 };
 
-/// Which scales are asked.
+/// The scales that are asked.
 struct ScaleChoice {
-  bool all = false;       ///< all of the study's, or of the file's
-  bool emotions = false;  ///< the six of the emotion thesis
+  bool all = false;       ///< all scales of the study or of the file
+  bool emotions = false;  ///< the six scales of the emotion thesis
   std::vector<std::string> ids;
-  std::filesystem::path file;  ///< scales of the questionnaire's own; empty: the study's
-  ScaleSet own = {};           ///< what that file says, once the manifest has been read
+  /// File of the questionnaire's own scales; empty: the study's scales.
+  std::filesystem::path file;
+  ScaleSet own = {};  ///< content of that file, once the manifest has been read
 };
 
 /// `scales: [sad-happy]`, `scales: all`, `scales: emotions`, or `scales: {file: …, ask: […]}`.
@@ -69,10 +70,10 @@ struct ChoicesForm {
       const std::vector<std::pair<std::string, std::string>>& choices, const WritingOptions& how);
 };
 
-/// What answers a question about the participant.
+/// The type of answer to a question about the participant.
 struct AnswerChoice {
   bool is_number = false;
-  std::vector<std::string> choices;  ///< one of these; empty: a text, or a number
+  std::vector<std::string> choices;  ///< possible answers; empty: a text or a number
 };
 
 /// `answer: number`, `answer: text`, or `answer: [one, other]`.
@@ -81,12 +82,12 @@ struct AnswerChoiceForm {
   static nlohmann::ordered_json write(const AnswerChoice& answer, const WritingOptions& how);
 };
 
-/// In which order a participant sees the stimuli.
+/// The order in which a participant sees the stimuli.
 struct TrialOrder {
   enum class Kind { full, fixed, latin, blocked };
 
   Kind kind = Kind::full;
-  std::string factor;  ///< whose levels are the blocks; empty for others
+  std::string factor;  ///< factor whose levels form the blocks; empty for other kinds
 };
 
 /// `order: latin`, or `order: {blocked: actor}`.
@@ -96,9 +97,9 @@ struct TrialOrderForm {
   static void walk(auto& names) { names.add("blocked"); }
 };
 
-/// How often a video may be seen again; however often, it is counted.
+/// The number of times that a video may be replayed. Replays are always counted.
 struct Replays {
-  std::optional<int> most;  ///< 0: never again; unset: as often as is liked
+  std::optional<int> most;  ///< 0: none; unset: unlimited
 };
 
 /// `replays: counted`, `replays: none`, or `replays: 3`.

@@ -8,18 +8,20 @@
 
 namespace mien::pipeline {
 
-/// How far a stimulus may go from what was approved before it counts as another: `regression:` of a
-/// manifest, or of one of its stimuli.
+/// The largest differences from the approved baseline at which a stimulus still counts as
+/// unchanged: `regression:` of a manifest or of one of its stimuli.
 struct RegressionLimits {
-  double position_mm = 1.0;       ///< of joints and points beside them, at any moment, in the world
-  double turn_degrees = 0.1;      ///< of joints on their parents
-  double speed_m_s = 0.05;        ///< of joints
-  double contact_seconds = 0.05;  ///< that a foot comes down or leaves earlier or later
-  double slide_mm = 1.0;          ///< that a standing foot slides farther
-  bool findings = false;          ///< the lint may find errors that were not there
-  double perceptual = 0.0;  ///< mean ꟻLIP of a key frame that differs by more than noise, 0 … 1
-  double psnr_db = 0.1;     ///< that a video may be less like its frames
-  std::vector<std::pair<std::string, double>> parts_mm;  ///< "left hand" → position_mm of its own
+  /// Of joints and their virtual points in world space, at any time; millimetres.
+  double position_mm = 1.0;
+  double turn_degrees = 0.1;      ///< of joint rotations relative to their parents; degrees
+  double speed_m_s = 0.05;        ///< of joint velocities; m/s
+  double contact_seconds = 0.05;  ///< change of the time of a heel strike or toe off; seconds
+  double slide_mm = 1.0;          ///< additional slide of a planted foot; millimetres
+  bool findings = false;          ///< allow new lint errors
+  double perceptual = 0.0;  ///< mean ꟻLIP of a key frame whose difference exceeds noise, 0 … 1
+  double psnr_db = 0.1;     ///< loss of a video's PSNR against its frames; dB
+  /// Body part → its own position_mm: "left hand".
+  std::vector<std::pair<std::string, double>> parts_mm;
 
   friend bool operator==(const RegressionLimits&, const RegressionLimits&) = default;
 };

@@ -8,26 +8,27 @@
 
 namespace mien::pipeline {
 
-/// A stimulus that shows a rater what one before it shows: the same motion in the same look, size
-/// and presentation, under another id.
+/// A stimulus that looks the same as an earlier one: the same motion in the same look, size and
+/// presentation, under another id.
 struct Repetition {
   std::string path;  ///< "stimuli[3]"
   std::string id;
   std::string first;  ///< id of the stimulus that it repeats
 };
 
-/// Found by comparing what stimuli are made from, not their pictures: the same motion described in
-/// two ways is no repetition. Randomly placed point lights differ for each id. In the order of the
-/// manifest, whose files must be there.
+/// Returns the repetitions in the order of the manifest, whose files must exist. Compares the
+/// inputs of stimuli, not their pictures: the same motion described in two ways is not found.
+/// Randomly placed point lights differ for each id.
 std::vector<Repetition> repetitions_in(const Manifest& manifest);
 
-/// A warning about the repeated stimulus, without its id.
+/// Returns a warning about the repeated stimulus, without its id.
 std::string to_sentence(const Repetition& repetition);
 
-/// A warning for each repetition, with its id: "b: a rater sees the same as of …".
+/// Returns a warning for each repetition, with its id: "b: a rater sees the same as of …".
 std::vector<std::string> repetition_warnings(const Manifest& manifest);
 
-/// The repetition at its place in the manifest; a warning only, as both may be shown on purpose.
+/// Returns the repetition as a fault with its position in the manifest. It is only a warning,
+/// because repetition may be intended.
 Fault repetition_fault(const Repetition& repetition, const Places& places);
 
 }  // namespace mien::pipeline

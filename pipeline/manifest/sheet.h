@@ -10,18 +10,18 @@
 
 namespace mien::pipeline {
 
-/// A sheet about two motions, a gallery of several, or pictures of several stimuli.
+/// A sheet that compares two motions, a gallery of several motions, or stills of several stimuli.
 struct Sheet {
-  std::string path;       ///< in the manifest: "sheets[0]"
-  std::string id;         ///< file name; "<target>_<created>", "gallery" or "stills" unless given
+  std::string path;       ///< path in the manifest: "sheets[0]"
+  std::string id;         ///< file stem; by default "<target>_<created>", "gallery" or "stills"
   std::string target;     ///< stimulus or example
   std::string created;    ///< stimulus or example
   std::string reference;  ///< stimulus or example; empty for none
-  /// Stimuli or examples, one a row, the first being what the others are measured against; then
-  /// there is no target. Empty for others.
+  /// Ids of stimuli or examples of a gallery, one per row; distances are measured from the first,
+  /// and `target` is empty. Empty for other sheets.
   std::vector<std::string> gallery;
-  std::vector<std::string> stills;  ///< stimuli, a picture each; empty for others
-  int columns = 6;                  ///< of pictures
+  std::vector<std::string> stills;  ///< stimulus ids, one picture each; empty for other sheets
+  int columns = 6;                  ///< number of pictures per row of a sheet of stills
 };
 
 void fields_of(auto&& field, MaybeConst<Sheet> auto& sheet) {
@@ -39,15 +39,15 @@ void fields_of(auto&& field, MaybeConst<Sheet> auto& sheet) {
 inline constexpr Words<scenes::Layout> layout_words = {
     {"superimposed", scenes::Layout::superimposed}, {"side-by-side", scenes::Layout::side_by_side}};
 
-/// Motions together on one stage.
+/// Several motions on one stage.
 struct Overlay {
-  /// What it is called and how it is filmed (path "overlays[0]"); it has no motion of its own.
+  /// The id, look and output of the overlay (path "overlays[0]"); it has no motion of its own.
   Stimulus film;
   std::string target;     ///< stimulus or example
   std::string created;    ///< stimulus or example
   std::string reference;  ///< stimulus or example; empty for none
   scenes::Layout layout = scenes::Layout::superimposed;
-  double opacity = 0.75;  ///< of figures in the same place; those side by side are opaque
+  double opacity = 0.75;  ///< of superimposed figures; figures side by side are opaque
 };
 
 void fields_of(auto&& field, MaybeConst<Overlay> auto& overlay) {
@@ -61,10 +61,10 @@ void fields_of(auto&& field, MaybeConst<Overlay> auto& overlay) {
   field("output", overlay.film.output, concerns::nothing);
 }
 
-/// What each figure of an overlay stands for, and its motion.
+/// Returns the role of each figure of an overlay and the id of its motion.
 std::vector<std::pair<Role, std::string>> motions_on(const Overlay& overlay);
 
-/// All motions on a sheet.
+/// Returns the ids of all motions on a sheet.
 std::vector<std::string> motions_on(const Sheet& sheet);
 
 /// Two motions whose distance a sheet shows.
@@ -73,7 +73,8 @@ struct MotionPair {
   std::string created;
 };
 
-/// A comparison's one; a gallery's first motion with each other; none of pictures.
+/// Returns the pair of a comparison, the pairs of a gallery's first motion with each of the others,
+/// or none for stills.
 std::vector<MotionPair> pairs_on(const Sheet& sheet);
 
 }  // namespace mien::pipeline

@@ -24,7 +24,7 @@
 
 namespace mien::pipeline {
 
-/// Numbers by name, in the order of the manifest.
+/// Pairs of name and number, in the order of the manifest.
 using NamedValues = std::vector<std::pair<std::string, double>>;
 
 inline constexpr Words<motion::GridSource> grid_source_words = {
@@ -40,7 +40,7 @@ inline constexpr Words<motion::RotationBlend> rotation_words = {
 inline constexpr Words<motion::WarpShape> time_warp_words = {
     {"monotone", motion::WarpShape::monotone}, {"linear", motion::WarpShape::linear}};
 
-/// How examples become a clip.
+/// The method by which examples are blended into a clip.
 using Interpolation = motion::SynthesisOptions;
 
 void fields_of(auto&& field, MaybeConst<Interpolation> auto& how) {
@@ -61,10 +61,10 @@ void fields_of(auto&& field, MaybeConst<Interpolation> auto& how) {
   field("foot_lock", how.foot_lock, concerns::motion);
 }
 
-/// A motion file shown as it is.
+/// A motion file from which a stimulus takes its motion.
 struct ClipSource {
   std::filesystem::path file;                ///< resolved
-  std::string take;                          ///< of a file with several; empty: its first
+  std::string take;                          ///< take of a file with several; empty: the first
   std::optional<std::array<int, 2>> frames;  ///< first and last, counted from 0; all when absent
 };
 
@@ -82,7 +82,7 @@ inline constexpr Words<Role> role_words = {
 
 inline std::string_view name_of(Role role) { return word_of(role_words, role); }
 
-/// `modify:`: one step, or several.
+/// `modify:`: one or more steps.
 struct StepsForm {
   static void read(const DocumentValue& given, std::vector<ModificationStep>& steps);
   static nlohmann::ordered_json write(const std::vector<ModificationStep>& steps,
@@ -92,25 +92,26 @@ struct StepsForm {
 
 /// One motion to make. Exactly one of adjectives, features, weights, clip, path and foil is given.
 struct Stimulus {
-  std::string path;  ///< in the manifest: "stimuli[2]"
+  std::string path;  ///< path in the manifest: "stimuli[2]"
   std::string id;    ///< safe as a file name
   Role role = Role::created;
-  Factors factors;         ///< of the design, as stated (levels_of gives all of them)
+  Factors factors;         ///< stated factors of the design (levels_of returns all)
   NamedValues adjectives;  ///< parameter → 0…1
-  Hold hold;               ///< other parameters; of adjectives alone
+  Hold hold;               ///< held parameters, only with `adjectives`
   NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
   NamedValues weights;     ///< example → share, ≥ 0, not all 0
   std::optional<ClipSource> clip;
   std::optional<WalkPath> walk;              ///< `path:`
-  std::vector<ModificationStep> walk_moods;  ///< of a path by a graph: the recipes that its moods
-                                             ///< name, in the order of their names
-  std::optional<Foil> foil;     ///< all of the motion is then as that of another (resolve_foils)
-  Look look;                    ///< the manifest's with this stimulus's own values over it
-  Output output;                ///< the manifest's with the stimulus's own values over it
-  Interpolation interpolation;  ///< the manifest's with the stimulus's own values over it
-  std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
-  OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
-  RegressionLimits regression;           ///< the manifest's with this stimulus's own over it
+  std::vector<ModificationStep> walk_moods;  ///< recipes named by the moods of a path through a
+                                             ///< motion graph, in the order of their names
+  /// If set, the motion is derived from the original stimulus (resolve_foils).
+  std::optional<Foil> foil;
+  Look look;                             ///< the manifest's, with the stimulus's own values applied
+  Output output;                         ///< the manifest's, with the stimulus's own values applied
+  Interpolation interpolation;           ///< the manifest's, with the stimulus's own values applied
+  std::vector<ModificationStep> modify;  ///< modifications of that motion, in order
+  OnFault on_fault = OnFault::warn;      ///< the stimulus's own, otherwise the manifest's
+  RegressionLimits regression;           ///< the manifest's, with the stimulus's own values applied
 };
 
 void fields_of(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
@@ -133,7 +134,7 @@ void fields_of(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
   field("interpolation", stimulus.interpolation, concerns::motion);
 }
 
-/// Whether it is blended from examples, and not shown from a file or walked along a path.
+/// Whether a stimulus is blended from examples, and not taken from a file or walked along a path.
 inline bool is_blend(const Stimulus& stimulus) { return !stimulus.clip && !stimulus.walk; }
 
 }  // namespace mien::pipeline

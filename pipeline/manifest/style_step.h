@@ -11,16 +11,17 @@
 
 namespace mien::pipeline {
 
-/// Older methods that give a motion the difference of two others (motion/style_transfer).
+/// Older style transfer methods, which apply the difference of two examples to a motion
+/// (motion/style_transfer).
 enum class StyleMethod {
   amaya,         ///< timing and amplitude of joints
-  unuma,         ///< Fourier series of the cycle
+  unuma,         ///< Fourier series of the gait cycle
   hsu,           ///< linear time-invariant system
   witkin,        ///< motion warping through the styled example's keyframes
-  waveshape,     ///< how widely joints swing about their means
-  displacement,  ///< displacement map towards the styled mean posture
-  shapiro,       ///< independent components
-  neff,          ///< drives: places of hands, bend of torso and head, height of the pelvis
+  waveshape,     ///< amplitude of joint rotations about their means
+  displacement,  ///< displacement map towards the mean posture of the styled example
+  shapiro,       ///< independent component analysis
+  neff,          ///< drives: positions of the hands, bend of torso and head, height of the pelvis
 };
 
 inline constexpr Words<StyleMethod> style_methods = {{"amaya", StyleMethod::amaya},
@@ -37,18 +38,20 @@ inline std::string_view name_of(StyleMethod method) { return word_of(style_metho
 /// A modification by an older method: `{method: unuma, neutral: normal, styled: sad}`.
 struct StyleStep {
   StyleMethod method = StyleMethod::amaya;
-  std::string neutral;     ///< example
-  std::string styled;      ///< example
-  int harmonics = 7;       ///< unuma
-  int order = 10;          ///< hsu
-  int inputs = 3;          ///< hsu
-  int components = 6;      ///< shapiro
-  std::vector<int> swap;   ///< shapiro; empty: the two most different ones
-  std::uint64_t seed = 0;  ///< shapiro
-  bool feet = true;        ///< lock the feet afterwards
+  std::string neutral;  ///< name of the neutral example
+  std::string styled;   ///< name of the styled example
+  int harmonics = 7;    ///< unuma: harmonics of the cycle, ≥ 1
+  int order = 10;       ///< hsu: states of the model, 1 … 10
+  int inputs = 3;       ///< hsu: principal components of the neutral motion as inputs, ≥ 1
+  int components = 6;   ///< shapiro: independent components, ≥ 1
+  /// shapiro: indices of the exchanged components, from 0 (the strongest); empty: the two that
+  /// differ most.
+  std::vector<int> swap;
+  std::uint64_t seed = 0;  ///< shapiro: seed of the analysis
+  bool feet = true;        ///< lock the feet after the transfer
 };
 
-/// `repair: none` leaves the feet alone.
+/// `repair:`; `none` disables foot locking.
 struct StyleRepairForm {
   static void read(const DocumentValue& given, bool& feet);
   static nlohmann::ordered_json write(bool feet, const WritingOptions&);

@@ -13,19 +13,20 @@
 
 namespace mien::pipeline {
 
-/// A walker's style as a mixture of built-in walks: weights ≥ 0, not all 0; or which
-/// adjectives of the built-in scales the walk has, each from 0 to 1. By a graph: how much of which
-/// emotions' recipes its motions are given; what is missing to 1 is as captured.
+/// A walker's style: a mixture of built-in walks (weights ≥ 0, not all 0), or adjectives of the
+/// built-in scales with values from 0 to 1. For a path through a motion graph: emotions and the
+/// strengths of their recipes; the remainder to 1 is the captured motion.
 using Mood = std::vector<std::pair<std::string, double>>;
 
-/// One thing that a walker does: exactly one of walk, turn and stand is given.
+/// One step of a walker's script. Exactly one of walk, turn and stand is given.
 struct WalkStep {
-  std::optional<double> walk_s;    ///< seconds
-  std::optional<double> turn_deg;  ///< to the left; below 0 to the right; not 0
-  std::optional<double> stand_s;   ///< seconds, from when it has come to stand
-  std::optional<double> pace;      ///< else that of the whole path, and of turns what came before
-  double curve_deg_s = 0.0;        ///< of a walk: °/s to the left
-  Mood mood;                       ///< from here on; none: as before
+  std::optional<double> walk_s;    ///< duration in seconds
+  std::optional<double> turn_deg;  ///< rotation in degrees, positive to the left; not 0
+  std::optional<double> stand_s;   ///< seconds, from when the walker has come to rest
+  std::optional<double> pace;  ///< share of the mood's speed; unset: the pace of the path or, for a
+                               ///< turn, of the preceding step
+  double curve_deg_s = 0.0;  ///< turning rate of a walk in degrees per second, positive to the left
+  Mood mood;                 ///< mood from this step on; empty: unchanged
 
   friend bool operator==(const WalkStep&, const WalkStep&) = default;
 };
@@ -39,9 +40,9 @@ void fields_of(auto&& field, MaybeConst<WalkStep> auto& step) {
   field("mood", step.mood, concerns::motion);
 }
 
-/// A mood that somebody walks in from a moment on.
+/// A change of mood at a given time.
 struct MoodChange {
-  double seconds = 0.0;  ///< since the beginning
+  double seconds = 0.0;  ///< time since the beginning
   Mood mood;
 
   friend bool operator==(const MoodChange&, const MoodChange&) = default;
@@ -52,13 +53,13 @@ void fields_of(auto&& field, MaybeConst<MoodChange> auto& change) {
   field("mood", change.mood, concerns::motion | concerns::required);
 }
 
-/// A place on the floor, metres: to the left of where the world's +Z goes, and along it.
+/// A position on the floor in metres: {to the left of the world's +Z axis, along +Z}.
 using FloorPoint = std::array<double, 2>;
 
-/// A motion of a graph.
+/// A motion of a motion graph.
 struct GraphMotion {
   std::filesystem::path file;  ///< resolved
-  std::string take;            ///< of a file with several; empty: its first
+  std::string take;            ///< take of a file with several; empty: the first
 
   friend bool operator==(const GraphMotion&, const GraphMotion&) = default;
 };
@@ -68,19 +69,20 @@ void fields_of(auto&& field, MaybeConst<GraphMotion> auto& motion) {
   field("take", motion.take, concerns::motion);
 }
 
-/// What a walker under control (motion/steered_walk/scripted_walk.h) is to do, from standing to
-/// standing on a path, or step by step; or what is to be found for it among motions of files
+/// A path for a controlled walker (motion/steered_walk/scripted_walk.h), starting and ending in a
+/// standing pose, or for a walk assembled from the motions of a graph
 /// (motion/motion_graph/guided_walk.h), which have their own moods and speeds. Exactly one of
 /// script and points is given.
 struct WalkPath {
-  std::string set = "builtin:walks-10";  ///< that moods are named after
-  Mood mood;          ///< at the beginning; none: that of the first step, or the set's first walk
-  double pace = 1.0;  ///< share of the mood's own speed
+  std::string set = "builtin:walks-10";  ///< example set whose walks the moods name
+  Mood mood;          ///< initial mood; empty: that of the first step, or the first walk of the set
+  double pace = 1.0;  ///< speed as a share of the mood's own speed
   std::vector<WalkStep> script;
-  std::vector<FloorPoint> points;  ///< of a path along straight lines, whose corners are rounded
-  std::vector<MoodChange> moods;   ///< along the points, by time
-  std::vector<GraphMotion> graph;  ///< none: the walker walks
-  double threshold_m = 0.06;       ///< of the graph (motion/motion_graph/motion_graph.h)
+  std::vector<FloorPoint> points;  ///< vertices of a polyline path with rounded corners
+  std::vector<MoodChange> moods;   ///< changes of mood along the points, by time
+  std::vector<GraphMotion> graph;  ///< motions of the graph; empty: the walker is controlled
+  /// Transition threshold of the graph, metres (motion/motion_graph/motion_graph.h).
+  double threshold_m = 0.06;
 
   friend bool operator==(const WalkPath&, const WalkPath&) = default;
 };
@@ -96,7 +98,7 @@ void fields_of(auto&& field, MaybeConst<WalkPath> auto& path) {
   field("threshold_m", path.threshold_m, concerns::motion);
 }
 
-/// `path:`: steps, or a map.
+/// `path:`: a list of steps or a map.
 struct WalkPathForm {
   static void read(const DocumentValue& given, std::optional<WalkPath>& path);
   static nlohmann::ordered_json write(const std::optional<WalkPath>& path,
@@ -104,27 +106,27 @@ struct WalkPathForm {
   static void walk(auto& names) { names.template of<WalkPath>(); }
 };
 
-/// Names of the walks that the set holds; none for a set that there is not.
+/// Returns the names of the walks in the path's set; empty for an unknown set.
 std::vector<std::string> walks_of(const WalkPath& path);
 
-/// Names of the adjectives that moods may be of: groups and pairs of the built-in scales.
+/// Returns the names that moods of adjectives may use: groups and pairs of the built-in scales.
 std::vector<std::string> adjectives_of_moods();
 
-/// Whether a mood is of adjectives and not of the set's walks.
+/// Whether a mood consists of adjectives instead of walks of the set.
 bool is_of_adjectives(const WalkPath& path, const Mood& mood);
 
-/// The walks or adjectives that the path's moods use, in the set's order; the set's first if none
-/// is named.
+/// Returns the walks or adjectives that the path's moods use, in the set's order; the set's first
+/// walk if none is named.
 std::vector<std::string> moods_of(const WalkPath& path);
 
-/// A short description: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".
+/// Returns a short description: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".
 std::string described(const WalkPath& path);
 
-/// All moods of the path with where each stands below it: "mood", "script[1].mood", "moods[0].mood"
-/// (of a script alone "[1].mood").
+/// Returns all moods of the path with their paths within it: "mood", "script[1].mood",
+/// "moods[0].mood" ("[1].mood" if `path:` is a list of steps).
 std::vector<std::pair<std::string, Mood>> places_of_moods(const WalkPath& path);
 
-/// Metres of the straight lines through the points.
+/// Returns the length of the polyline through the points, in metres.
 double length_of(const std::vector<FloorPoint>& points);
 
 }  // namespace mien::pipeline

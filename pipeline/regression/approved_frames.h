@@ -9,21 +9,21 @@
 
 namespace mien::pipeline {
 
-// What a baseline keeps of a stimulus, read and checked. All throw Error, with the file and how to
-// mend it.
+// Read and check the stored files of a stimulus in a baseline. All functions throw Error that names
+// the file and a remedy.
 
-/// The clip that was approved, to a thousandth of a millimetre. `like` says what the file cannot:
-/// its name, and how it repeats.
+/// Returns the approved clip, accurate to 0.001 mm. `like` supplies what the file does not store:
+/// its name and how it loops.
 motion::Clip approved_clip(const Baseline& baseline, const std::string& id,
                            const motion::Clip& like);
 
-/// A key frame as a display shows it.
+/// Returns a key frame as a display shows it.
 render::Image8 approved_picture(const Baseline& baseline, const std::string& id, int frame);
 
-/// The block statistics of a key frame.
+/// Returns the block statistics of a key frame.
 BlockStatistics approved_blocks(const Baseline& baseline, const std::string& id, int frame);
 
-/// The hash by which a baseline identifies a picture.
+/// Returns the hash by which a baseline identifies a picture.
 Hash hash_of_pixels(const render::Image8& picture);
 
 }  // namespace mien::pipeline

@@ -8,11 +8,11 @@
 
 namespace mien::pipeline {
 
-/// The three states of a stimulus from which causes are found.
+/// The three states of a stimulus that are compared to find causes.
 struct StimulusStates {
-  const StimulusFacts& approved;  ///< as the baseline has it
-  const StimulusFacts& then;      ///< what was approved, as this program makes it
-  const StimulusFacts& now;       ///< as the manifest describes it now
+  const StimulusFacts& approved;  ///< as stored in the baseline
+  const StimulusFacts& then;      ///< the approved manifest, made by the current program
+  const StimulusFacts& now;       ///< the current manifest, made by the current program
 
   bool is_motion_remade() const { return then.motion != approved.motion; }
   bool is_motion_requested() const { return now.motion != then.motion; }
@@ -21,22 +21,22 @@ struct StimulusStates {
   bool is_drawing_requested() const { return now.drawing != then.drawing; }
 };
 
-/// The changed settings of one aspect: "weights.sad 0.4 → 0.41; …". Without any, all changed
-/// settings: a seed may change a motion too, by the ratings that it simulates. Without any at all,
-/// a sentence that the change comes from other stimuli.
+/// Returns the changed settings of one aspect: "weights.sad 0.4 → 0.41; …". If there are none,
+/// returns all changed settings, because a seed may also change a motion through simulated ratings.
+/// If nothing has changed, returns a sentence that the change comes from other stimuli.
 std::string requested_changes(const StimulusStates& states, Aspect aspect);
 
-/// What made the motion another, without shares. Empty when it is the same.
+/// Returns the causes of a changed motion, without shares; empty if the motion is unchanged.
 std::vector<Attribution> motion_causes(const StimulusStates& states);
 
-/// Why the same motion, staged and drawn with the same settings, looks different: the program, a
-/// library, the processor, a file that the scene is made from.
+/// Returns the causes of a different appearance of the same motion, staged and rendered with the
+/// same settings: the program, a library, the processor, or a file of the scene.
 std::vector<Attribution> program_causes(const StimulusStates& states);
 
-/// What made the same frames another file.
+/// Returns the cause of a different video file with the same frames.
 Attribution encoder_cause(const StimulusFacts& before, const StimulusFacts& now);
 
-/// Which of motion, scene and drawing are taken from the current study; the rest is as approved.
+/// The aspects taken from the current study; the others are as approved.
 struct Exchanged {
   bool motion = false;
   bool scene = false;
@@ -45,19 +45,21 @@ struct Exchanged {
   friend auto operator<=>(const Exchanged&, const Exchanged&) = default;
 };
 
-/// Shares of the mean squared error between two pictures.
+/// Shares of the causes in the mean squared error between two pictures.
 struct CauseShares {
-  double program = 0.0;  ///< of what is not exchanged
+  /// Share of the program, its libraries and the processor, which are not exchanged.
+  double program = 0.0;
   double motion = 0.0;
   double scene = 0.0;
   double drawing = 0.0;
-  double interaction = 0.0;  ///< of what none of them does alone; may be negative
+  double interaction = 0.0;  ///< remainder that no single cause explains; may be negative
 };
 
-/// Exchanges one after the other, in each order: the mean of what each adds is its Shapley value
-/// (1953). `error_of` returns the mean squared error between the picture of such a state and that
-/// of none exchanged; it is called once for each set of those that `can` be. `program_error` is
-/// that between the approved picture and that of none exchanged. All 0 when there is no error.
+/// Computes Shapley values (1953): the contribution of each aspect, averaged over all orders of
+/// exchanging the aspects one after the other. `error_of` returns the mean squared error between
+/// the picture with the given aspects exchanged and that with none exchanged; it is called once for
+/// each subset of the aspects in `can`. `program_error` is the error between the approved picture
+/// and that with none exchanged. All shares are 0 if there is no error.
 CauseShares cause_shares(const Exchanged& can, double program_error,
                          const std::function<double(const Exchanged&)>& error_of);
 

@@ -8,7 +8,7 @@
 
 namespace mien::pipeline {
 
-/// Where the pictures that a report shows are put: a folder, which is made.
+/// The folder of the pictures shown in a report; it is created if necessary.
 ///
 ///     <id>-00012-before.png, <id>-00012-now.png, <id>-00012-flip.png
 class ComparedPictures {
@@ -19,8 +19,8 @@ class ComparedPictures {
   std::filesystem::path now(const std::string& id, int frame) const;
   std::filesystem::path flip(const std::string& id, int frame) const;
 
-  /// Without a map where there is none: of pictures that differ in size. Throws render::Error and
-  /// WriteFailure.
+  /// Writes both pictures and the ꟻLIP map. There is no map for pictures that differ in size.
+  /// Throws render::Error and WriteFailure.
   void put(const std::string& id, int frame, const render::Image8& before,
            const render::Image8& now, const render::PixelMap& error) const;
   void put_before(const std::string& id, int frame, const render::Image8& picture) const;

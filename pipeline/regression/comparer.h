@@ -12,27 +12,27 @@
 
 namespace mien::pipeline {
 
-/// What stimuli are compared with, and by what means.
+/// The inputs and settings of comparing a study with its baseline.
 struct ComparedStudy {
   const Baseline& baseline;
   Rendition& now;
-  /// The approved study, made by this program. Called only where something may have changed. Throws
-  /// Error when it cannot be; causes then go by what the manifests say.
+  /// Returns the approved study as this program makes it. Called only if something may have
+  /// changed. Throws Error if it cannot be made; causes are then inferred from the manifests.
   std::function<Rendition&(const std::string& edition)> approved;
-  const ComparedPictures* pictures = nullptr;  ///< takes the frames that differ, if any
+  const ComparedPictures* pictures = nullptr;  ///< receives the frames that differ; may be null
   int threads = 1;
   std::stop_token stop;
-  std::vector<std::string> only;  ///< ids of the stimuli that are compared; empty: all
+  std::vector<std::string> only;  ///< ids of the stimuli to compare; empty: all
 
   bool compares(const std::string& id) const;
 };
 
-/// Compares a stimulus that both have on every level, and finds out why it differs. `now` are its
-/// facts, with the videos that were made of it, if any. `always_draw`: draws its key frames
-/// although nothing that they depend on has changed. Throws Error and Interrupted.
+/// Compares a stimulus that exists in both states, and determines why it differs. `now` are its
+/// current facts, including its videos, if any. `always_draw`: renders its key frames even if none
+/// of their inputs has changed. Throws Error and Interrupted.
 StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool always_draw);
 
-/// Videos that are not as they were, by their kind. None where none were made now.
+/// Returns the changed videos by format; empty if no videos were made now.
 std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,
                                        const std::vector<VideoFacts>& now);
 

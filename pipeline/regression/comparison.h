@@ -12,16 +12,16 @@
 
 namespace mien::pipeline {
 
-/// What made something look different.
+/// The cause of a difference.
 enum class Cause {
-  motion,       ///< what the manifest says of the motion, or a file that it is made from
-  scene,        ///< figure, set, camera, size of the picture; a file that they are made from
-  drawing,      ///< samples, shutter, seed
-  renderer,     ///< the same scene is drawn otherwise by another program
-  synthesis,    ///< the same motion is made otherwise by another program
-  encoder,      ///< the same frames in another file
-  environment,  ///< another library, instruction set or processor
-  unknown,      ///< nothing that is known of has changed: chance, or a damaged baseline
+  motion,       ///< settings of the motion, or a file that it is made from
+  scene,        ///< figure, set, camera or picture size, or a file that they are made from
+  drawing,      ///< samples, shutter or seed of the noise
+  renderer,     ///< another version of the program renders the same scene differently
+  synthesis,    ///< another version of the program synthesizes the motion differently
+  encoder,      ///< the same frames, encoded differently
+  environment,  ///< a different library, instruction set or processor
+  unknown,      ///< no known input has changed: nondeterminism or a damaged baseline
 };
 
 inline constexpr Words<Cause> cause_words = {
@@ -35,20 +35,21 @@ inline std::string_view name_of(Cause cause) { return word_of(cause_words, cause
 /// One cause of a difference.
 struct Attribution {
   Cause cause = Cause::unknown;
-  std::string root;  ///< what it comes from, the same words for all stimuli: differences are
-                     ///< grouped by it: "adjectives.quickness 0.6 → 0.61", "Embree 3.13.5 → 4.3.0"
-  std::string evidence;  ///< a sentence: what was exchanged, and what became of it
-  /// Of the mean squared error of the pictures, 0 … 1 (a Shapley value: below 0 where it hides what
-  /// others do); nothing where no picture differs.
+  /// Origin of the change, worded identically for all stimuli so that differences can be grouped by
+  /// it: "adjectives.quickness 0.6 → 0.61", "Embree 3.13.5 → 4.3.0".
+  std::string root;
+  std::string evidence;  ///< a sentence about what was exchanged and its effect
+  /// Share of the mean squared error of the pictures: a Shapley value, 0 … 1, or below 0 if it
+  /// reduces the effect of other causes. Unset if no picture differs.
   std::optional<double> share;
 };
 
 /// The result of comparing a stimulus with its baseline.
 enum class Verdict {
-  same,   ///< every number and pixel is as it was
-  alike,  ///< within the limits, or no more than the renderer's noise
+  same,   ///< every number and pixel is unchanged
+  alike,  ///< changed within the limits, or no more than the renderer's noise
   differs,
-  appeared,  ///< is new
+  appeared,  ///< not in the baseline
   gone,
 };
 
@@ -60,44 +61,46 @@ inline constexpr Words<Verdict> verdict_words = {{"same", Verdict::same},
 
 inline std::string_view name_of(Verdict verdict) { return word_of(verdict_words, verdict); }
 
-/// A number that has changed.
+/// A changed number.
 struct ValueChange {
   std::string name;
   double before = 0.0;
   double now = 0.0;
 };
 
-/// The values that differ between the lists; 0 where one is missing.
+/// Returns the values that differ between the lists; a missing value counts as 0.
 std::vector<ValueChange> value_changes(const NamedValues& before, const NamedValues& now);
 
-/// A video that is not as it was.
+/// A changed video.
 struct VideoChange {
   std::string format;
-  std::vector<std::string> what;  ///< "114 frames → 113"; "other bytes"
-  bool same_frames = true;        ///< as many, at the same times
-  double psnr_lost_db = 0.0;      ///< that it is less like its frames than before
+  /// Descriptions of the changes: "114 frames → 113", "other bytes".
+  std::vector<std::string> what;
+  bool same_frames = true;    ///< same number of frames at the same times
+  double psnr_lost_db = 0.0;  ///< loss of PSNR relative to its frames, dB
 };
 
-/// Everything that is known of how a stimulus differs from what was approved.
+/// All differences between a stimulus and its approved state.
 struct StimulusComparison {
   std::string id;
   Verdict verdict = Verdict::same;
   std::vector<SettingChange> settings;
   std::vector<ValueChange> weights;
-  std::vector<ValueChange> parameters;             ///< as they were reached
-  std::optional<motion::MotionDifference> motion;  ///< when it has changed
-  std::vector<FrameComparison> frames;             ///< key frames that were drawn and compared
-  int frames_reused = 0;                           ///< that cannot have changed
+  std::vector<ValueChange> parameters;             ///< changes of the values reached
+  std::optional<motion::MotionDifference> motion;  ///< set if the motion has changed
+  std::vector<FrameComparison> frames;             ///< rendered and compared key frames
+  /// Number of key frames not rendered, because none of their inputs has changed.
+  int frames_reused = 0;
   std::vector<VideoChange> videos;
-  std::vector<Attribution> causes;   ///< the largest share first
-  double interaction = 0.0;          ///< share that no cause has alone
-  std::vector<std::string> reasons;  ///< for `differs`: limits that are passed
-  std::string former_id;             ///< of one that appeared: it was approved under another name
+  std::vector<Attribution> causes;   ///< causes, largest share first
+  double interaction = 0.0;          ///< share that no single cause explains
+  std::vector<std::string> reasons;  ///< for `differs`: a sentence for each exceeded limit
+  std::string former_id;             ///< for a renamed stimulus: the id under which it was approved
 };
 
-/// Says whether a stimulus counts as another, and for each limit that is passed a sentence. What a
-/// picture changes by because of a motion that is within its limits is no reason; nor is noise,
-/// unless the scene's settings have changed: its pictures have the noise of the old one.
+/// Sets the verdict and adds a reason for each exceeded limit. Picture changes caused by a motion
+/// within its limits are not a reason. Neither is noise, unless the scene's settings have changed:
+/// the approved noise statistics then belong to another scene.
 void judge(StimulusComparison& comparison, const RegressionLimits& limits);
 
 }  // namespace mien::pipeline

@@ -20,12 +20,12 @@
 
 namespace mien::pipeline {
 
-/// A study as this program shows it: its motions, and single frames of its films without the films.
-/// Made of a manifest of today, or of one that was approved some time ago.
+/// A study as made by this program: its motions and single frames of its films, without the films
+/// themselves. The manifest is the current one or an approved one.
 class Rendition {
  public:
-  /// Films are equalized in `folder`, which is a store. Throws Error, also where the films cannot
-  /// be equalized, and Interrupted.
+  /// Computes the equalized properties in `folder`, which is a store. Throws Error, also if the
+  /// films cannot be equalized, and Interrupted.
   Rendition(Manifest manifest, const std::filesystem::path& folder, int threads,
             const std::stop_token& stop);
 
@@ -33,14 +33,14 @@ class Rendition {
   Motions& motions() { return motions_; }
   FileKeys& files() { return files_; }
 
-  /// What the film of a stimulus shows. Throws Error when it cannot be made.
+  /// Returns the clip that the film of a stimulus shows. Throws Error if it cannot be made.
   const motion::Clip& clip_of(const std::string& id);
 
-  /// Shows another clip in its place.
+  /// Replaces the clip of a stimulus.
   void show(const std::string& id, motion::Clip clip) { clips_[id] = std::move(clip); }
 
-  /// What determines a frame beside the clip, the program and its libraries: the scene, and how it
-  /// is drawn.
+  /// Keys of the inputs of a frame other than the clip, the program and its libraries: the scene
+  /// and the settings of rendering.
   Hash scene_key(const std::string& id);
   Hash drawing_key(const std::string& id) const;
 
@@ -54,34 +54,35 @@ class Rendition {
   std::map<std::string, motion::Clip> clips_;
 };
 
-/// What a frame is made from; each may be another rendition's.
+/// The renditions from which the inputs of a frame are taken; they may differ.
 struct FrameSources {
   Rendition* motion = nullptr;
   Rendition* scene = nullptr;
   Rendition* drawing = nullptr;
-  const motion::Clip* clip = nullptr;  ///< shown in place of `motion`'s, if any
+  const motion::Clip* clip = nullptr;  ///< if not null, replaces the clip of `motion`
 };
 
-/// A stimulus staged, so that any of its frames can be drawn.
+/// A staged stimulus, of which any frame can be rendered.
 struct StagedFilm {
   scenes::Shot shot;
   FilmSettings settings;
 };
 
-/// Throws Error.
+/// Stages a stimulus. Throws Error.
 StagedFilm staged(const std::string& id, const FrameSources& sources, int threads);
 
-/// Frames as a display shows them. All are in the shot. Throws Interrupted.
+/// Renders frames as a display shows them. All frame numbers must be in the shot. Throws
+/// Interrupted.
 std::vector<render::Image8> drawn(const StagedFilm& film, const std::vector<int>& frames,
                                   const std::stop_token& stop);
 
-/// How much of each frame is noise: the light of its blocks, as a display shows it, under several
-/// patterns of it. Throws Interrupted.
+/// Measures the noise of frames: renders each with several noise patterns and returns the
+/// statistics of its blocks' light, as a display shows it. Throws Interrupted.
 std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::vector<int>& frames,
                                              const std::stop_token& stop);
 
-/// What is known of a stimulus once its motion is made: all but edition, key frames and videos.
-/// Throws Error when the motion cannot be made.
+/// Returns the facts about a stimulus once its motion is made, without edition, key frames and
+/// videos. Throws Error if the motion cannot be made.
 StimulusFacts facts_of(const std::string& id, Rendition& rendition);
 
 }  // namespace mien::pipeline

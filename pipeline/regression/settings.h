@@ -9,12 +9,13 @@
 
 namespace mien::pipeline {
 
-/// What of a stimulus an option changes: the first thing in the order of production.
+/// The aspect of a stimulus that an option changes: the first one affected in the order of
+/// production.
 enum class Aspect {
   motion,
-  scene,    ///< figure, set, camera, size of the picture
-  drawing,  ///< how the same scene is drawn: samples, shutter, seed of the noise
-  video,    ///< how the same frames are shown and encoded
+  scene,    ///< figure, set, camera, picture size
+  drawing,  ///< how the scene is rendered: samples, shutter, seed of the noise
+  video,    ///< how the frames are presented and encoded
 };
 
 inline constexpr Words<Aspect> aspect_words = {{"motion", Aspect::motion},
@@ -24,25 +25,25 @@ inline constexpr Words<Aspect> aspect_words = {{"motion", Aspect::motion},
 
 inline std::string_view name_of(Aspect aspect) { return word_of(aspect_words, aspect); }
 
-/// One option as it was used, whether the manifest names it or not.
+/// The value of one option, whether the manifest states it or not.
 struct Setting {
-  std::string path;  ///< "adjectives.quickness"; of the whole study "examples.set"
+  std::string path;  ///< "adjectives.quickness"; for the whole study, "examples.set"
   Aspect aspect = Aspect::motion;
-  std::string value;  ///< as JSON; of a file its name
+  std::string value;  ///< as JSON; for a file, its name
 
   friend bool operator==(const Setting&, const Setting&) = default;
 };
 
-/// What ends the path of a setting that says which files are named: "clip content".
+/// The suffix of the path of a setting that contains the hashes of named files: "clip content".
 inline constexpr char content_words[] = " content";
 
-/// Everything that a manifest says of what is seen of one of its stimuli, in the manifest's order,
-/// its set option by option, and the files that it names with hashes ("clip content":
-/// {"walk.bvh": "0123456789ab"}). A foil has what its original says.
+/// Returns all settings of a manifest that affect how one of its stimuli looks, in the manifest's
+/// order, including each option of its set and the hashes of named files ("clip content":
+/// {"walk.bvh": "0123456789ab"}). A foil has the settings of its original stimulus.
 std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manifest,
                                  FileKeys& files);
 
-/// An option that says something else than before; empty where it is not said on one side.
+/// A changed option; `before` or `now` is empty if the option is not stated there.
 struct SettingChange {
   std::string path;
   Aspect aspect = Aspect::motion;
@@ -52,14 +53,14 @@ struct SettingChange {
   friend bool operator==(const SettingChange&, const SettingChange&) = default;
 };
 
-/// In the order of `before`, then what is new. What a set's file does not say of a light, wall, box
-/// or belt that is there is what it is by default, and so is what is not said of a step of
-/// `modify`, unless a recipe says it.
+/// Returns the changes in the order of `before`, followed by new options. If one side does not
+/// state an option, its default is compared: for options of a light, wall, box or belt that exists
+/// in the set's file, and for those of a step of `modify` that no recipe states.
 std::vector<SettingChange> changes_between(const std::vector<Setting>& before,
                                            const std::vector<Setting>& now);
 
-/// Values as people write them, colours as "#c08040" where they are such.
-/// "adjectives.quickness 0.6 → 0.61", "examples content: sad.bvh is another (01… → 23…)"
+/// Returns a change as readable text, with colours as "#c08040": "adjectives.quickness 0.6 → 0.61",
+/// "examples content: sad.bvh is another (01… → 23…)".
 std::string change_text(const SettingChange& change);
 
 }  // namespace mien::pipeline

@@ -7,8 +7,9 @@
 
 namespace mien::pipeline {
 
-/// Reads a manifest and finds everything wrong with it, names of examples and parameters included.
-/// A run would write to <out>/<study>, where none of its sources may lie; empty: nothing is run.
+/// Reads a manifest and reports all of its faults, including unknown names of examples and
+/// parameters. A run would write to <out>/<study>, which must contain none of the manifest's source
+/// files; with an empty `out`, this is not checked.
 ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment,
                                const std::filesystem::path& out = {});
 
@@ -17,7 +18,7 @@ ManifestReading check_manifest_text(std::string_view text, const std::filesystem
                                     const Environment& environment,
                                     const std::filesystem::path& out = {});
 
-/// The manifest; throws Faults that list everything wrong with it.
+/// Returns the manifest. Throws Faults that list all of its faults.
 Manifest load_manifest(const std::filesystem::path& file, const Environment& environment,
                        const std::filesystem::path& out = {});
 

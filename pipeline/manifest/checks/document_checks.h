@@ -10,27 +10,30 @@
 
 namespace mien::pipeline {
 
-/// What a YAML file can be.
+/// The kind of document that a YAML file contains.
 enum class DocumentKind { manifest, scales, set, recipes };
 
-/// By its keys: the kind whose schema knows most of them. Where no schema knows any, `name` says
-/// it (my.scales.yaml, my.set.yaml, my.recipes.yaml); others are manifests.
+/// Returns the kind whose schema knows most of the document's keys. If no schema knows any of them,
+/// the kind follows from the file name (my.scales.yaml, my.set.yaml, my.recipes.yaml), with
+/// manifest as the default.
 DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name);
 
-/// The fault of a file of another kind that was given as a manifest, with how to refer to it.
+/// Returns the fault for a file of another kind that was given as a manifest, with advice on how to
+/// refer to it.
 Fault not_a_manifest_fault(DocumentKind kind, const std::filesystem::path& file);
 
-/// Faults of a file that is no manifest. Never throws for what its text says.
+/// Returns the faults of a scales, set or recipes file. Never throws because of the file's content.
 std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file);
 
-/// What a provenance.json says of the manifest behind a study.
+/// The part of a provenance.json that identifies the manifest behind a study.
 struct StudyRecord {
-  std::filesystem::path as_run;    ///< a manifest that makes the study again
-  std::filesystem::path manifest;  ///< a copy of what its author wrote
-  std::string command;             ///< that made the study
+  std::filesystem::path as_run;    ///< manifest that reproduces the study
+  std::filesystem::path manifest;  ///< copy of the author's manifest
+  std::string command;             ///< command line that made the study
 };
 
-/// The record, if the file is one: JSON whose `manifest` names the manifest that was run.
+/// Returns the record if the file is a provenance file: JSON whose `manifest` names the manifest of
+/// the run.
 std::optional<StudyRecord> study_record_in(const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

@@ -10,14 +10,16 @@
 
 namespace mien::pipeline {
 
-/// Pixels from side to side, below which a picture shows nothing.
+/// Minimum width and height of a picture, in pixels.
 inline constexpr int least_picture_side = 16;
 
-/// Pixels of a picture, cropped or not, that can be drawn in a common machine's memory.
+/// Maximum number of pixels of a picture, before and after cropping, so that it fits into the
+/// memory of a common machine.
 inline constexpr std::int64_t most_picture_pixels = 8192LL * 8192;
 
-/// Where a document says what a film is like: the film's own part, which may be silent, and the one
-/// that it is laid over. "stimuli[2].output" and "output"; for options of a command both are empty.
+/// Paths in a document at which a film's look and output are stated: the film's own part, which may
+/// be absent, and the part of the manifest that supplies its defaults ("stimuli[2].output" and
+/// "output"). All are empty for command-line options.
 struct FilmPaths {
   std::string own_look;
   std::string look;
@@ -25,15 +27,15 @@ struct FilmPaths {
   std::string output;
 };
 
-/// The paths of a stimulus or an overlay in its manifest.
+/// Returns the paths of a stimulus or an overlay in its manifest.
 FilmPaths paths_of(const Stimulus& film);
 
-/// Pictures and videos that cannot be as `output` at that path describes them: sizes and rates.
-/// Nothing when the document says none of these there.
+/// Checks the sizes and frame rates of an output stated at `path`. Returns no faults if the
+/// document states none of them at that path.
 std::vector<Fault> check_output(const Output& output, const std::string& path,
                                 const Places& places);
 
-/// What a film's look and its output do not allow each other.
+/// Returns the conflicts between a film's look and its output.
 std::vector<Fault> check_film(const Stimulus& film, const FilmPaths& paths, const Places& places);
 
 }  // namespace mien::pipeline

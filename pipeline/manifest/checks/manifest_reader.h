@@ -11,27 +11,27 @@
 
 namespace mien::pipeline {
 
-/// A manifest and what is wrong with it. Values at fault keep their defaults, so that checks of
-/// meaning can go on and all faults come in one list.
+/// A manifest and its faults. Invalid values keep their defaults, so that semantic checks can
+/// continue and all faults are reported together.
 struct ManifestReading {
   Manifest manifest;
   std::vector<Fault> faults;  ///< in reading order
 };
 
-/// Reads YAML, expands ${NAME} and ${NAME:-default}, validates against the JSON Schema and checks
-/// what can be checked without knowing the examples (check_meaning). Relative paths are taken from
-/// the folder of `file`. Never throws for what the text says.
+/// Reads YAML, expands ${NAME} and ${NAME:-default}, validates against the JSON Schema and performs
+/// the checks that do not need the examples (check_meaning). Relative paths are resolved against
+/// the folder of `file`. Never throws because of the text's content.
 ManifestReading parse_manifest(std::string_view text, const std::filesystem::path& file,
                                const Environment& environment);
 
 /// A file or folder that a manifest names.
 struct NamedFile {
-  std::string text;            ///< as it is written
-  std::filesystem::path file;  ///< as it would be opened
+  std::string text;            ///< as written in the manifest
+  std::filesystem::path file;  ///< resolved path
 };
 
-/// All that a manifest's text names, wherever in it. Opens none of them. Throws Faults for
-/// what is no YAML; what the schema says of it is not looked at.
+/// Returns all files and folders named anywhere in a manifest's text, without opening them. Throws
+/// Faults if the text is not YAML; the schema is not checked.
 std::vector<NamedFile> named_files(std::string_view text, const std::filesystem::path& file,
                                    const Environment& environment);
 

@@ -12,56 +12,59 @@
 
 namespace mien::pipeline {
 
-/// What a schema cannot say: ids that occur twice, files that are missing, sizes that no encoder
-/// takes, values that need examples or ratings where there are none, sheets of one motion, looks
-/// and questionnaires that contradict themselves. No check needs that others went before.
+/// Returns faults that a schema cannot express: duplicate ids, missing files, sizes that no encoder
+/// accepts, values that need examples or ratings when there are none, comparison sheets with a
+/// single motion, and contradictory looks and questionnaires. The checks are independent of each
+/// other.
 std::vector<Fault> check_meaning(const ResolvedManifest& resolved);
 
-/// Folders, ratings, scales and keytimes that are missing or do not go together.
+/// Returns faults of folders, ratings, scales and keytimes that are missing or inconsistent.
 std::vector<Fault> check_examples(const Manifest& manifest);
 
-/// Stimuli whose values need examples or ratings where there are none, clips that are missing, and
-/// options of another method of interpolation.
+/// Returns faults of stimuli whose values need examples or ratings when there are none, whose clips
+/// are missing, or that have options of another interpolation method.
 std::vector<Fault> check_stimuli(const Manifest& manifest);
 
-/// Finds what cannot be walked in a stimulus' `path:`, if it has one: moods that are none, steps
-/// that contradict themselves, points that are too near, and what would take too long.
+/// Adds the faults of a stimulus's `path:`, if it has one: unknown moods, contradictory steps,
+/// points that are too close together, and excessive durations.
 void check_walk_path(const Stimulus& stimulus, FaultList& list);
 
-/// What a schema cannot say of modifications: keys that exclude each other or belong to another
-/// method, poses and styles that need examples or files where there are none.
+/// Returns faults of modifications that a schema cannot express: mutually exclusive keys, keys of
+/// another method, and poses and styles that need examples or files when there are none.
 std::vector<Fault> check_modifications(const Manifest& manifest);
 
-/// Examples that modifications name and that do not exist.
+/// Returns a fault for each example that a modification names and that does not exist.
 std::vector<Fault> check_modification_names(const Manifest& manifest, const Vocabulary& vocabulary);
 
-/// Overlays and sheets whose parts do not go together.
+/// Return faults of overlays and sheets whose parts are inconsistent.
 std::vector<Fault> check_overlays(const Manifest& manifest);
 std::vector<Fault> check_sheets(const Manifest& manifest);
 
-/// Ids and names of videos that occur twice.
+/// Returns faults of duplicate ids and duplicate video names.
 std::vector<Fault> check_ids(const Manifest& manifest);
 
-/// Adjectives, features, weights, modifications and sheets that name what does not exist.
+/// Returns faults of adjectives, features, weights, modifications and sheets that refer to unknown
+/// names.
 std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary);
 
-/// Stimuli, scales and factors that are not there, and settings that exclude each other. The
-/// study's scales must have been read.
+/// Returns faults of a questionnaire that refers to unknown stimuli, scales or factors, or has
+/// mutually exclusive settings. The study's scales must have been read.
 std::vector<Fault> check_questionnaire(const Manifest& manifest);
 
-/// Stimuli that a questionnaire shows as videos and that are written in no kind that browsers play:
-/// one fault for all of them.
+/// Returns one fault for all stimuli that a questionnaire shows as videos and that are not written
+/// in any format that browsers play.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);
 
-/// What a questionnaire may ask for, and yet hardly means: attention checks that can leave nobody
-/// out, or that do not come. The manifest must have no faults.
+/// Returns warnings about valid but probably unintended settings of a questionnaire: attention
+/// checks that can exclude no participant or that never occur. The manifest must have no faults.
 std::vector<Fault> questionnaire_warnings(const Manifest& manifest);
 
-/// Targets, adjectives and features that are not there, a manifest without targets, or with a
-/// questionnaire beside. The study's scales must have been read.
+/// Returns faults of a matching experiment: unknown targets, adjectives or features, no targets, or
+/// a questionnaire in the same manifest. The study's scales must have been read.
 std::vector<Fault> check_matching(const Manifest& manifest);
 
-/// Files that the manifest reads out of `folder`, in which its run writes: it would replace them.
+/// Returns a fault for each source file that lies in `folder`, the output folder of the run, which
+/// would overwrite it.
 std::vector<Fault> check_sources(const Manifest& manifest, const std::filesystem::path& folder);
 
 }  // namespace mien::pipeline

@@ -9,23 +9,23 @@
 
 namespace mien::pipeline {
 
-/// Adds the faults of a motion file that stands at `path`, by itself or as `file:` of a map there,
-/// and of its take (none: empty).
+/// Adds the faults of a motion file and of its take (empty: none). `path` is its path in the
+/// manifest, of the file name itself or of a map with `file:`.
 void check_motion_file(const std::string& path, const std::filesystem::path& file,
                        const std::string& take, FaultList& list);
 
-/// Adds the fault of a take (none: empty) that is wanted of a motion file which can hold one motion
-/// only; `path` is where the take stands in the manifest.
+/// Adds a fault if a take is given (empty: none) for a motion file whose format holds only one
+/// motion. `path` is the path of the take in the manifest.
 void check_take(const std::string& path, const std::filesystem::path& file, const std::string& take,
                 FaultList& list);
 
-/// Takes and frames that the motion files of the manifest's stimuli do not hold, each where it
-/// stands. Reads the files of which a take or a frame is asked for; what else is wrong with the
-/// manifest does not matter.
+/// Returns a fault for each take or frame that a stimulus requests and its motion file lacks. Reads
+/// only files of which a take or a frame is requested, and ignores other faults of the manifest.
 std::vector<Fault> check_recordings(const Manifest& manifest);
 
-/// Motion files with several takes of which none is chosen, and which is taken. Reads files
-/// that may hold several; those that cannot be read are passed over.
+/// Returns a warning for each motion file with several takes of which none is selected; it names
+/// the default take. Reads only files that may hold several takes, and skips those that cannot be
+/// read.
 std::vector<Fault> default_take_warnings(const Manifest& manifest);
 
 }  // namespace mien::pipeline

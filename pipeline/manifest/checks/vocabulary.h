@@ -12,16 +12,17 @@ struct Vocabulary {
   std::vector<std::string> parameters;  ///< groups and scales
   std::vector<std::string> features;    ///< groups and features
   std::vector<std::string> examples;
-  std::vector<std::string> file_stems = {};  ///< of the motions in the examples' folder
-  bool knows_examples = true;                ///< else there may be others
+  std::vector<std::string> file_stems = {};  ///< file stems of the motions in the examples' folder
+  bool knows_examples = true;                ///< false: the list of examples may be incomplete
 };
 
-/// The examples of a manifest, the parameters that they have ratings on and the features, found
-/// without reading a motion. Throws Error for what is wrong with the folder, the scales or the
-/// answers, and for examples without an answer.
+/// Returns the examples of a manifest, the rated parameters and the features, without reading a
+/// motion. Throws Error for faults of the folder, the scales or the answers, and for examples
+/// without an answer.
 Vocabulary vocabulary_of(const Manifest& manifest);
 
-/// What of that is certain where it throws: features, and the examples where their files are there.
+/// Returns the part that is still known when `vocabulary_of` throws: the features, and the examples
+/// if their files exist.
 Vocabulary certain_vocabulary(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -9,30 +9,31 @@
 
 namespace mien::pipeline {
 
-/// What determines the colours of figures in a stimulus's film.
+/// How the colours of figures in a stimulus's film are chosen.
 enum class Colours {
-  neutral,  ///< one colour, that of all films: whoever watches cannot see a condition by it
-  role      ///< that of the stimulus's role, as on sheets and overlays
+  neutral,  ///< the same colour in all films, so that it does not reveal the condition
+  role      ///< colour of the stimulus's role, as on sheets and overlays
 };
 
-/// How a clip becomes a picture.
+/// How a clip is staged and shown.
 struct Look {
-  /// A set that comes with the program, or a file's path; empty: that of the figure's kind.
+  /// A built-in set or the path of a file; empty: the default set of the figure's kind.
   std::string scene;
-  std::filesystem::path scene_file;  ///< resolved; empty for a set that comes with the program
-  std::string background;            ///< "#rrggbb" instead of the set's own; empty: its own
+  std::filesystem::path scene_file;  ///< resolved; empty for a built-in set
+  std::string background;            ///< "#rrggbb"; empty: the set's own background
   scenes::Figure figure;
   scenes::CameraSettings camera;
 
-  scenes::SetPlan set;  ///< what `scene` names, once it has been read (look_checks.h)
+  scenes::SetPlan set;  ///< the set named by `scene`, once it has been read (look_checks.h)
 
-  Colours colours = Colours::neutral;  ///< of films of stimuli; overlays always go by roles
+  /// For films of stimuli; overlays always use the colours of roles.
+  Colours colours = Colours::neutral;
 };
 
-/// The name of the set, also where it was left open.
+/// Returns the name of the set, including the default one.
 std::string scene_of(const Look& look);
 
-/// What stands round the figure: the set with the background that look or point lights ask for.
+/// Returns the set of the shot, with the background that the look or point lights require.
 scenes::SetPlan staged_set(const Look& look);
 
 }  // namespace mien::pipeline

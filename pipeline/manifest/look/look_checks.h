@@ -13,18 +13,19 @@
 
 namespace mien::pipeline {
 
-/// Sets that looks of one document named, by name and file, so that each is read once.
+/// The sets named by the looks of one document, by name and file, so that each is read once.
 using ReadSets = std::map<std::pair<std::string, std::filesystem::path>, scenes::SetPlan>;
 
-/// Characters that looks of one document named and that were found good.
+/// The characters named by the looks of one document that have been checked successfully.
 using CheckedFiles = std::set<std::filesystem::path>;
 
-/// Reads the set that a look names; `path` is the look's. Faults: those of the set.
+/// Reads the set that a look names; `path` is the path of the look in the document. Returns the
+/// faults of the set.
 std::vector<Fault> resolve_set(Look& look, const std::string& path, const Places& places,
                                ReadSets& sets);
 
-/// Faults of a look that the schema cannot express. `joints` are those that point lights and
-/// traces may name; none: not known before the motion is read.
+/// Returns faults of a look that the schema cannot express. `joints` are the valid joint names for
+/// point lights and traces; empty if they are unknown until the motion is read.
 std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places,
                               const std::vector<std::string>& joints, CheckedFiles& characters);
 

@@ -7,8 +7,8 @@
 
 namespace mien::pipeline {
 
-// What `look:` of a manifest says. All of it concerns the picture. Figure and camera are replaced
-// as a whole; of a scene, so is the background.
+// The fields of a manifest's `look:`. All of them affect the picture. A stimulus's figure or camera
+// replaces the manifest's as a whole; its scene also replaces the background.
 
 void fields_of(auto&&, MaybeConst<scenes::StickOptions> auto&) {}
 
@@ -17,7 +17,7 @@ void fields_of(auto&& field, MaybeConst<scenes::MannequinOptions> auto& mannequi
   field("sex", mannequin.sex, concerns::picture);
 }
 
-/// `joints:` of point lights: a word, or a list.
+/// `joints:` of point lights: a keyword or a list.
 struct JointsForm {
   static void read(const DocumentValue& given, scenes::PointLightOptions& dots);
   static nlohmann::ordered_json write(const scenes::PointLightOptions& dots,
@@ -47,7 +47,7 @@ void fields_of(auto&& field, MaybeConst<scenes::PointLightOptions> auto& dots) {
   field("seed", dots.seed, concerns::picture);
 }
 
-/// A Figure or BodyFigure: a name, or a map of one figure with its options.
+/// A Figure or BodyFigure: a name, or a map of one figure to its options.
 template <class Figures>
 struct FigureForm {
   static void read(const DocumentValue& given, Figures& figure);
@@ -58,8 +58,8 @@ struct FigureForm {
   }
 };
 
-/// `poses:` of a trail: none by default where onion skin or traces are given. So it is always
-/// written.
+/// `poses:` of a trail. It is always written, because its default depends on other options: none if
+/// onion skin or traces are given.
 struct PosesForm {
   static void read(const DocumentValue& given, scenes::TrailOptions& trail);
   static nlohmann::ordered_json write(const scenes::TrailOptions& trail, const WritingOptions&);
@@ -95,7 +95,7 @@ void fields_of(auto&& field, MaybeConst<scenes::DepthOfField> auto& lens) {
   field("focus", lens.focus_m, concerns::picture);
 }
 
-/// `stereo: {separation: 0.063}`, in metres; that much where it is not said.
+/// `stereo: {separation: 0.063}`, in metres; 0.063 m is the default.
 struct StereoForm {
   static void read(const DocumentValue& given, std::optional<double>& separation_m);
   static nlohmann::ordered_json write(const std::optional<double>& separation_m,
@@ -116,7 +116,7 @@ void fields_of(auto&& field, MaybeConst<scenes::CameraSettings> auto& camera) {
   field("depth_of_field", camera.depth_of_field, concerns::picture);
 }
 
-/// `scene:` a set or a file, or {set, background}.
+/// `scene:` a set, a file, or {set, background}.
 struct SceneForm {
   static void read(const DocumentValue& given, Look& look);
   static nlohmann::ordered_json write(const Look& look, const WritingOptions& how);

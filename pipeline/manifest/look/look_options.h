@@ -6,16 +6,16 @@
 
 namespace mien::pipeline {
 
-/// A look as the options of a command say it: each a name, or options in the words of a manifest,
-/// with or without braces ("mannequin: {build: 0.3}"). A scene may be a file, and so may a figure
-/// (of a character); paths are taken from the working folder.
+/// A look given by command-line options: each is a name, or options in the syntax of a manifest
+/// with or without braces ("mannequin: {build: 0.3}"). A scene or a figure (a character) may also
+/// be a file; paths are relative to the working folder.
 struct LookOptions {
-  std::string scene;  ///< empty: that of the figure's kind
+  std::string scene;  ///< empty: the default of the figure's kind
   std::string figure = "stick";
   std::string camera = "three-quarter";
 };
 
-/// Throws Faults that list everything wrong with them.
+/// Returns the look. Throws Faults that list all faults of the options.
 Look look_of(const LookOptions& options);
 
 }  // namespace mien::pipeline

@@ -10,8 +10,8 @@
 
 namespace mien::pipeline {
 
-/// Takes a colour over from "#rrggbb" or [r, g, b] (linear); what is neither was reported by the
-/// schema and changes nothing.
+/// Assigns a colour from "#rrggbb" or [r, g, b] (linear). Other values, which the schema has
+/// already reported, leave `target` unchanged.
 void assign(const nlohmann::json* value, render::Color& target);
 
 /// [x, y, z]

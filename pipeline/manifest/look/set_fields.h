@@ -9,14 +9,14 @@
 
 namespace mien::pipeline {
 
-// What a file of a set says. All of it concerns the picture.
+// The fields of a set file. All of them affect the picture.
 
 inline constexpr Words<scenes::Side> side_words = {{"left", scenes::Side::left},
                                                    {"right", scenes::Side::right},
                                                    {"front", scenes::Side::front},
                                                    {"back", scenes::Side::back}};
 
-/// `background:` one colour, or those of horizon and zenith.
+/// `background:` one colour, or the colours of horizon and zenith.
 struct BackgroundForm {
   static void read(const DocumentValue& given, render::Sky& sky);
   static nlohmann::ordered_json write(const render::Sky& sky, const WritingOptions& how);
@@ -44,7 +44,7 @@ void fields_of(auto&& field, MaybeConst<render::Ground> auto& ground) {
   field.by("fade", ground, concerns::picture, FadeForm());
 }
 
-/// A ground is without lines unless its map says so.
+/// A ground, without lines unless its map defines them.
 struct GroundForm {
   static void read(const DocumentValue& given, std::optional<render::Ground>& ground);
   static nlohmann::ordered_json write(const std::optional<render::Ground>& ground,

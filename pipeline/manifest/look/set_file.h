@@ -9,14 +9,14 @@
 
 namespace mien::pipeline {
 
-/// Sets that come with the program: studio, void, treadmill, corridor, lab-grid.
+/// Returns the names of the built-in sets: studio, void, treadmill, corridor, lab-grid.
 std::vector<std::string> set_names();
 
-/// The text of such a set's file; empty for another name.
+/// Returns the text of a built-in set's file; empty for an unknown name.
 std::string_view builtin_set_text(std::string_view name);
 
-/// The set of that name, or the one that a file holds. Throws Faults that list everything wrong
-/// with the file:
+/// Returns the built-in set of that name, or the one in `file`. Throws Faults that list all faults
+/// of the file:
 ///
 ///     background: "#808080"
 ///     ground: {colour: "#dadada", lines: {every: 0.5, colour: "#bfc0c1"}}

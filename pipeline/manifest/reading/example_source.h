@@ -6,17 +6,17 @@
 
 namespace mien::pipeline {
 
-/// What --examples names: "builtin:walks-10", a folder, or a pattern of files such as
+/// Parses the argument of --examples: "builtin:walks-10", a folder, or a pattern of files such as
 /// "captures/*walk*.bvh".
 Examples parse_examples(const std::string& text);
 
-/// The built-in set that is not for blending.
+/// The built-in set whose motions cannot be blended.
 inline constexpr char unblendable_set[] = "actors";
 
-/// Throws Error when the examples are not for blending.
+/// Throws Error if the examples cannot be blended.
 void refuse_unblendable(const Examples& examples);
 
-/// What --weights names: "normal=0.6,proud=0.4". Throws Error.
+/// Parses the argument of --weights: "normal=0.6,proud=0.4". Throws Error.
 NamedValues parse_weights(const std::string& text);
 
 /// For help texts.

@@ -10,17 +10,17 @@
 
 namespace mien::pipeline {
 
-/// What emotions are made of.
+/// A collection of recipes for emotions.
 struct RecipeBook {
   std::string name;
   std::vector<Recipe> recipes;
 
-  /// Nullptr without one of that name.
+  /// Returns the recipe for an emotion, or nullptr.
   const Recipe* find(std::string_view emotion) const;
   std::vector<std::string> names() const;
 };
 
-/// `recipes:` by their names.
+/// `recipes:`, a map of names to recipes.
 struct RecipesMapForm {
   static void read(const DocumentValue& given, std::vector<Recipe>& recipes);
   static nlohmann::ordered_json write(const std::vector<Recipe>& recipes,
@@ -33,11 +33,13 @@ void fields_of(auto&& field, MaybeConst<RecipeBook> auto& book) {
   field.by("recipes", book.recipes, concerns::motion | concerns::required, RecipesMapForm());
 }
 
-/// The recipes that come with the program, as the text of their file: "builtin" (our own, after
-/// what the emotion thesis concluded) and "fig29" (its figure 29). Empty for another name.
+/// Returns the text of a built-in recipes file: "builtin" (our own recipes; angry, excited, sad,
+/// tired and weak are fitted to the walks of two captured actors, see motion/README.md) or "fig29"
+/// (figure 29 of the emotion thesis). Empty for any other name.
 std::string_view builtin_recipes_text(std::string_view name);
 
-/// "builtin", "fig29", or what a file holds. Throws Faults that list everything wrong with it:
+/// Returns the recipes of "builtin", "fig29" or a file. Throws Faults that list all faults of the
+/// file:
 ///
 ///     name: my emotions
 ///     recipes:
@@ -45,8 +47,8 @@ std::string_view builtin_recipes_text(std::string_view name);
 RecipeBook read_recipes(const std::string& source, const std::filesystem::path& file);
 RecipeBook parse_recipes(std::string_view yaml, const std::filesystem::path& file);
 
-/// Works out what each step of the stimuli's modifications does: its recipe, with what the step
-/// says over it, and a seed of its own. Faults: unknown emotions, and all of the file of recipes.
+/// Resolves each modification step of the stimuli: its recipe with the step's own settings applied,
+/// and a derived seed. Returns faults for unknown emotions and all faults of the recipes file.
 std::vector<Fault> resolve_modifications(Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -11,23 +11,22 @@
 
 namespace mien::pipeline {
 
-/// A manifest with all that its parts take from each other and from the files that they name: what
-/// each modification does, the motions of foils, the references of holds, the sets of looks, scales
-/// and texts for participants.
+/// A manifest in which all references are resolved: the settings of modifications, the motions of
+/// foils, the references of holds, the sets of looks, the scales and the texts for participants.
 struct ResolvedManifest {
   Manifest manifest;
-  std::vector<Fault> faults;             ///< what could not be had, and is left as it was
-  bool are_experiments_resolved = true;  ///< the scales and texts are there
+  std::vector<Fault> faults;  ///< references that could not be resolved and remain unchanged
+  bool are_experiments_resolved = true;  ///< scales and texts were read
 };
 
-/// Resolves a manifest that is as it was written (build_manifest). A file of scales that is not
-/// there is left to the checks.
+/// Resolves a manifest as returned by build_manifest. A missing scales file is reported later by
+/// the checks.
 ResolvedManifest resolve(Manifest manifest);
 
-/// The manifest that a document describes, as it was written: paths resolved from the folder of
-/// `file`, a stimulus's own values laid over the manifest's. Values that are absent or of a wrong
-/// type keep their defaults; check_schema reports them. Reads no file: `names` is called for each
-/// file or folder that the document names, with its path as written and as resolved.
+/// Returns the manifest that a document describes, unresolved: paths are resolved against the
+/// folder of `file`, and a stimulus's own values replace the manifest's. Values that are absent or
+/// of a wrong type keep their defaults; check_schema reports them. Reads no file; `names` is called
+/// for each file or folder that the document names, with its path as written and as resolved.
 Manifest build_manifest(
     JsonReading reading, const std::filesystem::path& file,
     const std::function<void(const std::string&, const std::filesystem::path&)>& names = {});

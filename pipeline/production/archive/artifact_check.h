@@ -10,19 +10,20 @@
 
 namespace mien::pipeline {
 
-/// What the check of one artifact found.
+/// The result of checking one artifact.
 struct ArtifactCheck {
   std::vector<Finding> findings;
-  std::uint64_t bytes = 0;  ///< read
-  int videos = 0;           ///< decoded
-  int pictures = 0;         ///< decoded
+  std::uint64_t bytes = 0;  ///< bytes read
+  int videos = 0;           ///< number of files decoded
+  int pictures = 0;         ///< number of files decoded
 };
 
-/// Hashes and decodes a file. `video`: what its film's record says of it, if it is one and has one.
+/// Hashes and decodes a file. `video`: the video's entry in its film's record, if the file is a
+/// video and has one.
 ArtifactCheck check_file(const std::filesystem::path& folder, const ArtifactRecord& record,
                          const std::optional<VideoRecord>& video = {});
 
-/// Checks a sequence of frames, frame by frame.
+/// Checks a frame sequence, frame by frame.
 ArtifactCheck check_frames(const std::filesystem::path& folder, const ArtifactRecord& record);
 
 }  // namespace mien::pipeline

@@ -11,26 +11,28 @@
 
 namespace mien::pipeline {
 
-/// Whether what was drawn again is what was kept, and in words how.
+/// The result of comparing a re-rendered picture with the stored one, and an explanation.
 struct Comparison {
   bool agrees = false;
   std::string how;
 };
 
-/// Byte by byte.
+/// Compares two files byte by byte.
 Comparison compare_files(const std::filesystem::path& drawn, const std::filesystem::path& kept);
 
-/// Some of a film's frames as its videos show them: faded, where they fade.
+/// Some of a film's frames as its videos show them, including fades.
 class VideoFrames {
  public:
-  /// `first_film_frame`: pictures of a video before the film begins.
+  /// `first_film_frame`: index of the film's first frame in a video, that is the number of pictures
+  /// before it.
   VideoFrames(const Output& output, int film_frames, int eyes, int first_film_frame);
 
-  /// A frame of the film as it was drawn; ascending.
+  /// Adds a re-rendered frame of the film. Frame numbers must be ascending.
   void take(int frame, const render::Image8& picture);
 
-  /// Decodes a video and compares each frame that was taken with the one that it shows, by the
-  /// frame's number in the film. Throws render::Error when it does not decode.
+  /// Decodes a video and compares each added frame with the corresponding frame of the video.
+  /// Results are keyed by the frame's number in the film. Throws render::Error if the video cannot
+  /// be decoded.
   std::map<int, Comparison> compare_with(const std::filesystem::path& folder,
                                          const VideoRecord& video) const;
 
@@ -39,7 +41,7 @@ class VideoFrames {
   int first_film_frame_;
   int next_ = 0;
   Presenter presenter_;
-  std::map<int, render::Image8> shown_;  ///< by the frame's number in the film
+  std::map<int, render::Image8> shown_;  ///< by frame number in the film
 };
 
 }  // namespace mien::pipeline

@@ -10,23 +10,23 @@
 
 namespace mien::pipeline {
 
-/// The list of what was removed from a study on purpose. It is beside provenance.json and not among
-/// the store's own files, so that it goes where the study goes.
+/// Path of the list of artifacts that were removed from a study on purpose. It lies next to
+/// provenance.json and not among the store's own files, so that it is copied with the study.
 inline constexpr char not_kept_path[] = "not-kept.json";
 
-/// What the study's folder says was removed, by path; nothing where it says nothing. Throws Error
-/// when the note is damaged.
+/// Returns the artifacts that the list in the study's folder names as removed, by path; empty if
+/// there is no list. Throws Error if the list is damaged.
 std::vector<ArtifactRecord> not_kept_in(const std::filesystem::path& folder);
 
-/// Adds to the note; an entry of the same path is replaced.
+/// Adds entries to the list, replacing those with the same path.
 void note_not_kept(const std::filesystem::path& folder, const std::vector<ArtifactRecord>& removed);
 
-/// What can be kept or removed of a study, by the folder that it lies in.
+/// The kinds of artifacts of a study that can be kept or removed, by their folder.
 enum class ArtifactKind { videos, frames, clips, sheets, metrics };
 
 struct ArtifactKindName {
   ArtifactKind kind;
-  std::string_view name;  ///< also of its folder
+  std::string_view name;  ///< name, also that of its folder
 };
 inline constexpr ArtifactKindName artifact_kinds[] = {{ArtifactKind::videos, "videos"},
                                                       {ArtifactKind::frames, "frames"},
@@ -34,23 +34,24 @@ inline constexpr ArtifactKindName artifact_kinds[] = {{ArtifactKind::videos, "vi
                                                       {ArtifactKind::sheets, "sheets"},
                                                       {ArtifactKind::metrics, "metrics"}};
 
-/// What removing all other kinds removes, and what it leaves.
+/// The result of removing all artifacts of other kinds.
 struct Cleaning {
-  std::vector<Receipt> removed;  ///< or to be removed, by path
-  std::vector<Receipt> changed;  ///< since they were made, and so left
-  std::uint64_t bytes = 0;       ///< of those removed
+  std::vector<Receipt> removed;  ///< removed or to be removed, by path
+  std::vector<Receipt> changed;  ///< not removed, because they have changed since they were made
+  std::uint64_t bytes = 0;       ///< total size of the removed artifacts
 };
 
-/// How many links of the study's report lead to artifacts that are removed, and so nowhere.
+/// Returns the number of links in the study's report that lead to removed artifacts.
 int dead_links(const std::filesystem::path& folder, const Cleaning& cleaning);
 
-/// Artifacts in `folder` of other kinds than those, as listed by their receipts. provenance.json,
-/// inputs/, the report with methods.md and references.bib, and what the store keeps for itself are
-/// of no kind and stay. All of it is hashed. Throws Error when the folder has no receipts.
+/// Returns the artifacts in `folder` that are not of the given kinds, as listed by their receipts.
+/// Files of no kind are kept: provenance.json, inputs/, the report with methods.md and
+/// references.bib, and the store's own files. Hashes all artifacts. Throws Error if the folder has
+/// no receipts.
 Cleaning all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
-/// Removes them, and notes in the folder that this was on purpose. What has been
-/// changed since `all_but` looked is left, and reported as changed.
+/// Removes these artifacts and lists them in the folder as removed on purpose. Artifacts that have
+/// changed since they were made are kept and reported as changed.
 Cleaning remove_all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
 }  // namespace mien::pipeline

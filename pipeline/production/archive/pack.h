@@ -15,48 +15,49 @@ namespace mien::pipeline {
 struct PayloadFile {
   std::string path;         ///< in the study's folder
   std::uint64_t size = 0;   ///< bytes
-  std::string sha256 = {};  ///< once it is known
+  std::string sha256 = {};  ///< empty until it has been computed
 };
 
-/// What an archive likes to know of a bag, in the words of the RFC's bag-info.txt; what is empty is
-/// left out.
+/// Metadata of a bag for archives, with the labels of the RFC's bag-info.txt. Empty members are
+/// omitted.
 struct BagInfo {
   std::string organization;   ///< Source-Organization
   std::string contact_name;   ///< Contact-Name
   std::string contact_email;  ///< Contact-Email
-  std::string description;    ///< External-Description; without one, the command that made it
-  std::string license;        ///< License, an element of our own
+  std::string description;    ///< External-Description; if empty, the command that made the study
+  std::string license;        ///< License, which is not a label of the RFC
 };
 
-/// The files beside data/ that make a folder a bag of version 1.0 (BagIt, RFC 8493). No dates: the
-/// same study gives the same bag.
+/// The files next to data/ that make a folder a bag of version 1.0 (BagIt, RFC 8493). They contain
+/// no dates, so that the same study gives the same bag.
 std::string bagit_text();
 std::string bag_info_text(const StudyContents& contents, const std::vector<PayloadFile>& payload,
                           const BagInfo& info);
 
-/// A line "<sha256>  <path>" a file, as `sha256sum -c` reads them; in paths, line ends and % are
-/// written %0A, %0D and %25, as the RFC has it.
+/// Returns a line "<sha256>  <path>" as `sha256sum -c` reads it; in paths, line breaks and % are
+/// encoded as %0A, %0D and %25, as the RFC requires.
 std::string bag_manifest_line(const std::string& sha256, const std::string& path);
 
-/// Everything of a study but the bookkeeping, by path: the artifacts of the provenance and all else
-/// in the folder. Throws Error for what is neither a file nor a folder.
+/// Returns all files of a study except bookkeeping, sorted by path: the artifacts in the provenance
+/// and all other files in the folder. Throws Error for entries that are neither files nor folders.
 std::vector<PayloadFile> payload_of(const StudyContents& contents);
 
-/// Writes a study as a bag (BagIt, RFC 8493) into a tar archive, in a folder of the study's name:
+/// Writes a study as a bag (BagIt, RFC 8493) into a tar archive, in a folder with the study's name:
 ///
 ///   quickstart/bag-info.txt, bagit.txt
 ///   quickstart/data/…              the study
 ///   quickstart/manifest-sha256.txt, tagmanifest-sha256.txt
 ///
-/// The same study and `info` give the same bytes. Throws Error for a name of another kind of
-/// archive and for one within the study's folder, Interrupted after a stop request, and
-/// std::runtime_error when a file changes meanwhile or the archive cannot be written; then none is
-/// left.
+/// The same study and `info` give the same bytes. Throws Error if the archive's name has an
+/// unsupported extension or lies within the study's folder, Interrupted after a stop request, and
+/// std::runtime_error if a file changes in the meantime or the archive cannot be written; no
+/// archive is left in these cases.
 void pack(const StudyContents& contents, const std::vector<PayloadFile>& payload,
           const BagInfo& info, const std::filesystem::path& archive, const std::stop_token& stop,
           const ShareDone& done);
 
-/// Throws as `pack` does for the archive's name, before any work.
+/// Throws the errors of `pack` that concern the archive's name, so that they are reported before
+/// any work.
 void refuse_archive(const StudyContents& contents, const std::filesystem::path& archive);
 
 }  // namespace mien::pipeline

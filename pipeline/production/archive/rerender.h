@@ -11,28 +11,28 @@
 
 namespace mien::pipeline {
 
-/// A film of a study of which something is left to compare a frame with.
+/// A film of a study for which frames or a video are still stored.
 struct ComparableFilm {
   std::string id;
   int frames = 0;
-  std::string kept;  ///< its frames ("frames/a"), or else a video ("videos/a.mp4")
+  std::string kept;  ///< path of its frames ("frames/a"), otherwise of a video ("videos/a.mp4")
 
   bool has_frames() const { return kept.starts_with("frames/"); }
 };
 
-/// The comparable films of a manifest, in its order. Of several videos the first lossless one is
-/// taken.
+/// Returns the comparable films of a manifest, in its order. If a film has several videos, the
+/// first lossless one is used, if any.
 std::vector<ComparableFilm> comparable_films(const Manifest& manifest,
                                              const StudyContents& contents);
 
-/// A film's frames that are to be drawn again, ascending.
+/// The frames of a film that are to be rendered again, ascending.
 struct FramesToRerender {
   ComparableFilm film;
   std::vector<int> frames;
 };
 
-/// A uniform random sample of `count` different frames of all the films; all where there are no
-/// more. The same seed chooses the same.
+/// Returns a uniform random sample of `count` distinct frames of all films, or all frames if there
+/// are no more. The sample depends only on the seed.
 std::vector<FramesToRerender> sampled_frames(const std::vector<ComparableFilm>& films, int count,
                                              std::uint64_t seed);
 
@@ -45,15 +45,15 @@ struct RerenderedFrame {
   std::string how;  ///< "the same bytes"; "a PSNR of 44.1 dB, in the film at least 43.7"
 };
 
-/// Draws the frames as the manifest says and compares each
+/// Renders the frames as the manifest describes them and compares each
 ///
-/// - with the stored frame, whose file has to be the same to the last byte;
-/// - or with the frame that the video decodes to: equal in every pixel where the film's record says
-///   that the video shows the very frames; else as similar to it (PSNR and SSIM of video_sketch.h)
-///   as the least similar frame was when the film was made, up to 0.1 dB and 0.001.
+/// - with the stored frame, whose file must be identical;
+/// - or with the corresponding decoded video frame: it must be equal in every pixel if the film's
+///   record says that the video is lossless; otherwise PSNR and SSIM (video_sketch.h) must reach
+///   those of the least similar frame when the film was made, within 0.1 dB and 0.001.
 ///
 /// `manifest` is the one that the study's provenance names. Throws Interrupted after a stop
-/// request, and Error when what equalizes the films is not there any more.
+/// request, and Error if the records of the equalized properties are missing.
 std::vector<RerenderedFrame> rerender(const Manifest& manifest, const StudyContents& contents,
                                       const std::vector<FramesToRerender>& wanted, int threads,
                                       const std::stop_token& stop, const ShareDone& done);

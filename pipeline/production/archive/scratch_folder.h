@@ -4,10 +4,10 @@
 
 namespace mien::pipeline {
 
-/// A fresh folder among the machine's temporary files, removed with the object.
+/// A new folder in the system's temporary directory, removed with the object.
 class ScratchFolder {
  public:
-  /// Throws std::system_error when there can be none.
+  /// Throws std::system_error if the folder cannot be created.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

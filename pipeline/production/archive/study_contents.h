@@ -9,42 +9,42 @@
 
 namespace mien::pipeline {
 
-/// A file of a study, or a sequence of frames, as recorded in the study's provenance.
+/// A file or frame sequence of a study, as recorded in the study's provenance.
 struct ArtifactRecord {
-  std::string path;  ///< in the study's folder, with '/'
+  std::string path;  ///< relative to the study's folder, with '/'
   Hash hash;
   std::uint64_t size = 0;  ///< bytes; 0 for a copied input, whose size is not recorded
-  int frames = 0;          ///< of a sequence; 0: a file
+  int frames = 0;          ///< number of frames of a sequence; 0 for a file
 
   friend bool operator==(const ArtifactRecord&, const ArtifactRecord&) = default;
 };
 
-/// What a finished study should hold.
+/// The expected contents of a finished study.
 struct StudyContents {
   std::filesystem::path folder;
-  std::string study;    ///< its name
+  std::string study;    ///< name of the study
   std::string program;  ///< version of mien that made it
-  std::string command;  ///< that made it
+  std::string command;  ///< command line that made it
   std::uint64_t seed = 0;
   std::vector<ArtifactRecord> artifacts;  ///< by path
-  std::vector<ArtifactRecord> inputs;     ///< copies of the files that describe it, by path
-  std::string as_run;                     ///< the manifest that makes it again
-  int inputs_elsewhere = 0;               ///< recordings and characters, of which it has no copy
+  std::vector<ArtifactRecord> inputs;     ///< copies of the files that describe the study, by path
+  std::string as_run;                     ///< path of the manifest that reproduces the study
+  /// Number of recordings and characters that are not copied into the study.
+  int inputs_elsewhere = 0;
 
   std::filesystem::path provenance() const { return folder / "provenance.json"; }
   const ArtifactRecord* find(const std::string& path) const;
 };
 
-/// The contents of a study, given its folder, its provenance.json, or a bag (BagIt) that holds it.
-/// Throws Error when there is no provenance, or one that describes no study or names files outside
-/// its folder.
+/// Returns the contents of a study, given its folder, its provenance.json, or a bag (BagIt) that
+/// contains it. Throws Error if there is no provenance, or if the provenance does not describe a
+/// study or names files outside its folder.
 StudyContents contents_of(const std::filesystem::path& study);
 
-/// The study's folder: that of a given provenance.json, or of the study in a given bag.
+/// Returns the study's folder, given as for contents_of.
 std::filesystem::path study_folder_of(const std::filesystem::path& study);
 
-/// What belongs to the work on a study and not to the study: what the store and the farm keep for
-/// themselves.
+/// Whether a path belongs to bookkeeping and not to the study: the files of the store and the farm.
 bool is_bookkeeping(const std::string& path);
 
 }  // namespace mien::pipeline

@@ -11,28 +11,30 @@ namespace mien::pipeline {
 /// How a tar archive is compressed.
 enum class Compression { none, gzip, zstd };
 
-/// The compression by the file's ending: .tar, .tar.gz or .tgz, .tar.zst. Throws Error for others.
+/// Returns the compression by the file's extension: .tar, .tar.gz or .tgz, .tar.zst. Throws Error
+/// for any other.
 Compression compression_of(const std::filesystem::path& archive);
 
-/// A tar archive (POSIX pax) in the making. The same files in the same order give the same bytes
-/// with the same library: every file is of 1970, of user and group 0 and of mode 644, and one
-/// thread compresses.
+/// Writes a tar archive (POSIX pax). The same files in the same order give the same bytes with the
+/// same library: every file has the date 1970, user and group 0 and mode 644, and compression is
+/// single-threaded.
 ///
-/// It is written under another name in the same folder and is there under its own once all of it is
-/// on the disk; one that is not finished leaves nothing behind.
+/// The archive is written under a temporary name in the same folder and renamed once all of it is
+/// on disk; an unfinished archive is removed.
 class TarArchive {
  public:
-  /// Throws std::runtime_error when it cannot be made.
+  /// Throws std::runtime_error if the archive cannot be created.
   TarArchive(std::filesystem::path file, Compression compression);
   ~TarArchive();
   TarArchive(const TarArchive&) = delete;
   TarArchive& operator=(const TarArchive&) = delete;
 
-  /// Begins a file of so many bytes, which `add` then has to bring. Throws std::runtime_error.
+  /// Begins a file of `size` bytes, which must then be supplied by `add`. Throws
+  /// std::runtime_error.
   void begin(const std::string& path, std::uint64_t size);
   void add(std::string_view bytes);
 
-  /// Throws std::runtime_error, also when the disk is full.
+  /// Completes the archive. Throws std::runtime_error, for instance if the disk is full.
   void finish();
 
  private:
@@ -40,7 +42,7 @@ class TarArchive {
   std::unique_ptr<Writer> writer_;
 };
 
-/// For `mien version`: "3.6.2".
+/// Returns the version of the archive library, "3.6.2", for `mien version`.
 std::string archive_library();
 
 }  // namespace mien::pipeline

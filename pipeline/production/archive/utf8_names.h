@@ -4,7 +4,8 @@
 
 namespace mien::pipeline {
 
-/// Names of files are UTF-8 for as long as this lives, whatever the user's language.
+/// Makes file names UTF-8 in the calling thread during the object's lifetime, whatever the user's
+/// locale.
 class Utf8Names {
  public:
   Utf8Names() : names_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {

@@ -10,27 +10,27 @@
 
 namespace mien::pipeline {
 
-/// Something about a study that differs from its provenance.
+/// A difference between a study and its provenance.
 struct Finding {
   enum class Kind {
-    missing,   ///< recorded, and not there
-    changed,   ///< there, with other bytes, or it does not decode
-    extra,     ///< there, and made by nobody that is known
-    not_kept,  ///< recorded, and removed on purpose (keep.h)
+    missing,   ///< recorded, but missing
+    changed,   ///< present, but with different bytes or not decodable
+    extra,     ///< present, but not recorded
+    not_kept,  ///< recorded, but removed on purpose (keep.h)
   };
   Kind kind;
-  std::string path;  ///< in the study's folder
+  std::string path;  ///< relative to the study's folder
   std::string what;  ///< "12 bytes instead of 521"; may be empty
 };
 
 std::string_view name_of(Finding::Kind kind);
 
-/// What was looked at, and what was found.
+/// The result of verifying a study.
 struct Verification {
-  int artifacts = 0;  ///< recorded in the provenance
-  int inputs = 0;     ///< copies in inputs/
-  int videos = 0;     ///< decoded
-  int pictures = 0;   ///< decoded, frames of sequences counted one by one
+  int artifacts = 0;  ///< number recorded in the provenance
+  int inputs = 0;     ///< number of copies in inputs/
+  int videos = 0;     ///< number decoded
+  int pictures = 0;   ///< number decoded, including the frames of sequences
   std::uint64_t bytes = 0;
   std::vector<Finding> findings;  ///< by kind, then by path
 
@@ -38,13 +38,14 @@ struct Verification {
   bool is_sound() const;  ///< nothing is missing or changed
 };
 
-/// Called after each file; from several threads, one call at a time.
+/// Called after each file with the completed share, 0 … 1; possibly from several threads, but never
+/// concurrently.
 using ShareDone = std::function<void(double share, const std::string& path)>;
 
-/// Reads everything of a finished study: each artifact is hashed and decoded, each copied input
-/// hashed, and the folder searched for what nobody made. Changes nothing, and needs no more than
-/// the provenance; where the store's receipts are there, single frames are checked, and an edited
-/// provenance is found. Throws Interrupted after a stop request, and Error as contents_of does.
+/// Reads all files of a finished study: hashes and decodes each artifact, hashes each copied input,
+/// and searches the folder for files that are not recorded. Changes nothing and needs only the
+/// provenance; if the store's receipts exist, single frames are checked too, and an edited
+/// provenance is detected. Throws Interrupted after a stop request, and Error as contents_of does.
 Verification verify(const StudyContents& contents, int jobs, const std::stop_token& stop,
                     const ShareDone& done);
 

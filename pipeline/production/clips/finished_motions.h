@@ -8,42 +8,44 @@
 
 namespace mien::pipeline {
 
-/// The motions of a manifest as those take them who show them and do not care how they are made.
-/// May be used from several threads.
+/// Access to the finished motions of a manifest for code that shows them and does not depend on how
+/// they are made. May be used from several threads.
 class FinishedMotions {
  public:
   virtual ~FinishedMotions() = default;
 
-  /// The stimulus of that id, or nullptr. Quick, as the ids of the manifest are taken to stay.
+  /// Returns the stimulus with that id, or nullptr. A fast look-up, which assumes that the
+  /// manifest's ids do not change.
   virtual const Stimulus* stimulus(const std::string& id) const = 0;
 
-  /// The motion of a stimulus or, if no stimulus is called so, of an example: at the output's frame
-  /// rate, one cycle of a loop, travelling. Throws Error.
+  /// Returns the motion of a stimulus or, if there is no stimulus of that name, of an example: at
+  /// the output's frame rate, one cycle of a loop, including travel. Throws Error.
   virtual const motion::Clip& clip(const std::string& name) = 0;
 
-  /// The clip that is shown of a stimulus: a loop repeated, in place when asked for; where the
-  /// study has durations equalized, only its beginning, as long as the shortest of all stimuli.
+  /// Returns the clip that is shown for a stimulus: repeated if it loops, in place if requested,
+  /// and cut to the duration of the shortest of all stimuli if the study equalizes durations.
   /// Throws Error.
   virtual motion::Clip shown(const Stimulus& stimulus) = 0;
 
-  /// Takes this for the shortest of all clips shown, as found before, so that one clip can be shown
-  /// without making all motions. Without effect once it is known.
+  /// Sets the known duration of the shortest of all clips shown, in seconds, so that one clip can
+  /// be shown without making all motions. No effect once the duration is known.
   virtual void know_shortest(double seconds) = 0;
 };
 
-/// What the video shows of a motion: a loop repeated `output.cycles` times, in place when asked
-/// for.
+/// Returns the clip that the video shows for a motion: a loop repeated `output.cycles` times, in
+/// place if requested.
 motion::Clip playback_clip(const motion::Clip& motion, const Output& output);
 
 inline constexpr char durations_task_id[] = "durations";
 
-/// Holds how long all films are: a number of seconds in JSON, in the store's folder.
+/// Path in the store's folder of a JSON file with the duration of all films, in seconds.
 inline constexpr char duration_record_path[] = ".mien/equalized/duration.json";
 
-/// Throws where the file holds no number.
+/// Reads the duration of all films, in seconds, from that file. Throws if it does not contain a
+/// number.
 double recorded_duration(const std::filesystem::path& file);
 
-/// Tells the motions what was found, in the store's folder. Throws when there is nothing.
+/// Passes the recorded duration in the store's folder to `motions`. Throws if there is none.
 void know_durations(const std::filesystem::path& folder, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

@@ -17,69 +17,69 @@
 
 namespace mien::pipeline {
 
-/// How a shot is drawn.
+/// Settings for rendering a shot.
 struct FilmSettings {
   Output output;
-  std::uint64_t seed = 0;        ///< of the renderer's noise
-  int threads = 1;               ///< no influence on the pictures
-  Stopwatch* drawing = nullptr;  ///< if any, runs while a frame is traced or encoded
-  int eyes = 1;                  ///< pictures side by side in each frame: 2 of a stereo pair
-  bool loops = false;            ///< animated pictures repeat for ever
+  std::uint64_t seed = 0;        ///< seed of the renderer's noise
+  int threads = 1;               ///< does not affect the pictures
+  Stopwatch* drawing = nullptr;  ///< if not null, runs while a frame is traced or encoded
+  int eyes = 1;                  ///< pictures side by side in each frame: 2 for a stereo pair
+  bool loops = false;            ///< animated pictures repeat endlessly
 
-  /// Called for each frame that was rendered with the seconds since the one before was handed on,
-  /// or since its own beginning: their sum is the rendering time.
+  /// Called for each rendered frame with the seconds since its rendering began or the previous
+  /// frame was passed on, whichever is later. The sum is the rendering time.
   std::function<void(double)> on_frame_drawn = {};
 
-  /// Static backgrounds shared with other films, and their light cached on disk. No influence on
+  /// Static backgrounds shared with other films, and their light cached on disk. They do not affect
   /// the pictures.
   render::StaticBackgroundCache* sets = nullptr;
   render::LightCache light_cache = {};
 };
 
-/// The renderer's options for a film of that shot. Sets that change from frame to frame are not
+/// Returns the renderer's options for a film of that shot. Sets that change between frames are not
 /// shared.
 render::TracerOptions tracer_options(const FilmSettings& settings, const scenes::Shot& shot,
                                      const std::stop_token& stop = {});
 
-/// The renderer's settings for them.
+/// Returns the renderer's quality settings for these film settings.
 render::Quality quality_of(const FilmSettings& settings);
 
-/// The renderer's settings for a shot. A background that changes from frame to frame, by a moving
-/// camera or ground, gets no more samples than the rest.
+/// Returns the renderer's quality settings for a shot. A background that changes between frames,
+/// because of a moving camera or ground, gets no additional samples.
 render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot);
 
-/// A frame with its layers, and motion to the next one.
+/// Renders a frame with its layers and its motion vectors to the next frame.
 render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int frame,
                          const render::Quality& quality);
 
-/// Numbers of frames, from `first` to the one before `end`.
+/// Returns the frame numbers first … end − 1.
 std::vector<int> frames_between(int first, int end);
 
-/// Takes the frames, in order, as a display shows them.
+/// Receives the frames in order, as a display shows them.
 using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 
-/// Draws frames, some at a time (FrameDrawer::in_flight), and hands them on. Meanwhile earlier ones
-/// are written, read back and taken by the sink in a thread of its own; at most one waits in
-/// between, however long the shot. Of a film that is given up, frames are lost that are in flight
-/// then.
+/// Renders frames, several at a time (FrameDrawer::in_flight), and passes them on. Meanwhile, a
+/// separate thread writes earlier frames, reads them back and passes them to the sink; at most one
+/// frame waits in between, whatever the length of the shot. If a film is abandoned, the frames in
+/// flight are lost.
 ///
-/// With `store`, frames that it has are not drawn again, and each new one is kept there unless the
-/// output's frames are none (those that it has are then PNG); the sink gets what was stored, so a
-/// resumed film is the same to the last bit. Throws Interrupted soon after a stop request, and what
-/// the tracer, the store or the sink throw.
+/// With `store`, stored frames are not rendered again, and each new frame is stored, unless the
+/// output's frame format is none (stored frames are then PNG). The sink receives the stored
+/// pictures, so that a resumed film is identical. Throws Interrupted soon after a stop request, and
+/// whatever the tracer, the store or the sink throw.
 void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress);
 
-/// Collects evenly spread frames, at a size that fits a page, into one picture.
+/// Collects evenly spaced frames, scaled to fit a page, into one picture.
 class ContactSheetBuilder {
  public:
   explicit ContactSheetBuilder(int frame_count);
 
-  /// The frames that it needs, ascending.
+  /// Returns the frames that the sheet needs, ascending.
   const std::vector<int>& frames() const { return frames_; }
 
-  /// Takes a frame if it is one of them.
+  /// Adds a frame if the sheet needs it.
   void add(int frame, const render::Image8& picture);
 
   render::Image8 build() const;

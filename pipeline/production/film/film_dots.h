@@ -14,13 +14,13 @@ namespace mien::pipeline {
 
 extern const TableForm dots_form;
 
-/// A table of the positions of the dots of a shot's point-light figures, in every frame.
+/// Returns a table of the dot positions of a shot's point-light figures in every frame.
 std::string dots_csv(const scenes::Shot& shot);
 
-/// Whether a stimulus is shown as dots.
+/// Whether a stimulus is shown as point lights.
 bool has_dots(const Stimulus& stimulus);
 
-/// The task "dots:<id>", whose product is clips/<id>.dots.csv.
+/// The task "dots:<id>", which makes clips/<id>.dots.csv.
 Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equalize,
                const SharedDeterminants& shared, FinishedMotions& motions);
 

@@ -14,32 +14,32 @@
 
 namespace mien::pipeline {
 
-/// Brings the films of a study to one mean luminance.
+/// Equalizes the mean luminance of a study's films.
 ///
-/// A few small frames of each film are drawn in draft quality. Their mean luminance as a display
-/// shows it, tone curve and all, rises with the exposure, so for each film there is one exposure at
-/// which it is the geometric mean of the means of all films, or of all with such a figure.
+/// A few small frames of each film are rendered in draft quality. Their mean luminance as a display
+/// shows it, including the tone curve, increases with exposure. For each film there is thus one
+/// exposure at which its mean is the geometric mean over all films of the study, or over all with
+/// the same kind of figure.
 ///
-/// Point lights with equally many dots of one size and colour on one set share an exposure, at
-/// which the mean of all of them is that: a scrambled figure's dots, of which fewer hide each
-/// other, would else be darker than those of its original.
+/// Point-light figures with the same number of dots of one size and colour on one set share an
+/// exposure, chosen for the mean over all of them. Otherwise, a scrambled figure, whose dots
+/// occlude each other less, would become darker than its original.
 
 extern const TableForm exposure_form;
 
-/// The stops, −8 … 8, that added to the tone's bring the mean over films of `mean_luminance` to
-/// `wanted`; the nearest end where none does.
+/// Returns the exposure, −8 … 8 stops added to that of the tone curve, at which the mean over films
+/// of `mean_luminance` is `wanted`; the nearer limit if there is none.
 float stops_for(const std::vector<render::Framebuffer>& films, const render::Tone& tone,
                 double wanted);
 
-/// Finds the exposure of each film, and returns metrics/exposure.csv. Figures
-/// are as tall and stand where `films` has them. Throws Faults when no exposure brings a film, or
-/// the films that share one, within 1 %; where it is far from there, after a quick look.
+/// Finds the exposure of each film and returns metrics/exposure.csv. Figures have the sizes and
+/// positions in `films`. Throws Faults if no exposure brings a film, or the films that share one,
+/// within 1 % of the mean; large deviations are detected early on small pictures.
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
                          FinishedMotions& motions, TaskRun& run, EqualizedFilms& films);
 
-/// A fault for each stimulus that no exposure brings near the others' light, as a quick look at
-/// small pictures shows; what is out of reach by less than 5 % is left to exposure_csv. Throws
-/// Error.
+/// Returns a fault for each stimulus whose luminance no exposure equalizes, judged on small
+/// pictures; deviations below 5 % are left to exposure_csv. Throws Error.
 std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

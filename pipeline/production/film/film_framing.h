@@ -13,18 +13,18 @@ namespace mien::pipeline {
 extern const TableForm sizes_form;
 extern const TableForm places_form;
 
-/// Finds how tall all figures are, and returns metrics/sizes.csv.
+/// Computes the equalized height of all figures and returns metrics/sizes.csv.
 std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
                       EqualizedFilms& films);
 
-/// Finds where all figures stand: the mean of the places that the cameras show, moved as far as it
-/// must be for every figure to stay within its picture that was within it before. Figures are as
-/// tall as `films` has them. Returns metrics/places.csv. Throws Error where no
-/// place is left.
+/// Computes the equalized position of all figures: the mean of their positions in the cameras'
+/// pictures, shifted as little as necessary so that every figure that was within its picture stays
+/// within it. Figures have the heights in `films`. Returns metrics/places.csv. Throws Error if
+/// there is no such position.
 std::string places_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
                        EqualizedFilms& films);
 
-/// Throws Error where `places_csv` would find no place.
+/// Throws Error if `places_csv` would find no position.
 void check_places(const Manifest& manifest, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

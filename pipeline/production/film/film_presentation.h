@@ -17,25 +17,26 @@ struct PresentationFrames {
   int blank_before = 0;
   int film = 0;
   int blank_after = 0;
-  int fade_in = 0;   ///< of the film's frames
-  int fade_out = 0;  ///< of the film's frames
+  int fade_in = 0;   ///< number of the film's frames
+  int fade_out = 0;  ///< number of the film's frames
 
   int before() const { return card + fixation + blank_before; }
   int all() const { return before() + film + blank_after; }
 };
 
-/// Seconds rounded to the nearest whole number of frames.
+/// Returns the presentation with its durations rounded to the nearest whole number of frames.
+/// `fps`: frames per second.
 PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames);
 
-/// What is wrong with fades that last longer than a film of so many frames; empty for nothing.
+/// Returns a fault if fades are longer than a film of `film_frames` frames; otherwise empty.
 std::string fade_fault(const Stimulus& film, int film_frames);
 
 inline constexpr char fade_remedy[] = "make them shorter, or show more cycles";
 
-/// Shows a film with what comes before and after it.
+/// Shows a film with the pictures before and after it.
 ///
-/// Fades mix film and background in linear light: the film's frame n of m fading ones has the share
-/// (n + ½) / m. Neither the card nor the cross fades.
+/// Fades mix film and background in linear light: frame n (from 0) of the m frames of a fade-in has
+/// the share (n + ½) / m. Neither the card nor the cross fades.
 class Presenter {
  public:
   using Show = std::function<void(const render::Image8& picture)>;
@@ -45,8 +46,8 @@ class Presenter {
 
   const PresentationFrames& frames() const { return frames_; }
 
-  /// Takes the film's frames in order and shows them; before the first and after the last, also
-  /// what is around the film.
+  /// Takes the film's frames in order and shows them, with the pictures before the film at the
+  /// first frame and those after it at the last.
   void take(const render::Image8& picture, const Show& show);
 
  private:
@@ -61,10 +62,11 @@ class Presenter {
 
 /// The pictures around a film, on a grey of 8 bits.
 render::Image8 blank_picture(std::array<int, 2> size, std::uint8_t grey);
-/// A cross of `edge` pixels from end to end, a ninth of that thick, black or white, whichever lies
-/// farther from the grey.
+/// Returns a cross with a width and height of `edge` pixels and a thickness of a ninth of that,
+/// black or white, whichever contrasts more with the grey.
 render::Image8 fixation_picture(std::array<int, 2> size, std::uint8_t grey, int edge);
-/// Lines of text in the middle, as large as fits, at most an 18th of the picture's height.
+/// Returns a picture of centred lines of text, as large as fits, at most an 18th of the picture's
+/// height.
 render::Image8 card_picture(std::array<int, 2> size, std::uint8_t grey, const std::string& text);
 
 }  // namespace mien::pipeline

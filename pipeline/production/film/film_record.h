@@ -12,14 +12,14 @@
 
 namespace mien::pipeline {
 
-/// One video of a film and what its check found.
+/// One video of a film and the result of its check.
 struct VideoRecord {
   std::string file;    ///< "videos/walk.webm"
   std::string format;  ///< "webm"
-  int frames = 0;      ///< of the whole video
+  int frames = 0;      ///< number of frames of the whole video
   double fps = 0.0;
   double duration_s = 0.0;
-  bool identical = false;  ///< every frame is the frame drawn; then the rest says nothing
+  bool identical = false;  ///< the video is lossless; then the remaining members are not set
   double worst_psnr_db = 0.0;
   int worst_psnr_frame = 0;
   double worst_ssim = 0.0;
@@ -28,31 +28,33 @@ struct VideoRecord {
   friend bool operator==(const VideoRecord&, const VideoRecord&) = default;
 };
 
-/// What is known of a film when it has been drawn.
+/// The facts recorded once a film has been rendered.
 struct FilmRecord {
-  render::ClipLuminance luminance;  ///< of the film's frames, without what is shown around them
-  double exposure_stops = 0.0;      ///< that were added
-  double figure_px = 0.0;           ///< height of the standing figure (figure_pixels)
-  std::optional<std::array<double, 2>> figure_place;  ///< in the picture (figure_place)
-  std::optional<double> visual_degrees;               ///< of it on the screen that the camera names
+  render::ClipLuminance luminance;  ///< of the film's frames, without the presentation
+  double exposure_stops = 0.0;      ///< exposure that was added, in stops
+  double figure_px = 0.0;           ///< height of the standing figure in pixels (figure_pixels)
+  std::optional<std::array<double, 2>> figure_place;  ///< position in the picture (figure_place)
+  std::optional<double> visual_degrees;  ///< visual angle of the figure's height on the screen that
+                                         ///< the camera names, in degrees
   int film_frames = 0;
-  int first_film_frame = 0;  ///< in the videos
+  int first_film_frame = 0;  ///< index of the film's first frame in the videos
   std::vector<VideoRecord> videos;
-  std::vector<std::string> warnings;  ///< of the figures: what of a character is not shown, say
+  /// About the figures, such as parts of a character that are not shown.
+  std::vector<std::string> warnings;
 };
 
 VideoRecord video_record(const std::string& file, render::VideoKind kind, double fps,
                          const render::VideoCheck& check);
 
-/// The video's entry in the record of a film.
+/// Returns the video's entry in the record of a film.
 nlohmann::ordered_json video_json(const VideoRecord& video);
 
-/// Throws nlohmann::json::exception when it is none.
+/// Reads such an entry. Throws nlohmann::json::exception if it is malformed.
 VideoRecord video_record_of(const nlohmann::json& json);
 
 std::string film_record_text(const FilmRecord& record);
 
-/// Throws std::runtime_error when the text is no such record.
+/// Reads a film's record. Throws std::runtime_error if the text is malformed.
 FilmRecord parse_film_record(const std::string& json);
 
 }  // namespace mien::pipeline

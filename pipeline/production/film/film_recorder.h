@@ -10,8 +10,8 @@
 
 namespace mien::pipeline {
 
-/// Turns the frames of a film into videos, all of them at once, with what the presentation shows
-/// around them, and checks the files against what went into them.
+/// Encodes the frames of a film into several videos at once, including the presentation around the
+/// film, and checks the files against the encoded pictures.
 ///
 ///   FilmRecorder recorder(settings, shot.frame_count());
 ///   recorder.open(file, render::VideoKind::webm);
@@ -22,20 +22,21 @@ class FilmRecorder {
  public:
   FilmRecorder(const FilmSettings& settings, int film_frames);
 
-  /// A file that is to be written, which begins with the first frame. To be called before the first
-  /// `take`.
+  /// Adds a file to be written. Its encoder starts with the first frame. Must be called before the
+  /// first `take`.
   void open(const std::filesystem::path& file, render::VideoKind kind);
 
-  /// The film's next frame. Throws render::Error.
+  /// Adds the film's next frame. Throws render::Error.
   void take(const render::Image8& picture);
 
-  /// Completes all files. Throws render::Error, also when frames are missing.
+  /// Completes all files. Throws render::Error, also if frames are missing.
   void close();
 
-  /// Decodes a completed file and throws render::Error unless it is what was recorded.
+  /// Decodes a completed file. Throws render::Error if it differs from what was recorded by more
+  /// than its format's lossy encoding allows.
   const render::VideoCheck& check(const std::filesystem::path& file, render::VideoKind kind);
 
-  /// What the checks found.
+  /// Returns the results of the checks.
   const std::map<render::VideoKind, render::VideoCheck>& checks() const { return checks_; }
 
   const PresentationFrames& frames() const { return presenter_.frames(); }
@@ -43,12 +44,13 @@ class FilmRecorder {
  private:
   render::VideoFormat format_of(render::VideoKind kind) const;
   void begin_files();
-  int row_step() const;  ///< of the kind that is looked at most closely
+  int row_step() const;  ///< of the format that is checked most densely
 
   const FilmSettings& settings_;
   Presenter presenter_;
   render::VideoSketch sketch_;
-  std::map<render::VideoKind, std::filesystem::path> files_;  // that have not begun
+  // Files whose encoders have not started.
+  std::map<render::VideoKind, std::filesystem::path> files_;
   std::map<render::VideoKind, render::VideoWriter> writers_;
   std::map<render::VideoKind, render::VideoReceipt> receipts_;
   std::map<render::VideoKind, render::VideoCheck> checks_;

@@ -10,28 +10,29 @@
 
 namespace mien::pipeline {
 
-/// How the figure has to be in the picture, whatever its camera says.
+/// The required framing of the figure, which overrides its camera.
 struct Framing {
-  std::optional<double> figure_px;                    ///< height of the standing figure
+  std::optional<double> figure_px;                    ///< height of the standing figure in pixels
   std::optional<std::array<double, 2>> figure_place;  ///< scenes/cameras/figure_place.h
 };
 
-/// What a stimulus's figure stands for in its own film: nothing, unless its look asks for roles.
+/// Returns the role that colours a stimulus's figure in its own film: neutral unless its look uses
+/// the colours of roles.
 Role film_role(const Stimulus& stimulus);
 
-/// The clip that a stimulus's film shows on its set. Throws Error.
+/// Returns the clip that a stimulus's film shows on its set. Throws Error.
 motion::Clip staged_clip(const Stimulus& stimulus, FinishedMotions& motions);
 
-/// A stimulus's motion on its stage. `seed` is that of the production. Throws Error when the look
-/// cannot be had.
+/// Returns a stimulus's motion on its stage. `seed` is the production's seed. Throws Error if the
+/// look is not available.
 scenes::Shot shot_of(const Stimulus& stimulus, FinishedMotions& motions, std::uint64_t seed,
                      const Framing& framing = {});
 
-/// Any clip on the stimulus's stage.
+/// Returns any clip on the stimulus's stage.
 scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::uint64_t seed,
                      const Framing& framing);
 
-/// The motions of an overlay on their stage, each as long as the overlay's own output says.
+/// Returns the motions of an overlay on its stage, each shown as the overlay's own output says.
 scenes::Shot shot_of(const Overlay& overlay, FinishedMotions& motions, std::uint64_t seed);
 
 }  // namespace mien::pipeline

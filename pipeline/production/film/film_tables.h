@@ -9,15 +9,15 @@
 
 namespace mien::pipeline {
 
-/// The task "films": what the films' records say, as tidy CSV: metrics/luminance.csv, videos.csv
-/// and views.csv. It reads the products of all film tasks. `manifest` outlives
-/// it. Overlays have rows like stimuli.
+/// The task "films", which writes the films' records as tidy CSV: metrics/luminance.csv, videos.csv
+/// and views.csv. It reads the artifacts of all film tasks. `manifest` must outlive it. Overlays
+/// have rows like stimuli.
 Task films_task(const Manifest& manifest, const SharedDeterminants& shared);
 
-/// The tables of "films".
+/// Returns the forms of the tables of the task "films".
 std::vector<TableForm> film_table_forms();
 
-/// The path of a film's record in the store.
+/// Returns the path of a film's record in the store.
 std::string film_record_path(const std::string& stimulus);
 
 }  // namespace mien::pipeline

@@ -15,35 +15,36 @@
 
 namespace mien::pipeline {
 
-/// What a film is made of.
+/// The inputs of a film.
 struct FilmSubject {
-  const Stimulus& film;              ///< what it is called, its look and output
-  std::vector<std::string> motions;  ///< stimuli and examples that are in it
-  KeyBuilder stage;                  ///< what else decides how they are staged
-  Equalize equalize;                 ///< what it has in common with the study's other films
+  const Stimulus& film;              ///< id, look and output of the film
+  std::vector<std::string> motions;  ///< ids of the stimuli and examples in it
+  KeyBuilder stage;                  ///< key of the other inputs of the staging
+  Equalize equalize;                 ///< properties equalized with the study's other films
   std::function<scenes::Shot(const Equalized&)> make_shot;
 };
 
-/// The stored frames of a film: those of its output, or temporary ones until it is encoded.
+/// The stored frames of a film: those that its output requests, or temporary ones until the film is
+/// encoded.
 struct StoredSequence {
   std::string path;  ///< "frames/walk"
   Hash key;
 };
 
-/// The stored frames of a film's task, once the products of its inputs are known.
+/// Returns the stored frames of a film's task, once the artifacts of its inputs are known.
 StoredSequence stored_sequence(const Task& film, const Hash& task_key);
 
-/// Film of a stimulus, or of motions together. All that is passed outlives it. Overlays take no
-/// part in what is equalized.
+/// Return the film of a stimulus or of an overlay. All arguments must outlive the result. Overlays
+/// are not equalized.
 FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest,
                        FinishedMotions& motions);
 FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, FinishedMotions& motions,
                        const SharedDeterminants& shared);
 
-/// The task "film:<id>": stages the motions, draws them and encodes the frames while they are
-/// drawn. Its products are what the output asks for, a contact sheet, and a record of what was
-/// drawn and checked. It reads the products of the tasks "motion:<id>" of its stimuli, and those of
-/// the tasks that find what is equalized. What `subject` refers to outlives it.
+/// The task "film:<id>": stages the motions, renders them and encodes the frames during rendering.
+/// Its artifacts are the files that the output requests, a contact sheet, and a record of the film
+/// and its checks. It reads the artifacts of its stimuli's tasks "motion:<id>" and of the
+/// equalizing tasks. What `subject` refers to must outlive it.
 Task film_task(const FilmSubject& subject, const FilmSettings& settings,
                const SharedDeterminants& shared, FinishedMotions& motions);
 

@@ -10,31 +10,32 @@
 
 namespace mien::pipeline {
 
-/// A frame that is ready to be drawn: what each eye sees of it.
+/// A frame that is prepared for rendering: one view per eye.
 struct ReadyFrame {
   int frame = 0;
   std::vector<render::PreparedView> prepared_views;
 };
 
-/// Draws frames of a shot, several at a time, and one is made ready meanwhile. Each part of a
-/// picture is developed by the thread that drew it. The shot and the settings outlive it.
+/// Renders frames of a shot, several at a time, while the next one is prepared. Each tile of a
+/// picture is tone-mapped by the thread that rendered it. The shot and the settings must outlive
+/// the object.
 class FrameDrawer {
  public:
-  /// `kept` is the form in which frames are wanted. Throws as the tracer does.
+  /// `kept` is the format in which frames are stored. Throws as the tracer does.
   FrameDrawer(const scenes::Shot& shot, const FilmSettings& settings, FrameFormat kept,
               const std::stop_token& stop);
 
   ReadyFrame prepare(int frame);
 
-  /// The frame in the form that is wanted. Throws render::Stopped when it was given up because of a
-  /// stop request.
+  /// Renders the frame in the form for storage. Throws render::Stopped if it was abandoned because
+  /// of a stop request.
   FramePicture draw(ReadyFrame ready);
 
-  /// How many frames are in flight at once: so many that all threads have something to do while one
-  /// is made ready, or its last parts are drawn.
+  /// Returns the number of frames in flight at once, chosen so that no thread is idle while a frame
+  /// is prepared or its last tiles are rendered.
   int in_flight() const;
 
-  /// As render::Tracer::for_frames.
+  /// Works as render::Tracer::for_frames does.
   void for_frames(const render::FrameCallbacks& work) { tracer_.for_frames(work, in_flight()); }
 
  private:
@@ -46,7 +47,7 @@ class FrameDrawer {
 
   const scenes::Shot& shot_;
   FrameFormat kept_;
-  bool layers_;  // frames are drawn in layers
+  bool layers_;  // frames are rendered in layers
   int eyes_;
   render::Quality quality_;
   render::Tracer tracer_;

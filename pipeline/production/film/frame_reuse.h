@@ -9,8 +9,9 @@
 
 namespace mien::pipeline {
 
-/// The frame as the store has it, decoded. Nothing where it has to be drawn again: the store has no
-/// frame of that name with the film's key, or what it has does not decode, and is thrown away.
+/// Returns the decoded frame from the store, or nothing if it must be rendered again: the store has
+/// no frame of that name with the film's key, or the stored frame cannot be decoded and is
+/// discarded.
 std::optional<render::Image8> reusable_frame(FrameStore* store, int frame, const Output& output,
                                              const render::Tone& tone);
 

@@ -10,25 +10,26 @@
 
 namespace mien::pipeline {
 
-/// A frame to be written, in its stored form; or one that was read from the store.
+/// A frame to be written, in its stored form, or a frame that was read from the store.
 struct PendingFrame {
   int number = 0;
   FramePicture picture;
   bool is_stored = false;
 };
 
-/// Writes frames to the store, if any, and hands them to a sink as they are read back: the second
-/// half of the work on a film, in a thread of its own. What it is given outlives it.
+/// Writes frames to the store, if any, reads them back and passes them to a sink, in a separate
+/// thread. All arguments must outlive the object.
 class FrameWriter {
  public:
   FrameWriter(const FilmSettings& settings, const render::Tone& tone, FrameStore* store,
               const FrameSink& sink);
   ~FrameWriter();
 
-  /// The next frame; waits for room. False, and the frame is lost, once the writer has failed.
+  /// Adds the next frame, waiting until the queue has room. Returns false, and discards the frame,
+  /// once the writer has failed.
   bool push(PendingFrame frame) { return queue_.push(std::move(frame)); }
 
-  /// Waits for the last frame and throws what went wrong.
+  /// Waits for the last frame and rethrows any error of the writing thread.
   void finish();
 
  private:

@@ -11,22 +11,22 @@
 
 namespace mien::pipeline {
 
-/// A shot to be shown in one file, without plan and store.
+/// A shot to be written to one file, without a task graph or store.
 struct ShotWork {
   const scenes::Shot& shot;
   const FilmSettings& settings;
   std::stop_token stop;
-  std::function<void(double)> progress;  ///< called with the share that is done
+  std::function<void(double)> progress;  ///< called with the completed share, 0 … 1
 };
 
-/// All its frames as the first kind of video of the settings, checked. Returns what the check
-/// found.
+/// Writes all frames as a video in the first format of the settings, and checks it. Returns the
+/// result of the check as text.
 std::string write_video(const ShotWork& work, const std::filesystem::path& file);
 
-/// Frames spread over it, side by side (PNG). Returns how many.
+/// Writes evenly spaced frames side by side (PNG). Returns their number as text.
 std::string write_contact_sheet(const ShotWork& work, const std::filesystem::path& file);
 
-/// One frame: .png, with alpha where the background does not show; or .exr, with its layers.
+/// Writes one frame: .png, with alpha where the background is not shown, or .exr, with its layers.
 void write_still(const ShotWork& work, int frame, render::Background background,
                  const std::filesystem::path& file);
 

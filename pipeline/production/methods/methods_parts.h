@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// A text of sentences and paragraphs about a study that cites as pandoc reads it.
+/// Builds a text about a study from sentences and paragraphs, with citations in pandoc's syntax.
 class MethodsText {
  public:
   MethodsText(const Manifest& of, Motions& made) : manifest(of), motions(made) {}
@@ -21,7 +21,7 @@ class MethodsText {
   void say(const std::string& sentence);
   void end_paragraph();
 
-  /// " [@rose1998; @sloan2001]", and notes the works.
+  /// Returns a citation, " [@rose1998; @sloan2001]", and records the cited works.
   std::string cite(const Names& keys);
 
   const std::string& text() const { return text_; }
@@ -32,42 +32,43 @@ class MethodsText {
   Names cited_;
 };
 
-// The parts of the methods section. A part that has no subject in the study writes nothing.
+// The parts of the methods section. A part that does not apply to the study writes nothing.
 
-/// What the motions were made from, and what people thought of it.
+/// The examples and their ratings.
 void describe_examples(MethodsText& out);
 
-/// How examples became motions, how near these came to what was requested, and what was held.
+/// The blending of examples, the deviations from the requested values, and the held parameters.
 void describe_blends(MethodsText& out);
 
-/// What was done to motions afterwards, and which of them are foils.
+/// The modifications of motions, and the foils.
 void describe_modifications(MethodsText& out);
 
-/// How the motions were shown, what films have in common, and how far motions are from each other.
+/// The presentation of the motions, the properties equalized across films, and the distances
+/// between motions.
 void describe_pictures(MethodsText& out);
 
 /// Every setting of films and of the interpolation of their motions that differs from its default,
-/// without those that other sentences give for all films; and number and size of point lights.
+/// except those that other sentences state for all films; also the number and size of point lights.
 void describe_settings(MethodsText& out);
 
 /// The settings of the folder of examples that differ from their defaults.
 void describe_example_settings(MethodsText& out);
 
-/// The order of guesses and matches of a matching experiment and the films beside them, where these
-/// differ from their defaults.
+/// The settings of a matching experiment that differ from their defaults: the order of guesses and
+/// matches, and the films shown with it.
 void describe_matching_settings(MethodsText& out);
 
-/// A way of interpolation in words, and the keys of the references that it is from.
+/// The description of an interpolation method and the keys of its references.
 struct MethodWords {
   motion::InterpolationMethod method;
   std::string words;
   Names sources;
 };
 
-/// The words and sources of that method.
+/// Returns the description and references of that method.
 MethodWords words_of(motion::InterpolationMethod method);
 
-/// The key of the reference that an older method is from.
+/// Returns the key of the reference for an older method.
 std::string source_of(StyleMethod method);
 
 }  // namespace mien::pipeline

@@ -6,7 +6,7 @@
 
 namespace mien::pipeline {
 
-// Words and numbers as sentences have them.
+// Words and numbers in the form in which sentences use them.
 
 using Names = std::vector<std::string>;
 
@@ -18,7 +18,7 @@ std::string listed(const Names& names);
 
 void add_once(Names& names, const std::string& name);
 
-/// Least, largest and mean of numbers.
+/// Minimum, maximum and mean of a series of numbers.
 struct Range {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
@@ -29,10 +29,10 @@ struct Range {
   double mean() const { return sum / count; }
 };
 
-/// "from 1.20 to 1.40 s", or "1.20 s" where all are equal.
+/// Returns "from 1.20 to 1.40 s", or "1.20 s" if all values are equal.
 std::string told(const Range& range, int digits, const std::string& unit);
 
-/// "from 1.20 to 1.40 s (mean 1.31 s)", or "1.20 s" where all are equal.
+/// Returns "from 1.20 to 1.40 s (mean 1.31 s)", or "1.20 s" if all values are equal.
 std::string with_mean(const Range& range, int digits, const std::string& unit);
 
 }  // namespace mien::pipeline

@@ -7,23 +7,23 @@
 
 namespace mien::pipeline {
 
-/// A work that a method is from.
+/// A reference for a method.
 struct Reference {
   std::string_view key;     ///< "rose1998"
-  std::string_view label;   ///< as it is cited in a text: "Rose, Cohen and Bodenheimer 1998"
-  std::string_view bibtex;  ///< the fields of its entry, after the key
+  std::string_view label;   ///< citation in running text: "Rose, Cohen and Bodenheimer 1998"
+  std::string_view bibtex;  ///< fields of its BibTeX entry, without the key
   std::string_view kind = "article";
 };
 
-/// All that studies may rest on, by year. Where a source could not be identified whole, its `note`
+/// Returns all references that studies may cite, by year. If a reference is incomplete, its `note`
 /// says what is missing.
 std::span<const Reference> all_references();
 
-/// Nullptr without one of that key.
+/// Returns the reference with that key, or nullptr.
 const Reference* find_reference(std::string_view key);
 
-/// The entries of these keys as a BibTeX file, each once, in the order of all_references(), with
-/// one for the program itself.
+/// Returns a BibTeX file with the entries of these keys, without duplicates, in the order of
+/// all_references(), and an entry for the program itself.
 std::string bibtex_of(const std::vector<std::string>& keys);
 
 }  // namespace mien::pipeline

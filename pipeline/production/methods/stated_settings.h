@@ -10,25 +10,26 @@
 
 namespace mien::pipeline {
 
-/// Options in the words of a methods section, each said once with those that have it: "a fade-in of
-/// 0.3 s; walking on the spot (a and b)". An option without words here is stated by its own name,
-/// so none is left out.
+/// Collects settings for a methods section. Each setting is stated once, with the ids of the
+/// stimuli to which it applies: "a fade-in of 0.3 s; walking on the spot (a and b)". An option for
+/// which no wording is defined is stated by its own name, so that none is omitted.
 class StatedSettings {
  public:
-  /// An option at a path of the manifest ("output.presentation.fade_in"); maps are taken apart.
+  /// Adds the value of an option at a path of the manifest ("output.presentation.fade_in"), used by
+  /// the stimulus `of`. Maps are added member by member.
   void add(const std::string& path, const OrderedJson& value, const std::string& of);
 
   bool empty() const { return settings_.empty(); }
 
-  /// All of them, in the order in which they were added; Where a setting holds for
-  /// `everybody`, no ids are listed.
+  /// Returns all settings, in the order in which they were added. Ids are omitted for settings that
+  /// apply to all stimuli of `everybody`.
   std::string text(const Names& everybody) const;
 
  private:
-  std::vector<std::pair<std::string, Names>> settings_;  ///< words, who
+  std::vector<std::pair<std::string, Names>> settings_;  ///< wording and ids of the stimuli
 };
 
-/// An option in words: "tempo × 0.8", "head-flexion 15°".
+/// Returns the wording of an option: "tempo × 0.8", "head-flexion 15°".
 std::string words_of_option(std::string_view path, const OrderedJson& value);
 
 }  // namespace mien::pipeline

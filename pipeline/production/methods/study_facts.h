@@ -10,28 +10,28 @@
 
 namespace mien::pipeline {
 
-// What tables and report say about stimuli in a word.
+// Single-word facts about stimuli for tables and reports.
 
-/// Whose ratings a motion rests on: "given", "simulated", or "none" for features, weights, files
-/// and examples (nullptr).
+/// Returns the kind of ratings on which a motion is based: "given", "simulated", or "none" for
+/// features, weights, files and examples (nullptr).
 std::string ratings_of(const Stimulus* stimulus, Motions& motions);
 
-/// What a motion is made from: "adjectives", "features", "weights", "clip" or "path".
+/// Returns the source of a motion: "adjectives", "features", "weights", "clip" or "path".
 std::string_view source_of(const Stimulus& stimulus);
 
-/// The stimuli that are made from that source.
+/// Returns the stimuli with that source.
 std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_view source);
 
-/// How the weights were found; empty for a file shown as it is.
+/// Returns the method by which the weights were computed; empty for a motion file.
 std::string method_of(const Stimulus& stimulus);
 
-/// The set: "studio", or the name of its file.
+/// Returns the name of the set, "studio", or of its file.
 std::string scene_name(const Look& look);
 
-/// Whether a study makes anything with its examples.
+/// Whether a study uses its examples.
 bool uses_examples(const Manifest& manifest);
 
-/// What became of the manifest's expectations; empty without ratings.
+/// Returns the results of checking the manifest's expectations; empty without ratings.
 std::vector<ExpectationCheck> expectation_checks(const Manifest& manifest,
                                                  const Repertoire& repertoire);
 

@@ -8,39 +8,41 @@
 
 namespace mien::pipeline {
 
-/// What of a motion a foil is certified in.
+/// The measures by which a foil is certified.
 struct EmotionMeasures {
-  double path_m = 0.0;      ///< way of head, wrists and ankles in the body's frame, mean, a cycle
-  double duration_s = 0.0;  ///< of a cycle
-  double unevenness = 0.0;  ///< SD of their speeds by the mean speed, mean: 0 at constant speed
+  double path_m = 0.0;  ///< path length of head, wrists and ankles relative to the body, mean over
+                        ///< these, per cycle
+  double duration_s = 0.0;  ///< duration of a cycle
+  /// Coefficient of variation of their speeds, mean over these; 0 at constant speed.
+  double unevenness = 0.0;
 };
 
 EmotionMeasures measure_emotion(const motion::Clip& clip);
 
-/// The difference of two postures, whatever is done with them: the largest angle, degrees, between
-/// the mean rotations of a joint, of the pelvis without its heading.
+/// Returns the difference between two mean postures: the largest angle, in degrees, between the
+/// mean rotations of a joint. The heading of the pelvis is ignored.
 double posture_difference(const motion::Clip& a, const motion::Clip& b);
 
-/// One aspect of a foil and of the motion that it is of.
+/// One aspect of a foil and of its original motion.
 struct CertifiedAspect {
   FoilAspect aspect;
-  const char* measure;  ///< what was measured, with its unit
-  double of_value;      ///< NaN: only the difference is known
+  const char* measure;  ///< description of the measure, with its unit
+  double of_value;      ///< NaN if only the difference is known
   double foil_value;
-  double difference;  ///< degrees of posture, else a share
+  double difference;  ///< degrees for posture, otherwise relative
   double tolerance;
 
   bool is_held() const;
 };
 
-/// All aspects of a foil, measured of both finished motions.
+/// All aspects of a foil, measured on the finished motions of the foil and of its original.
 struct Certificate {
   std::string id;
   Foil foil;
   std::vector<CertifiedAspect> aspects;
 };
 
-/// The certificates of every foil among some of a study's stimuli.
+/// Returns the certificates of all foils among the stimuli.
 std::vector<Certificate> foil_certificates(std::span<const Stimulus> stimuli, Motions& motions);
 
 }  // namespace mien::pipeline

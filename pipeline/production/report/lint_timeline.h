@@ -8,19 +8,19 @@
 
 namespace mien::pipeline {
 
-/// A motion whose findings are drawn.
+/// A motion and its lint findings to be plotted.
 struct LintedMotion {
   std::string name;
   int frames = 0;
   double frames_per_second = 30.0;
-  bool was_compared = false;  ///< with an original, as some rules need
+  bool was_compared = false;  ///< compared with an original, which some rules need
   std::vector<motion::Finding> findings;
-  bool loops = false;  ///< otherwise there is no seam to look at
+  bool loops = false;  ///< false: the seam is not checked
 };
 
-/// The findings over time: a row for every rule and joint that has any, and a line that names the
-/// rules which found nothing. Errors are dark and tall, warnings light and flat, so that they are
-/// told apart by any colour vision and in greyscale. Seconds run below, frames above.
+/// Returns a plot of the findings over time: a row for each rule and joint with findings, and a
+/// line that names the rules without findings. Errors are dark and tall, warnings light and flat,
+/// so that they differ in greyscale and for any colour vision. Seconds are below, frames above.
 Plot lint_timeline(const LintedMotion& motion);
 
 }  // namespace mien::pipeline

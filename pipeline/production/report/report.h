@@ -11,13 +11,13 @@
 
 namespace mien::pipeline {
 
-/// report.html: the whole study on one page that works from disk without a network. Videos, contact
-/// sheets and comparison sheets are linked by paths relative to the study's folder; style is
-/// inline. Of a large study (report_parts.h) the page has what concerns all, and links to the
-/// other pages.
+/// Returns report.html: the whole study on one page that works from disk without a network. Videos,
+/// contact sheets and comparison sheets are linked by paths relative to the study's folder; styles
+/// are inline. For a large study (report_parts.h), the page contains only the common parts and
+/// links to the other pages.
 std::string report(const Manifest& manifest, Motions& motions, const Methods& methods);
 
-/// One of the study's parts, as a page of the same kind.
+/// Returns the page of one of the study's parts.
 std::string report_part(const std::vector<ReportPart>& parts, std::size_t which,
                         const Manifest& manifest, Motions& motions);
 

@@ -7,17 +7,17 @@
 
 namespace mien::pipeline {
 
-// Cards of report.html, one a film or sheet. Videos and pictures are linked by paths relative to
+// Cards of report.html, one per film or sheet. Videos and pictures are linked by paths relative to
 // the study's folder.
 
-/// The film of a stimulus, what lint found, and what it requested, in the language; what else
-/// it has is folded.
+/// The film of a stimulus, its lint findings and its requested values, with names in `language`;
+/// all other details are collapsed.
 std::string stimulus_card(const Stimulus& stimulus, Motions& motions, InterfaceLanguage language);
 
-/// The film of an overlay and which motions are in it.
+/// The film of an overlay and the list of its motions.
 std::string overlay_card(const Overlay& overlay, const Manifest& manifest, const Motions& motions);
 
-/// A sheet's picture and what it says.
+/// A sheet's picture and its result.
 std::string sheet_card(const Sheet& sheet, Motions& motions);
 
 }  // namespace mien::pipeline

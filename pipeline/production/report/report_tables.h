@@ -13,8 +13,8 @@ namespace mien::pipeline {
 
 // Tables of report.html.
 
-/// Requested and held values of a stimulus, and the values reached. Empty when it names no
-/// parameters. Names are in the language.
+/// Requested and held values of a stimulus, and the values reached; empty if it names no
+/// parameters. Names are in `language`.
 std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
                             InterfaceLanguage language);
 
@@ -22,21 +22,22 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
                              InterfaceLanguage language);
 
-/// The examples that have the most weight in a motion. Empty for a file shown as it is.
+/// The examples with the largest weights in a motion; empty for a motion file.
 std::string weight_table(const Synthesis& made, Motions& motions);
 
 /// The distance between the motions of every comparison.
 std::string distance_table(std::span<const Sheet* const> sheets, Motions& motions);
 
-/// For comparisons with a reference: how many features changed in the target's direction. Empty
-/// without any.
+/// For comparisons with a reference: the number of features that changed in the target's direction.
+/// Empty if there are none.
 std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions);
 
-/// What the foils among some stimuli and those that they are of differ in; empty without foils.
+/// The aspects in which the foils among the stimuli differ from their originals; empty without
+/// foils.
 std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions);
 
-/// How the created motion of a comparison differs from the reference, beside how the target does.
-/// Empty for sheets that are no comparison with a reference.
+/// Returns the differences of the created motion from the reference, with those of the target for
+/// comparison. Empty for sheets other than comparisons with a reference.
 std::vector<motion::FeatureChange> feature_changes(const Sheet& sheet, Motions& motions);
 
 }  // namespace mien::pipeline

@@ -10,20 +10,22 @@
 
 namespace mien::pipeline {
 
-// Tasks that cover a study as a whole. `motions` and `manifest` outlive them.
+// Tasks that cover a study as a whole. `motions` and `manifest` must outlive them.
 
-/// What all of these depend on: the manifest's own text, as ids, roles and comparisons appear in
-/// tables and report, and all that motions and films are made of, which are the tasks of `graph`.
+/// Returns the key on which these tasks depend: the manifest's own text, because ids, roles and
+/// comparisons appear in tables and report, and the inputs of all motions and films, that is the
+/// tasks of `graph`.
 Hash study_key(const Manifest& manifest, const SharedDeterminants& shared, const TaskGraph& graph);
 
-/// The tables of "tables".
+/// Returns the forms of the tables of the task "tables".
 std::vector<TableForm> study_table_forms();
 
-/// "tables": metrics/*.csv (tables.h). Reads all motions.
+/// The task "tables", which writes metrics/*.csv (tables.h). It reads all motions.
 Task tables_task(const Manifest& manifest, Motions& motions, const Hash& study);
 
-/// "report": report.html (report.h), methods.md and references.bib (methods.h), and of a large
-/// study the pages of its parts. Shows the products of all tasks of `graph`, so it comes last.
+/// The task "report", which writes report.html (report.h), methods.md and references.bib
+/// (methods.h) and, for a large study, the pages of its parts. It shows the artifacts of all tasks
+/// of `graph`, so it must be added last.
 Task report_task(const Manifest& manifest, Motions& motions, const Hash& study,
                  const TaskGraph& graph);
 

@@ -8,13 +8,13 @@
 
 namespace mien::pipeline {
 
-/// One of a study's tables of numbers, tidy CSV.
+/// A table of numbers about a study, as tidy CSV.
 struct StudyTable {
   TableForm form;
   std::string (*csv)(const Manifest& manifest, Motions& motions);
 };
 
-/// `rows_of(manifest, motions)` are the table's rows.
+/// A table whose rows are returned by `rows_of(manifest, motions)`.
 template <const auto& table, auto rows_of>
 inline constexpr StudyTable study_table = {table.form(),
                                            [](const Manifest& manifest, Motions& motions) {
@@ -28,18 +28,18 @@ extern const StudyTable weights_table;
 extern const StudyTable clips_table;
 extern const StudyTable parameters_table;
 extern const StudyTable findings_table;
-extern const StudyTable foils_table;  ///< the certificate of every foil
+extern const StudyTable foils_table;  ///< the certificates of all foils
 
-/// Without rows where nothing is made with examples.
+/// Without rows if the study does not use its examples.
 extern const StudyTable examples_table;
 
-/// Without rows where nothing is blended or nothing was rated.
+/// Without rows if nothing is blended or rated.
 extern const StudyTable impressions_table;
 
 /// The manipulation checks (expectation.h).
 extern const StudyTable expectations_table;
 
-/// "whose ratings the motion rests on", of an `r.ratings`.
+/// The column of the ratings on which a motion is based, for rows with a member `ratings`.
 inline constexpr SharedColumn ratings_column = {
     "ratings", "",
     "ratings on which the motion is based: given (by people), simulated or none (features, "

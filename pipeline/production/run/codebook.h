@@ -8,17 +8,17 @@
 
 namespace mien::pipeline {
 
-/// Every table that a run can write.
+/// Returns the forms of all tables that a run can write.
 std::vector<TableForm> all_table_forms();
 
-/// The tables that a run of this study writes.
+/// Returns the forms of the tables that a run of this study writes.
 std::vector<TableForm> table_forms_of(const Manifest& manifest);
 
-/// metrics/codebook.json: what the rows and columns of the study's tables are, factors by their
-/// names.
+/// Returns metrics/codebook.json: the meaning of the rows and columns of the study's tables, with
+/// factors by name.
 std::string codebook_json(const Manifest& manifest);
 
-/// The codebook of all tables as Markdown, which is manifests/TABLES.md.
+/// Returns the codebook of all tables as Markdown, which is manifests/TABLES.md.
 std::string codebook_markdown();
 
 }  // namespace mien::pipeline

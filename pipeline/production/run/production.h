@@ -15,15 +15,15 @@
 
 namespace mien::pipeline {
 
-/// What the command line changes about a manifest.
+/// Command-line options that override a manifest.
 struct ProductionOptions {
-  std::optional<Quality> quality;  ///< of all stimuli
-  std::vector<std::string> only;   ///< ids of stimuli, overlays and sheets; everything when empty
+  std::optional<Quality> quality;  ///< overrides the quality of all stimuli
+  std::vector<std::string> only;   ///< ids of stimuli, overlays and sheets; empty: everything
   int jobs = 1;
-  Stopwatch* drawing = nullptr;  ///< if any, runs while frames are traced or encoded
+  Stopwatch* drawing = nullptr;  ///< if not null, runs while frames are traced or encoded
 };
 
-/// The manifest as the tasks of a run:
+/// The tasks of a run of the manifest:
 ///
 ///   motion  examples, weights → motion      (its digest)
 ///   clip    motion → file                   clips/<id>.bvh, …
@@ -32,19 +32,19 @@ struct ProductionOptions {
 ///                                           metrics/films/<id>.json
 ///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
 ///           motions → shots → stills → page
-///   durations motions → numbers             metrics/durations.csv: what equalizing them needs
-///   sizes     motions → shots → numbers     metrics/sizes.csv: what equalizing size needs
-///   places    motions → shots → numbers     metrics/places.csv: and place
-///   exposure  motions → shots → numbers     metrics/exposure.csv: and luminance
+///   durations motions → numbers             metrics/durations.csv: for equalized duration
+///   sizes     motions → shots → numbers     metrics/sizes.csv: for equalized size
+///   places    motions → shots → numbers     metrics/places.csv: for equalized place
+///   exposure  motions → shots → numbers     metrics/exposure.csv: for equalized luminance
 ///   tables  motions → numbers               metrics/*.csv
 ///   films   films → numbers                 metrics/luminance.csv, videos.csv, views.csv
 ///   design  all films → factors, files   metrics/stimuli.csv, warnings.csv, codebook.json
 ///   report  all of it → page, methods       report.html, methods.md, references.bib
 ///
-/// With `only`, nothing is made that covers the whole study (tables, report, provenance).
+/// With `only`, artifacts that cover the whole study (tables, report, provenance) are not made.
 class Production {
  public:
-  /// Throws Error when `only` names what the manifest does not have.
+  /// Throws Error if `only` contains an id that is not in the manifest.
   Production(Manifest manifest, ProductionOptions options);
   Production(const Production&) = delete;
   Production& operator=(const Production&) = delete;
@@ -54,7 +54,7 @@ class Production {
   Motions& motions() { return motions_; }
   bool is_whole() const { return options_.only.empty(); }
 
-  /// Of a whole production: the files that it rests on as they were when it was planned
+  /// Returns, for a whole production, the hashes of its input files at the time of planning
   /// (hashes_of_inputs).
   const std::map<std::string, Hash>& inputs() const { return inputs_; }
 
@@ -76,9 +76,9 @@ class Production {
   Manifest manifest_;
   ProductionOptions options_;
   Motions motions_;
-  render::StaticBackgroundCache sets_;  ///< of all films
+  render::StaticBackgroundCache sets_;  ///< shared by all films
   TaskGraph graph_;
-  std::set<std::string> wanted_;  ///< options_.only
+  std::set<std::string> wanted_;  ///< the ids in options_.only
   std::map<std::string, Hash> inputs_;
 };
 

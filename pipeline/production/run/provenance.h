@@ -9,15 +9,15 @@
 
 namespace mien::pipeline {
 
-/// Where everything comes from, as JSON: versions, the command line, the seed, all settings of
-/// every stimulus, the hashes of the manifest, of its inputs and of every artifact. No dates, no
-/// names of machines: the same production gives the same bytes. Together with the folder inputs/
-/// beside it (study_inputs.h), `mien run provenance.json` makes the study again.
+/// Returns the provenance of a study as JSON: versions, the command line, the seed, all settings of
+/// every stimulus, and the hashes of the manifest, its inputs and all artifacts. It contains no
+/// dates and no machine names: the same production gives the same bytes. With the folder inputs/
+/// next to it (study_inputs.h), `mien run provenance.json` reproduces the study.
 std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>& outcomes);
 
-/// What has changed since a provenance.json was written, a sentence each: inputs of the manifest
-/// that it was read as, the manifest that is run, and the program's version. Then what is made
-/// again may differ.
+/// Returns the changes since a provenance.json was written, one sentence each: in the inputs of the
+/// recorded manifest, in the manifest itself, and in the program's version. If there are any,
+/// reproduced artifacts may differ.
 std::vector<std::string> changes_since(const std::filesystem::path& provenance,
                                        const Manifest& manifest);
 

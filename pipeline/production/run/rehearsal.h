@@ -9,20 +9,20 @@
 
 namespace mien::pipeline {
 
-/// What only shows when motions are made and staged, found before a frame is drawn for a film:
-/// examples that cannot be blended, clips that hold no human or not the requested frames, films
-/// shorter than their fades, figures that no place of the picture suits, and light that no exposure
-/// equalizes. The manifest itself is without faults (checked_manifest.h). Takes as long as the
-/// motions of a run, and a little more where luminance is equalized.
+/// Finds faults that appear only when motions are made and staged, before any frame is rendered for
+/// a film: examples that cannot be blended, clips without a human figure or without the requested
+/// frames, films shorter than their fades, figures that no position in the picture suits, and
+/// luminance that no exposure equalizes. The manifest must have no faults (checked_manifest.h).
+/// Takes as long as making the motions, and slightly longer if luminance is equalized.
 std::vector<Fault> rehearse(const Manifest& manifest);
 
-/// Makes the motions in `motions`, so that they can be used afterwards.
+/// Uses `motions`, so that the motions can be reused afterwards.
 std::vector<Fault> rehearse(const Manifest& manifest, Motions& motions);
 
-/// The same study with at most so many of its stimuli: one of each kind first, then some that are
-/// spread over the others. A kind is what stimuli are that differ in numbers alone: made from the
-/// same adjectives in the same way, and shown as the same figure on the same set. Overlays stay
-/// where their stimuli do, and so does the first.
+/// Returns the same study with at most `most` of its stimuli: one of each kind first, then others
+/// evenly distributed over the rest. Stimuli are of one kind if they differ only in numbers: they
+/// are made from the same adjectives by the same method and shown as the same figure on the same
+/// set. Overlays are kept if their stimuli are; the first overlay is always kept with its stimuli.
 Manifest rehearsal_sample(const Manifest& manifest, std::size_t most);
 
 }  // namespace mien::pipeline

@@ -12,13 +12,13 @@ namespace mien::pipeline {
 extern const TableForm stimuli_form;
 extern const TableForm warnings_form;
 
-/// The table that all others join: how each stimulus was made and shown, and its files, as they lie
-/// in the study's folder.
+/// Returns the table to which all others can be joined: the sources, the presentation and the files
+/// of each stimulus, as found in the study's folder.
 std::string stimuli_csv(const Manifest& manifest, Motions& motions,
                         const std::filesystem::path& folder);
 
-/// What a run has to say about examples, design, motions and films; of these the records in the
-/// study's folder tell.
+/// Returns the warnings of a run about examples, design, motions and films; those about films are
+/// read from the records in the study's folder.
 std::string warnings_csv(const Manifest& manifest, Motions& motions,
                          const std::filesystem::path& folder);
 

@@ -11,8 +11,8 @@
 
 namespace mien::pipeline {
 
-/// Beside the copies: the manifest as it was run, that is with what the command line changed, and
-/// with the copies in the place of the files. It makes the study again.
+/// Path of the manifest as it was run, stored with the copies of the inputs: with the changes by
+/// the command line, and referring to the copies. It reproduces the study.
 inline constexpr char as_run_path[] = "inputs/as-run.yaml";
 
 /// A file that describes a study, and its copy in the study's folder.
@@ -21,17 +21,18 @@ struct InputCopy {
   std::string path;  ///< "inputs/answers.csv"
 };
 
-/// The manifest first; then scales, recipes, ratings and sets, each once. What lies in the
-/// manifest's folder keeps its place, so that the copied manifest finds it.
+/// Returns the copies to make: the manifest first, then scales, recipes, ratings and sets, without
+/// duplicates. Files in the manifest's folder keep their relative paths, so that the copied
+/// manifest finds them.
 std::vector<InputCopy> input_copies(const Manifest& manifest);
 
-/// Writes the copies and `as_run_path` into the study's folder. `as_read` are the hashes of inputs
-/// when the study was planned; throws Error when one has changed since.
+/// Writes the copies and `as_run_path` into the study's folder. `as_read` are the hashes of the
+/// inputs when the study was planned; throws Error if one has changed since.
 void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_read, Store& store);
 
-/// Hashes of all files that the study rests on: copies by their paths, motions and characters by
-/// their names and those of their folders, numbered where these are the same. Where these lie is
-/// the machine's affair.
+/// Returns the hashes of all input files of the study. Keys are the paths of the copies, or for
+/// motions and characters the names of file and folder, numbered if these are equal. Their location
+/// on the machine is not part of the key.
 std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -11,31 +11,32 @@
 
 namespace mien::pipeline {
 
-/// Everything that a page with many motions shows, one a row; the first is what the others are
-/// measured against.
+/// The content of a gallery page with many motions, one per row; distances are measured from the
+/// first.
 struct GalleryContent {
   std::string study;
   std::string title;  ///< the sheet's id
   std::vector<SheetMotion> motions;
-  std::vector<double> distances_m;     ///< D from the first, one a motion
-  std::vector<MotionColours> colours;  ///< one a motion: of its role
+  std::vector<double> distances_m;     ///< distance D from the first, one per motion
+  std::vector<MotionColours> colours;  ///< colours of the roles, one per motion
   bool simulated_ratings = false;
   std::vector<std::pair<std::string, std::string>> provenance;
 };
 
-/// A page as wide as A3 landscape and as high as its rows need: of every motion its name and
-/// origin, duration and D from the first, and stick figures at the eleven
-/// corresponding times. Throws mien::Error when no font has Japanese letters.
+/// Return a page as wide as A3 landscape and as high as its rows require: for each motion its name
+/// and source, its duration, its D from the first, and stick figures at the eleven corresponding
+/// times. Throws mien::Error if no font has Japanese characters.
 std::string gallery_as_pdf(const GalleryContent& content);
 std::string gallery_as_png(const GalleryContent& content);
 
-/// What every sheet says of how it was made: ("seed", "7"), …
+/// Returns the provenance printed on every sheet: ("seed", "7"), …
 std::vector<std::pair<std::string, std::string>> provenance_of(const Manifest& manifest);
 
-/// What a comparison sheet of the manifest shows: makes its motions and measures their distance.
+/// Returns the content of a comparison sheet of the manifest: makes its motions and measures their
+/// distance.
 SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions& motions);
 
-/// What a gallery shows.
+/// Returns the content of a gallery.
 GalleryContent gallery_content(const Sheet& sheet, const Manifest& manifest, Motions& motions);
 
 }  // namespace mien::pipeline

@@ -11,8 +11,8 @@ namespace mien::pipeline {
 
 /// The layout of a comparison sheet on its A3 landscape page, in points.
 ///
-/// Figures and heat map share their eleven columns, heat map and joint bars their twenty rows, so
-/// that a cell is read upwards to the figure and sideways to the joint.
+/// Figures and heat map share eleven columns, heat map and joint bars share twenty rows, so that
+/// each cell aligns with its figure above and its joint at the side.
 struct SheetLayout {
   double width = 1190.55;
   double height = 841.89;
@@ -28,62 +28,63 @@ struct SheetLayout {
 
 SheetLayout sheet_layout();
 
-/// Space for names at the left of figures and heat map.
+/// Width of the space for names to the left of figures and heat map, in points.
 inline constexpr double name_width = 112.0;
 
-/// The column of time t/10 in a block as wide as the figures.
+/// Returns the column of normalized time t/10 in a block as wide as the figures.
 Box time_column(const Box& block, int t);
 
-/// The row of a joint (1 … 20) in a block as high as the heat map; parts of the body stand a little
-/// apart.
+/// Returns the row of a joint (1 … 20) in a block as high as the heat map; body parts are separated
+/// by small gaps.
 Box joint_row(const Box& block, int joint);
 
-/// The row below the joints, for means over joints.
+/// Returns the row below the joints, for means over joints.
 Box mean_row(const Box& block);
 
-/// End of the scale of distances, metres: the least multiple of the threshold, but at least twice
-/// the threshold, that holds every distance.
+/// Returns the end of the scale of distances in metres: the smallest multiple of the threshold, at
+/// least twice the threshold, that covers every distance.
 double amount_limit(const motion::Distance& distance);
 
-// The parts of a comparison sheet; each keeps within its box.
+// The parts of a comparison sheet; each is drawn within its box.
 
 /// Title, study, and the mark of simulated ratings.
 void draw_header(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// D, the verdict, and where D lies on a scale with the threshold.
+/// D, the verdict, and the position of D on a scale with the threshold.
 void draw_verdict(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// A slider a parameter with the marks of both motions, then the blend weights of both as bars.
+/// One slider per parameter with the values of both motions, then the blend weights of both as
+/// bars.
 void draw_settings(Canvas& canvas, const SheetContent& content, const Box& box);
 void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box);
 void draw_weights(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// A row of stick figures a motion at the eleven times, and one of target and created together. All
-/// at one scale, orthographic from the right and a little ahead, pelvis and heading as the distance
-/// aligns them.
+/// A row of stick figures at the eleven times for each motion, and a row of target and created
+/// motion together. All have one scale and an orthographic view from the right and slightly ahead,
+/// with pelvis and heading aligned as for the distance.
 void draw_figures(Canvas& canvas, const SheetContent& content, const Box& box);
 
 /// Joint × time distances as colours, and their mean over joints as numbers.
 void draw_heat_map(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// Mean and largest distance of each joint, beside its row of the heat map.
+/// Mean and largest distance of each joint, next to its row of the heat map.
 void draw_joint_bars(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// Position over time of the three joints with the largest mean distance, the plots of
-/// a joint at one scale.
+/// Position over time of the three joints with the largest mean distance; the plots of a joint
+/// share one scale.
 void draw_curves(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// What made the sheet, and how its numbers are defined.
+/// The provenance of the sheet, and the definitions of its numbers.
 void draw_footer(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// "LeftShoulder" as "Left shoulder".
+/// Returns a readable name: "Left shoulder" for LeftShoulder.
 std::string spoken_name(motion::BodyJoint joint);
 
-/// The heading of a part, and a remark behind it.
+/// The heading of a part, followed by a remark.
 void draw_heading(Canvas& canvas, Point baseline, const std::string& heading,
                   const std::string& remark = {});
 
-/// Columns at the right end of parameters and weights where the two motions' numbers stand.
+/// The columns for the numbers of both motions at the right of parameters and weights.
 struct ValueColumns {
   double target;  ///< right edges, points
   double created;

@@ -10,15 +10,15 @@
 
 namespace mien::pipeline {
 
-/// The task "sheet:<id>": compares two motions on a page, as PDF and PNG. Sheet,
-/// manifest and motions outlive it.
+/// The task "sheet:<id>", which compares two motions on a page, as PDF and PNG. Sheet, manifest and
+/// motions must outlive it.
 Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
                 Motions& motions);
 
-/// What every task of a sheet makes: sheets/<id>.pdf and sheets/<id>.png, in this order.
+/// Returns the artifacts of every sheet task: sheets/<id>.pdf and sheets/<id>.png, in this order.
 std::vector<Product> sheet_products(const Sheet& sheet);
 
-/// Stores the bytes of both, once they have been read back.
+/// Stores both files after reading them back.
 void put_sheet(TaskRun& run, const std::string& pdf, const std::string& png);
 
 }  // namespace mien::pipeline

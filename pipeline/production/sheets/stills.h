@@ -14,22 +14,22 @@ struct Still {
   render::Image8 picture;
 };
 
-/// Everything that a page of pictures shows.
+/// The content of a page of stills.
 struct StillsContent {
   std::string study;
   std::string title;          ///< the sheet's id
   std::vector<Still> stills;  ///< at least one, row by row
-  int columns = 6;            ///< at least one; a page has no more than it has pictures
+  int columns = 6;            ///< pictures per row, at least one; limited to the number of pictures
   std::vector<std::pair<std::string, std::string>> provenance;
 };
 
-/// Widest that a picture stands on a page.
+/// Maximum width of a picture on a page, in pixels.
 inline constexpr int still_width = 480;
 
-/// A page as large as its pictures need, all of them as wide as the narrowest of them or, if that
-/// is less, `still_width` pixels, each above its name. Pictures of other shapes stand in the middle
-/// of their place. The PNG shows them pixel by pixel. The same content gives the same bytes. Throws
-/// mien::Error when no font has Japanese letters.
+/// Return a page as large as its pictures require. All are scaled to the width of the narrowest, at
+/// most `still_width` pixels, and stand above their names. Pictures with a different aspect ratio
+/// are centred in their cells. The PNG shows them at this size, pixel by pixel. The same content
+/// gives the same bytes. Throws mien::Error if no font has Japanese characters.
 std::string stills_as_pdf(const StillsContent& content);
 std::string stills_as_png(const StillsContent& content);
 

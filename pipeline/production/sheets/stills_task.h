@@ -8,10 +8,10 @@
 
 namespace mien::pipeline {
 
-/// The task "sheet:<id>" of a sheet of stills, as PDF and PNG: draws the middle frame of each
-/// stimulus's film as the film has it. It reads motions, and exposures where luminance is
-/// equalized, but not the films, so it need not wait for them. The output in `settings` is of no
-/// concern. Sheet, manifest and motions outlive it.
+/// The task "sheet:<id>" of a sheet of stills, as PDF and PNG, which renders the middle frame of
+/// each stimulus's film. It reads the motions, and the exposures if luminance is equalized, but not
+/// the films, so it does not wait for them. `settings.output` is ignored. Sheet, manifest and
+/// motions must outlive it.
 Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSettings& settings,
                  const SharedDeterminants& shared, Motions& motions);
 

@@ -8,9 +8,9 @@
 
 namespace mien::pipeline {
 
-/// What somebody should know who blends examples; plain sentences: what was found odd about those
-/// that have a share in the blend, about the ratings and about the blend, and of the feet of what
-/// was made, how they slide, sink or float: of each check and foot the worst.
+/// Returns warnings about a blend as plain sentences: about the examples with a share in it, the
+/// ratings, the blend itself, and sliding, penetration or floating of the feet in the result (only
+/// the worst case per check and foot).
 std::vector<std::string> blend_warnings(const Repertoire& repertoire, const Synthesis& synthesis);
 
 }  // namespace mien::pipeline

@@ -10,9 +10,9 @@ namespace mien::pipeline {
 
 extern const TableForm durations_form;
 
-/// The task "durations", for studies whose stimuli all last as long as the shortest: finds how long
-/// that is, metrics/durations.csv. What shows one motion then need not read all the others.
-/// `manifest` and `motions` outlive it.
+/// The task "durations", for studies that equalize durations: finds the duration of the shortest
+/// stimulus and writes metrics/durations.csv, so that showing one motion does not require all
+/// others. `manifest` and `motions` must outlive it.
 Task durations_task(const Manifest& manifest, const SharedDeterminants& shared, Motions& motions);
 
 }  // namespace mien::pipeline

@@ -11,35 +11,37 @@
 
 namespace mien::pipeline {
 
-/// A motion with a stimulus's modifications done, or with as much of them as faults allow.
+/// A motion to which a stimulus's modifications have been applied, as far as lint errors allow.
 struct ModifiedMotion {
   motion::Example motion;
-  double share = 1.0;                     ///< of the requested strengths; below 1 when reduced
-  double planted_drift_m = 0.0;           ///< largest, of the feet that the original plants
-  std::vector<motion::Finding> findings;  ///< of the result, against the original
-  std::vector<std::string> notes;         ///< what was done on the way, plain sentences
-  std::vector<std::string> warnings;      ///< what came of faults, plain sentences
+  double share = 1.0;            ///< applied share of the requested strengths; below 1 if reduced
+  double planted_drift_m = 0.0;  ///< largest drift of a foot planted in the original, metres
+  /// Lint findings of the result compared with the original.
+  std::vector<motion::Finding> findings;
+  std::vector<std::string> notes;     ///< intermediate steps, plain sentences
+  std::vector<std::string> warnings;  ///< consequences of lint errors, plain sentences
 };
 
-/// What each of the stimulus's modifications does at its full strength, poses read; of an older
-/// method, nothing. Throws Error when a pose cannot be had.
+/// Returns each of the stimulus's modifications at full strength, with poses read; an empty
+/// modification for an older method. Throws Error if a pose is not available.
 std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
                                                    const Repertoire& repertoire);
 
-/// Does the stimulus's modifications one after the other and looks the result over. Errors
-/// that the original has not, or that are half as bad again, are dealt with as `on_fault` says;
-/// what was done is among the warnings. The motion comes back at the output's frame rate. Throws
-/// Error when a pose cannot be had, and for `on_fault: fail`.
+/// Applies the stimulus's modifications in order and checks the result with the lint. Errors that
+/// are new, or at least 1.5 times as large as in the original, are treated as `on_fault` says,
+/// which is reported in the warnings. The result has the output's frame rate. Throws Error if a
+/// pose is not available, and for `on_fault: fail`.
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
                              const Repertoire& repertoire);
 
-/// "sad × 0.8", "paths 1.4, acceleration +0.3, head-flexion 12°": a step as people read it.
+/// Returns a readable description of a step: "sad × 0.8", "paths 1.4, acceleration +0.3,
+/// head-flexion 12°".
 std::string described(const ModificationStep& step);
 
-/// " at 40 % of that": what was done of a modification, empty when it was all.
+/// Returns the applied share of a modification as text, " at 40 % of that"; empty for all of it.
 std::string share_text(double share);
 
-/// All steps of a stimulus, in their order; empty without any.
+/// Returns the description of all steps of a stimulus, in order; empty if there are none.
 std::string described_modifications(const Stimulus& stimulus);
 
 }  // namespace mien::pipeline

@@ -9,22 +9,21 @@
 
 namespace mien::pipeline {
 
-/// What the store keeps of a motion: a digest of every number in it, so that whatever is made from
-/// the motion is made again exactly when the motion has changed, and what a run has to say about
-/// it.
+/// The stored record of a motion: its warnings and a digest of all its numbers, so that dependent
+/// artifacts are remade exactly if the motion has changed.
 struct MotionRecord {
   std::string digest;
   int shown_frames = 0;
   std::vector<std::string> warnings;  ///< plain sentences
 };
 
-/// A digest of every number in a clip.
+/// Returns a digest of every number in a clip.
 Hash digest_of(const motion::Clip& clip);
 
-/// `shown` is the clip that the video shows.
+/// Returns the record as text. `shown` is the clip that the video shows.
 std::string motion_record(const Synthesis& synthesis, const motion::Clip& shown);
 
-/// Throws std::runtime_error when the text is no such record.
+/// Reads such a record. Throws std::runtime_error if the text is malformed.
 MotionRecord parse_motion_record(const std::string& json);
 
 }  // namespace mien::pipeline

@@ -7,13 +7,13 @@
 
 namespace mien::pipeline {
 
-// `stimulus` and `motions` outlive these tasks.
+// `stimulus` and `motions` must outlive these tasks.
 
-/// The task "motion:<id>": makes the motion and notes its digest, which stands for it in the keys
-/// of all that is made from it.
+/// The task "motion:<id>", which makes the motion and records its digest. The digest represents the
+/// motion in the keys of all dependent artifacts.
 Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motions& motions);
 
-/// The task "clip:<id>": writes the shown motion in the formats that the output asks for.
+/// The task "clip:<id>", which writes the shown motion in the formats that the output requests.
 Task clip_task(const Stimulus& stimulus, const Equalize& equalize, const SharedDeterminants& shared,
                Motions& motions);
 

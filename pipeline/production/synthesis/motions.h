@@ -16,8 +16,8 @@
 
 namespace mien::pipeline {
 
-/// The motions of a manifest, each made when it is first needed and then kept. A run that finds
-/// everything in its store never reads an example. May be used from several threads.
+/// The motions of a manifest, each made at its first use and then kept. A run that finds everything
+/// in its store does not read any example. May be used from several threads.
 class Motions : public FinishedMotions {
  public:
   /// Keeps a reference to the manifest.
@@ -30,18 +30,20 @@ class Motions : public FinishedMotions {
 
   const Stimulus* stimulus(const std::string& id) const override;
 
-  /// The motion of a stimulus or, if no stimulus is called so, of an example. Throws Error.
+  /// Returns the motion of a stimulus or, if there is no stimulus of that name, of an example.
+  /// Throws Error.
   const Synthesis& of(const std::string& name);
 
-  /// The distance of two motions (motion/measures/distance/distance.h). Feet of a motion file are
-  /// settled first (settled_feet.h), as those of blends are: captures hang above the floor, and
-  /// else their height would be most of the distance. Throws Error.
+  /// Returns the distance between two motions (motion/measures/distance/distance.h). For motion
+  /// files, the feet are first aligned with the floor and locked (settled_feet.h), as for blends;
+  /// otherwise the height of captured feet above the floor would dominate the distance. Throws
+  /// Error.
   motion::Distance distance(const std::string& target, const std::string& created);
 
   const motion::Clip& clip(const std::string& name) override { return of(name).motion.clip; }
   motion::Clip shown(const Stimulus& stimulus) override;
 
-  /// Seconds that the shortest of all clips shown lasts. Makes all motions.
+  /// Returns the duration of the shortest of all clips shown, in seconds. Makes all motions.
   double shortest_seconds();
 
   void know_shortest(double seconds) override;
@@ -55,22 +57,22 @@ class Motions : public FinishedMotions {
 
   const Manifest& manifest_;
   mutable std::once_flag stimuli_once_;
-  mutable std::unordered_map<std::string_view, const Stimulus*> stimuli_;  ///< by id
+  mutable std::unordered_map<std::string_view, const Stimulus*> stimuli_;  ///< stimuli by id
   std::once_flag repertoire_once_;
   std::optional<Repertoire> repertoire_;
-  std::mutex mutex_;  ///< of the map; entries stay where they are
+  std::mutex mutex_;  ///< guards the map; entries keep their addresses
   std::map<std::string, std::unique_ptr<Entry>> entries_;
   std::once_flag shortest_once_;
-  double shortest_s_ = 0.0;  ///< of the clips shown
+  double shortest_s_ = 0.0;  ///< duration of the shortest clip shown
 };
 
-/// Whether a modification of the stimulus takes something from an example.
+/// Whether a modification of the stimulus uses an example.
 bool names_examples(const Stimulus& stimulus);
 
-/// Whether anything is made from examples, and not from files or along paths alone.
+/// Whether any motion is made from examples instead of from files or along paths.
 bool blends_examples(const Manifest& manifest);
 
-/// The stimulus of that id, or nullptr. Looks at one after the other: for a few ids.
+/// Returns the stimulus with that id, or nullptr. A linear search, suitable for a few ids.
 const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id);
 
 }  // namespace mien::pipeline

@@ -9,29 +9,29 @@
 
 namespace mien::pipeline {
 
-/// What people read instead of a parameter's id: one name, or the two ends of a scale.
+/// The readable label of a parameter: one name, or the two ends of a scale.
 struct ParameterLabel {
   std::string name;      ///< empty for a scale
   std::string japanese;  ///< may be empty
-  std::string low;       ///< ends of a scale
+  std::string low;       ///< low end of a scale
   std::string high;
   std::string japanese_low;
   std::string japanese_high;
 };
 
-/// The label of a scale or a group of scales; the id itself if the set does not have it.
+/// Returns the label of a scale or a group of scales; the id itself if it is not in the set.
 ParameterLabel rating_label(std::string_view id, const ScaleSet& scales);
 
-/// The label of a feature or a group of features.
+/// Returns the label of a feature or a group of features.
 ParameterLabel feature_label(std::string_view id);
 
-/// The label of a parameter that a stimulus requests.
+/// Returns the label of a parameter that a stimulus requests.
 ParameterLabel label_of(std::string_view id, const Stimulus& stimulus,
                         const Repertoire& repertoire);
 
 /// "quickness", "sad – happy".
 std::string english_text(const ParameterLabel& label);
-/// 速さ, 悲しい – 嬉しい; empty where there is no Japanese.
+/// 速さ, 悲しい – 嬉しい; empty if there is no Japanese name.
 std::string japanese_text(const ParameterLabel& label);
 
 }  // namespace mien::pipeline

@@ -13,14 +13,14 @@
 
 namespace mien::pipeline {
 
-/// What a study has to make motions from: its examples and what people think of them.
+/// The repertoire of a study: its examples and their ratings.
 struct Repertoire {
   motion::ExampleSet examples;
-  motion::ExampleSet settled;                  ///< the same with their feet locked (settled_feet.h)
-  std::vector<RatedExample> names;             ///< aligned with the examples
-  std::vector<motion::ExampleOrigin> origins;  ///< aligned with the examples; none of built-in ones
+  motion::ExampleSet settled;                  ///< the same with locked feet (settled_feet.h)
+  std::vector<RatedExample> names;             ///< one per example
+  std::vector<motion::ExampleOrigin> origins;  ///< one per example; empty for built-in ones
   ScaleSet scales;
-  Answers answers;  ///< that the impressions are means of
+  Answers answers;  ///< the answers from which the impressions are averaged
   std::optional<Impressions> impressions;
   ParameterTable parameters;  ///< empty without ratings
   FeatureParameters features;
@@ -28,11 +28,11 @@ struct Repertoire {
   std::vector<std::string> warnings;  ///< plain sentences
 };
 
-/// What simulated raters say about the examples on the manifest's scales, whatever ratings it
-/// names. Throws Error.
+/// Returns the answers of simulated raters about the examples on the manifest's scales, whatever
+/// ratings it names. Throws Error.
 Answers simulated_answers(const Manifest& manifest);
 
-/// Reads, maps, cuts and aligns the examples, and averages their ratings. Throws Error.
+/// Reads, retargets, trims and time-aligns the examples, and averages their ratings. Throws Error.
 Repertoire load_repertoire(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -9,16 +9,18 @@
 
 namespace mien::pipeline {
 
-/// The motion restyled, and the feet standing where they stood in share of its time, if wanted.
+/// A motion after style transfer. If wanted, its feet are locked at the plants of the original,
+/// transferred by normalized time.
 struct RestyledMotion {
   motion::Example motion;
-  double planted_drift_m = 0.0;  ///< largest, of the carried plants; 0 when feet were left alone
+  /// Largest drift of a transferred plant, metres; 0 without foot locking.
+  double planted_drift_m = 0.0;
   std::vector<std::string> notes;
 };
 
-/// Does a style step by `strength`. The neutral and the styled example are taken at the motion's
-/// frame rate and on its body. Throws Error when an example is missing or the method cannot take
-/// the motion.
+/// Applies a style step with the given strength. The neutral and the styled example are converted
+/// to the motion's frame rate and body. Throws Error if an example is missing or the method cannot
+/// handle the motion.
 RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, double strength,
                         const Repertoire& repertoire);
 

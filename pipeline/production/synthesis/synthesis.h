@@ -14,43 +14,47 @@
 
 namespace mien::pipeline {
 
-/// A motion that was made, and how.
+/// A synthesized motion and how it was made.
 struct Synthesis {
-  motion::Example motion;  ///< at the output's frame rate; one cycle of a loop, travelling
-  /// One an example; empty when a file is shown as it is. Of a statistical model they may be
-  /// negative (interpolation.h).
+  motion::Example motion;  ///< at the output's frame rate; one cycle of a loop, including travel
+  /// One weight per example; empty for a motion file. They may be negative for a statistical model
+  /// (interpolation.h).
   Eigen::VectorXd weights;
-  std::optional<double> expected_error_m;  ///< kriging's own: how far joints may be off
-  NamedValues requested;                   ///< the parameters that the stimulus sets
-  /// The same parameters as the motion has them: adjectives by the blend, Σ weight · value;
-  /// features as measured of the motion that was made, on the examples' scale.
+  /// Error of joint positions predicted by kriging, metres.
+  std::optional<double> expected_error_m;
+  NamedValues requested;  ///< the parameters that the stimulus sets
+  /// The values reached for the same parameters. Adjectives: Σ weight · value over the blend;
+  /// features: measured on the finished motion, on the examples' scale.
   NamedValues reached;
   NamedValues held;          ///< the values at which parameters were held
-  NamedValues held_reached;  ///< the values that the blend has of these
-  std::vector<FeasibleParameter>
-      feasible;                  ///< one for each requested parameter; none of a statistical model
-  double planted_drift_m = 0.0;  ///< horizontal, largest over all plants of the result
+  NamedValues held_reached;  ///< values of the held parameters in the blend
+  /// One per requested parameter; empty for a statistical model.
+  std::vector<FeasibleParameter> feasible;
+  /// Largest horizontal drift over all foot plants of the result, metres.
+  double planted_drift_m = 0.0;
   std::vector<std::string> warnings;
-  std::vector<std::string> notes;         ///< plain sentences that call for nothing
-  std::string modified;                   ///< what was done to it ("sad × 0.8"); empty for nothing
-  double modified_share = 1.0;            ///< of the requested strengths (OnFault::reduce)
-  std::vector<motion::Finding> findings;  ///< of the lint: of a modified motion against what it was
+  std::vector<std::string> notes;  ///< plain sentences that require no action
+  std::string modified;         ///< description of the modifications ("sad × 0.8"); empty for none
+  double modified_share = 1.0;  ///< applied share of the requested strengths (OnFault::reduce)
+  /// Lint findings; a modified motion is compared with the original.
+  std::vector<motion::Finding> findings;
 };
 
-/// Blend weights of a stimulus: given, or from its adjectives or features by the interpolation
-/// method that it asks for, over the parameters that it names.
+/// Returns the blend weights of a stimulus: the given ones, or those computed from its adjectives
+/// or features by its interpolation method.
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire);
 
-/// What people would say of a blend: every rated parameter, Σ weight · value. Empty for what is no
-/// blend, or was modified after it, and without ratings.
+/// Returns the predicted ratings of a blend: Σ weight · value for every rated parameter. Empty
+/// without ratings and for motions that are not blends or were modified afterwards.
 NamedValues rated_values(const Synthesis& synthesis, const Repertoire& repertoire);
 
-/// Makes a stimulus's motion: weights, blend of the examples (with settled feet), foot lock; or, of
-/// a stimulus with `clip:`, the file mapped onto the body and otherwise as captured. Then its
-/// modifications, and a lint of the result. Throws Error.
+/// Makes a stimulus's motion: computes weights, blends the examples (with locked feet) and locks
+/// the feet; for `clip:`, retargets the file to the body and leaves it otherwise as captured. Then
+/// applies the modifications and checks the result with the lint. Throws Error.
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire);
 
-/// An example of the repertoire as if a stimulus had requested it alone (sheets may name one).
+/// Returns an example of the repertoire as if a stimulus had requested only that example, for
+/// sheets that name one.
 Synthesis synthesize_example(const std::string& name, const Output& output,
                              const Interpolation& interpolation, const Repertoire& repertoire);
 

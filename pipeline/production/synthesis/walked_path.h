@@ -10,13 +10,13 @@
 
 namespace mien::pipeline {
 
-/// A step of a script that a graph's motions do not make: a turn, mostly.
+/// A step of a script, usually a turn, that the motions of a graph cannot perform.
 class UnwalkableStep : public Error {
  public:
   UnwalkableStep(std::size_t step, std::string wrong, std::string remedy)
       : Error(wrong, remedy), step_(step), wrong_(std::move(wrong)), remedy_(std::move(remedy)) {}
 
-  /// The error at a place of the manifest.
+  /// Returns the error with a position in the manifest.
   Error at(const Place& place) const { return {place, wrong_, remedy_}; }
   std::size_t step() const { return step_; }
 
@@ -25,18 +25,18 @@ class UnwalkableStep : public Error {
   std::string wrong_, remedy_;
 };
 
-/// What a stimulus's path asks for, walked by a walker under control on the standard body, from the
-/// first frame to the last: a clip that does not loop, and where its feet stand. A turn goes on at
-/// the pace of the walk before it, and is on the spot where nothing is walked before. By a graph,
-/// it is cut from the files' motions, on the body of the first; its moods are versions of all of
-/// them, each given an emotion's recipe, mixed on the way. Throws Error; UnwalkableStep for a turn
-/// of a script that comes out wrong by more than 10°.
+/// Returns the walk along a stimulus's path by a controlled walker on the standard body: a clip
+/// that does not loop, and the plants of its feet. A turn continues at the pace of the preceding
+/// walk, and is made on the spot if there is none. With a graph, the walk is assembled from the
+/// files' motions, on the body of the first; its moods are versions of all motions with an
+/// emotion's recipe applied, which are blended along the path. Throws Error; UnwalkableStep for a
+/// turn of a script that deviates by more than 10°.
 motion::WalkedClip walked(const Stimulus& stimulus);
 
-/// The path with its moods of adjectives turned into moods of the set's walks: the shares of the
-/// blend that a stimulus of these adjectives would be, which has them or comes nearest to them, by
-/// what is rated of the built-in walks on the built-in scales. Moods of walks stay as they are.
-/// Throws Error when the method cannot take so many adjectives.
+/// Returns the path with moods of adjectives converted to moods of the set's walks: the blend
+/// weights of a stimulus with these adjectives, or the nearest feasible ones, by the ratings of the
+/// built-in walks on the built-in scales. Moods of walks are unchanged. Throws Error if the method
+/// cannot handle that many adjectives.
 WalkPath in_walks(WalkPath path);
 
 }  // namespace mien::pipeline

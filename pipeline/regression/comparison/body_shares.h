@@ -9,25 +9,26 @@
 
 namespace mien::pipeline {
 
-/// How much of what changed in a picture a part of the body explains.
+/// The share of a body part in the difference of two pictures.
 struct BodyShare {
-  std::string part;       ///< "left forearm"; empty: nothing of the body that moved is near
-  double share = 0.0;     ///< of the squared error of all pixels
-  double moved_px = 0.0;  ///< how far it moved in the picture, at most
+  std::string part;       ///< "left forearm"; empty: pixels that are not near a moved body part
+  double share = 0.0;     ///< share of the squared error of all pixels
+  double moved_px = 0.0;  ///< largest displacement in the picture, in pixels
 };
 
-/// A body in a picture: world positions of its joints, and the camera that sees them.
+/// A body in a picture: the clip and frame with its joint positions in world space, and the camera.
 struct ProjectedBody {
-  const motion::Clip& clip;  ///< of the canonical body, as it is staged
+  const motion::Clip& clip;  ///< on the canonical body, as staged
   int frame = 0;
   const render::Camera& camera;
 };
 
-/// Splits the difference of two pictures among the parts of a body that moved: a pixel counts for
-/// the nearest bone, where that is (before or now) within 0.15 m of it as the camera sees it and a
-/// point of the part, or one 0.1 m beside it that turns with it, moved by a twentieth of a pixel at
-/// least before the camera that there is now: what shifts because the camera does has not moved.
-/// The largest share first; what is left stands last, without a name. Empty when no pixel differs.
+/// Splits the difference of two pictures among the moved parts of a body. A pixel is assigned to
+/// the nearest projected bone, before or now, if it lies within a distance equivalent to 0.15 m and
+/// the bone's part has moved. A part has moved if one of its points, or a virtual point at 0.1 m
+/// from it that rotates with it, is displaced by at least 0.05 pixels in the view of the current
+/// camera; a shift caused by the camera does not count. Shares are sorted from the largest; the
+/// unassigned remainder stands last, without a name. Empty if no pixel differs.
 std::vector<BodyShare> body_shares(const render::Image8& picture_before,
                                    const render::Image8& picture_now, const ProjectedBody& before,
                                    const ProjectedBody& now);

@@ -11,44 +11,45 @@
 
 namespace mien::pipeline {
 
-/// Whether a file is a picture or video, or a folder holds pictures.
+/// Whether a path is a picture, a video, or a folder of pictures.
 bool is_media(const std::filesystem::path& file);
 
-/// Two pictures, videos, or folders of pictures, whoever made them.
+/// The comparison of two pictures, videos, or folders of pictures from any source.
 struct ComparedMedia {
-  std::string before;  ///< files
+  std::string before;  ///< path of the file or folder
   std::string now;
   int frames_before = 0;
   int frames_now = 0;
-  /// Visible differences besides the pixels: frames that are missing or shown at another moment,
-  /// pictures that are mirrored (and are compared after mirroring them back).
+  /// Visible differences other than in pixels: frames that are missing or shown at a different
+  /// time, and mirrored pictures (which are mirrored back before comparison).
   std::vector<std::string> remarks;
-  std::vector<std::string> notes;  ///< invisible differences of the files: the codec
+  std::vector<std::string> notes;  ///< invisible differences between the files, such as the codec
   int frames_compared = 0;
   int frames_differing = 0;
-  double least_psnr_db = 0.0;          ///< infinite when nothing differs
-  double largest_share = 0.0;          ///< of full scale, of a channel of a pixel
-  std::vector<FrameComparison> worst;  ///< at most five, by their RMS
+  double least_psnr_db = 0.0;  ///< lowest PSNR; infinite if nothing differs
+  /// Largest difference of a pixel's channel, as a share of full scale.
+  double largest_share = 0.0;
+  std::vector<FrameComparison> worst;  ///< frames with the largest RMS, at most five
   double perceptual_limit = 0.0;
 
-  /// As many frames, at the same times to the unit of time of both files, and none that differs by
-  /// more than the limit.
+  /// Whether both have the same number of frames at the same times, to the time base of both files,
+  /// and no frame differs by more than the limit.
   bool are_alike() const;
 };
 
-/// Videos are compared frame by frame, each with the one that shows the same, so that a frame that
-/// was dropped is reported as such. ꟻLIP and SSIM are worked out of the five frames that differ
-/// most. Throws Error for what cannot be read, or compared.
+/// Compares two media. Videos are aligned frame by frame, so that a dropped frame is reported as
+/// such. ꟻLIP and SSIM are computed for the five frames that differ most. Throws Error for files
+/// that cannot be read or compared.
 ComparedMedia compared_media(const std::filesystem::path& before, const std::filesystem::path& now,
                              double perceptual_limit);
 
 std::string as_text(const ComparedMedia& media);
 nlohmann::ordered_json as_json(const ComparedMedia& media);
 
-/// What two files of videos say beside their pixels. `remarks` gets what people see: frames at
-/// other moments, another duration (both to the unit of time of the two containers: Matroska counts
-/// milliseconds), colours that are shown differently. `notes` gets what nobody sees: codec and
-/// pixel format.
+/// Compares the containers of two videos. `remarks` receives visible differences: different frame
+/// times or duration (to the time base of both containers: Matroska counts milliseconds) and
+/// colours that are displayed differently. `notes` receives invisible differences: codec and pixel
+/// format.
 void compare_containers(const render::VideoSummary& before, const render::VideoSummary& now,
                         std::vector<std::string>& remarks, std::vector<std::string>& notes);
 

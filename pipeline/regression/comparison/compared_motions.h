@@ -10,12 +10,12 @@
 
 namespace mien::pipeline {
 
-/// Two motions, how they differ and what of it is too much.
+/// Two motions, their differences and the exceeded tolerances.
 struct ComparedMotions {
-  std::string before;  ///< files
+  std::string before;  ///< path of the file
   std::string now;
-  std::string take_before;  ///< where the file holds several
-  std::string take_now;     ///< where the file holds several
+  std::string take_before;  ///< set if the file holds several takes
+  std::string take_now;     ///< set if the file holds several takes
   motion::MotionDifference difference;
   motion::MotionTolerance tolerance;
   std::vector<motion::Excess> excesses;
@@ -23,18 +23,18 @@ struct ComparedMotions {
   bool are_alike() const { return excesses.empty(); }
 };
 
-/// Reads two motion files, as they are, and compares them; features as `mien motion features` has
-/// them; of files with several motions the takes of these names, or their first where a name is
-/// empty. Throws Error for what cannot be read or compared.
+/// Reads two motion files without modification and compares them; features are those of `mien
+/// motion features`. For files with several motions, `takes` are the names of the takes; an empty
+/// name selects the first. Throws Error for files that cannot be read or compared.
 ComparedMotions compared_motion_files(const std::string& before, const std::string& now,
                                       const motion::MotionTolerance& tolerance,
                                       const std::array<std::string, 2>& takes = {});
 
-/// For people: a verdict, the largest change in a sentence, then level by level; centimetres and
-/// degrees. Ends with a newline.
+/// Returns readable text: a verdict, the largest change in one sentence, then the changes level by
+/// level, in centimetres and degrees. Ends with a newline.
 std::string as_text(const ComparedMotions& motions);
 
-/// All that is known, in metres, radians and seconds, with curves a joint.
+/// Returns all differences in metres, radians and seconds, with one curve per joint.
 nlohmann::ordered_json as_json(const ComparedMotions& motions);
 
 }  // namespace mien::pipeline

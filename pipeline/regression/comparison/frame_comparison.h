@@ -16,24 +16,24 @@ struct PictureSize {
   int height = 0;
 };
 
-/// A frame before and now.
+/// The comparison of a frame with its former state.
 struct FrameComparison {
-  int frame = 0;          ///< its number before; now the same moment
-  std::string name = {};  ///< of its file before; empty where it is of a video
-  bool same = true;       ///< every pixel
-  bool same_size = true;  ///< else nothing below is known but the sizes
+  int frame = 0;          ///< number of the frame before; the current frame has the same time
+  std::string name = {};  ///< name of its file before; empty for a video
+  bool same = true;       ///< every pixel is equal
+  bool same_size = true;  ///< false: only the sizes below are set
   PictureSize size_before, size_now;
   render::PictureDifference difference;
-  render::LibraryDifference
-      openimageio_difference;      ///< OpenImageIO's measures of the same pictures
-  render::ErrorSummary perceived;  ///< ꟻLIP, 0 … 1
-  render::PixelMap perceived_map;  ///< empty once it is saved
+  /// Measures of the same pictures by OpenImageIO.
+  render::LibraryDifference openimageio_difference;
+  render::ErrorSummary perceived;  ///< ꟻLIP error, 0 … 1
+  render::PixelMap perceived_map;  ///< ꟻLIP error per pixel; empty once it is saved
   double similarity = 1.0;         ///< SSIM
   NoiseTest noise;
-  std::vector<BodyShare> shares;  ///< when the motion has changed
+  std::vector<BodyShare> shares;  ///< set if the motion has changed
 };
 
-/// All but `noise` and `shares`. `threads` 0 takes one a core.
+/// Returns everything except `noise` and `shares`. `threads` 0: one per core.
 FrameComparison compare_pictures(int frame, const render::Image8& before, const render::Image8& now,
                                  int threads = 0);
 

@@ -8,15 +8,15 @@
 
 namespace mien::pipeline {
 
-/// One page that holds all that it shows, for a browser without a network: causes first, then the
-/// stimuli that differ, then those that are alike. Of each that is opened: key frames, and videos
-/// where the baseline keeps them, under a slider, by turns and as difference; ꟻLIP's map; both
-/// motions in 3-D; their distance over time and by part of the body. How many pictures and videos
-/// are in the page itself: report_pictures.h, report_videos.h. Reads `study.pictures`. Throws what
-/// reading does.
+/// Returns the report as one self-contained HTML page that works without a network: causes first,
+/// then the stimuli that differ, then the others. Each stimulus can be expanded to show its key
+/// frames, and videos if the baseline stores them, under a slider, alternating or as a difference;
+/// the ꟻLIP map; both motions in 3-D; and their distance over time and by body part.
+/// report_pictures.h and report_videos.h limit how many pictures and videos the page embeds. Reads
+/// `study.pictures`. Throws the errors of reading the files.
 ///
-/// `script` is what shows them (page/build.mjs bundles it as regress); where it is empty, the page
-/// says so, and has its words alone.
+/// `script` is the JavaScript that displays them (bundled by page/build.mjs as regress). If it is
+/// empty, the page contains only text and says so.
 std::string regression_report(const Regression& regression, const ComparedStudy& study,
                               const std::string& script, ReportVideos videos = {});
 

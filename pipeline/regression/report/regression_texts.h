@@ -8,46 +8,48 @@
 
 namespace mien::pipeline {
 
-/// For a terminal: groups by cause, then what differs, then a line that sums up.
+/// Returns text for a terminal: groups by cause, then the differences, then a summary line.
 std::string plain_text(const Regression& regression);
 
-/// For a pull request: the same as GitHub's Markdown.
+/// Returns the same in GitHub's Markdown, for a pull request.
 std::string markdown_text(const Regression& regression);
 
-/// For CI systems: JUnit's XML, a test case a stimulus and one for the gate.
+/// Returns JUnit XML for CI systems: one test case per stimulus and one for the gate.
 std::string junit_text(const Regression& regression);
 
-/// Everything as JSON. Lengths are metres, angles radians, times seconds.
+/// Returns everything as JSON. Lengths are in metres, angles in radians, times in seconds.
 nlohmann::ordered_json as_json(const Regression& regression);
 
-/// "3 differ, 1 alike, 12 same"; also when a planted defect was not seen.
+/// Returns a summary, "3 differ, 1 alike, 12 same"; it also says if a planted defect was not
+/// detected.
 std::string summary_text(const Regression& regression);
 
-/// "80 % motion: weights.sad 0.4 → 0.41 (the evidence)"
+/// Returns one cause: "80 % motion: weights.sad 0.4 → 0.41 (the evidence)".
 std::string cause_text(const Attribution& cause);
 
-/// What was planted in a copy of which stimulus, and whether it was seen.
+/// Returns the planted defects, their stimulus, and whether they were detected.
 std::string gate_text(const Gate& gate);
 
-/// What differed when everything was repeated, a line; empty unless it was.
+/// Returns a line about the differences between repetitions; empty if nothing was repeated.
 std::string repetitions_text(const Repetitions& repetitions);
 
-/// "adjectives.quickness 0.6 → 0.61 (motion): 3 stimuli" and the like.
+/// Returns one group: "adjectives.quickness 0.6 → 0.61 (motion): 3 stimuli".
 std::string group_text(const CauseGroup& group);
 
-/// How a stimulus's motion changed, in a sentence; empty when it did not.
+/// Returns a sentence about the change of a stimulus's motion; empty if it is unchanged.
 std::string motion_text(const StimulusComparison& comparison);
 
-/// The most important difference of a stimulus: that of its motion, or the first reason.
+/// Returns the most important difference of a stimulus: that of its motion, otherwise the first
+/// reason.
 std::string first_words(const StimulusComparison& comparison);
 
-/// Of which stimuli videos were made and none approved, a line; empty where there are none such.
+/// Returns a line about the stimuli with videos of which none is approved; empty if there are none.
 std::string unapproved_text(const Regression& regression);
 
-/// "NOT COMPARED, …: 2 of 3: blend, file", with a line break; empty when all were compared.
+/// Returns "NOT COMPARED, …: 2 of 3: blend, file" with a line break; empty if all were compared.
 std::string not_compared_text(const Regression& regression);
 
-/// "72 % left forearm, 20 % left hand, 8 % where nothing moved (camera, light, noise)"
+/// Returns "72 % left forearm, 20 % left hand, 8 % where nothing moved (camera, light, noise)".
 std::string shares_text(const std::vector<BodyShare>& shares);
 
 }  // namespace mien::pipeline

@@ -13,35 +13,41 @@
 
 namespace mien::pipeline {
 
-/// Which pictures a report holds, so that its page opens quickly.
+/// The choice of pictures in a report, which limits the loading time of its page.
 struct ReportPictures {
-  bool every_frame = true;  ///< that differs; else the worst of each stimulus
-  int most_width = 0;       ///< pixels; wider pictures are made as wide; 0: all stay as they are
+  /// Every frame that differs; false: only the worst frame of each stimulus.
+  bool every_frame = true;
+  /// Maximum width in pixels, to which wider pictures are scaled; 0: no scaling.
+  int most_width = 0;
 };
 
-/// More stimuli than that are shown by their worst frame alone.
+/// Maximum number of stimuli shown with every differing frame; with more, only the worst frames are
+/// shown.
 inline constexpr std::size_t most_with_every_frame = 50;
 
-/// Pictures of a page should take no more than that.
+/// Target for the total size of a page's pictures, in bytes.
 inline constexpr std::uintmax_t most_picture_bytes = 64U << 20U;
 
-/// The most that fits. A page of very many large pictures may take more even so.
+/// Returns the largest choice that fits this size. A page with very many large pictures may exceed
+/// it.
 ReportPictures fitting_pictures(const Regression& regression, const ComparedPictures& pictures);
 
-/// Frames of a stimulus that the page shows, ascending: they differ, and are of one size.
+/// Returns the frames of a stimulus that the page shows, ascending: those that differ and have
+/// equal sizes.
 std::vector<const FrameComparison*> shown_frames(const StimulusComparison& one, bool every_frame);
 
-/// A PNG as an address that holds all of it. Throws what reading and writing do.
+/// Returns a PNG as a data URI. Throws the errors of reading and writing.
 std::string picture_uri(const std::filesystem::path& file, int most_width);
 
-/// Key frames of a stimulus for the page's script: what was measured, and the pictures. An empty
-/// list where none is shown. Throws what reading does.
+/// Returns the key frames of a stimulus for the page's script: measures and pictures. An empty list
+/// if none is shown. Throws the errors of reading.
 nlohmann::ordered_json frames_json(const StimulusComparison& one, const ComparedPictures& pictures,
                                    const ReportPictures& chosen);
 
-/// Both motions of a stimulus and their distances for the page's script. World places of joints,
-/// frame by frame, are 16-bit numbers, little end first, in base64, in steps of so many
-/// millimetres; distances are in millimetres. `one.motion` is known. Throws what reading does.
+/// Returns both motions of a stimulus and their distances for the page's script. Joint positions in
+/// world space, frame by frame, are encoded as little-endian 16-bit integers in base64; the size of
+/// their step in millimetres is stated. Distances are in millimetres. `one.motion` must be set.
+/// Throws the errors of reading.
 nlohmann::ordered_json motion_json(const StimulusComparison& one, const ComparedStudy& study);
 
 }  // namespace mien::pipeline

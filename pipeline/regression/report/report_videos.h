@@ -10,23 +10,25 @@
 
 namespace mien::pipeline {
 
-/// Videos of a page should take no more than that; what is more lies beside it.
+/// Maximum total size of the videos embedded in a page, in bytes; further videos are stored next to
+/// it.
 inline constexpr std::uintmax_t most_video_bytes = 32U << 20U;
 
-/// The videos that a report shows: of stimuli whose baseline keeps them.
+/// The videos in a report, for stimuli whose baseline stores videos.
 class ReportVideos {
  public:
   ReportVideos() = default;
 
-  /// The videos of a study in the folder `study`; what does not fit into the page goes to the
-  /// folder `report`, which is made.
+  /// `study`: folder of a study with its current videos; `report`: folder for videos that are not
+  /// embedded, created if necessary.
   ReportVideos(std::filesystem::path study, std::filesystem::path report,
                std::uintmax_t most_bytes = most_video_bytes)
       : study_(std::move(study)), report_(std::move(report)), bytes_left_(most_bytes) {}
 
-  /// For the page's script: {"before", "now"} with "src", "frames" of the film alone, the "first"
-  /// of them, and "fps". Of the first kind that browsers show and both have; null without. Throws
-  /// Error where the baseline's video is damaged, and what reading and writing do.
+  /// Returns the videos of a stimulus for the page's script: {"before", "now"} with "src", "frames"
+  /// (of the film only), "first" (index of the film's first frame) and "fps". Uses the first format
+  /// that browsers play and both have; null if there is none. Throws Error if the baseline's video
+  /// is damaged, and the errors of reading and writing.
   nlohmann::ordered_json of(const std::string& id, const Baseline& baseline);
 
  private:

@@ -11,11 +11,12 @@
 
 namespace mien::pipeline {
 
-/// What to do about answers that are not as a study wants them. Whatever is chosen is reported.
+/// The treatment of answers that do not conform to the study's plan. Every treatment is reported.
 struct AnswerRules {
-  enum class Repeated { refuse, first, last, mean };  ///< by `order` where given, else by line
-  enum class Unknown { refuse, ignore };              ///< scales and stimuli
-  enum class Constant { keep, drop };  ///< participants who answer the same to everything
+  /// `first` and `last` refer to `order` if given, otherwise to the line.
+  enum class Repeated { refuse, first, last, mean };
+  enum class Unknown { refuse, ignore };  ///< unknown scales and stimuli
+  enum class Constant { keep, drop };     ///< participants who give the same answer throughout
   enum class Missing { ignore, refuse };
 
   Repeated repeated = Repeated::refuse;
@@ -23,52 +24,54 @@ struct AnswerRules {
   Constant constant = Constant::keep;
   Missing missing = Missing::ignore;
 
-  /// For a manifest's ratings: only participant, stimulus, scale and value are read; remedies
-  /// name keys of a manifest instead of options of `mien study analyze`.
+  /// For a manifest's ratings: only participant, stimulus, scale and value are read, and suggested
+  /// remedies name manifest keys instead of options of `mien study analyze`.
   bool plain = false;
 
-  /// Stimuli that are known though no examples: answers about them are passed over.
+  /// Known stimuli that are not examples; answers about them are ignored.
   std::set<std::string> left_out = {};
 };
 
-/// One answer and where it was read.
+/// One answer and its position in the source file.
 struct StudyAnswer {
-  std::string participant;  ///< empty: a mean of several people's answers
+  std::string participant;  ///< empty: a mean over several participants
   std::string stimulus;     ///< name of the example
   std::string scale;        ///< id
-  double value = 0.0;       ///< in the scale's own range
-  Place place;              ///< of the value; of plain answers, of the stimulus
+  double value = 0.0;       ///< value in the scale's range
+  Place place;              ///< position of the value, or of the stimulus for plain answers
   std::optional<double> rt_ms;
-  std::optional<double> order;  ///< at which turn the participant answered
+  std::optional<double> order;  ///< position of the answer in the participant's sequence
   std::string comment;
 };
 
-/// Something that a reader of the results should know.
+/// A warning for readers of the results.
 struct StudyWarning {
   std::string kind;  ///< "missing", "repeated", "unknown-scale", "constant-participant", …
-  Place place;       ///< where it shows first; empty for the study as a whole
+  Place place;       ///< first occurrence; empty for the study as a whole
   std::string text;  ///< a plain sentence
 };
 
-/// The answers of a study about its examples, after the rules.
+/// The answers of a study about its examples, after the rules have been applied.
 struct StudyAnswers {
-  std::vector<StudyAnswer> answers;  ///< in the order of the file; at most one of a kind
+  /// In file order; at most one per participant, stimulus and scale.
+  std::vector<StudyAnswer> answers;
   std::vector<StudyWarning> warnings;
   bool simulated = false;
 
-  /// For impressions_of.
+  /// Returns the answers in the form that impressions_of takes.
   Answers plain() const;
 };
 
-/// Takes one of repeated answers, or their mean, in the place of the first.
+/// Replaces repeated answers by one of them or by their mean, at the position of the first.
 void settle_repeated(StudyAnswers& study, const AnswerRules& rules, std::vector<Fault>& faults);
 
-/// Tells participants with at least three answers, all at the same place of their scales.
+/// Reports participants with at least three answers, all at the same position on their scales, and
+/// drops them if `rule` says so.
 void settle_constant(StudyAnswers& study, const ScaleSet& scales, AnswerRules::Constant rule);
 
-/// Tells what was not answered: `left_empty`, the scales that a participant left out about a
-/// stimulus that he saw, and, when at least half of the participants saw every stimulus, the
-/// stimuli that he did not see.
+/// Reports missing answers: those in `left_empty`, the scales that a participant skipped for a
+/// stimulus that they saw, and, if at least half of the participants saw every stimulus, the
+/// stimuli that a participant did not see.
 void settle_missing(StudyAnswers& study, const std::vector<StudyAnswer>& left_empty,
                     AnswerRules::Missing rule, std::vector<Fault>& faults);
 

@@ -11,64 +11,65 @@
 
 namespace mien::pipeline {
 
-/// One answer of one participant, or the mean of several people's (`participant` empty).
+/// One answer of a participant, or the mean over several (`participant` empty).
 struct Answer {
   std::string participant;
-  std::string stimulus;  ///< what was rated: an example's name or its file's stem
+  std::string stimulus;  ///< the rated motion: an example's name or its file's stem
   std::string scale;     ///< id
-  double value = 0.0;    ///< in the scale's own range
+  double value = 0.0;    ///< value in the scale's range
 };
 
 /// The answers of a rating study.
 struct Answers {
   std::vector<Answer> answers;
-  bool simulated = false;  ///< made up, not given by people; every output that uses them says so
-  std::vector<std::string> warnings = {};  ///< what was left out: plain sentences
+  bool simulated = false;  ///< not given by people; every output that uses the answers states it
+  std::vector<std::string> warnings = {};  ///< what was ignored, as plain sentences
 };
 
-/// An example as ratings may name it.
+/// The names under which ratings may refer to an example.
 struct RatedExample {
   std::string name;
-  std::string file_stem;  ///< empty for a built-in one
+  std::string file_stem;  ///< empty for a built-in example
 };
 
-/// What answers may be about.
+/// The motions that answers may be about.
 struct AnswerSubjects {
   std::vector<RatedExample> examples;
-  std::set<std::string> left_out;  ///< known, and passed over: files that are no examples
-  bool ignore_unknown = false;     ///< other stimuli and scales are left out, and reported
+  /// Known names whose answers are ignored: files that are not examples.
+  std::set<std::string> left_out;
+  bool ignore_unknown = false;  ///< ignore and report unknown stimuli and scales
 };
 
-/// Reads a tidy CSV: columns stimulus, scale, value and, unless the values are means, participant;
-/// others (rt_s, order, comment …) are ignored. A column `simulated` with anything but 0 (or
-/// nothing) marks answers that nobody gave. A table of words (word_answers.h) is turned into
-/// answers, what is not mentioned counting as neutral. The answers of a questionnaire
-/// (answer_row.h) are read as they are: counted_answers says which count.
+/// Reads a tidy CSV with the columns stimulus, scale, value and, unless the values are means,
+/// participant; other columns (rt_s, order, comment …) are ignored. A column `simulated` with any
+/// value other than 0 or empty marks simulated answers. A table of words (word_answers.h) is
+/// converted to answers, with scales that are not mentioned counted as neutral. The answers of a
+/// questionnaire (answer_row.h) are accepted as written; counted_answers selects those that count.
 ///
 /// An empty value or "NA" is a missing answer.
 ///
-/// Throws Error, of all rows at once (Faults), with lines and columns: a column missing, a value
-/// that is no number or outside the scale's range, the same participant answering twice, and,
-/// unless `about.unknown` says that they are left out, a scale that `scales` does not know and a
-/// stimulus that is none of the examples; without examples, answers are about whatever they name.
+/// Throws Faults for all rows at once, with lines and columns: a missing column, a value that is
+/// not a number or outside the scale's range, a duplicate answer of a participant and, unless
+/// `about.ignore_unknown` is set, a scale that is not in `scales` or a stimulus that is not an
+/// example. If `about` has no examples, any stimulus is accepted.
 Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales,
                      const AnswerSubjects& about = {});
 Answers parse_answers(std::string_view csv, const std::string& file, const ScaleSet& scales,
                       const AnswerSubjects& about = {});
 
-/// The answers as CSV, with the column `simulated` when they are simulated.
+/// Returns the answers as CSV, with the column `simulated` if they are simulated.
 std::string to_csv(const Answers& answers);
 
-/// Answers out of several files.
+/// Answers from several files.
 struct AnswersOfFiles {
   std::vector<AnswerRow> rows;
-  std::vector<std::string> notes;  ///< sentences: what was there more than once
+  std::vector<std::string> notes;  ///< sentences about duplicates
 };
 
-/// Reads what a questionnaire wrote, in the order of the files. Rows that are the same to the last
-/// field, as when a participant saved the files of a session again, are taken once and reported.
+/// Reads the answers of a questionnaire, in the order of the files. Identical rows, which occur
+/// when a participant saves the files of a session twice, are read once and reported.
 ///
-/// Throws Faults as answer_rows; two answers of one session that differ are a fault.
+/// Throws Faults as answer_rows does, also for conflicting answers within one session.
 AnswersOfFiles answers_of_files(const std::vector<std::filesystem::path>& files);
 
 }  // namespace mien::pipeline

@@ -10,48 +10,49 @@
 
 namespace mien::pipeline {
 
-/// Whether a row is an answer on a scale: not which of a list of emotions, nor which of two, nor a
+/// Whether a row is an answer on a scale, and not a choice of an emotion, a choice from a pair or a
 /// check.
 bool is_on_scale(const AnswerRow& row);
 
-/// The ratings in a table of answer rows (answer_row.h), as the tidy table participant, stimulus,
-/// scale, value, rt_ms, comment, simulated that other answers come as; fields keep their places.
+/// The ratings in a table of answer rows (answer_row.h), converted to the tidy table participant,
+/// stimulus, scale, value, rt_ms, comment, simulated. Fields keep their positions in the source
+/// file.
 struct CountedAnswers {
   CsvTable table;
-  std::vector<std::string> notes;  ///< sentences: what was left out
+  std::vector<std::string> notes;  ///< sentences about ignored answers
 };
 
-/// Passed over are practice, warm-up, checks, repeated stimuli, what was left empty, choices
-/// (which emotion, which of two) and all of participants who are excluded by the usual
-/// AttentionRule. Throws Faults as answer_rows and where a value is not what its raw answer gives,
-/// and Error when nothing is left.
+/// Returns the ratings without practice, warm-up, checks, repeated stimuli, empty answers, choices
+/// (of an emotion or from a pair) and all answers of participants excluded by the default
+/// AttentionRule. Throws Faults as answer_rows does and for values that contradict their raw
+/// answers, and Error if nothing remains.
 CountedAnswers counted_answers(const CsvTable& answer_rows, const ScaleSet& scales);
 
-/// Answers on scales whose value is not what their raw answer gives, turned by the side of the
-/// poles. Whether people answered on a slider or on so many points follows from the rows
-/// themselves: it is what most of them agree with.
+/// Returns a fault for each answer on a scale whose value contradicts its raw answer, taking the
+/// side of the poles into account. Whether a slider or a number of points was used is inferred from
+/// the rows: it is the form that most of them agree with.
 std::vector<Fault> contradicted_values(const std::vector<AnswerRow>& rows, const ScaleSet& scales);
 
-/// Whose answers are left out for want of attention.
+/// The rule by which inattentive participants are excluded.
 struct AttentionRule {
-  int max_failed_checks =
-      1;  ///< who fails more checks is left out: one may be missed by an oversight
+  /// Participants who fail more checks are excluded; one failure may be an oversight.
+  int max_failed_checks = 1;
 };
 
-/// A participant's attention checks: how many there were and how many were passed.
+/// The number of a participant's attention checks and of those passed.
 struct Attention {
   std::string participant;
-  int checks = 0;  ///< those with an expected answer that were answered
+  int checks = 0;  ///< answered checks that have an expected answer
   int passed = 0;
   bool is_excluded = false;
 };
 
-/// The attention checks of every participant, in the order of the rows. Without checks nobody is
-/// excluded.
+/// Returns the attention checks of each participant, in the order of the rows. A participant
+/// without checks is not excluded.
 std::vector<Attention> attention_of(const std::vector<AnswerRow>& rows,
                                     const AttentionRule& rule = {});
 
-/// The rule in a plain sentence.
+/// Returns the rule as a plain sentence.
 std::string to_sentence(const AttentionRule& rule);
 
 }  // namespace mien::pipeline

@@ -12,30 +12,30 @@
 
 namespace mien::pipeline {
 
-/// What people think of each example: the impression matrix A of the adjective paper, section 3.
+/// The mean ratings of each example: the impression matrix A of the adjective paper, section 3.
 struct Impressions {
-  std::vector<std::string> scales;    ///< ids, one a row
-  std::vector<std::string> examples;  ///< names, one a column
-  Eigen::MatrixXd mean;  ///< of the answers, as shares of the scale's range: 0 low, 1 high
-  Eigen::MatrixXd
-      deviation;          ///< standard deviation over participants (n), same unit; NaN for means
-  Eigen::MatrixXi count;  ///< answers
+  std::vector<std::string> scales;    ///< ids, one per row
+  std::vector<std::string> examples;  ///< names, one per column
+  Eigen::MatrixXd mean;       ///< mean answers as shares of the scale's range: 0 low, 1 high
+  Eigen::MatrixXd deviation;  ///< standard deviation over participants (divided by n), same unit;
+                              ///< NaN if the answers are means
+  Eigen::MatrixXi count;      ///< number of answers
   bool simulated = false;
 };
 
-/// Averages the answers. Scales without any answer are left out; answers about stimuli that are no
+/// Averages the answers. Scales without any answer are omitted; answers about stimuli that are not
 /// examples are ignored. Throws Error that names the examples (and scales) without an answer.
 Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
                            const std::vector<RatedExample>& examples);
 
-/// The scales and groups of scales as parameters. A group's row is the mean of its members' rows
-/// (A' of the adjective paper); members that were not rated do not count, and a group none of whose
-/// members was rated is left out.
+/// Returns the scales and groups of scales as parameters. A group's row is the mean of its members'
+/// rows (A' of the adjective paper). Unrated members are ignored, and groups without rated members
+/// are omitted.
 ParameterTable parameter_table(const Impressions& impressions, const ScaleSet& scales);
 
 extern const TableForm impressions_form;
 
-/// What people think of the examples.
+/// Returns the impressions as CSV.
 std::string impressions_csv(const Impressions& impressions, const ScaleSet& scales);
 
 }  // namespace mien::pipeline

@@ -7,20 +7,21 @@
 
 namespace mien::pipeline {
 
-/// Who took part: what the page and the server write, and the report reads.
+/// A participant: the row written by the page and the server and read by the report.
 struct ParticipantRow {
   std::string participant;
   std::string session;
   std::string design;
   std::string consented_at;
   bool has_finished = false;
-  std::vector<std::string> answers;  ///< to the questions about the participant
+  std::vector<std::string> answers;  ///< answers to the questions about the participant
 };
 
-/// The columns in their order; the last stands for one of each question.
+/// The columns in order; the last stands for one column per question.
 extern const TableForm participant_form;
 
-/// The rows as CSV, in the order given; `questions` are their ids, as many as each has answers.
+/// Returns the rows as CSV, in the given order. `questions` are the ids of the questions, one per
+/// answer of each row.
 std::string to_csv(const std::vector<ParticipantRow>& rows,
                    const std::vector<std::string>& questions);
 

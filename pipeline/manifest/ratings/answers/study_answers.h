@@ -10,20 +10,22 @@
 
 namespace mien::pipeline {
 
-/// Reads a tidy CSV: columns stimulus, scale, value; participant unless the values are means;
-/// optional rt_ms (milliseconds, ≥ 0), order (a number), comment, simulated; others are ignored. An
-/// empty value or "NA" is a missing answer. The answers of a questionnaire (answer_row.h) are read
-/// as they are: counted_answers says which count. Stimuli are examples by name or by file stem.
+/// Reads a tidy CSV with the columns stimulus, scale and value, participant unless the values are
+/// means, and optionally rt_ms (milliseconds, ≥ 0), order (a number), comment and simulated; other
+/// columns are ignored. An empty value or "NA" is a missing answer. The answers of a questionnaire
+/// (answer_row.h) are accepted as written; counted_answers selects those that count. Stimuli are
+/// examples, by name or file stem.
 ///
-/// Missing is also what a participant did not answer about a stimulus that he saw, and, when at
-/// least half of the participants saw every example, an example that he did not see. Constant is a
-/// participant with at least three answers, all at the same place of their scales.
+/// An answer is also missing if a participant did not rate a stimulus that they saw on some scale
+/// or, when at least half of the participants saw every example, did not see an example. A
+/// participant is constant if they gave at least three answers, all at the same position on their
+/// scales.
 ///
-/// Without `examples`, answers are about whatever they name. Of plain ones (rules.plain) the other
-/// columns are not looked at, and missing or constant answers are not reported.
+/// If `examples` is empty, any stimulus is accepted. For plain answers (rules.plain), the other
+/// columns are ignored, and missing or constant answers are not reported.
 ///
-/// Throws Faults with every fault at once: a column missing, a value that is no number or outside
-/// the scale's range, and whatever the rules refuse.
+/// Throws Faults with every fault at once: a missing column, a value that is not a number or
+/// outside the scale's range, and everything that the rules refuse.
 StudyAnswers read_study_answers(const std::filesystem::path& file, const ScaleSet& scales,
                                 const std::vector<RatedExample>& examples,
                                 const AnswerRules& rules);

@@ -11,30 +11,30 @@
 
 namespace mien::pipeline {
 
-/// Names in a table that mean nothing, each reported once, with the number of rows that use it; of
-/// many the first five, and how many more there are.
+/// Collects unknown names in a table. Each is reported once, with the number of rows that use it;
+/// of more than five, only the first five are reported, and the number of the others.
 class UnknownNames {
  public:
-  /// What they should be: "stimulus", "stimuli".
+  /// `what` and `what_many` name the expected kind: "stimulus", "stimuli".
   UnknownNames(std::string what, std::string what_many)
       : what_(std::move(what)), what_many_(std::move(what_many)) {}
 
   void note(const CsvField& field);
 
-  /// Faults or warnings, as the rules say, with the nearest of the names that are known.
+  /// Adds faults or warnings, as the rules say, with the most similar of the known names.
   void report(const CsvTable& table, const std::vector<std::string>& known,
               const AnswerRules& rules, std::vector<Fault>& faults,
               std::vector<StudyWarning>& warnings) const;
 
  private:
   struct UnknownName {
-    CsvField field;  ///< where first
+    CsvField field;  ///< first occurrence
     int rows = 0;
   };
 
   std::string what_;
   std::string what_many_;
-  std::vector<UnknownName> names_;  ///< in the order of the file
+  std::vector<UnknownName> names_;  ///< in file order
   std::map<std::string, std::size_t> index_;
 };
 

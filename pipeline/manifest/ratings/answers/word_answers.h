@@ -9,59 +9,61 @@
 
 namespace mien::pipeline {
 
-/// What it means that a participant said nothing that lies on a scale.
+/// The interpretation of a scale that a participant did not mention.
 enum class Unmentioned {
   neutral,   ///< the answer is the middle of the scale
   no_answer  ///< the participant did not answer on this scale
 };
 
-/// How much of what participants wrote in a language was understood.
+/// The share of the participants' answers in one language that could be interpreted.
 struct WordCoverage {
   std::string language;
-  int answers = 0;     ///< with at least one modifier
-  int understood = 0;  ///< of these: at least one modifier was
+  int answers = 0;     ///< answers with at least one modifier
+  int understood = 0;  ///< answers with at least one interpreted modifier
   int modifiers = 0;
   int modifiers_understood = 0;
 };
 
-/// A text, in whichever language, and how often it occurs.
+/// A text in a language and its frequency.
 struct WordCount {
   std::string language;
   std::string text;  ///< folded
-  std::string as;    ///< of a misspelt word: the entry as which it was read
+  std::string as;    ///< for a misspelt word: the entry that it was read as
   int count = 0;
 };
 
-/// How many answers there are about a stimulus.
+/// The number of answers about a stimulus.
 struct StimulusCount {
   std::string stimulus;
-  int answers = 0;     ///< that could be read at all: in a language of the lexicon
-  int understood = 0;  ///< that place the stimulus on a scale
+  int answers = 0;     ///< answers in a language of the lexicon
+  int understood = 0;  ///< answers that rate the stimulus on a scale
 };
 
-/// Answers in words, turned into answers on scales.
+/// Answers in words, converted to answers on scales.
 struct WordAnswers {
   Answers answers;
   std::vector<WordCoverage> coverage;     ///< in the lexicon's order
   std::vector<WordCount> not_understood;  ///< modifiers, most frequent first
   std::vector<WordCount> respelled;       ///< most frequent first
-  std::vector<WordCount> left_out;        ///< languages that the lexicon lacks, and their answers
-  std::vector<StimulusCount> stimuli;     ///< by name
+  /// Languages missing from the lexicon, with their numbers of answers.
+  std::vector<WordCount> left_out;
+  std::vector<StimulusCount> stimuli;  ///< sorted by name
 };
 
-/// Whether the table holds words (a column `modifier1` and none named `scale`).
+/// Whether the table contains words (it has a column `modifier1` and no column `scale`).
 bool holds_words(const CsvTable& table);
 
-/// Turns words into answers on −2 … 2 (0 neutral), stretched to each scale's range.
+/// Converts words to answers on −2 … 2 (0 neutral), rescaled to each scale's range.
 ///
-/// Columns: participant, language, motion (or stimulus), verb, modifier1, modifier2 …; one row an
-/// answer. Each field is read by read_phrase(); a modifier of nothing but words of degree grades
-/// what the verb says. Of several mentions of a scale in one answer the strongest counts; equally
-/// strong ones of both ends cancel. Answers in languages that the lexicon lacks are left out and
-/// counted. With Unmentioned::neutral every answer is about every scale that some answer mentions.
+/// Columns: participant, language, motion (or stimulus), verb, modifier1, modifier2 …; one row per
+/// answer. Each field is read by read_phrase(); a modifier that consists only of words of degree
+/// modifies the verb's meaning. If an answer mentions a scale several times, the strongest mention
+/// counts; equally strong mentions of opposite ends cancel. Answers in languages that are missing
+/// from the lexicon are ignored and counted. With Unmentioned::neutral, each answer covers every
+/// scale that any answer mentions.
 ///
-/// Throws Error with line and column: a column missing, no words in the scales file, the same
-/// participant answering twice about a motion; or when no answer could be read.
+/// Throws Error with line and column for a missing column, a scales file without words, or a
+/// duplicate answer of a participant about a motion; also if no answer could be read.
 WordAnswers answers_from_words(const CsvTable& table, const ScaleSet& scales,
                                Unmentioned unmentioned);
 

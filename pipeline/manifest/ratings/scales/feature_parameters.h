@@ -11,11 +11,11 @@ namespace mien::pipeline {
 using motion::feature_parameter;
 using motion::feature_parameter_names;
 
-/// Measured features of the examples as parameters: nobody has to rate anything.
+/// Measured features of the examples as parameters, which need no ratings.
 struct FeatureParameters {
-  std::vector<motion::FeatureValues> values;  ///< one an example, in the features' own units
-  motion::FeatureScale scale;                 ///< min–max over the examples
-  ParameterTable table;  ///< the four groups, then the features that all examples have
+  std::vector<motion::FeatureValues> values;  ///< one per example, in the features' own units
+  motion::FeatureScale scale;                 ///< minimum and maximum over the examples
+  ParameterTable table;  ///< the four groups, then the features available for all examples
 };
 
 FeatureParameters feature_parameters(const motion::ExampleSet& examples);

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 
 /// A rating scale with two ends, as a study names it.
 struct Scale {
-  std::string id;    ///< as manifests and answers name it: "sad-happy", "extraversion"
+  std::string id;    ///< id in manifests and answers: "sad-happy", "extraversion"
   std::string low;   ///< English name of the low end
   std::string high;  ///< English name of the high end
   std::string japanese_low;
@@ -21,11 +21,11 @@ struct Scale {
   double least = -2.0;  ///< the answer that means `low`
   double most = 2.0;    ///< the answer that means `high`
 
-  /// For simulated raters only: how much each style impression (simulated_raters.h) counts.
+  /// For simulated raters only: the weight of each style impression (simulated_raters.h).
   std::vector<std::pair<std::string, double>> loadings = {};
 };
 
-/// Several scales whose mean is a parameter of its own.
+/// A group of scales whose mean is a parameter.
 struct ScaleGroup {
   std::string id;  ///< "quickness"
   std::string japanese;
@@ -40,11 +40,11 @@ struct ScaleSet {
   Lexicon lexicon = {};            ///< for answers in words; may be empty
 };
 
-/// The 41 adjective pairs and the four primary groups (Table 2) of the adjective paper, answered on
-/// −2 … 2.
+/// Returns the 41 adjective pairs and the four primary groups (Table 2) of the adjective paper,
+/// with answers on −2 … 2.
 ScaleSet builtin_scales();
 
-/// Reads a scales file. Throws Faults that list everything wrong with it:
+/// Reads a scales file. Throws Faults that list all of its faults:
 ///
 ///     name: five factors
 ///     range: [-3, 3]              # of every scale that does not give its own
@@ -59,17 +59,18 @@ ScaleSet builtin_scales();
 ScaleSet read_scales(const std::filesystem::path& file);
 ScaleSet parse_scales(std::string_view yaml, const std::string& file);
 
-/// The scale of that id, or nullptr.
+/// Returns the scale with that id, or nullptr.
 const Scale* find_scale(const ScaleSet& set, std::string_view id);
 
-/// All scales by id, for those who look up many. Points into the set.
+/// Returns all scales by id, for repeated look-ups. The pointers refer to `set`.
 std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& set);
 
-/// An answer as a share of the scale: 0 at the low end, 1 at the high end.
+/// Returns an answer as a share of the scale's range: 0 at the low end, 1 at the high end.
 double share_of(const Scale& scale, double answer);
 
-/// The six pairs of the emotion thesis, answered on −2 … 2: sad-happy, tired-excited,
-/// angry-relaxed, weak-strong, afraid-confident, masculine-feminine. The Japanese is ours.
+/// Returns the six adjective pairs of the emotion thesis, with answers on −2 … 2: sad-happy,
+/// tired-excited, angry-relaxed, weak-strong, afraid-confident, masculine-feminine. The Japanese
+/// names are our own.
 ScaleSet emotion_scales();
 
 }  // namespace mien::pipeline

@@ -11,10 +11,11 @@ enum class Primary { quickness, clearness, activeness, largeness };
 
 inline constexpr int primary_count = 4;
 
-/// How sure our Japanese wording of a pair is; the questionnaire's printed words are not known.
+/// The confidence in our Japanese translation of a pair; the wording of the printed questionnaire
+/// is unknown.
 enum class TranslationConfidence { high, medium, low };
 
-/// A bipolar scale of the questionnaire. Its key is also the name that manifests and tables use.
+/// A bipolar scale of the questionnaire. Its key is also its id in manifests and tables.
 struct AdjectivePair {
   int id;                ///< 1 … 41, the order of Table 1 of the adjective paper
   std::string_view key;  ///< "low-high", unique: "sad-happy"
@@ -27,16 +28,16 @@ struct AdjectivePair {
   std::optional<Primary> table_3;  ///< cluster in Table 3 (second experiment, 29 pairs kept)
 };
 
-/// All 41 pairs, in the order of their ids.
+/// Returns all 41 pairs, in the order of their ids.
 std::span<const AdjectivePair> adjective_pairs();
 
-/// The pair with that key, or nullptr.
+/// Returns the pair with that key, or nullptr.
 const AdjectivePair* find_adjective_pair(std::string_view key);
 
-/// "quickness", "clearness", "activeness", "largeness".
+/// Returns "quickness", "clearness", "activeness" or "largeness".
 std::string_view name_of(Primary primary);
 
-/// 速さ, 明瞭さ, 活発さ, 大きさ.
+/// Returns 速さ, 明瞭さ, 活発さ or 大きさ.
 std::string_view japanese_name_of(Primary primary);
 
 }  // namespace mien::pipeline
