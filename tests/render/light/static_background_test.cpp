@@ -37,11 +37,11 @@ Scene walled_scene() {
   return scene;
 }
 
-const Camera camera{.position = {0.8f, 1.5f, 4.0f},
-                    .target = {0.0f, 0.7f, 0.0f},
-                    .vertical_field_of_view = 0.6f,
-                    .width = 48,
-                    .height = 32};
+const Camera front_camera{.position = {0.8f, 1.5f, 4.0f},
+                          .target = {0.0f, 0.7f, 0.0f},
+                          .vertical_field_of_view = 0.6f,
+                          .width = 48,
+                          .height = 32};
 
 /// Mean and variance of every channel over pictures with different noise.
 struct Pictures {
@@ -54,7 +54,7 @@ Pictures pictures_of(const Scene& scene, Quality quality, int seeds) {
   std::vector<double> sum, squares;
   for (int seed = 0; seed < seeds; ++seed) {
     quality.seed = static_cast<std::uint64_t>(seed) + 1;
-    const Framebuffer framebuffer = tracer.trace(scene, camera, quality);
+    const Framebuffer framebuffer = tracer.trace(scene, front_camera, quality);
     sum.resize(framebuffer.channels.size());
     squares.resize(framebuffer.channels.size());
     for (std::size_t i = 0; i < framebuffer.channels.size(); ++i) {
@@ -115,40 +115,40 @@ TEST(StaticBackground, IsTheSameWhetherItIsKeptOrMadeAnew) {
   other.static_solids.meshes[0].positions[2].y() += 0.3f;
   Tracer kept, fresh;
   const Quality quality{.samples_per_pixel = 4, .static_samples = 8};
-  const Framebuffer first = kept.trace(scene, camera, quality);
-  const Framebuffer changed = kept.trace(other, camera, quality);
+  const Framebuffer first = kept.trace(scene, front_camera, quality);
+  const Framebuffer changed = kept.trace(other, front_camera, quality);
   EXPECT_NE(changed, first);
-  EXPECT_EQ(changed, fresh.trace(other, camera, quality));
-  EXPECT_EQ(kept.trace(scene, camera, quality), first);
+  EXPECT_EQ(changed, fresh.trace(other, front_camera, quality));
+  EXPECT_EQ(kept.trace(scene, front_camera, quality), first);
 
   // All of the quality that shows in it counts, and so does what meshes are painted with.
   Quality coarse = quality;
   coarse.floor_sky_tolerance = 0.5f;
   coarse.floor_sky_noise = 0.05f;
-  EXPECT_EQ(kept.trace(scene, camera, coarse), Tracer().trace(scene, camera, coarse));
+  EXPECT_EQ(kept.trace(scene, front_camera, coarse), Tracer().trace(scene, front_camera, coarse));
   Scene painted = scene;
   Texture texture{1, 1, {Color::Constant(0.9f)}};
   painted.textures = {&texture};
   painted.materials[1].texture = 0;
   for (Mesh& mesh : painted.static_solids.meshes)
     mesh.uv.assign(mesh.positions.size(), {0.5f, 0.5f});
-  const Framebuffer light = kept.trace(painted, camera, quality);
+  const Framebuffer light = kept.trace(painted, front_camera, quality);
   texture.texels = {Color::Constant(0.1f)};
-  const Framebuffer dark = kept.trace(painted, camera, quality);
+  const Framebuffer dark = kept.trace(painted, front_camera, quality);
   EXPECT_NE(dark, light);
-  EXPECT_EQ(dark, Tracer().trace(painted, camera, quality));
+  EXPECT_EQ(dark, Tracer().trace(painted, front_camera, quality));
 }
 
 TEST(StaticBackground, ServesAPairOfCamerasByTurns) {
   const Scene scene = walled_scene();
-  Camera right = camera;
+  Camera right = front_camera;
   right.position.x() += 0.06f;
   const Quality quality{.samples_per_pixel = 4, .static_samples = 8};
-  const Framebuffer left_alone = Tracer().trace(scene, camera, quality);
+  const Framebuffer left_alone = Tracer().trace(scene, front_camera, quality);
   const Framebuffer right_alone = Tracer().trace(scene, right, quality);
   Tracer both;
   for (int turn = 0; turn < 3; ++turn) {
-    EXPECT_EQ(both.trace(scene, camera, quality), left_alone);
+    EXPECT_EQ(both.trace(scene, front_camera, quality), left_alone);
     EXPECT_EQ(both.trace(scene, right, quality), right_alone);
   }
 }
@@ -159,12 +159,12 @@ TEST(StaticBackground, ShowsNothingOfTheSetsBeforeIt) {
   const Scene walled = walled_scene();
   Scene open = walled;
   open.static_solids = {};
-  Camera narrow = camera;
+  Camera narrow = front_camera;
   narrow.width = 40;
   Tracer one;
   for (int k = 0; k < 8; ++k) {
     const Scene& scene = k % 3 == 1 ? walled : open;
-    Camera moved = k % 4 == 3 ? narrow : camera;
+    Camera moved = k % 4 == 3 ? narrow : front_camera;
     moved.position.x() += 0.1f * static_cast<float>(k);
     EXPECT_EQ(one.trace(scene, moved, quality), Tracer().trace(scene, moved, quality)) << k;
   }
@@ -173,16 +173,16 @@ TEST(StaticBackground, ShowsNothingOfTheSetsBeforeIt) {
 TEST(StaticBackground, StaysWholeWhenTheFigureIsSeenThrough) {
   Scene scene = walled_scene();
   const Quality quality{.samples_per_pixel = 4, .static_samples = 8};
-  const Framebuffer solid = Tracer().trace(scene, camera, quality);
+  const Framebuffer solid = Tracer().trace(scene, front_camera, quality);
   scene.figures[0].opacity = 0.0f;
-  const Framebuffer vanished = Tracer().trace(scene, camera, quality);
+  const Framebuffer vanished = Tracer().trace(scene, front_camera, quality);
   scene.figures[0].opacity = 1.0f;
   scene.solids = {};
   // Where the figure would be, the walls are drawn with fewer samples.
   const auto light = [](const Framebuffer& framebuffer) {
     return std::accumulate(framebuffer.channels.begin(), framebuffer.channels.end(), 0.0);
   };
-  const double alone = light(Tracer().trace(scene, camera, quality));
+  const double alone = light(Tracer().trace(scene, front_camera, quality));
   EXPECT_NEAR(light(vanished), alone, 0.002 * alone);
   EXPECT_GT(std::abs(light(solid) - alone), 0.01 * alone);
 }
