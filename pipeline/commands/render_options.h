@@ -17,7 +17,8 @@
 
 namespace mien::pipeline {
 
-/// An output defined by command-line options, and the places of its values ("size", "crop", …).
+/// An output defined by command-line options, with the location of each value ("size", "crop", …)
+/// for error messages.
 struct OutputReading {
   Output output;
   Places places;
@@ -27,7 +28,7 @@ struct OutputReading {
 /// names, descriptions and limits from the manifest's schema.
 class OutputFlags {
  public:
-  /// --size, --scale, …, which must not outlive this.
+  /// The options --size, --scale, …, which must not outlive this object.
   std::vector<CommandOption> options();
 
   /// The output for the given options. Throws Faults if the schema is violated.
@@ -43,28 +44,28 @@ class OutputFlags {
 /// Command-line options of `mien render`.
 struct RenderOptions {
   std::vector<std::string> files;
-  std::string take;  ///< of files with several; empty: the first
+  std::string take;  ///< take to use from files with several; empty: the first
   std::string out;
   OutputFlags output;
   LookOptions look;
   std::string layout = "superimposed";
   std::string background = "shown";
   std::string dots;
-  std::optional<std::string> still;  ///< seconds, or "middle"
+  std::optional<std::string> still;  ///< time of a single image: seconds, or "middle"
   std::uint64_t seed = 0;
   int jobs = 0;
   bool repeat = false;
 };
 
-/// What is rendered, and how.
+/// The output file, look and settings for rendering.
 struct RenderPlan {
   std::filesystem::path out;  ///< its extension selects the format
   Look look;
   FilmSettings settings;
 };
 
-/// The plan for these options. Throws Faults and Error if output file, look and output options are
-/// incompatible by the rules of a manifest.
+/// The plan for these options. Throws Faults or Error if the output file, look and output options
+/// are incompatible according to the rules for manifests.
 RenderPlan plan_of(const RenderOptions& options);
 
 /// Whether a single image is rendered instead of a film.
@@ -75,7 +76,7 @@ scenes::Layout layout_of(const RenderOptions& options);
 /// Whether a file name has the extension of an image.
 bool is_picture(const std::filesystem::path& out);
 
-/// ".mp4, .lossless.mp4, …"
+/// The supported extensions of videos: ".mp4, .lossless.mp4, …"
 std::string video_endings();
 
 }  // namespace mien::pipeline

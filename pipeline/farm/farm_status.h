@@ -14,7 +14,7 @@
 
 namespace mien::pipeline {
 
-/// Progress of one stage: number of completed units out of all.
+/// Progress of one stage: the number of completed units, and of all units.
 struct StageProgress {
   std::string name;  ///< "films"
   int done = 0;
@@ -24,9 +24,9 @@ struct StageProgress {
 /// Activity of one machine for a study.
 struct NodeStatus {
   std::string name;
-  int elements = 0;  ///< of job arrays that run there
-  int workers = 0;   ///< live worker processes (WorkerReport::is_alive)
-  std::vector<std::string> tasks;
+  int elements = 0;                ///< number of running elements of job arrays
+  int workers = 0;                 ///< number of live worker processes (WorkerReport::is_alive)
+  std::vector<std::string> tasks;  ///< tasks in progress
   double frames_per_second = 0.0;
 };
 
@@ -36,25 +36,26 @@ struct FarmStatus {
   std::string folder;
   std::string words;  ///< arguments that name the study in commands: "my.yaml --out /scratch"
   std::vector<StageProgress> stages;  ///< tasks: motions, films, clips, sheets, study
-  StageProgress frames;               ///< of all films, including stored frames of incomplete ones
+  StageProgress frames;  ///< frames of all films, including stored ones of incomplete films
   std::vector<NodeStatus> nodes;
-  std::map<std::string, int> waiting;  ///< pending elements by Slurm's reason
+  std::map<std::string, int> waiting;  ///< number of pending elements by Slurm's reason
   std::vector<JobProblem> problems;
   std::vector<FailedItem> failed;
-  std::vector<std::string> losses;     ///< lost_job_messages
-  std::string disk;                    ///< current problem of the study's folder; empty if none
-  std::optional<double> seconds_left;  ///< estimate at the current rate; empty while none is drawn
-  bool is_complete = false;            ///< all products exist, including the study's record
-  std::string without_slurm;           ///< why job states are unknown; empty if they are known
+  std::vector<std::string> losses;  ///< lost_job_messages
+  std::string disk;                 ///< current problem of the study's folder; empty if none
+  std::optional<double>
+      seconds_left;           ///< estimated remaining time; empty if no frames are being rendered
+  bool is_complete = false;   ///< all artifacts exist, including the study's record
+  std::string without_slurm;  ///< why job states are unknown; empty if they are known
 
   int running() const;
   /// Whether a worker is running or a job is pending.
   bool is_active() const;
 };
 
-/// Status from receipts and file sizes, the workers' reports and the queue. If `queue` is empty,
-/// `fault` gives the reason. `words`: the study's arguments in commands. `nodes`: states of Slurm's
-/// nodes.
+/// Determines the status from receipts and file sizes, the workers' reports and the queue. If
+/// `queue` is empty, `fault` gives the reason. `words`: the study's arguments in commands. `nodes`:
+/// states of Slurm's nodes.
 FarmStatus farm_status(const Production& production, const std::filesystem::path& folder,
                        const std::optional<std::vector<QueueRow>>& queue, const std::string& fault,
                        const std::string& words, const NodeStates& nodes = {});
@@ -63,7 +64,7 @@ FarmStatus farm_status(const Production& production, const std::filesystem::path
 StudyState study_state(const Production& production, const std::filesystem::path& folder,
                        const std::string& words);
 
-/// Number of frames of a film stored until it is encoded, under any key.
+/// Number of frames of a film that are stored for encoding, under any key.
 int frames_in_the_making(const std::filesystem::path& folder, const std::string& film);
 
 /// The status as text for the terminal.

@@ -8,9 +8,9 @@
 
 namespace mien::pipeline {
 
-/// Number of frames of each film, by its task ("film:walk"): that of its motion if it has been
-/// produced, otherwise the one assumed for the task's cost. That suffices for splitting a study
-/// into chunks, because a chunk is identified by its number, not by its frames.
+/// Number of frames of each film, by its task ("film:walk"): taken from its motion if that has been
+/// produced, otherwise the estimate used for the task's cost. An estimate suffices for splitting a
+/// study into chunks, because a chunk is identified by its number, not by its frames.
 std::map<std::string, int> film_lengths(const Production& production,
                                         const std::filesystem::path& folder);
 

@@ -13,14 +13,15 @@ namespace mien::pipeline {
 /// Stored frames and chunk count of each film, by its task ("film:walk").
 using ProgressByFilm = std::map<std::string, FilmProgress>;
 
-/// Stored frames of films that are due: drawn earlier, or published although the video is missing.
-/// `planned`: one outcome per task. `frames`: number of frames of each film. `folder`: the study's.
-/// Only checks that files exist; a worker verifies them and redraws damaged ones.
+/// Stored frames of films that are due: rendered earlier, or published although the video is
+/// missing. `planned`: one outcome per task. `frames`: number of frames of each film. `folder`: the
+/// study's. Only checks that files exist; a worker verifies them and renders damaged ones again.
 ProgressByFilm stored_film_progress(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                                     const std::map<std::string, int>& frames,
                                     const std::filesystem::path& folder);
 
-/// Adds the frames assigned to live jobs and keeps the number of chunks those jobs use.
+/// Adds the frames assigned to live jobs, and sets each film's number of chunks to that of those
+/// jobs.
 void add_frames_of_live_jobs(const std::vector<JobStatus>& statuses,
                              const std::map<std::string, int>& frames,
                              const std::filesystem::path& folder, ProgressByFilm& film_progress);

@@ -22,10 +22,11 @@ struct FittingSubmission {
   Chunking chunking;
 };
 
-/// Splits a study with the given chunk sizes; `cut` builds the submission for given sizes. If it
-/// has too many jobs for Slurm's queue and no number of frames per chunk is set, elements become
-/// longer, up to `longest_seconds`. Throws Error, suggesting a --chunk that fits, if there are
-/// still too many jobs, unless only the final job for the remaining tasks is to be submitted.
+/// Splits a study into a submission; `cut` builds the submission for given chunk sizes. If it has
+/// too many jobs for Slurm's queue and `requested` does not set the number of frames per chunk,
+/// elements are lengthened up to `longest_seconds`. If there are still too many jobs, throws Error
+/// with a
+/// --chunk that fits, unless only the final job for the remaining tasks is to be submitted.
 FittingSubmission fitting_submission(const std::function<Submission(const Chunking&)>& cut,
                                      const Chunking& requested, double longest_seconds,
                                      const QueueCapacity& capacity);

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// Items of live jobs that will proceed without intervention. `folder`: the study's.
+/// Items of live jobs that will run without intervention. `folder`: the study's.
 std::set<std::string> covered_items(const std::vector<JobStatus>& statuses,
                                     const std::filesystem::path& folder);
 
@@ -18,14 +18,14 @@ std::set<std::string> covered_items(const std::vector<JobStatus>& statuses,
 /// submissions.
 std::vector<std::string> obsolete_jobs(const std::vector<JobStatus>& statuses);
 
-/// Tasks whose jobs ran out of memory, and how much to request next.
+/// Tasks whose jobs ran out of memory, and the memory to request for them next.
 struct MemoryNeeds {
   std::map<std::string, std::string> more;  ///< twice the previous amount, by task
   std::vector<std::string> unknown;         ///< items of jobs that requested no specific amount
 };
 
-/// Based on squeue and on out-of-memory kills that jobs recorded in ends/. SIGKILL alone does not
-/// count, because it may have another cause. `folder`: the study's.
+/// Determines memory needs from squeue and from out-of-memory kills that jobs recorded in ends/.
+/// SIGKILL alone does not count, because it may have another cause. `folder`: the study's.
 MemoryNeeds memory_needs(const std::vector<JobStatus>& statuses,
                          const std::filesystem::path& folder);
 

@@ -9,15 +9,15 @@
 
 namespace mien::pipeline {
 
-/// The part of a stage done by one job: items in order, each a task ("film:walk") or a chunk of a
-/// film's frames ("film:walk[3/12]": the third of twelve).
+/// The part of a stage that one job does. Its items are done in order; each is a task ("film:walk")
+/// or a chunk of a film's frames ("film:walk[3/12]": the third of twelve).
 struct Element {
   std::vector<std::string> items;
-  double seconds = 0.0;  ///< estimate
-  int frames = 0;        ///< number drawn or encoded
+  double seconds = 0.0;  ///< estimated duration
+  int frames = 0;        ///< number of frames rendered or encoded
 };
 
-/// Elements that can run at the same time, after all earlier stages.
+/// A set of elements that can run at the same time, after all earlier stages.
 struct Stage {
   std::string name;  ///< "frames"
   std::vector<Element> elements;
@@ -38,10 +38,11 @@ struct FilmProgress {
   int chunks = 0;               ///< number of chunks used by live jobs; 0 if not split yet
 };
 
-/// The stages motions, frames, films, sheets and study of the tasks that are due (one flag per
-/// task), without empty ones. A task is in exactly one element. The chunks of a film that is drawn
-/// in several cover it, except those whose frames all exist. `frames`: number of frames of each
-/// film by its task; `film_progress`: progress of films that have been started, by task.
+/// Divides the tasks that are due (one flag per task) into the stages motions, frames, films,
+/// sheets and study; empty stages are omitted. Each task is in exactly one element. If a film is
+/// rendered in several chunks, these cover it, except chunks whose frames all exist. `frames`:
+/// number of frames of each film by its task; `film_progress`: progress of films that have been
+/// started, by task.
 std::vector<Stage> stages_of(const TaskGraph& graph, const std::vector<bool>& is_due,
                              const std::map<std::string, int>& frames, const Chunking& chunking,
                              const std::map<std::string, FilmProgress>& film_progress = {});

@@ -13,7 +13,7 @@
 
 namespace mien::pipeline {
 
-/// A batch file and the items of its elements, one line an element.
+/// A job with the items of its elements, from which its batch file and task list are written.
 struct SubmissionJob {
   BatchJob job;
   JobRequest request;
@@ -26,9 +26,9 @@ struct SubmissionStage {
   std::vector<SubmissionJob> jobs;
 };
 
-/// Jobs submitted to Slurm together. Jobs of a stage wait for those of the stage before, the last
-/// one for all. They wait for the end of those jobs only, not for success, because a job produces
-/// its missing inputs itself.
+/// Jobs submitted to Slurm together. The jobs of a stage wait until those of the previous stage
+/// have ended, the last job until all others have. They do not wait for success, because a job
+/// produces its missing inputs itself.
 struct Submission {
   JournalSubmission requested;
   std::filesystem::path folder;  ///< out/<study>/farm/0001, absolute
@@ -41,18 +41,19 @@ struct Submission {
   int jobs() const { return elements() + 1; }
 };
 
-/// Exceptions for single items of a study.
+/// Special treatment of single items of a study.
 struct ItemNeeds {
-  std::set<std::string> covered;              ///< items already assigned to live jobs
-  std::map<std::string, std::string> memory;  ///< by task, if a job ran out of memory
+  std::set<std::string> covered;  ///< items already assigned to live jobs
+  std::map<std::string, std::string>
+      memory;  ///< memory to request, by task, after a job ran out of it
 };
 
-/// Number of the next submission, "0004" after three: the first one used neither by a folder in
-/// farm/ nor in the journal.
+/// Number of the next submission, such as "0004": the first number that is used neither by a folder
+/// in farm/ nor in the journal.
 std::string next_submission(const std::filesystem::path& study_folder);
 
-/// Identifies Slurm's jobs as belonging to this study: a hash of its tasks, their determinants and
-/// the study's folder.
+/// A key that identifies Slurm's jobs as belonging to this study: a hash of its tasks, their
+/// determinants and the study's folder.
 std::string graph_key(const TaskGraph& graph, const std::filesystem::path& study_folder);
 
 /// Distributes stages over job arrays of the site's maximum size and adds the final job that
@@ -87,7 +88,7 @@ struct SubmittedJob {
 /// The accepted jobs of a submission.
 struct Submitted {
   std::vector<SubmittedJob> jobs;
-  std::string unrecorded;  ///< why the journal lacks a job's number; empty if it has all
+  std::string unrecorded;  ///< why a job's number is missing from the journal; empty if none is
 };
 
 /// Submits a written submission to Slurm. Films and later stages also wait for the jobs `live` of

@@ -10,8 +10,9 @@
 
 namespace mien::pipeline {
 
-/// The tasks of these items and of their inputs, with inputs first. `graph` must outlive the
-/// result. Throws Error if the graph lacks a task, or an item is a chunk of a task without parts.
+/// The tasks of these items and the tasks that produce their inputs, inputs first. `graph` must
+/// outlive the result. Throws Error if the graph lacks a task, or an item is a chunk of a task
+/// without parts.
 TaskGraph graph_of_items(const TaskGraph& graph, const std::vector<std::string>& items);
 
 /// An item that failed.
@@ -21,7 +22,7 @@ struct FailedWork {
   int code = 0;  ///< worker_bad_input, worker_disk_unavailable, worker_transient or another
 };
 
-/// How a worker's work ended.
+/// The result of a worker's run.
 struct WorkResult {
   std::vector<FailedWork> failed;
   std::vector<std::string> repairs;  ///< artifacts that were found damaged and replaced
@@ -32,9 +33,9 @@ struct WorkResult {
   int code() const;
 };
 
-/// Runs items in the study's folder, as one process of many, on `jobs` threads. A failed item
-/// creates farm/failures/<item>.json there, with `command`, which reproduces it; success removes
-/// that file. Throws what Store throws.
+/// Runs items on `jobs` threads in the study's folder, which many processes may do at the same
+/// time. A failed item creates farm/failures/<item>.json in that folder, with `command`, which
+/// reproduces the failure; success removes the file. Throws the exceptions of Store.
 WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
                 const std::filesystem::path& folder, int jobs, const std::stop_token& stop,
                 const RunObserver& observer, const std::string& command);

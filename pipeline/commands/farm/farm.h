@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-/// Arguments of all commands of `mien farm`: the study.
+/// Arguments of all commands of `mien farm`, which select the study.
 struct FarmArguments {
   std::string manifest;
   std::string out = "out";
@@ -32,7 +32,7 @@ struct FarmStudy {
   StudyCall call(const FarmArguments& arguments) const;
 };
 
-/// The study's arguments for suggested commands: "my.yaml --out /scratch".
+/// The study's arguments as text for suggested commands: "my.yaml --out /scratch".
 std::string study_arguments(const FarmArguments& arguments);
 
 // Subcommands of `mien farm`, one per source file.

@@ -12,7 +12,8 @@
 
 namespace mien::pipeline {
 
-/// How a study is split and which resources its jobs request; options not given are empty.
+/// Options that determine how a study is split and which resources its jobs request; empty if not
+/// given.
 struct SubmissionOptions {
   std::string chunk;
   std::string partition;
@@ -25,10 +26,10 @@ struct SubmissionOptions {
 
 std::vector<CommandOption> submission_options(SubmissionOptions& options);
 
-/// The newest submission of which Slurm refused no job; null if there is none.
+/// The newest submission of which Slurm refused no jobs; nullptr if there is none.
 const JournalSubmission* last_accepted(const JournalContent& journal);
 
-/// The options, with those not given taken from an earlier submission (which may be empty). Throws
+/// Combines the given options with those of an earlier submission (which may be empty). Throws
 /// Error for an invalid value.
 JournalSubmission requested_submission(const SubmissionOptions& options, JournalSubmission earlier);
 
@@ -36,38 +37,38 @@ JournalSubmission requested_submission(const SubmissionOptions& options, Journal
 /// its job would never start. Accepts any number if sinfo fails.
 void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm);
 
-/// Remaining tasks of a study, and information for estimating their duration.
+/// The remaining tasks of a study, and information for estimating their duration.
 struct DueWork {
   std::vector<bool> is_due;           ///< by task
   std::map<std::string, int> frames;  ///< number of frames of each film, by its task
   ProgressByFilm film_progress;       ///< progress of films that have been started
   double pace = 1.0;                  ///< measured seconds per estimated second of a task
 
-  /// Whether all products exist, including the study's record.
+  /// Whether all artifacts exist, including the study's record.
   bool is_done(const FarmStudy& study) const;
 };
 
-/// All tasks missing from the store, without frames that are stored or assigned to live jobs. Films
-/// keep the number of chunks that those jobs use.
+/// All tasks whose artifacts are missing from the store, without frames that are stored or assigned
+/// to live jobs. Films keep the number of chunks used by those jobs.
 DueWork due_work(FarmStudy& study, const JournalSubmission& requested,
                  const std::vector<JobStatus>& statuses);
 
-/// The stages of all tasks, whether or not they have been done.
+/// The stages of all tasks, including completed ones.
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& requested);
 
-/// A submission of the remaining tasks that fits into Slurm's queue. Reports if elements are longer
-/// than usual for that reason. Throws Error if it does not fit.
+/// A submission of the remaining tasks that fits into Slurm's queue. If elements are lengthened for
+/// that reason, prints a message. Throws Error if the submission does not fit.
 Submission fitting_submission(const FarmStudy& study, const StudyCall& call, const DueWork& work,
                               const ItemNeeds& needs, const JournalSubmission& requested,
                               const SlurmSite& site, const std::vector<QueueRow>& queue,
                               const Console& console);
 
-/// Removes the folders of older submissions that are no longer needed, and reports it. `statuses`:
-/// of all jobs in the journal.
+/// Removes folders of older submissions that are no longer needed, and prints a message.
+/// `statuses`: status of all jobs in the journal.
 void remove_old_submissions(const std::vector<JobStatus>& statuses, const DueWork& work,
                             const FarmStudy& study, const Console& console);
 
-/// Prints what was submitted and what to do next.
+/// Prints the submitted jobs and suggested commands.
 void print_submitted(const Submission& submission, const Submitted& submitted,
                      const FarmArguments& arguments, bool json, const Console& console);
 

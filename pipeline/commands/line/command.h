@@ -13,22 +13,24 @@ namespace mien::pipeline {
 
 struct Console;
 
-/// Target of an option: a variable, or a function called with each text given ("true" for a flag).
-/// It must outlive the command. Empty in a command that another program has described.
+/// The target of an option: a variable, or a function that is called with the text of each value
+/// ("true" for a flag). The variable must outlive the command. Empty if the command is implemented
+/// by another program (external_programs.h).
 using BoundVariable =
     std::variant<std::monostate, bool*, int*, double*, std::uint64_t*, std::string*,
                  std::optional<int>*, std::optional<double>*, std::optional<std::uint64_t>*,
                  std::optional<std::string>*, std::vector<double>*, std::vector<std::string>*,
                  std::function<void(const std::string&)>>;
 
-/// A parameter of a command: an option or flag (with names), or a positional argument (without).
+/// A parameter of a command: an option or flag, which has names, or a positional argument, which
+/// has none.
 struct CommandOption {
-  std::vector<std::string> names;    ///< "-o", "--output"; empty for an argument
-  std::string former;                ///< name it had: understood, with a warning; not shown
-  std::string argument;              ///< "files"; empty for an option
-  std::string value;                 ///< type of its value: "TEXT", "INT", …; empty for a flag
-  std::vector<std::string> choices;  ///< permitted values; empty if not restricted to a list
-  std::string limits;                ///< "1 to 240"; empty if there are none
+  std::vector<std::string> names;  ///< "-o", "--output"; empty for an argument
+  std::string former;              ///< deprecated name: accepted with a warning, not listed in help
+  std::string argument;            ///< name of an argument: "files"; empty for an option
+  std::string value;               ///< type of its value: "TEXT", "INT", …; empty for a flag
+  std::vector<std::string> choices;  ///< permitted values; empty if there is no list
+  std::string limits;                ///< limits as text: "1 to 240"; empty if there are none
   std::string usual;                 ///< default value; empty if there is none
   std::string help;
   bool is_required = false;
@@ -36,32 +38,34 @@ struct CommandOption {
 
   BoundVariable variable;
   double least = 0.0;  ///< lower limit, exclusive if `largest` is infinite
-  double largest = std::numeric_limits<double>::infinity();
-  std::optional<std::pair<int, int>> value_count;        ///< number of values per use
-  bool has_commas = false;                               ///< values are separated by commas
-  std::string excluded;                                  ///< option that it excludes
-  std::string needed;                                    ///< option that it requires
-  std::string group;                                     ///< heading in --help
-  std::function<std::string(const std::string&)> fault;  ///< checks a value; empty if valid
-  std::vector<std::string>* given = nullptr;             ///< if set, receives its name when used
+  double largest = std::numeric_limits<double>::infinity();  ///< upper limit, inclusive
+  std::optional<std::pair<int, int>> value_count;            ///< number of values per use
+  bool has_commas = false;                                   ///< values are separated by commas
+  std::string excluded;  ///< option that must not be used together with it
+  std::string needed;    ///< option that it requires
+  std::string group;     ///< heading in --help
+  std::function<std::string(const std::string&)>
+      fault;  ///< returns why a value is invalid, or empty
+  std::vector<std::string>* given =
+      nullptr;  ///< if set, the option's name is appended when it is used
 
   bool is_argument() const { return names.empty(); }
   bool takes_number() const { return value == "INT" || value == "UINT" || value == "FLOAT"; }
 
-  // Copies of the option with a changed property.
+  // Each returns a copy of the option with a changed property.
   CommandOption required() const;
   CommandOption optional() const;
   CommandOption one_of(std::vector<std::string> words) const;
   CommandOption between(double low, double high) const;
   CommandOption positive() const;
-  CommandOption with_default() const;  ///< shows the variable's present value
+  CommandOption with_default() const;  ///< states the variable's current value as the default
   CommandOption with_default(std::string text) const;
   CommandOption with_commas() const;
   CommandOption values(int fewest, int most) const;
   CommandOption excludes(std::string option) const;
   CommandOption needs(std::string option) const;
   CommandOption in_group(std::string heading) const;
-  CommandOption formerly(std::string name) const;  ///< takes its old name too
+  CommandOption formerly(std::string name) const;  ///< sets the deprecated name
 };
 
 /// `names`: "--out,-o".
@@ -71,8 +75,8 @@ CommandOption flag(const std::string& names, BoundVariable variable, std::string
 /// A required positional argument.
 CommandOption argument(std::string name, BoundVariable variable, std::string help);
 
-/// An option with one of these words as its value; `take` receives the word's index. A fault lists
-/// the words.
+/// An option whose value is one of `words`. `take` is called with the index of the word. Error
+/// messages for other values list the words.
 CommandOption choice_of(const std::string& names, std::vector<std::string> words, std::string help,
                         std::function<void(std::size_t)> take);
 
@@ -86,7 +90,7 @@ std::vector<std::string> names_of(const WordValues<Value>& values) {
   return names;
 }
 
-/// An option of words that stand for values.
+/// An option whose value is one of several words, each of which stands for a value.
 template <class Value>
 CommandOption choice(const std::string& names, Value& variable, const WordValues<Value>& values,
                      std::string help) {
@@ -98,7 +102,7 @@ CommandOption choice(const std::string& names, Value& variable, const WordValues
   return made;
 }
 
-/// An option with a comma-separated list of words that stand for values.
+/// An option with a comma-separated list of words, each of which stands for a value.
 template <class Value>
 CommandOption choice(const std::string& names, std::vector<Value>& variable,
                      const WordValues<Value>& values, std::string help) {
@@ -109,15 +113,16 @@ CommandOption choice(const std::string& names, std::vector<Value>& variable,
   return made.with_commas();
 }
 
-/// Description of a command, from which `--help`, the manual page and shell completions are
-/// generated, and its function.
+/// A command: its function, and the description from which `--help`, the manual page and shell
+/// completions are generated.
 struct Command {
   std::string name;  ///< "analyze"
   std::string summary;
-  std::vector<CommandOption> options;      ///< and arguments
-  std::vector<Command> commands;           ///< subcommands
-  std::string notes;                       ///< text and examples printed below the options
-  std::function<int(const Console&)> run;  ///< returns the exit code; empty: needs a subcommand
+  std::vector<CommandOption> options;  ///< options and arguments
+  std::vector<Command> commands;       ///< subcommands
+  std::string notes;                   ///< text and examples printed below the options
+  std::function<int(const Console&)>
+      run;  ///< returns the exit code; empty if a subcommand is required
 
   std::vector<CommandOption> arguments() const;
   std::vector<CommandOption> named_options() const;  ///< options and flags
@@ -147,7 +152,7 @@ struct CommandPage {
 /// The command and all its subcommands, parents first.
 std::vector<CommandPage> all_command_pages(const Command& program);
 
-/// The direct subcommand of that name; null if there is none.
+/// The direct subcommand of that name; nullptr if there is none.
 const Command* subcommand_named(const Command& command, const std::string& name);
 
 }  // namespace mien::pipeline

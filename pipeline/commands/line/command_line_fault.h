@@ -6,9 +6,9 @@
 
 namespace mien::pipeline {
 
-/// One line that states what is wrong with a command line and how to fix it: for the innermost
-/// command, all missing options, an unknown option and the most similar one, or a surplus word.
-/// `fault` was thrown when `app` parsed the command line.
+/// A one-line message that states the fault of a command line and its remedy. It lists, for the
+/// innermost command, all missing options, an unknown option with the most similar known one, or a
+/// superfluous argument. `fault` was thrown when `app` parsed the command line.
 std::string command_line_fault(const CLI::App& app, const CLI::ParseError& fault);
 
 }  // namespace mien::pipeline

@@ -21,11 +21,11 @@ inline constexpr ExitCode exit_codes[] = {{exit_done, "done"},
                                           {exit_bad_input, "bad input"},
                                           {exit_interrupted, "interrupted"}};
 
-/// Streams and stop token of a command.
+/// The output streams and stop token of a command.
 struct Console {
   std::ostream& out;     ///< results
-  std::ostream& err;     ///< progress and faults
-  bool err_is_terminal;  ///< a progress bar makes sense
+  std::ostream& err;     ///< progress and error messages
+  bool err_is_terminal;  ///< if so, progress bars are shown
   std::stop_token stop;  ///< requested by Ctrl-C
 };
 

@@ -6,8 +6,8 @@
 
 namespace mien::pipeline {
 
-/// A command of mien that is implemented by another program in the same folder: `mien study`
-/// executes mien-study, as in git, so that rendering alone does not require building or loading a
+/// A command of mien that is implemented by another program in the same folder, as in git:
+/// `mien study` executes mien-study. Rendering alone thus does not require building or loading a
 /// server.
 struct ExternalProgram {
   const char* command;
@@ -27,8 +27,9 @@ inline constexpr ExternalProgram external_programs[] = {regress_program, studio_
 /// The command as listed by `mien --help`, without its subcommands.
 Command external_command(const ExternalProgram& other);
 
-/// Replaces the process with the program of the typed command (exec), with the same arguments;
-/// returns if this program implements it. Throws std::runtime_error if that program is missing.
+/// Replaces the process (exec) with the program that implements the given command, with the same
+/// arguments. Returns if the command is implemented by this program. Throws std::runtime_error if
+/// the other program is missing.
 void exec_external_program(int argc, char** argv);
 
 /// Throws std::runtime_error if this program was started by another version of mien.
@@ -37,8 +38,8 @@ void refuse_version_mismatch();
 /// The commands of a program as JSON, from which another program generates its help and manual.
 std::string program_as_json(const Command& program);
 
-/// The program with the commands of the other programs. Throws std::runtime_error if one of those
-/// is missing or does not answer.
+/// Adds the commands of the external programs to `program`. Throws std::runtime_error if one of
+/// these programs is missing or fails to describe its commands.
 Command with_external_programs(Command program);
 
 }  // namespace mien::pipeline

@@ -9,11 +9,11 @@
 
 namespace mien::pipeline {
 
-/// The folder of the manifests, scales and schemas that belong to a program:
-/// ../share/mien/manifests for an installed one (<prefix>/bin/mien), manifests of the source tree
-/// for one built in <tree>/build/<preset>. Empty if neither exists.
+/// The folder with the manifests, scales and schemas that belong to a program:
+/// ../share/mien/manifests for an installed program (<prefix>/bin/mien), or manifests/ of the
+/// source tree for a program in <tree>/build/<preset>. Empty if neither exists.
 ///
-/// No path is compiled in, so that prefixes and source trees can be moved.
+/// No path is compiled in, so that installations and source trees can be moved.
 std::filesystem::path manifests_beside(const std::filesystem::path& program);
 
 /// The folder of installed manifests for the running program.
@@ -28,8 +28,8 @@ std::vector<std::string> manifest_names(const std::filesystem::path& folder);
 std::optional<std::filesystem::path> find_named_file(const std::filesystem::path& folder,
                                                      const std::string& name);
 
-/// `name` if that file exists; otherwise the installed file of that name, which is reported on
-/// `console.err`; otherwise `name`.
+/// Returns `name` if that file exists; otherwise the path of the installed file of that name, with
+/// a message on `console.err`; otherwise `name`.
 std::string resolve_input_file(const std::string& name, const Console& console);
 
 /// Like resolve_input_file, for a manifest. Throws Error for a single word that is neither a file

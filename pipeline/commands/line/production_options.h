@@ -32,15 +32,15 @@ std::vector<CommandOption> manifest_options(ProductionArguments& arguments);
 int jobs_of(const ProductionArguments& arguments);
 ProductionOptions options_of(const ProductionArguments& arguments);
 
-/// Prints the warnings of a manifest, a line each.
+/// Prints the warnings of a manifest, one per line.
 void tell_warnings(const std::vector<Fault>& warnings, const Console& console);
 
 /// Lists stale artifacts of earlier runs and how to remove them; prints nothing if there are none.
 void print_stale_artifacts(const std::vector<std::string>& stale,
                            const ProductionArguments& arguments, const Console& console);
 
-/// Runs the missing tasks of a study, with progress on `console.err`. Throws the error of the first
-/// failed task, and Interrupted.
+/// Runs the missing tasks of a study and shows progress on `console.err`. Throws the error of the
+/// first failed task; throws Interrupted if stopped.
 void make_study(Production& production, const std::filesystem::path& folder,
                 const ProductionArguments& arguments, const Console& console);
 

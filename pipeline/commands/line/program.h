@@ -10,20 +10,21 @@
 
 namespace mien::pipeline {
 
-/// The top-level command of `mien` and its other programs, with a common name and help.
+/// The top-level command of `mien` or of one of its external programs, with the common name and
+/// help.
 Command program_of(std::vector<Command> commands);
 
-/// The `main` of each program. Executes another program if the command belongs to it.
+/// The main function of each program. If another program implements the command, executes that.
 int run_program(int argc, char** argv, const std::function<Command()>& program);
 
-/// Runs a command line; never throws. Faults of the input are reported on `err` with exit code 2,
-/// other failures with 1. The undocumented option --commands prints this program's commands for
-/// another program.
+/// Runs a command line and returns its exit code; never throws. Errors are printed on
+/// `console.err`; the code is 2 for invalid input and 1 for other failures. The undocumented option
+/// --commands prints this program's commands as JSON for another program.
 int run_command_line(const Command& program, int argc, const char* const* argv,
                      const Console& console);
 
-/// The command `version`: the program's version, the libraries that affect artifacts' bytes, and
-/// `more`, those of this program only.
+/// The command `version`, which prints the versions of the program, of the libraries that affect
+/// the bytes of artifacts, and of the libraries in `more`, which only this program uses.
 Command version_command(std::string summary, std::vector<std::pair<std::string, std::string>> more);
 
 }  // namespace mien::pipeline

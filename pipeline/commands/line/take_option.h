@@ -15,7 +15,7 @@
 
 namespace mien::pipeline {
 
-/// The option `--take`, which selects a motion of a file with several.
+/// The option `--take`, which selects one motion of a file with several.
 inline CommandOption take_option(std::string& take) {
   return option("--take", &take,
                 "Motion to use from a file with several (listed by mien motion info)");
@@ -23,8 +23,8 @@ inline CommandOption take_option(std::string& take) {
 
 using motion::read_take;
 
-/// Reads the motion of a file and prints the reader's notes as warnings: which take it chose if
-/// none is named, and which figure. Throws Error.
+/// Reads the motion of a file and prints the reader's notes as warnings, such as the chosen take,
+/// if `take` is empty, and the chosen figure. Throws Error.
 inline motion::Recording read_with_warnings(const std::string& file, const std::string& take,
                                             const Console& console) {
   motion::Recording recording = motion::read_take(file, take);
@@ -33,7 +33,7 @@ inline motion::Recording read_with_warnings(const std::string& file, const std::
   return recording;
 }
 
-/// The take of the recording, if its file has several; otherwise empty.
+/// The name of the recording's take if its file has several; otherwise empty.
 inline std::string chosen_take(const motion::Recording& recording) {
   return recording.takes.size() > 1 ? recording.take : "";
 }
@@ -45,7 +45,7 @@ inline void refuse_own_input(const std::string& input, const std::string& writte
     throw Error(Place{written}, "is the input file", "name another file to write");
 }
 
-/// The option `--take` of a command that compares two files: one for both, or one for each.
+/// The option `--take` of a command that compares two files: given once for both, or once for each.
 inline CommandOption takes_option(std::vector<std::string>& takes) {
   return option("--take", &takes,
                 "Motion to use from files with several (listed by mien motion info); give "
@@ -54,8 +54,8 @@ inline CommandOption takes_option(std::vector<std::string>& takes) {
 }
 
 /// The takes of two files that are compared. A single name applies to each file whose format may
-/// contain several. Throws mien::Error for more names than files; a name that neither file can have
-/// is refused when the first file is read.
+/// contain several. Throws mien::Error for more than two names. A name that does not apply to
+/// either file is refused when the first file is read.
 inline std::array<std::string, 2> takes_of(const std::vector<std::string>& takes,
                                            const std::array<std::string, 2>& files) {
   if (takes.size() > 2)
@@ -70,7 +70,7 @@ inline std::array<std::string, 2> takes_of(const std::vector<std::string>& takes
     result[i] = takes[0];
     is_of_any = true;
   }
-  // The reader of the first file says why not.
+  // The reader of the first file reports the error.
   if (!is_of_any) result[0] = takes[0];
   return result;
 }

@@ -29,8 +29,8 @@ class MotionSource {
   /// Name of the source in error messages.
   const std::string& name() const { return name_; }
 
-  /// Waits for the next bytes. Nothing at the end or after a stop request. Throws std::system_error
-  /// if reading fails.
+  /// Waits for the next bytes. Returns nullopt at the end or after a stop request. Throws
+  /// std::system_error if reading fails.
   std::optional<std::string> next(const std::stop_token& stop);
 
  private:
@@ -53,8 +53,8 @@ class MotionSink {
   MotionSink(const MotionSink&) = delete;
   MotionSink& operator=(const MotionSink&) = delete;
 
-  /// Writes the header. `claimed_frames` is the number of frames stated in it if it cannot be
-  /// corrected later. Throws WriteFailure if the file cannot be written.
+  /// Writes the header. `claimed_frames` is the number of frames stated in the header if that
+  /// cannot be corrected later. Throws WriteFailure if the file cannot be written.
   void begin(const motion::Skeleton& body, double frames_per_second, std::size_t claimed_frames);
 
   /// Writes a frame. Returns false if the reader has closed the pipe. Throws WriteFailure if the
@@ -81,25 +81,26 @@ class MotionSink {
 
 /// Options of a live stream.
 struct LiveOptions {
-  std::string name;  ///< of the source
+  std::string name;  ///< name of the source in messages
   motion::Modification modification;
   motion::PathScope scope = motion::PathScope::body;
-  std::optional<double> delay_ms;                ///< empty: the shortest possible
+  std::optional<double> delay_ms;                ///< delay, ms; empty: the shortest possible
   std::optional<motion::Recording> calibration;  ///< a recording of the stream's rig
   bool measure = false;  ///< keep all frames and compare them with offline processing at the end
 };
 
-/// Deviation of a stream from offline processing of the whole motion.
+/// The deviation of a stream from offline processing of the whole motion.
 struct LiveMeasurement {
-  motion::StreamError error;  ///< of the modification, compared with that of the whole motion
-  /// Error of paths and posture only, which look ahead. Excluded are soft joint limits, which
-  /// depend on the range of the motion so far, and acceleration, which only streams have.
+  motion::StreamError error;  ///< error of the modification
+  /// Error of the path and posture modifications alone, which use look-ahead. Soft joint limits,
+  /// which depend on the range of the motion so far, and acceleration, which only streams have, are
+  /// excluded.
   motion::StreamError of_paths_and_posture;
   motion::StreamError
-      calibration;  ///< of the mapping, compared with one calibrated on the whole motion
-  int plants = 0;
-  double drift_m = 0.0;  ///< largest horizontal foot drift over the plants of the input motion
-  double drift_of_source_m = 0.0;  ///< the same before modification
+      calibration;       ///< error of the retargeting, relative to calibration on the whole motion
+  int plants = 0;        ///< number of foot plants of the input motion
+  double drift_m = 0.0;  ///< largest horizontal foot drift during these plants, metres
+  double drift_of_source_m = 0.0;  ///< largest drift before modification, metres
 };
 
 /// Summary of a finished stream.
@@ -107,27 +108,28 @@ struct LiveReport {
   std::size_t frames = 0;
   double frames_per_second = 0.0;
   motion::StreamDelay delay;
-  double mean_computing_ms = 0.0;  ///< from reading a frame to flushing its result
-  double most_computing_ms = 0.0;
-  double largest_lag = 0.0;  ///< maximum lag of a limb due to acceleration, frames
+  double mean_computing_ms = 0.0;  ///< mean time from reading a frame to flushing its result, ms
+  double most_computing_ms = 0.0;  ///< maximum of that time, ms
+  double largest_lag = 0.0;        ///< maximum lag of a limb due to acceleration, frames
   std::vector<std::string> warnings;
   std::optional<LiveMeasurement> measured;
 };
 
-/// Maps, modifies and writes a BVH stream frame by frame.
+/// Retargets, modifies and writes a BVH stream frame by frame.
 class LiveStream {
  public:
   LiveStream(LiveOptions options, MotionSink& sink);
 
-  /// Processes a frame; the first one also sets up the mapping and writes the header. Returns false
-  /// if the reader has closed the pipe. Throws Error for a rig that cannot be mapped or a
+  /// Processes a frame; the first one also sets up the retargeting and writes the header. Returns
+  /// false if the reader has closed the pipe. Throws Error for a rig that cannot be retargeted or a
   /// modification that cannot be streamed.
   bool take(const motion::BvhHead& head, const motion::Pose& pose);
 
   /// Whether a frame has been processed.
   bool has_begun() const { return stream_.has_value(); }
 
-  /// Writes the delayed frames. Throws Error if there was no frame.
+  /// Writes the remaining delayed frames and returns the summary. Throws Error if there were no
+  /// frames.
   LiveReport finish();
 
  private:
@@ -142,7 +144,7 @@ class LiveStream {
   std::optional<motion::LiveMapping> mapping_;
   std::optional<motion::StreamedModification> stream_;
   motion::Recording source_;  ///< all input frames, if measuring
-  motion::Clip mapped_;       ///< all frames mapped to the body, if measuring
+  motion::Clip mapped_;       ///< all frames retargeted to the body, if measuring
   motion::Clip given_;        ///< all output frames, if measuring
 };
 

@@ -11,7 +11,7 @@ namespace mien::pipeline {
 /// Arguments of `mien regress` and `mien regress approve` for a study.
 struct StudyArguments {
   ProductionArguments production;
-  std::string baseline;  ///< folder or commit; empty: the usual one
+  std::string baseline;  ///< folder or commit; empty: the default folder
   std::string report;    ///< folder; empty: <out>/<study>-regression
   bool without_videos = false;
   int repeat = 1;
@@ -20,14 +20,14 @@ struct StudyArguments {
   std::string reason;
   int key_frames = 4;
   bool keep_videos = false;
-  std::vector<std::string> given;  ///< used options that only apply to studies
+  std::vector<std::string> given;  ///< names of used options that only apply to studies
 };
 
 /// Runs the study, compares it with its baseline and writes the report. Returns exit code 1 if
 /// anything differs; throws Error.
 int regress_study(const StudyArguments& arguments, const Console& console);
 
-/// Stores the present state of the study as its baseline. Returns the exit code.
+/// Stores the current state of the study as its baseline. Returns the exit code.
 int approve_study(const StudyArguments& arguments, const Console& console);
 
 }  // namespace mien::pipeline

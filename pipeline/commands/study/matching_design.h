@@ -9,7 +9,7 @@
 namespace mien::pipeline {
 
 struct MatchingDesign {
-  int participants = 0;         ///< 0: as planned
+  int participants = 0;         ///< number of participants; 0: as planned
   std::filesystem::path plans;  ///< CSV to write; empty: standard output
 };
 
@@ -17,7 +17,7 @@ struct MatchingDesign {
 /// exit code.
 int design_matching(const Manifest& manifest, const MatchingDesign& design, const Console& console);
 
-/// Warns about trials in which the start already matches the target.
+/// Warns about trials in which the initial motion already matches the target.
 void warn_of_matched_at_start(const Manifest& manifest, const MatchingStudy& study,
                               const Console& console);
 

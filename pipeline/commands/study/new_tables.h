@@ -12,10 +12,10 @@ struct NewTable {
   std::string csv;
 };
 
-/// Throws Error before anything is written if a table would overwrite one of `read`, the file of
-/// another of `tables` or `archive`, a file that is not an earlier table with the same columns, or
-/// answers of participants (simulated is not 1). Other than regular files, such as /dev/stdout, and
-/// empty files may be written to.
+/// Throws Error, before anything is written, if a table would overwrite one of the files in `read`,
+/// another table in `tables`, `archive`, a file that is not an earlier table with the same columns,
+/// or answers of real participants (`simulated` is not 1). Empty files and files that are not
+/// regular, such as /dev/stdout, may be overwritten.
 void refuse_data_loss(const std::vector<NewTable>& tables,
                       const std::vector<std::filesystem::path>& read,
                       const std::filesystem::path& archive = {});

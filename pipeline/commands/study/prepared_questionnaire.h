@@ -14,18 +14,18 @@ namespace mien::pipeline {
 /// A questionnaire whose study is complete: all media shown to participants exist.
 struct PreparedQuestionnaire {
   Manifest manifest;
-  std::filesystem::path folder;  ///< of the study
+  std::filesystem::path folder;  ///< folder of the study
   std::vector<SessionPlan> plans;
   MediaFiles media;
 };
 
 /// Reads the manifest, runs the missing tasks of its study like `mien run`, and plans the sessions.
-/// Throws Error if there is no questionnaire or the study fails, and Interrupted.
+/// Throws Error if there is no questionnaire or a task fails, and Interrupted if stopped.
 PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& arguments,
                                              const Console& console);
 
-/// The options that select the study and how it is run: the manifest, --out, --quality and --jobs.
-/// The short option -o is left to the command.
+/// The options that select the study and control its run: the manifest, --out, --quality and
+/// --jobs. The short option -o is reserved for the command itself.
 std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments);
 
 }  // namespace mien::pipeline

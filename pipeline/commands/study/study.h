@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-/// Interpolation methods with parameters, that is, all except direct blend weights.
+/// The interpolation methods that have parameters: all except direct blend weights.
 std::vector<motion::InterpolationMethod> methods_with_parameters();
 
 /// The option --methods; `otherwise` describes the default.
@@ -38,8 +38,8 @@ struct StudySubject {
   std::string scales;    ///< YAML; empty: the manifest's, or the built-in pairs
 };
 
-/// The manifest overridden by the options, or one built from the options alone. A manifest that
-/// does not exist is searched for among the installed ones. Throws Error.
+/// The named manifest with the options applied, or a manifest built from the options alone. If the
+/// named file does not exist, an installed manifest of that name is used. Throws Error.
 Manifest manifest_of(const StudySubject& subject, const Console& console);
 
 /// The options --examples (required), --ratings and --scales.

@@ -7,14 +7,14 @@
 
 namespace mien::pipeline {
 
-/// Why a job is stopped ("held by hand"), and what to do about it.
+/// The cause of a stopped job ("held by hand") and its remedy.
 struct Diagnosis {
   std::string cause;
   std::string remedy;
 };
 
 /// Meaning of an exit code: one of worker_codes.h, or one of `mien run` for the job that completes
-/// a submission (`is_rest`). `study`: its arguments in commands, "my.yaml --out o".
+/// a submission (`is_rest`). `study`: the study's arguments in commands, "my.yaml --out o".
 Diagnosis diagnose_exit(const ElementExit& end, bool is_rest, const std::string& study);
 
 /// Cause for a job that Slurm ended before it could record an exit code. `study`: as above.

@@ -14,8 +14,9 @@ struct ElementLog {
   std::filesystem::path file;
 };
 
-/// The newest log of each element that contains the item, from the newest submission with any. If
-/// the item is a task ("film:walk"), logs of its chunks are included. `folder`: the study's.
+/// The newest log of each element that contains the item, from the newest submission that has such
+/// logs. If the item is a task ("film:walk"), logs of its chunks are included. `folder`: the
+/// study's.
 std::vector<ElementLog> find_logs(const std::string& item, const std::filesystem::path& folder);
 
 /// The newest log of each of these elements, if it has written one, with the heading
@@ -23,7 +24,7 @@ std::vector<ElementLog> find_logs(const std::string& item, const std::filesystem
 std::vector<ElementLog> find_logs(const std::vector<JobProblem>& problems,
                                   const std::filesystem::path& folder);
 
-/// The last `lines` lines of a file, from its last 64 KiB only; empty if it cannot be opened.
+/// The last `lines` lines of a file, within its last 64 KiB; empty if it cannot be opened.
 std::string last_lines(const std::filesystem::path& file, int lines);
 
 }  // namespace mien::pipeline

@@ -12,8 +12,8 @@ namespace mien::pipeline {
 /// A job, or an element of an array, that needs the user's attention.
 struct JobProblem {
   enum class Kind {
-    held,          ///< held by Slurm; it will not run by itself
-    outdated,      ///< live, but of an earlier state of the study, so that it will produce nothing
+    held,      ///< held by Slurm; it will not run by itself
+    outdated,  ///< live, but submitted for an earlier state of the study, so it produces nothing
     unresponsive,  ///< running according to Slurm, but its node or worker does not respond
     ended,         ///< ended without completing its items
     cancelled      ///< cancelled before completing its items
@@ -21,7 +21,7 @@ struct JobProblem {
   Kind kind = Kind::ended;
   std::string submission;  ///< "0001"
   std::string element;     ///< "2-frames.3"; "6-rest.1" for the job that completes a submission
-  std::string job;         ///< Slurm's name of it: "17_3"
+  std::string job;         ///< the job's name in Slurm: "17_3"
   std::string reason;      ///< Slurm's reason: "JobHeldUser"; empty if no longer known
   std::string cause;       ///< "wrong set-up (exit code 78)"
   std::string remedy;      ///< the command that continues, and what to do first
@@ -30,9 +30,9 @@ struct JobProblem {
 /// The present state of a study, against which its jobs are compared.
 struct StudyState {
   std::filesystem::path folder;
-  std::string graph_key;       ///< of submission.h
-  std::set<std::string> done;  ///< tasks whose products exist
-  bool is_complete = false;    ///< all products exist, including the study's record
+  std::string graph_key;       ///< graph_key of the study (submission.h)
+  std::set<std::string> done;  ///< tasks whose artifacts exist
+  bool is_complete = false;    ///< all artifacts exist, including the study's record
   std::string words;           ///< the study's arguments in suggested commands: "my.yaml --out o"
 };
 

@@ -18,8 +18,8 @@ struct JobStatus {
     live,   ///< at least one element is pending or running
     ended,  ///< all elements have ended, successfully or not
     lost,   ///< unknown to Slurm although no element has written a log; its number may be reused
-    unconfirmed  ///< the client stopped before Slurm's answer was recorded, and Slurm has no such
-                 ///< job
+    unconfirmed  ///< the client stopped before Slurm's answer was recorded, and the job is
+                 ///< unknown to Slurm
   };
   Kind kind = Kind::ended;
   JournalJob journal;          ///< with Slurm's job number, even if the journal lacks it
@@ -54,7 +54,7 @@ std::string name_of(const QueueRow& row);
 /// How the last attempt at an element failed.
 struct ElementExit {
   int code = 0;                ///< exit code of the worker, or 128 + signal number
-  int restarts = 0;            ///< how often Slurm had requeued it before
+  int restarts = 0;            ///< number of times Slurm had requeued it before
   bool out_of_memory = false;  ///< the job's control group counted an out-of-memory kill
 };
 
@@ -73,7 +73,7 @@ std::vector<std::string> removable_submissions(const std::vector<JobStatus>& sta
                                                const std::filesystem::path& folder);
 
 /// Removes the batch files, lists, notes and logs of submissions; their journal entries remain.
-/// Returns how many folders were removed. `folder`: the study's.
+/// Returns the number of removed folders. `folder`: the study's.
 int remove_submissions(const std::vector<std::string>& numbers,
                        const std::filesystem::path& folder);
 

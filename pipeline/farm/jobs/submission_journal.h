@@ -14,9 +14,9 @@ struct JournalJob {
   std::string name;        ///< "2-frames"
   std::string comment;     ///< identifies the job among all of Slurm's jobs
   int elements = 0;        ///< size of its array; 0: not an array
-  std::string memory;      ///< amount requested
+  std::string memory;      ///< requested memory: "4G"
   std::string job;         ///< Slurm's number; empty if it is unknown whether it was accepted
-  std::string when;        ///< time of the intent, in UTC: "2026-11-23T09:30:00Z"
+  std::string when;        ///< time at which the intent was recorded, UTC: "2026-11-23T09:30:00Z"
   bool was_refused = false;
   bool was_cancelled = false;
 };
@@ -37,9 +37,9 @@ struct JournalContent {
 };
 
 /// The file farm/journal.jsonl of a study, a write-ahead log of submissions: the intended jobs are
-/// flushed to disk before Slurm is called, and the job numbers it returns are added afterwards. So
-/// a client that is killed in between, and a controller that forgets a job or reuses its number,
-/// are both detected.
+/// flushed to disk before Slurm is called, and the job numbers it returns are added afterwards.
+/// This makes it possible to detect a client that was killed in between, and a controller that lost
+/// a job or reused its number.
 ///
 /// The file is only appended to; truncated or damaged lines are ignored.
 class SubmissionJournal {
@@ -50,8 +50,8 @@ class SubmissionJournal {
   const std::filesystem::path& file() const { return file_; }
   JournalContent read() const;
 
-  /// Each throws WriteFailure if the line cannot be written. A submission is recorded together with
-  /// its intended jobs in a single write.
+  /// These functions append entries. Each throws WriteFailure if the entry cannot be written. A
+  /// submission is recorded together with its intended jobs in a single write.
   void note_submission(const JournalSubmission& submission,
                        const std::vector<JournalJob>& intents = {}) const;
   void note_job(const std::string& comment, const std::string& job) const;

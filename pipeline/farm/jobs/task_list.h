@@ -8,11 +8,11 @@
 
 namespace mien::pipeline {
 
-/// The items of each line of a task list, one line per element; an empty line has none. Returns no
-/// lines if the file has been removed.
+/// The items on each line of a task list, which has one line per element. Returns no lines if the
+/// file has been removed.
 std::vector<std::vector<std::string>> lines_of_list(const std::filesystem::path& list);
 
-/// Path of a job's task list. `folder`: the study's.
+/// Path of a job's task list. `folder`: the study's folder.
 std::filesystem::path list_of(const JournalJob& job, const std::filesystem::path& folder);
 
 }  // namespace mien::pipeline

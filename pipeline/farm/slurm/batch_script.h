@@ -8,11 +8,11 @@
 
 namespace mien::pipeline {
 
-/// Resources requested from Slurm for each job; empty or 0 for the site's default.
+/// Resources requested from Slurm for each job. An empty text or 0 stands for the site's default.
 struct JobRequest {
   std::string partition;
-  std::string time;
-  std::string memory;
+  std::string time;    ///< time limit: "1:30:00"
+  std::string memory;  ///< "4G"
   std::string account;
   int array_limit = 0;  ///< maximum number of elements of an array running at once
   int processors = 1;   ///< per element
@@ -25,8 +25,8 @@ struct StudyCall {
   std::filesystem::path out;      ///< folder of all studies
   std::filesystem::path started;  ///< working directory of the submission
   std::string study;
-  std::string quality;  ///< empty: as the manifest says
-  std::string key;      ///< key_of the study's graph; a worker refuses any other
+  std::string quality;  ///< empty: that of the manifest
+  std::string key;      ///< key_of the study's graph; a worker refuses any other key
 };
 
 /// One job array, or the final job that completes the study.
@@ -44,14 +44,15 @@ struct BatchJob {
 ///
 /// The job forwards SIGTERM. It is requeued after worker_transient, at most most_restarts times,
 /// and held after a wrong set-up. It waits while the study's folder is full, read-only or
-/// unavailable (job_attempts.h), is requeued if the wait was in vain, and finally held.
+/// unavailable (job_attempts.h), is requeued if the folder does not become usable, and is finally
+/// held.
 std::string batch_script(const BatchJob& job, const std::filesystem::path& folder,
                          const StudyCall& call, const JobRequest& request, const SlurmSite& site);
 
-/// Throws Error if a path cannot be written into a batch file: it has a line break or a backslash.
+/// Throws Error if a path contains a line break or a backslash, which a batch file cannot express.
 void refuse_unwritable(const std::filesystem::path& path);
 
-/// A text escaped as the value of an option in a line "#SBATCH --output=…".
+/// The text, escaped for use as an option's value in a line "#SBATCH --output=…".
 std::string batch_value(std::string_view text);
 
 }  // namespace mien::pipeline

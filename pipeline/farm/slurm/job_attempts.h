@@ -4,8 +4,8 @@
 
 namespace mien::pipeline {
 
-/// Total time in seconds that an attempt of a job waits for a study's folder that is full,
-/// read-only or unavailable.
+/// Maximum total time in seconds for which an attempt of a job waits for a study's folder that is
+/// full, read-only or unavailable.
 inline constexpr int folder_wait_limit_seconds = 3600;
 
 /// The part of a batch file that runs the command `call` and stores its exit code in $code:

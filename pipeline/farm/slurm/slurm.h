@@ -11,20 +11,20 @@
 
 namespace mien::pipeline {
 
-/// Slurm is not installed, its controller does not answer, or it refused a request. `what()` has
-/// Slurm's message and what to do.
+/// Thrown if Slurm is not installed, its controller does not answer, or it refused a request.
+/// `what()` contains Slurm's message and a remedy.
 class SlurmFault : public std::runtime_error {
  public:
   using runtime_error::runtime_error;
 };
 
-/// Slurm accepts no jobs at present; sbatch was still retrying at the time limit.
+/// Thrown if Slurm accepts no jobs at present: sbatch was still retrying at the time limit.
 class SlurmQueueFull : public SlurmFault {
  public:
   using SlurmFault::SlurmFault;
 };
 
-/// No answer came, so that it is unknown whether a request was carried out.
+/// Thrown if Slurm did not answer, so that it is unknown whether a request was carried out.
 class SlurmTimeout : public SlurmFault {
  public:
   using SlurmFault::SlurmFault;
@@ -38,7 +38,7 @@ class Slurm {
   /// The site's limits and settings.
   SlurmSite site() const;
 
-  /// Processors of each node in each partition; empty if sinfo fails.
+  /// Number of processors of each node in each partition; empty if sinfo fails.
   std::vector<NodeShape> nodes() const;
 
   /// State of each node; empty if sinfo fails.
@@ -51,8 +51,8 @@ class Slurm {
   std::optional<std::vector<QueueRow>> queue_if_any(std::string& why) const;
 
   /// Submits a batch file to run after all of these jobs have ended, successfully or not, and
-  /// returns its job number. `more`: further options of sbatch. Throws SlurmQueueFull if Slurm kept
-  /// refusing it, and SlurmTimeout if it is unknown whether it was submitted.
+  /// returns its job number. `more`: additional options of sbatch. Throws SlurmQueueFull if Slurm
+  /// kept refusing it, and SlurmTimeout if it is unknown whether it was submitted.
   std::string submit(const std::filesystem::path& script, const std::vector<std::string>& after,
                      const std::vector<std::string>& more = {}) const;
 
@@ -64,7 +64,7 @@ class Slurm {
   std::chrono::milliseconds limit_;
 };
 
-/// Why a command of Slurm failed and what to do about it, followed by Slurm's own message.
+/// The cause of a failed Slurm command and its remedy, followed by Slurm's own message.
 std::string slurm_fault(const std::string& program, const CommandResult& end);
 
 }  // namespace mien::pipeline

@@ -11,12 +11,12 @@ namespace mien::pipeline {
 /// One job, or one element of a job array, as listed by squeue.
 struct QueueRow {
   std::string job;           ///< "17": the number that scancel accepts
-  std::string array;         ///< "12": the array's job, or the job itself
-  std::optional<int> index;  ///< in its array
+  std::string array;         ///< "12": number of the array's job, or of the job itself
+  std::optional<int> index;  ///< index within the array; empty if there is none
   std::string state;         ///< "RUNNING"
-  std::string reason;        ///< "Priority"; why it is pending or how it failed
-  std::string node;          ///< empty while it is pending
-  std::string elapsed;       ///< "1:05"
+  std::string reason;        ///< why the job is pending or how it failed: "Priority"
+  std::string node;          ///< empty while the job is pending
+  std::string elapsed;       ///< run time: "1:05"
   std::string comment;       ///< given on submission
 
   friend bool operator==(const QueueRow&, const QueueRow&) = default;
@@ -35,17 +35,17 @@ bool is_live(const QueueRow& row);
 /// Whether a pending job will never run without intervention.
 bool is_stuck(const QueueRow& row);
 
-/// Whether a pending or running job will proceed without intervention; false for one that is
-/// completing, since it produces nothing more.
+/// Whether a pending or running job will proceed without intervention. False for a completing job,
+/// since it produces nothing more.
 bool will_proceed(const QueueRow& row);
 
 /// Whether a pending job requests more than its partition has.
 bool exceeds_partition(const QueueRow& row);
 
-/// Run time so far, seconds; 0 if squeue gives none.
+/// Run time so far, seconds; 0 if squeue reports none.
 double seconds_run(const QueueRow& row);
 
-/// State of each node by its name: "idle", "allocated*" (it does not respond), "drained".
+/// State of each node by its name: "idle", "allocated*" (not responding), "drained".
 using NodeStates = std::map<std::string, std::string>;
 
 /// The format of `sinfo -N` (-o) that `node_states` reads.
@@ -68,11 +68,11 @@ inline constexpr const char* node_format = "%P|%c";
 std::vector<NodeShape> node_shapes(std::string_view text);
 
 /// Largest number of processors of a node in these partitions ("long,main"), or in the default
-/// partition if none is named; nothing if unknown.
+/// partition if none is named; nullopt if unknown.
 std::optional<int> most_processors(const std::vector<NodeShape>& nodes,
                                    const std::string& partitions);
 
-/// The relevant settings of a site's configuration.
+/// The relevant settings of a site's Slurm configuration.
 struct SlurmSite {
   int max_array_size = 1001;        ///< array indices are smaller than this
   bool requeues_transient = false;  ///< exit code 75 requeues a job

@@ -2,13 +2,14 @@
 
 namespace mien::pipeline {
 
-// Exit codes of `mien farm worker` (numbers of sysexits.h), and how a job reacts to them.
-inline constexpr int worker_bad_input = 65;         ///< not repeated
-inline constexpr int worker_disk_unavailable = 74;  ///< full, read-only or unavailable: waited for
-inline constexpr int worker_transient = 75;    ///< stopped, or a fault of the machine: repeated
-inline constexpr int worker_wrong_setup = 78;  ///< held until a user releases it
-inline constexpr int worker_gave_up = 70;      ///< of a job: too many transient failures
-inline constexpr int worker_killed = 137;      ///< SIGKILL: out of memory, or sent by a user
+// Exit codes of `mien farm worker` (most numbers as in sysexits.h), and the reaction of its job.
+inline constexpr int worker_bad_input = 65;  ///< the job is not repeated
+inline constexpr int worker_disk_unavailable =
+    74;                                        ///< full, read-only or unavailable: the job waits
+inline constexpr int worker_transient = 75;    ///< stopped, or a fault of the machine: requeued
+inline constexpr int worker_wrong_setup = 78;  ///< the job is held until a user releases it
+inline constexpr int worker_gave_up = 70;  ///< exit code of a job after too many transient failures
+inline constexpr int worker_killed = 137;  ///< SIGKILL: out of memory, or sent by a user
 
 /// Recorded after the exit code if the job's control group counted an out-of-memory kill.
 inline constexpr const char* out_of_memory_note = "memory";

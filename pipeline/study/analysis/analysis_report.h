@@ -13,15 +13,15 @@ namespace mien::pipeline {
 /// The dendrogram of an analysis, with the cut into clusters.
 Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales);
 
-/// Writes every table, the clusters as a scales file and the dendrogram, replacing what is there:
+/// Writes every table, the clusters as a scales file and the dendrogram, replacing existing files:
 /// quantification.csv, thresholds.csv, impressions.csv, linkage.csv, clusters.csv, primary.csv,
 /// agreement.csv, warnings.csv, clusters.scales.yaml, dendrogram and thresholds as .pdf, .svg and
-/// .png; and published.csv when the scales are the adjective pairs. Throws std::system_error when a
+/// .png; also published.csv if the scales are the adjective pairs. Throws std::system_error if a
 /// file cannot be written.
 void write_analysis(const Analysis& analysis, const ScaleSet& scales, const Thresholds& thresholds,
                     const std::filesystem::path& folder);
 
-// The results of an analysis as tidy CSV: one row an observation.
+// The results of an analysis as tidy CSV: one row per observation.
 
 WrittenTable quantification_table(const Analysis& analysis, const ScaleSet& scales);
 WrittenTable thresholds_table(const Analysis& analysis, const ScaleSet& scales,

@@ -15,19 +15,19 @@
 
 namespace mien::pipeline {
 
-// Calibration of stimuli by ratings: the requested parameters, those of the blend by the ratings of
-// its examples, and those perceived by participants.
+// Calibration of stimuli by ratings: compares the requested parameters with those of the blended
+// motion (from the ratings of its examples) and with those perceived by participants.
 
 /// A parameter of a synthesized stimulus.
 struct StimulusParameter {
   std::string stimulus;
   std::string parameter;
   double requested = 0.0;  ///< 0 low end, 1 high end
-  double reached = 0.0;    ///< of the blend
+  double reached = 0.0;    ///< value of the blend, from its examples' ratings; same range
 };
 
 /// Reads the parameters of a study's stimuli. `study` is its metrics/parameters.csv, or the study's
-/// folder. Warns of columns with former names. Throws Error.
+/// folder. Adds warnings about columns with former names to `warnings`. Throws Error.
 std::vector<StimulusParameter> read_stimulus_parameters(const std::filesystem::path& study,
                                                         std::vector<Fault>& warnings);
 
@@ -35,42 +35,44 @@ std::vector<StimulusParameter> read_stimulus_parameters(const std::filesystem::p
 std::set<std::string> other_stimuli(const std::filesystem::path& study,
                                     const std::vector<StimulusParameter>& made);
 
-/// The stimuli, by the names in answers.
+/// The distinct stimuli, identified as in the answers.
 std::vector<RatedExample> stimuli_of(const std::vector<StimulusParameter>& made);
 
 /// A requested parameter with its perceived value.
 struct PerceivedParameter {
   StimulusParameter made;
   int people = 0;
-  double perceived = 0.0;  ///< mean over people, share of the range
-  double deviation = 0.0;  ///< SD over people (n − 1); NaN for fewer than two
-  /// The value to request in the next round for `requested` to be perceived; within 0…1.
+  double perceived = 0.0;  ///< mean over participants, 0 to 1 of the scale's range
+  double deviation = 0.0;  ///< SD over participants (n − 1); NaN for fewer than two
+  /// The value to request in the next round so that `requested` is perceived, clamped to 0 … 1;
+  /// empty if the correction is unusable.
   std::optional<double> next;
 };
 
-/// perceived = intercept + slope · requested, by least squares over the stimuli of a parameter.
+/// The line perceived = intercept + slope · requested, fitted by least squares over the stimuli of
+/// one parameter.
 struct Correction {
   std::string parameter;
   int stimuli = 0;
   double intercept = 0.0;
   double slope = 0.0;
-  double slope_error = 0.0;  ///< standard error; NaN for two stimuli
+  double slope_error = 0.0;  ///< standard error of the slope; NaN for two stimuli
   double r_squared = 0.0;
 
-  /// The value to request for `wanted` to be perceived.
+  /// The value to request so that `wanted` is perceived.
   double request_for(double wanted) const { return (wanted - intercept) / slope; }
-  /// Whether the perceived value increases with the requested one; otherwise there is no
-  /// correction.
+  /// Whether the perceived value increases with the requested one, so that the line can be
+  /// inverted.
   bool is_usable() const { return stimuli >= 2 && slope > 0.0; }
 };
 
 struct Calibration {
-  std::vector<PerceivedParameter> stimuli;  ///< those that somebody rated
-  std::vector<Correction> corrections;      ///< one a parameter
+  std::vector<PerceivedParameter> stimuli;  ///< those with at least one rating
+  std::vector<Correction> corrections;      ///< one per parameter
   bool simulated = false;
 };
 
-/// Fits the corrections. Throws Error when none of the requested parameters was rated.
+/// Fits the corrections. Throws Error if none of the requested parameters was rated.
 Calibration calibrate(const std::vector<StimulusParameter>& made, const Answers& answers,
                       const ScaleSet& scales);
 

@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-/// English and Japanese; the latter may be empty.
+/// A name in English and Japanese; the latter may be empty.
 struct BilingualName {
   std::string english;
   std::string japanese;
@@ -21,14 +21,14 @@ struct Dendrogram {
   std::string subtitle;
   Linkage linkage;
   Partition partition;                  ///< a cut of the linkage
-  std::vector<BilingualName> leaves;    ///< of the linkage
-  std::vector<BilingualName> clusters;  ///< of the partition
+  std::vector<BilingualName> leaves;    ///< names of the leaves of the linkage
+  std::vector<BilingualName> clusters;  ///< names of the groups of the partition
   bool simulated = false;
 };
 
-/// A horizontal tree: leaves in rows at the left, heights √(2ΔE) to the right, the cut as
-/// a broken line, each cluster in a colour of its own with its name beside a bracket. As wide as an
-/// A4 page's text, as high as it has leaves.
+/// A horizontal tree: one row per leaf at the left, merge heights √(2ΔE) to the right, the cut as a
+/// dashed line, and each cluster in its own colour with its name beside a bracket. Its width is
+/// that of an A4 page's text; its height is proportional to the number of leaves.
 Plot dendrogram_plot(const Dendrogram& dendrogram);
 
 }  // namespace mien::pipeline

@@ -11,22 +11,23 @@
 
 namespace mien::pipeline {
 
-/// Clusters of motion features that vary together over the examples, by the method for adjective
-/// pairs.
+/// Clusters of motion features that vary together over the examples, computed by the same method as
+/// clusters of adjective pairs.
 struct FeatureClusters {
-  std::vector<std::string> features;  ///< ids: those that every example has
-  Eigen::MatrixXd scaled;             ///< features × examples: 0 … 1, or z scores
+  std::vector<std::string> features;  ///< ids of the features that every example has
+  Eigen::MatrixXd scaled;             ///< features × examples: 0 … 1, or z-scores
   Linkage linkage;
   Partition partition;
-  std::vector<std::string> names;  ///< of the clusters, after the most similar published groups
-  int suggested_clusters = 1;      ///< by the largest gap
-  double rand = 0.0;               ///< against the published groups
+  std::vector<std::string> names;  ///< cluster names, from the most similar published groups
+  int suggested_clusters = 1;      ///< number of clusters at the largest gap between merge heights
+  double rand = 0.0;               ///< Rand index against the published groups
   double adjusted_rand = 0.0;
 };
 
-/// Ward's clustering of the features as scaled over the examples, cut into `clusters`. Each
-/// published group names at most one cluster, the most similar pair first (Jaccard); others are
-/// "cluster-2". Throws Error for more clusters than features.
+/// Clusters the features, scaled over the examples, by Ward's method and cuts the tree into
+/// `clusters`. Each published group names at most one cluster, the pairs with the highest Jaccard
+/// index first; the remaining clusters are named like "cluster-2". Throws Error for more clusters
+/// than features.
 FeatureClusters cluster_features(const FeatureParameters& parameters, int clusters,
                                  motion::FeatureScaling scaling = motion::FeatureScaling::min_max);
 

@@ -12,10 +12,10 @@ namespace mien::pipeline {
 /// Cross-validated prediction error of one parameter's ratings.
 struct PredictionCheck {
   std::string parameter;
-  std::string left_out;  ///< "example", or "style": all takes of a style together
+  std::string left_out;  ///< "example", or "style" (all takes of a style together)
   CrossValidation predictions;
-  double rmse = 0.0;       ///< share of the scale
-  double mean_rmse = 0.0;  ///< RMSE of predicting the mean of the others
+  double rmse = 0.0;       ///< fraction of the scale's range
+  double mean_rmse = 0.0;  ///< RMSE of predicting the mean of the examples not left out
   double r_squared = 0.0;  ///< 1 − (rmse / mean_rmse)²; below 0: worse than the mean
 };
 
@@ -23,11 +23,11 @@ struct PredictionCheck {
 struct ParameterRegression {
   std::string parameter;
   RidgeModel model;
-  Eigen::VectorXd observed;             ///< of the examples, share of the scale
-  std::vector<PredictionCheck> checks;  ///< by example and, where styles have several takes, style
-  double error_90 = 0.0;  ///< 90th percentile of the errors of the last, hardest check
-  double mean_leverage = 0.0;
-  double largest_leverage = 0.0;  ///< of the examples
+  Eigen::VectorXd observed;             ///< ratings of the examples, fraction of the scale's range
+  std::vector<PredictionCheck> checks;  ///< by example, and by style if a style has several takes
+  double error_90 = 0.0;          ///< 90th percentile of the absolute errors of the last check
+  double mean_leverage = 0.0;     ///< over the examples
+  double largest_leverage = 0.0;  ///< over the examples
 };
 
 /// Regressions that predict ratings of unrated motions (future work of the adjective paper).
@@ -40,26 +40,30 @@ struct FeatureRegression {
   bool simulated = false;
 };
 
-/// Names of the styles that examples are takes of: "sad" of "sad_001", "sad-2" and "sad 2".
+/// The style of which an example is a take, from its name: "sad" for "sad_001" and "sad-2".
 std::string style_of(const std::string& example);
 
-/// Fits a ridge regression from the features (each standardised) to each parameter of the ratings;
-/// the penalty is the one that predicts left-out styles best. Throws Error when there are no
-/// ratings or fewer than four examples.
+/// Fits a ridge regression from the standardised features to each parameter of the ratings. The
+/// penalty is the one with the least cross-validated error for left-out styles, or for left-out
+/// examples if no style has several takes. Throws Error if there are no ratings or fewer than four
+/// examples.
 FeatureRegression fit_feature_regression(const Repertoire& repertoire);
 
 /// Predicted rating of a motion, with its uncertainty.
 struct Prediction {
   std::string parameter;
-  double value = 0.0;  ///< share of the scale; not clipped
+  double value = 0.0;  ///< fraction of the scale's range; not clipped
   /// 90 % interval: value ± the 90th percentile of the errors on left-out examples (the jackknife
-  /// interval of Barber et al. 2021), widened by √((1 + leverage) / (1 + that of the examples)).
+  /// interval of Barber et al. 2021), scaled by √((1 + leverage) / (1 + mean leverage)), where the
+  /// mean is over the examples.
   double low = 0.0;
   double high = 0.0;
   double leverage = 0.0;
-  bool extrapolated = false;  ///< farther from the examples than any of them is from the others
+  bool extrapolated = false;  ///< the leverage exceeds that of every example
 };
 
+/// Predicts every parameter of a motion. Throws Error if the motion lacks a feature of the
+/// examples, which happens if it has no gait cycle.
 std::vector<Prediction> predict(const FeatureRegression& regression,
                                 const motion::FeatureValues& features);
 

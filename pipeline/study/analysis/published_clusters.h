@@ -8,19 +8,20 @@
 
 namespace mien::pipeline {
 
-/// Agreement of an analysis of the adjective pairs with the clusters published in the adjective
+/// Agreement between an analysis of the adjective pairs and the clusters published in the adjective
 /// paper.
 struct PublishedComparison {
-  std::string table;  ///< "Table 2" or "Table 3"
-  int retained_in_both = 0;
+  std::string table;         ///< "Table 2" or "Table 3"
+  int retained_in_both = 0;  ///< number of pairs
   int retained_only_here = 0;
   int retained_only_published = 0;
   double retention_agreement = 0.0;  ///< share of the rated pairs that both retain or both exclude
-  double rand = 0.0;                 ///< over the pairs retained in both
+  double rand = 0.0;                 ///< Rand index over the pairs retained in both
   double adjusted_rand = 0.0;
 };
 
-/// Compares with Tables 2 and 3; empty unless every scale is an adjective pair of the paper.
+/// Compares an analysis with Tables 2 and 3. Empty unless every scale is an adjective pair of the
+/// paper.
 std::vector<PublishedComparison> compare_with_published(const Analysis& analysis);
 
 /// A row for each table.

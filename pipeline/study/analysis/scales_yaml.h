@@ -8,13 +8,15 @@
 
 namespace mien::pipeline {
 
-/// A scales file (pipeline/manifest/ratings/scales/scales.h) that reads back as the same set.
-/// `head` are lines of comment without their "# "; `remarks` are put behind scales, by id.
+/// The text of a scales file (pipeline/manifest/ratings/scales/scales.h) that reads back as the
+/// same set. `head` has the lines of the leading comment, without "# "; `remarks` are comments
+/// written after scales, by scale id.
 std::string to_yaml(const ScaleSet& set, const std::string& head,
                     const std::map<std::string, std::string>& remarks = {});
 
-/// The scales of a study with the clusters of its analysis as groups, for `scales:` in a manifest.
-/// Scales that were removed stay, because answers name them, with a remark why.
+/// The scales of a study as a scales file for `scales:` in a manifest, with the clusters of its
+/// analysis as groups. Removed scales are kept, because answers name them, with a remark that gives
+/// the reason.
 std::string clusters_yaml(const Analysis& analysis, const ScaleSet& scales);
 
 /// The 41 built-in adjective pairs as a scales file, the clusters of Table 2 as groups.

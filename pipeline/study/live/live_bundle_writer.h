@@ -12,30 +12,30 @@
 
 namespace mien::pipeline {
 
-/// Which of a study's motions a live bundle contains.
+/// The contents of a live bundle of a study, and how its motions are synthesized.
 struct LiveChoice {
   std::vector<std::string> targets;  ///< stimulus ids
-  Interpolation interpolation;       ///< of what sliders make
-  Output output;                     ///< its frame rate, and how often and where a clip shows it
+  Interpolation interpolation;       ///< interpolation of motions set by sliders
+  Output output;  ///< frame rate, and how often and where a clip shows the motion
   std::vector<std::string>
-      primary;  ///< adjectives shown at once; empty: the scales' groups, or all
+      primary;  ///< adjectives shown initially; empty: the scales' groups, or all
 };
 
-/// The choice of the manifest, without targets.
+/// The manifest's settings, without targets.
 LiveChoice live_choice(const Manifest& manifest);
 
-/// Everything that a browser needs to synthesize motions from the study's examples, equal to those
-/// of a stimulus of the manifest with the interpolation and output of `choice`. Throws Error when
-/// there are no examples, they cannot be blended, or a target is missing.
+/// Everything that a browser needs to synthesize motions from the study's examples. The motions
+/// equal those of stimuli of the manifest with the interpolation and output of `choice`. Throws
+/// Error if there are no examples, if they cannot be blended, or if a target is missing.
 motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,
                                const LiveChoice& choice);
 
-/// A skeleton as JSON for pages: names, parents, offsets and tips of its joints.
+/// A skeleton as JSON for pages: names, parents, offsets and tips of its joints (metres).
 nlohmann::ordered_json body_info(const motion::Skeleton& body);
 
-/// What pages read first (LiveInfo of pipeline/study/page/src/live/core.ts): body, examples,
-/// sliders with their texts and the mean value of the examples, targets. `primary`:
-/// adjectives shown at once; empty: the scales' groups, or all where there are none.
+/// The JSON that pages load first (LiveInfo of pipeline/study/page/src/live/core.ts): body,
+/// examples, targets, and sliders with their texts and the mean value of the examples. `primary`
+/// lists the adjectives shown initially; empty: the scales' groups, or all if there are none.
 nlohmann::ordered_json live_info(const motion::LiveBundle& bundle, const ScaleSet& scales,
                                  const std::vector<std::string>& primary);
 

@@ -14,35 +14,37 @@
 
 namespace mien::pipeline {
 
-/// Synthesizes motions for the pages of a server. Thread-safe: as many requests as there are
-/// processors are handled at once, others wait.
+/// Synthesizes motions for the pages of a server. Thread-safe: by default, as many requests as
+/// there are processors are handled at once; others wait.
 ///
-/// Routes below wherever the server puts them; `rest` is what follows there:
+/// Routes, relative to the path at which the server mounts them:
 ///
 ///     GET  info        JSON: the options of the page (live_info)
-///     GET  bundle      the bundle (motion/live/live_bundle.h), for a module in the browser
+///     GET  bundle      the bundle (motion/live/live_bundle.h), for the motion core in the browser
 ///     POST make        {"kind": "adjectives", "sliders": ["quickness"], "values": [0.7]}
-///     POST distance    the same with "target": "t1"
+///     POST distance    as for make, and "target": "t1": D between the two motions
 ///     POST example     {"name": "normal"}
 ///     POST target      {"name": "t1"}
 ///
-/// Answers to POST are bytes (motion/live/live_message.h). What cannot be made is answered with 400
-/// or 404 and JSON that says why. Rate limits are up to the caller.
+/// Responses to POST are bytes (motion/live/live_message.h). Invalid requests get status 400 or 404
+/// and JSON with the reason. The caller is responsible for rate limits.
 class LiveMotions {
  public:
+  /// `at_once`: number of requests handled simultaneously; 0: one per processor.
   explicit LiveMotions(motion::LiveBundle bundle, int at_once = 0);
   LiveMotions(const LiveMotions&) = delete;
   LiveMotions& operator=(const LiveMotions&) = delete;
 
   const motion::LiveBundle& bundle() const { return bundle_; }
 
+  /// Handles a request. `rest`: the path segments after the mount point.
   HttpResponse answer(const HttpRequest& request, std::span<const std::string> rest);
 
-  /// D between a target and the motion of a slider setting. Throws Error.
+  /// D between a target and the motion of a slider setting, metres. Throws Error.
   motion::Distance distance(const std::string& target, const motion::LiveSetting& setting);
 
  private:
-  /// Calls `ask` with a core that no other thread uses meanwhile.
+  /// Calls `ask` with a core reserved for it.
   template <class Result>
   Result with_core(const std::function<Result(motion::LiveCore&)>& ask);
   HttpResponse answer_post(const std::string& what, const std::string& body);

@@ -7,18 +7,18 @@
 
 namespace mien::pipeline {
 
-/// The motion core as WebAssembly, as motion/live/browser/build_module.sh compiles it:
-/// ../share/mien/pages/live_core/live_core.wasm beside an installed program, or
-/// pages/live_core/live_core.wasm beside one that was built. Empty when there is neither.
+/// Path of the motion core as WebAssembly (compiled by motion/live/browser/build_module.sh):
+/// ../share/mien/pages/live_core/live_core.wasm relative to an installed program's folder, or
+/// pages/live_core/live_core.wasm in a build folder. Empty if neither file exists.
 std::filesystem::path live_module_beside(const std::filesystem::path& program);
 
-/// That file for the program that is running. Throws Error, with how to build it, when it is not
-/// there.
+/// Path of the motion core for the running program. Throws Error, with build instructions, if the
+/// file does not exist.
 std::filesystem::path live_module();
 
-/// A script for a page opened from disk, which a browser does not let fetch files: it sets
-/// `globalThis.mien_live_files` to { module, bundle }, each in base64, for openWasm of
-/// pipeline/study/page/src/live/core.ts.
+/// A script that embeds the motion core and bundle, for pages opened from disk, where browsers
+/// block fetching files. It sets `globalThis.mien_live_files` to { module, bundle }, each in
+/// base64, for openWasm of pipeline/study/page/src/live/core.ts.
 std::string live_script(const std::filesystem::path& module, const motion::LiveBundle& bundle);
 
 }  // namespace mien::pipeline

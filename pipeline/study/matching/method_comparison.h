@@ -16,22 +16,22 @@ struct MethodComparisonOptions {
   std::uint64_t seed = 0;
 };
 
-/// Accuracy and smoothness of a method of interpolation on reachable target settings, measured as
-/// by Feng, Huang, Kallmann and Shapiro (2012), and D.
+/// Accuracy and smoothness of an interpolation method at reachable target settings, measured as by
+/// Feng, Huang, Kallmann and Shapiro (2012), and D to the intended motions.
 struct MethodResult {
   motion::InterpolationMethod method = motion::InterpolationMethod::reach;
-  int settings = 0;
-  double mean_error = 0.0;     ///< mean of the largest |reached − target| over parameters
-  double worst_error = 0.0;    ///< the largest over all targets
+  int settings = 0;         ///< number of target settings
+  double mean_error = 0.0;  ///< mean over targets of the largest |reached − target| over parameters
+  double worst_error = 0.0;    ///< largest of these errors
   double jump = 0.0;           ///< largest change of a weight in one step between targets
-  double mean_examples = 0.0;  ///< effective number of examples mixed, 1 / Σ w²
-  double mean_distance = 0.0;  ///< D to the blend that has the target parameters, metres
-  double seconds = 0.0;        ///< mean time to compute the weights of a target, on this machine
+  double mean_examples = 0.0;  ///< mean effective number of blended examples, 1 / Σ w²
+  double mean_distance = 0.0;  ///< mean D to the blend that has the target parameters, metres
+  double seconds = 0.0;        ///< mean computing time of the weights of a target
 };
 
 /// Evaluates each method with sliders for `parameters` (rows of the ratings). Targets are the
-/// parameters of random blends of three examples, so that all are reachable; D is measured to that
-/// blend. Throws Error when a method does not support that number of parameters.
+/// parameters of random blends of three examples, so that all are reachable; D is measured to the
+/// blend. Throws Error if a method does not support that number of parameters.
 std::vector<MethodResult> compare_methods(const Repertoire& repertoire,
                                           const std::vector<std::string>& parameters,
                                           const std::vector<motion::InterpolationMethod>& methods,

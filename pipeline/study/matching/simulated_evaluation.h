@@ -12,11 +12,12 @@
 namespace mien::pipeline {
 
 struct EvaluationOptions {
-  /// Methods of interpolation to evaluate; each synthesizes the targets itself, at the same
+  /// Interpolation methods to evaluate. Each method synthesizes the targets from the same
   /// parameters. Empty: the method of `interpolation`.
   std::vector<motion::InterpolationMethod> methods;
-  std::vector<double> steps = {0.1, 0.25};  ///< slider grids whose nearest settings are tried
-  int users = 10;                           ///< simulated, per target and interface
+  std::vector<double> steps = {0.1,
+                               0.25};  ///< steps of slider grids; the nearest grid setting is tried
+  int users = 10;                      ///< number of simulated users per target and interface
   std::uint64_t seed = 0;
   double threshold = motion::distance_threshold_m;  ///< D below which motions match, metres
 };
@@ -26,50 +27,50 @@ struct InterfaceResult {
   motion::InterpolationMethod method = motion::InterpolationMethod::cardinal;
   std::string target;
   InterfaceKind kind = InterfaceKind::adjectives;
-  double step = 0.0;            ///< of the grid; 0: a simulated user
-  int user = 0;                 ///< from 1; 0: the nearest setting of the grid
-  double first_distance = 0.0;  ///< D, metres: the nearest setting, or the user's first guess
-  double distance = 0.0;        ///< D in the end, metres
+  double step = 0.0;  ///< step of the grid; 0: a simulated user
+  int user = 0;       ///< number of the simulated user, from 1; 0: the nearest grid setting
+  double first_distance = 0.0;  ///< D of the nearest setting or of the first guess, metres
+  double distance = 0.0;        ///< final D, metres
   int views = 1;                ///< motions synthesized and viewed
-  bool first_matches = false;
-  bool matches = false;  ///< in the end
+  bool first_matches = false;   ///< first_distance is below the threshold
+  bool matches = false;         ///< the final D is below the threshold
 };
 
-/// Sliders for all primary adjectives, all primary features, and all examples. Adjectives are left
-/// out when the examples have no ratings.
+/// Interfaces with sliders for all primary adjectives, all primary features, and all examples.
+/// Adjectives are omitted if the examples have no ratings.
 std::vector<SliderInterface> interfaces_of(const Repertoire& repertoire);
 
-/// Evaluates each interface on each target by simulation. Targets are points in the primary
-/// adjectives, or in the primary features without ratings.
+/// Evaluates each interface on each target by simulation. Targets are points in the space of the
+/// primary adjectives, or of the primary features if the examples have no ratings.
 std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
                                                  const std::vector<SampledTarget>& targets,
                                                  const Interpolation& interpolation,
                                                  const EvaluationOptions& options);
 
-/// Summary statistics of an interface.
+/// Summary statistics of an interface. Distances are D in metres.
 struct InterfaceSummary {
   motion::InterpolationMethod method = motion::InterpolationMethod::cardinal;
   InterfaceKind kind = InterfaceKind::adjectives;
-  double step = 0.0;  ///< of the grid; 0: simulated users
-  int count = 0;
-  double mean_first = 0.0;     ///< D, metres
-  double sd_first = 0.0;       ///< n − 1
+  double step = 0.0;           ///< step of the grid; 0: simulated users
+  int count = 0;               ///< number of results
+  double mean_first = 0.0;     ///< first distance
+  double sd_first = 0.0;       ///< with divisor n − 1
   double first_success = 0.0;  ///< share of first guesses below the threshold
-  double mean_last = 0.0;
-  double sd_last = 0.0;
-  double failure = 0.0;  ///< share that never came below the threshold
+  double mean_last = 0.0;      ///< final distance
+  double sd_last = 0.0;        ///< with divisor n − 1
+  double failure = 0.0;        ///< share of results that did not match
   double mean_views = 0.0;
 };
 
-/// An entry for each method, interface and way, in the order of the results.
+/// A summary for each method, interface and step, in the order of the results.
 std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& results);
 
 WrittenTable results_table(const std::vector<InterfaceResult>& results);
 WrittenTable summary_table(const std::vector<InterfaceSummary>& summaries);
 
-/// Bar charts of the summaries, marked as simulated: D of the nearest slider settings and
-/// of first guesses with ±1 SD and the threshold, success of first guesses, failures (after figures
-/// 7, 8 and 11 of the adjective paper).
+/// Bar charts of the summaries, marked as simulated: D of the nearest slider settings and of first
+/// guesses with ±1 SD and the threshold, success of first guesses, and failures (like figures 7, 8
+/// and 11 of the adjective paper).
 Plot simulated_chart(const std::vector<InterfaceSummary>& summaries, double threshold_m);
 
 }  // namespace mien::pipeline

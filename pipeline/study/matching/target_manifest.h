@@ -10,20 +10,20 @@
 
 namespace mien::pipeline {
 
-/// Targets, the parameters that they are places of, and whether those are motion features.
+/// Sampled targets and the parameters that they are defined by.
 struct TargetSet {
   std::vector<std::string> parameters;
-  bool are_features = false;
+  bool are_features = false;  ///< the parameters are motion features, not rated scales
   std::vector<SampledTarget> targets;
-  std::uint64_t seed = 0;  ///< that they were sampled with
+  std::uint64_t seed = 0;  ///< seed of the sampling
 };
 
-/// A manifest that makes the targets' motions from the examples of `source`, and a matching
-/// experiment of them.
+/// A manifest with a matching experiment whose targets are synthesised from the examples of
+/// `source`.
 Manifest target_manifest(const Manifest& source, const TargetSet& set);
 
-/// The same as text: complete, so that it runs, and fit to be pasted from. Paths are relative to
-/// `folder`, where it is to be written.
+/// The manifest as YAML text, complete and ready to run. Paths are relative to `folder`, to which
+/// it will be written.
 std::string target_manifest_yaml(const Manifest& targets, const TargetSet& set,
                                  const std::filesystem::path& folder);
 

@@ -17,50 +17,50 @@ struct SampledTarget {
   bool practice = false;
   Eigen::RowVectorXd place;    ///< target parameters, each in [0, 1]
   Eigen::RowVectorXd reached;  ///< parameters of the blend that approximates them (reach.h)
-  Eigen::RowVectorXd
-      spread_coordinates;  ///< coordinates of that blend in which targets are spread (TargetSpread)
-  int nearest_example = 0;  ///< column of the table
-  double distance = 0.0;    ///< to it
+  Eigen::RowVectorXd spread_coordinates;  ///< coordinates of that blend, in which targets are
+                                          ///< spread (TargetSpread)
+  int nearest_example = 0;                ///< column of the table
+  double distance = 0.0;                  ///< Euclidean distance of `place` from that example
 };
 
 /// Handling of sampled parameters that no blend of the examples reaches.
 enum class UnreachablePolicy {
-  reject,   ///< another is sampled
+  reject,   ///< discarded; another point is sampled
   project,  ///< replaced by the nearest reachable parameters
 };
 
 /// Coordinates in which targets are spread as far as possible.
 enum class TargetSpread {
-  parameters,  ///< those that they are places of
-  everything,  ///< all rows of the table: all that raters were asked about, or all features
+  parameters,  ///< the parameters that define the targets
+  everything,  ///< all rows of the table: all rated scales and groups, or all features
 };
 
 struct TargetOptions {
-  int targets = 5;
-  int practice = 3;
-  double max_distance = 0.35;  ///< beyond it there is nothing to blend
+  int targets = 5;             ///< number of targets
+  int practice = 3;            ///< number of practice targets
+  double max_distance = 0.35;  ///< largest Euclidean distance from the nearest example
   UnreachablePolicy unreachable = UnreachablePolicy::reject;
   TargetSpread spread = TargetSpread::parameters;
   std::uint64_t seed = 0;
 };
 
-/// Targets for a matching experiment, after the second study of the adjective paper: places drawn
-/// evenly from [0, 1]^M (to a thousandth), those farther than `max_distance` (Euclidean)
-/// from every example rejected, those that no blend has rejected or moved, and of the 400 that
-/// remain the chosen number spread by farthest points (Gonzalez 1985), the first being the one
-/// farthest from their mean. Practice targets are further draws that were not chosen, in the order
-/// of drawing.
+/// Samples targets for a matching experiment, as in the second study of the adjective paper. Points
+/// are drawn uniformly from [0, 1]^M and rounded to 0.001. Points farther than `max_distance` from
+/// every example are rejected; points that no blend reaches are rejected or projected. From 400
+/// such points, targets are chosen by farthest-point sampling (Gonzalez 1985), starting with the
+/// point farthest from the mean. Practice targets are the first points, in order of drawing, that
+/// were not chosen.
 ///
-/// `parameters` are rows of the table. Throws Error when the examples leave too little room.
+/// `parameters` are rows of the table. Throws Error if too few points are accepted.
 std::vector<SampledTarget> sample_targets(const ParameterTable& table,
                                           const std::vector<std::string>& parameters,
                                           const TargetOptions& options);
 
-/// The parameters that participants of a matching experiment would move: groups of rated scales
-/// or, where there are none, all rated scales.
+/// The parameters that have sliders in a matching experiment: the groups of rated scales, or all
+/// rated scales if there are no groups.
 std::vector<std::string> primary_adjectives(const Repertoire& repertoire);
 
-/// The four groups of features.
+/// Names of the four groups of features.
 std::vector<std::string> primary_features();
 
 }  // namespace mien::pipeline

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// The least and greatest of a set of counts.
+/// The smallest and largest of a set of counts.
 struct CountRange {
   int least = 0;
   int most = 0;
@@ -18,25 +18,27 @@ struct CountRange {
   bool is_even() const { return least == most; }
 };
 
-/// Counts that show how balanced the session plans are, over the analysed trials. A subject is a
-/// stimulus, or a pair as "a/b" in alphabetical order.
+/// Counts over the analysed trials that show how balanced the session plans are. A subject is a
+/// stimulus, or a pair written as "a/b" in alphabetical order.
 struct Balance {
   using PairCounts = std::map<std::pair<std::string, std::string>, int>;
 
   std::vector<std::string> subjects;  ///< in alphabetical order
   std::map<std::string, int> seen;    ///< number of participants who see each subject
-  PairCounts position_counts;         ///< subject and place among the analysed trials, from "1"
-  PairCounts succession_counts;       ///< subject and its immediate successor
-  PairCounts concurrence_counts;  ///< two subjects seen by one participant, in alphabetical order
+  PairCounts position_counts;    ///< by subject and position among the analysed trials, from "1"
+  PairCounts succession_counts;  ///< by subject and its immediate successor
+  PairCounts
+      concurrence_counts;  ///< by two subjects seen by the same participant, in alphabetical order
   std::map<std::string, int>
-      flipped;  ///< item → number of participants with the high end at the left
-  std::map<std::string, int> left;  ///< of pairs: how often the alphabetically first is at the left
-  int max_positions = 0;            ///< analysed trials of the longest session
+      flipped;  ///< by item: number of participants with the high end at the left
+  std::map<std::string, int>
+      left;  ///< by pair: number of trials with the alphabetically first stimulus at the left
+  int max_positions = 0;  ///< number of analysed trials of the longest session
 };
 
 Balance balance_of(const Manifest& manifest, const std::vector<SessionPlan>& plans);
 
-/// Ranges over all possible combinations, including those that never occur.
+// Ranges of these counts over all possible combinations, including those that never occur.
 CountRange participant_range(const Balance& balance);
 CountRange position_range(const Balance& balance);
 CountRange succession_range(const Balance& balance);
@@ -44,7 +46,8 @@ CountRange concurrence_range(const Balance& balance);
 CountRange flipped_range(const Balance& balance);
 CountRange left_range(const Balance& balance);
 
-/// Sentences on what is balanced, and on what cannot be with that number of participants.
+/// Sentences that state what is balanced, and what cannot be balanced with that number of
+/// participants.
 std::vector<std::string> balance_sentences(const Manifest& manifest, const Balance& balance,
                                            int participants);
 

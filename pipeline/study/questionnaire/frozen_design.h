@@ -17,31 +17,31 @@ struct ShownMedia {
   std::string path;  ///< in the study's folder: "videos/walk.mp4", "clips/walk.glb"
 };
 
-/// The media of all stimuli that a questionnaire shows (shown_stimuli): videos, and 3-D motions
-/// where participants may turn the view.
+/// The media of all stimuli that a questionnaire shows (shown_stimuli): videos, or 3-D motions if
+/// participants may rotate the view.
 std::vector<ShownMedia> shown_media(const Manifest& manifest);
 
 /// A snapshot of a questionnaire's design for preregistration:
 ///
-///     README.txt           what this is
+///     README.txt           description of the bundle
 ///     design.json          study, hash of the design, participants, expected duration, analysis
 ///     plans.csv            every trial of every participant
-///     balance.csv          counts of its balance
+///     balance.csv          counts that show the balance of the plans
 ///     scales.csv           scales, with both ends
-///     analysis-plan.txt    in the words of the manifest
-///     stimuli.csv          stimulus,media,sha256 of all media
-///     inputs/…             the manifest and the texts, scales, recipes and sets it names
-///     inputs.csv           hashes of these and of the motions that they name
-///     dummy-report/…       the report of simulated answers
-///     manifest-sha256.txt  of all of these
+///     analysis-plan.txt    the preregistered analysis plan, as stated in the manifest
+///     stimuli.csv          stimulus, file and SHA-256 of all media
+///     inputs/…             the manifest and the texts, scales, recipes and sets that it names
+///     inputs.csv           hashes of these files and of the motions that they name
+///     dummy-report/…       a report on simulated answers
+///     manifest-sha256.txt  hashes of all these files
 ///
-/// No dates: the same study gives the same bytes. `study_folder` is the output folder of the study.
-/// Throws Error when the media of a stimulus is missing.
+/// It contains no dates, so that the same study results in the same bytes. `study_folder` is the
+/// output folder of the study. Throws Error if the media of a stimulus are missing.
 ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                        const std::filesystem::path& study_folder);
 
 /// Adds all files below a folder to `frozen`, as `prefix`/…, and updates the list of hashes. Throws
-/// Error for entries that are neither file nor folder.
+/// Error for entries that are neither files nor folders.
 void add_folder(ZipFiles& frozen, const std::filesystem::path& folder, const std::string& prefix);
 
 /// Simulated answers without differences between stimuli, of participants who pass every attention
@@ -54,11 +54,11 @@ std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans);
 
-/// Compares a study with a frozen bundle: a sentence for each difference, which begins with its
-/// subject (design, texts, scales, analysis, stimuli, inputs). Empty without differences. Without a
-/// folder `study_folder`, media are not compared, and a sentence says so.
+/// Compares a study with a frozen bundle. Returns one sentence per difference, which begins with
+/// its subject (design, texts, scales, analysis, stimuli, inputs); empty if there are none. If
+/// `study_folder` does not exist, media are not compared and a sentence states that.
 ///
-/// Throws Error for a folder or archive that is not such a bundle, or whose hashes do not match.
+/// Throws Error if `bundle` is not a frozen bundle or its hashes do not match.
 std::vector<std::string> frozen_differences(const std::filesystem::path& bundle,
                                             const Manifest& manifest,
                                             const std::filesystem::path& study_folder = {});

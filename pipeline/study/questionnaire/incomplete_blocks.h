@@ -9,13 +9,13 @@ namespace mien::pipeline {
 /// An incomplete block design: assigns `treatments` to blocks of `size` each (a participant's
 /// share), block by block, so that after every block
 ///
-/// - the numbers of blocks of any two treatments differ by at most one, and
-/// - the numbers of blocks that contain any two treatments together are as equal as a search by
-/// exchanges finds.
+/// - the numbers of occurrences of the treatments differ by at most one, and
+/// - the numbers of blocks shared by two treatments are as equal over all pairs of treatments as a
+///   search by exchanges achieves.
 ///
-/// Where treatments are of several kinds, each block has as equal numbers of every kind as that
-/// allows. `kinds` are the kinds of each treatment, numbered from 0 (an actor, an emotion); empty
-/// for none.
+/// If treatments are of several kinds, the kinds are balanced within each block as far as these
+/// conditions allow. `kinds` has the kinds of each treatment (its actor, its emotion), numbered
+/// from 0; empty: no kinds.
 ///
 /// Block i depends on seed and i alone: further blocks do not change earlier ones. Treatments
 /// within a block are in increasing order.

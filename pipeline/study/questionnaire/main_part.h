@@ -10,13 +10,14 @@ namespace mien::pipeline {
 
 /// A trial of the main part of a session.
 struct MainTrial {
-  std::size_t subject = 0;
+  std::size_t subject = 0;  ///< index into TrialSubjects
   bool warm_up = false;
   bool repeated = false;  ///< a repetition of an earlier trial
 };
 
 /// The main part for participant `index`: warm-up trials, then the subjects of `share` in order,
-/// with repetitions inserted. Throws Error when no order satisfies `questionnaire.apart`.
+/// with repetitions inserted. Throws Error if no order satisfies `questionnaire.no_repeats` or
+/// `questionnaire.catch.repeat`.
 std::vector<MainTrial> main_part(const Manifest& manifest, const TrialSubjects& subjects,
                                  const std::vector<std::size_t>& share, int index);
 

@@ -10,22 +10,22 @@ namespace mien::pipeline {
 /// A uniformly random permutation of 0 … count − 1, deterministic in seed and name.
 std::vector<std::size_t> random_order(std::size_t count, std::uint64_t seed, std::string_view name);
 
-/// A uniformly random number 0 … count − 1, deterministic in seed, name and index; count must not
-/// be 0.
+/// A uniformly random number from 0 to count − 1, deterministic in seed, name and index. `count`
+/// must not be 0.
 std::size_t random_choice(std::size_t count, std::uint64_t seed, std::string_view name,
                           std::uint64_t index = 0);
 
-/// A seed for a named decision: a hash of the seed and the name.
+/// A derived seed for a named random decision: a hash of the seed and the name.
 std::uint64_t hashed_seed(std::uint64_t seed, std::string_view name);
 
 /// A row of Williams' Latin square of 0 … count − 1 (Williams 1949), balanced for carry-over. In
-/// `count` rows each number occurs once in each place. For an even count, each follows each other
-/// number once in these rows; for an odd count, twice in 2·count rows, the second half being the
-/// first reversed. `row` may be any number; rows repeat cyclically.
+/// `count` rows, each number occurs once in each position. For an even count, every number follows
+/// every other once in these rows; for an odd count, twice in 2·count rows, of which the second
+/// half is the first half reversed. `row` may be any number; rows repeat cyclically.
 std::vector<std::size_t> williams_row(std::size_t count, std::size_t row);
 
-/// The number of rows after which each number has followed each other equally often: count if even,
-/// otherwise 2·count.
+/// The number of rows in which every number follows every other equally often: `count` if even,
+/// otherwise 2·`count`.
 std::size_t williams_rows(std::size_t count);
 
 }  // namespace mien::pipeline

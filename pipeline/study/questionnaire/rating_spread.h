@@ -21,14 +21,14 @@ struct CrossedRating {
   double value = 0.0;
 };
 
-/// Estimates variance components from ratings on one scale, by the analysis of variance of two
-/// crossed random factors without repetition; data may be unbalanced (method 1 of Henderson 1953).
-/// Negative estimates become 0. Throws Error with fewer than two participants or stimuli, or where
+/// Estimates variance components from ratings on one scale, by an analysis of variance with two
+/// crossed random factors without repetition. Data may be unbalanced (method 1 of Henderson 1953).
+/// Negative estimates become 0. Throws Error for fewer than two participants or stimuli, or if
 /// participant and stimulus effects are confounded.
 RatingSpread spread_of(const std::vector<CrossedRating>& ratings);
 
-/// The same over several scales, as the mean of the variances of each. Repeated ratings by a
-/// participant are averaged first.
+/// Estimates variance components over several scales, as the means of the scales' variances.
+/// Repeated ratings by a participant are averaged first.
 RatingSpread spread_of(const Answers& answers);
 
 }  // namespace mien::pipeline

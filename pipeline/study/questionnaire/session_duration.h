@@ -7,13 +7,13 @@
 
 namespace mien::pipeline {
 
-/// Longer expected sessions cause a warning; participants of the emotion thesis found 40 videos too
-/// long.
+/// Maximum expected duration of a session without a warning, seconds. Participants of the emotion
+/// thesis found 40 videos too long.
 inline constexpr double recommended_session_seconds = 20.0 * 60.0;
 
 /// Expected duration of a session, seconds: reading texts, answering questions about the
-/// participant, watching each video once (those side by side at the same time) and answering each
-/// item (Pace).
+/// participant, watching each video once (videos side by side play simultaneously) and answering
+/// each item (Pace).
 double session_seconds(const Manifest& manifest, const SessionPlan& plan,
                        const VideoSeconds& seconds);
 

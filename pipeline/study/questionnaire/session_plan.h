@@ -17,14 +17,14 @@ struct SessionPlan {
   std::string participant;  ///< "p001"
   std::uint64_t seed = 0;   ///< derived from the study's seed and the index
   std::vector<Trial> trials;
-  std::vector<std::string>
-      choices;  ///< ids of the choices in emotion trials, in the order on the page
-  double expected_seconds = 0.0;  ///< including texts and questions about the participant
+  std::vector<std::string> choices;  ///< ids of the choices in emotion trials, in page order
+  double expected_seconds = 0.0;     ///< including texts and demographic questions
 
   friend bool operator==(const SessionPlan&, const SessionPlan&) = default;
 };
 
-/// Duration of videos in seconds, by stimulus. Missing stimuli count as usual_video_seconds.
+/// Durations of videos in seconds, by stimulus. A missing stimulus is assumed to last
+/// usual_video_seconds.
 using VideoSeconds = std::map<std::string, double>;
 inline constexpr double usual_video_seconds = 4.0;
 
@@ -32,18 +32,18 @@ inline constexpr double usual_video_seconds = 4.0;
 /// function of (manifest, index), so further participants do not change earlier plans. The manifest
 /// must have a valid questionnaire.
 ///
-/// Throws Error when no order satisfies `questionnaire.no_repeats`.
+/// Throws Error if no order satisfies `questionnaire.no_repeats`.
 std::vector<SessionPlan> plan_sessions(const Manifest& manifest, const VideoSeconds& seconds = {},
                                        int count = 0);
 
-/// Index of the plan for the next participant, when plan i was assigned to `assigned[i]`
+/// Index of the plan for the next participant, given that plan i was assigned to `assigned[i]`
 /// participants and finished by `finished[i]` of them: among the plans assigned least often, the
-/// first whose stimuli were rated least often in finished sessions. Both have the size of `plans`,
-/// which must not be empty.
+/// first one whose stimuli were rated least often in finished sessions. Both vectors have the size
+/// of `plans`, which must not be empty.
 std::size_t next_plan(const std::vector<SessionPlan>& plans, const std::vector<int>& assigned,
                       const std::vector<int>& finished);
 
-/// "p001" for index 0, "p040" for 39.
+/// Name of the participant of a plan: "p001" for index 0, "p040" for 39.
 std::string participant_name(int index);
 
 }  // namespace mien::pipeline

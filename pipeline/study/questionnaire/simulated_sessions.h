@@ -12,32 +12,32 @@
 
 namespace mien::pipeline {
 
-/// The assumed true ratings: (stimulus, scale) → population mean, in the scale's own range. Missing
-/// entries mean the middle of the scale.
+/// The assumed true ratings: (stimulus, scale) → population mean, in the scale's own range. A
+/// missing entry stands for the middle of the scale.
 using StatedTruth = std::map<std::pair<std::string, std::string>, double>;
 
-/// Reads a CSV with the columns stimulus, scale and value. Throws Faults: stimuli and scales that
-/// the questionnaire does not ask about, values outside the scale.
+/// Reads a CSV with the columns stimulus, scale and value. Throws Faults for stimuli and scales
+/// that are not in the questionnaire, and for values outside the scale.
 StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& file);
 
-/// Ratings by the model of simulated raters (simulated_raters.h) from features of the motions,
-/// which are synthesized. Throws Error, also for scales that the model does not know.
+/// True ratings by the model of simulated raters (simulated_raters.h) from features of the motions,
+/// which are synthesized. Throws Error if that fails or the model lacks a scale.
 StatedTruth measured_truth(const Manifest& manifest);
 
-/// How simulated participants respond.
+/// Parameters of the responses of simulated participants. Standard deviations are in scale points.
 struct SimulatedParticipants {
   RatingSpread spread = {.participant = 0.3,
                          .stimulus = 0.0,
                          .residual = 0.7};  ///< no stimulus effect beyond the truth
-  double attention_pass_rate = 0.98;        ///< probability of passing an attention check
-  double seen = 0.6;  ///< probability of choosing the stimulus's own emotion in an emotion trial
+  double attention_pass_rate = 0.98;        ///< probability of passing an attention check, 0 to 1
+  double seen = 0.6;  ///< probability of choosing the intended emotion in an emotion trial, 0 to 1
   double answer_seconds = 2.5;  ///< median response time of an item, seconds
 };
 
 /// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the
-/// participant on each scale plus a residual, rounded to the points of the questionnaire; in a pair
-/// the stimulus with the higher rating is chosen. Deterministic in the seed of each plan; each row
-/// is marked as simulated.
+/// participant on that scale plus a residual, rounded to the points of the questionnaire. In a
+/// pair, the stimulus with the higher rating is chosen. Deterministic in the seed of each plan.
+/// Each row is marked as simulated.
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,

@@ -13,13 +13,14 @@ struct AnswerFiles {
 
 /// Finds the tables in files and folders named by a user.
 ///
-/// In a folder: its answers.csv and the *answers_data.csv that the page saves and exports name, in
-/// the folder itself, or else in data/, answers/ or answers/data/ below it, whichever has any
-/// first; by name. The table of participants beside each table of answers is found by name: for
-/// `x_description-answers_data.csv` the `x_description-participant_data.csv` (or
-/// participants_data), for others participants.csv. Each table is listed once.
+/// In a folder, the tables of answers are answers.csv and *answers_data.csv (as saved by the page
+/// and by exports), sorted by name. They are searched for in the folder itself and then in data/,
+/// answers/ and answers/data/ below it, until one of these contains any. The table of participants
+/// is expected in the same folder as the answers: `x_description-participant_data.csv` (or
+/// participants_data) for `x_description-answers_data.csv`, otherwise participants.csv. Each table
+/// is listed once.
 ///
-/// Throws Error for a folder without any answers.
+/// Throws Error for a folder without answers.
 AnswerFiles answer_files(const std::vector<std::filesystem::path>& given);
 
 }  // namespace mien::pipeline

@@ -16,17 +16,19 @@
 
 namespace mien::pipeline {
 
-/// A stimulus with its factors, as results refer to it.
+/// A stimulus with its factors, for use in results.
 struct ReportedStimulus {
   std::string id;
-  std::string made;     ///< level of the factor `made`: acted, modified, as-is …; may be empty
-  std::string emotion;  ///< level of the factor emotion; may be empty
-  /// Levels of all other factors of the manifest: "woman, walk". Stimuli are compared within a
-  /// setting.
+  std::string made;     ///< level of the factor `made` (how the motion was produced): acted,
+                        ///< modified, as-is …; may be empty
+  std::string emotion;  ///< level of the factor `emotion`; may be empty
+  /// Levels of all other factors of the manifest: "woman, walk". Most comparisons are between
+  /// stimuli of the same setting.
   std::string setting;
   Factors factors;
 
-  /// Whether it is the unmodified base of others: its emotion is neutral or normal, or it is as-is.
+  /// Whether the stimulus is the baseline of others: its emotion is neutral or normal, or it has no
+  /// emotion and `made` is as-is or neutral.
   bool is_neutral() const;
 };
 
@@ -53,7 +55,7 @@ struct AnalysedPreference {
   std::string item;
 };
 
-/// A free text: a comment, or an answer to the scale `item`.
+/// A free text: a comment, or an answer in words to the scale `item`.
 struct Remark {
   std::string participant;
   std::string stimulus;
@@ -65,60 +67,63 @@ struct Remark {
 struct ReportChoices {
   std::optional<TestCorrection> correction;
   std::optional<int> max_failed_checks;
-  std::map<std::uint64_t, int> planned;  ///< trials of a session, by the seed of its order
-  std::set<std::string> finished;        ///< participants who finished, by their tables
-  bool without_unfinished = false;       ///< exclude participants who did not finish
+  std::map<std::uint64_t, int>
+      planned;  ///< planned number of trials of a session, by the seed of its plan
+  std::set<std::string> finished;   ///< participants who finished, according to their tables
+  bool without_unfinished = false;  ///< exclude participants who did not finish
 };
 
 /// A participant who answered fewer trials than planned.
 struct Unfinished {
   std::string participant;
-  int trials = 0;   ///< answered
-  int planned = 0;  ///< in the session plan
+  int trials = 0;   ///< number of answered trials
+  int planned = 0;  ///< number of trials in the session plan
 };
 
-/// The validated answers of a questionnaire, as all statistics use them.
+/// The validated answers of a questionnaire, the basis of all statistics.
 struct AnswerSet {
   std::string study;
   std::string title;
   std::vector<std::string> people;  ///< included participants
   std::vector<ReportedStimulus> stimuli;
   std::vector<Scale> scales;
-  std::vector<std::pair<std::string, std::string>> choices;  ///< of emotion trials
-  int points = 5;  ///< of a scale; a slider is divided into 11 points
+  std::vector<std::pair<std::string, std::string>>
+      choices;     ///< choices of emotion trials: id, label
+  int points = 5;  ///< number of points of a scale; a slider is divided into 11 points
   std::vector<AnalysedRating> ratings;
   std::vector<AnalysedChoice> chosen;
   std::vector<AnalysedPreference> preferences;
-  std::vector<Remark> remarks;
-  std::vector<Remark> words;
-  std::vector<Attention> attention;  ///< of all participants
+  std::vector<Remark> remarks;       ///< comments
+  std::vector<Remark> words;         ///< answers to scales answered in words
+  std::vector<Attention> attention;  ///< results of attention checks, of all participants
   AttentionRule rule;
   std::vector<Unfinished> unfinished;
   bool without_unfinished = false;
-  std::set<std::string> worded_questions;  ///< questions about participants with answers in words
+  std::set<std::string> worded_questions;  ///< ids of demographic questions answered in words
   TestCorrection correction = TestCorrection::holm;
   double alpha = 0.05;
   bool simulated = false;
   std::string design;              ///< design hash of the answers; may be empty
-  std::vector<std::string> notes;  ///< sentences on what was left out or separated
+  std::vector<std::string> notes;  ///< sentences about answers that were left out or separated
 };
 
 /// Validates answers against the manifest's questionnaire and collects them for analysis.
 ///
 /// Throws Faults with all faults: stimuli and items not in the questionnaire, answers of another
-/// kind, values out of range or in contradiction to the raw answer, choices that were not offered,
-/// and rows of several designs. Throws Error where the manifest has no questionnaire, or no answers
-/// are left.
+/// kind of trial, values that are out of range or contradict the raw answer, choices that were not
+/// offered, and rows of several designs. Throws Error if the manifest has no questionnaire or no
+/// answers remain.
 AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
                           const ReportChoices& choices = {});
 
-/// A number and its noun: "1 person", "2 people".
+/// A count with its noun in singular or plural: "1 person", "2 people".
 std::string counted_noun(std::size_t count, const std::string& one, const std::string& several);
 
 /// A sentence on included participants: "5 of 6 people count".
 std::string people_sentence(const AnswerSet& answer_set);
 
-/// A sentence about each participant who did not finish, and whether the answers are included.
+/// A sentence for each participant who did not finish, which states whether the answers are
+/// included.
 std::vector<std::string> unfinished_sentences(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

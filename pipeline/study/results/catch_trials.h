@@ -10,18 +10,19 @@
 namespace mien::pipeline {
 
 /// A participant's two answers to a question about a stimulus that was shown twice
-/// (`questionnaire.catch`). Attention checks are not included.
+/// (`questionnaire.catch.repeat`). Attention checks are not included.
 struct CatchAnswer {
   std::string participant;
-  bool is_excluded = false;  ///< by the attention rule: listed, but left out of summaries
+  bool is_excluded =
+      false;  ///< excluded by the attention rule: listed, but not summarised over all
   std::string stimulus;
-  std::string against;  ///< the second of a pair, or the reference; or empty
+  std::string against;  ///< second stimulus of a pair, or the reference; may be empty
   std::string item;
   int first_trial = 0;
   int second_trial = 0;
-  std::string first;  ///< value in the scale's own range, chosen word, or chosen stimulus
-  std::string second;
-  std::optional<double> difference;  ///< second − first, scale points; none for choices and words
+  std::string first;   ///< first answer: value in the scale's own range, choice, or chosen stimulus
+  std::string second;  ///< second answer
+  std::optional<double> difference;  ///< second − first, scale points; empty for choices and words
 
   bool is_equal() const;
 };
@@ -29,20 +30,20 @@ struct CatchAnswer {
 /// Test-retest agreement of a set of repeated answers.
 struct CatchSummary {
   std::string participant;  ///< empty: all included participants
-  std::string item;         ///< empty: all
+  std::string item;         ///< empty: all items
   bool is_excluded = false;
-  int answers = 0;  ///< questions answered twice
-  int equal = 0;
+  int answers = 0;               ///< number of questions answered twice
+  int equal = 0;                 ///< number with equal answers
   double mean_difference = 0.0;  ///< mean of |second − first|, scale points; NaN without ratings
-  Correlation retest;            ///< of first with second ratings; NaN where there are too few
+  Correlation retest;            ///< between first and second ratings; NaN if there are too few
 };
 
-/// Repeated answers by participant, then in the order of the second answers. Questions not answered
-/// both times are left out.
+/// All repeated answers, sorted by participant, then in the order of the second answers. Questions
+/// not answered both times are omitted.
 std::vector<CatchAnswer> catch_answers_of(const AnswerSet& answer_set, std::vector<AnswerRow> rows);
 
-/// Summaries of all included participants, of these by item where there are several, then of each
-/// participant. Those without answers are left out.
+/// Summaries over all included participants, then by item if there are several, then for each
+/// participant. Summaries without answers are omitted.
 std::vector<CatchSummary> catch_summaries_of(const std::vector<CatchAnswer>& answers);
 
 }  // namespace mien::pipeline

@@ -11,40 +11,42 @@ namespace mien::pipeline {
 
 /// A row of a confusion matrix: the responses to one intended emotion.
 struct ConfusionRow {
-  std::string emotion;         ///< level of the factor emotion
-  std::vector<double> points;  ///< by column
-  double total = 0.0;          ///< of the points
-  int own = -1;                ///< column of the emotion itself; −1 without one
-  /// Share of the points in the emotion's own column; NaN without one, or without points.
+  std::string emotion;         ///< level of the factor `emotion`
+  std::vector<double> points;  ///< points by column
+  double total = 0.0;          ///< sum of the points
+  int own = -1;                ///< column of the emotion itself; −1 if there is none
+  /// Share of the points in the emotion's own column; NaN if there is none, or no points.
   double recall = 0.0;
   /// Wilson's 95 % interval of the recall, with `judged` as the number of trials.
   double low = 0.0;
   double high = 1.0;
-  int showings = 0;  ///< number of presentations of such stimuli that were answered
-  int judged = 0;    ///< presentations with any points
-  int hits = 0;      ///< presentations whose own column has the most points
-  double p = 1.0;    ///< exact binomial test, two-sided, of the hits against chance
-  double adjusted = 1.0;
+  // A presentation is a stimulus of this emotion, answered by one participant.
+  int showings = 0;       ///< number of presentations
+  int judged = 0;         ///< number of presentations with any points
+  int hits = 0;           ///< number of presentations with most points, without ties, in `own`
+  double p = 1.0;         ///< of an exact two-sided binomial test of the hits against chance
+  double adjusted = 1.0;  ///< p adjusted over the rows of the matrix
 };
 
-/// A confusion matrix of emotions.
+/// A confusion matrix of intended emotions (rows) and responses (columns).
 struct Confusion {
-  std::string of;                    ///< "acted", "modified", "all"
-  bool by_points = true;             ///< from ratings; else from choices
+  std::string of;                    ///< level of the factor `made`: "acted", "modified"; or "all"
+  bool by_points = true;             ///< from ratings; otherwise from choices
   std::vector<std::string> columns;  ///< ends of scales, or choices
   double chance = 0.0;               ///< 1 / number of columns
   std::vector<ConfusionRow> rows;
 };
 
-/// Matrices for each level of the factor `made` that shows emotions, and for all where there are
-/// several; from ratings by the points rule of the emotion thesis, and from choices.
+/// Confusion matrices for each level of the factor `made` with emotions, if there are several, and
+/// for all levels together: from ratings by the points rule of the emotion thesis, and from
+/// choices.
 ///
-/// The points rule: a rating gives the nearer end of its scale up to 2 points, in proportion to its
-/// distance from the middle: 2 at the end, 1 half way. Shares are of all points of a row. Emotions
-/// that are not an end of a scale have no recall.
+/// By the points rule, a rating contributes up to 2 points to the nearer end of its scale, in
+/// proportion to its distance from the middle: 2 at the end, 1 half way. Shares refer to all points
+/// of a row. Emotions that are not an end of a scale have no recall.
 std::vector<Confusion> confusions_of(const AnswerSet& answer_set);
 
-/// The ends of the scales, low before high, in their order.
+/// Names of the ends of the scales in the order of the scales, low before high.
 std::vector<std::string> ends_of(const std::vector<Scale>& scales);
 
 /// Points of a rating for the ends of its scale.
@@ -54,18 +56,18 @@ struct EndPoints {
 };
 EndPoints points_of(const Scale& scale, double value);
 
-/// The correlation of two ends of scales. Scales are split at their middle: an answer a is max(−a,
-/// 0) at the low end and max(a, 0) at the high end. The correlation is over presentations (a
-/// participant and a stimulus) with answers on both scales.
+/// The correlation of two ends of scales. Scales are split at their middle: an answer a, relative
+/// to the middle, counts as max(−a, 0) for the low end and as max(a, 0) for the high end. The
+/// correlation is over presentations (a participant and a stimulus) with answers on both scales.
 struct EndCorrelation {
-  std::size_t one = 0;  ///< of the ends (confusion.h), below `other`
-  std::size_t other = 0;
-  bool same_scale = false;  ///< the two ends of one scale: negative by construction
+  std::size_t one = 0;      ///< index in ends_of, less than `other`
+  std::size_t other = 0;    ///< index in ends_of
+  bool same_scale = false;  ///< both are ends of one scale: negative by construction
   Correlation correlation;
-  double adjusted = 1.0;  ///< p corrected over the pairs of different scales
+  double adjusted = 1.0;  ///< p adjusted over the pairs of ends of different scales
 };
 
-/// All pairs of ends. The thesis marks |r| above 0.3 and above 0.5.
+/// Correlations of all pairs of ends. The thesis marks |r| above 0.3 and above 0.5.
 std::vector<EndCorrelation> end_correlations(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

@@ -9,8 +9,8 @@
 
 namespace mien::pipeline {
 
-/// Two groups of participants by their answers to a demographic question (gender); members are
-/// indices of AnswerSet::people.
+/// Two groups of participants with different answers to a demographic question, such as gender.
+/// Members are indices into AnswerSet::people.
 struct ParticipantGroups {
   std::string question;
   std::string one;    ///< the most frequent answer; ties alphabetically
@@ -18,12 +18,13 @@ struct ParticipantGroups {
   std::vector<std::size_t> people_one, people_other;
 };
 
-/// The two most frequent answers to each demographic question with answers in words, where at least
-/// two participants gave each.
+/// The groups of the two most frequent answers to each demographic question answered in words, if
+/// at least two participants gave each answer.
 std::vector<ParticipantGroups> participant_groups(const ParticipantTable& participants,
                                                   const AnswerSet& answer_set);
 
-/// The difference between two groups on a stimulus and scale: Welch's test of participants' means.
+/// The difference between two groups for a stimulus on a scale: Welch's test of participants'
+/// means. Means are in scale points.
 struct GroupComparison {
   std::string question, one, other;
   std::size_t stimulus = 0;
@@ -32,12 +33,12 @@ struct GroupComparison {
   double mean_one = 0.0;
   int people_other = 0;
   double mean_other = 0.0;
-  TTest welch;            ///< first less other; t and p are NaN where neither varies
-  double g = 0.0;         ///< Hedges'
-  double adjusted = 1.0;  ///< p corrected over all of the question
+  TTest welch;            ///< `one` − `other`; t and p are NaN if neither group varies
+  double g = 0.0;         ///< Hedges' g
+  double adjusted = 1.0;  ///< p adjusted over all comparisons of the question
 };
 
-/// Comparisons on all stimuli and scales with at least two participants of each group.
+/// Comparisons for all stimuli and scales with at least two participants in each group.
 std::vector<GroupComparison> compare_groups(const ParticipantTable& participants,
                                             const AnswerSet& answer_set);
 

@@ -8,23 +8,23 @@
 
 namespace mien::pipeline {
 
-/// Counts of choices between two stimuli.
+/// Counts of choices between two stimuli for one item.
 struct PreferenceCount {
   std::string item;
-  std::size_t one = 0;  ///< the earlier one in the manifest
+  std::size_t one = 0;  ///< the stimulus that is earlier in the manifest
   std::size_t other = 0;
   int trials = 0;
-  int for_one = 0;
-  double low = 0.0;  ///< Wilson's 95 % interval of the share for one
+  int for_one = 0;   ///< number of choices of `one`
+  double low = 0.0;  ///< Wilson's 95 % interval of the share of `one`
   double high = 1.0;
-  double p = 1.0;  ///< exact binomial test, two-sided, against one half
-  double adjusted = 1.0;
+  double p = 1.0;         ///< of an exact two-sided binomial test against one half
+  double adjusted = 1.0;  ///< p adjusted over all counts
 };
 
-/// The question about a pair: which is closer to the scale's high end.
+/// The question about a pair: which stimulus is closer to the scale's high end.
 std::string pair_question(const AnswerSet& answer_set, const std::string& item);
 
-/// Preferences of all pairs that were shown.
+/// Preferences for all pairs that were shown.
 std::vector<PreferenceCount> preferences_of(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

@@ -13,21 +13,21 @@ namespace mien::pipeline {
 /// Summary of a participant's session.
 struct ParticipantSummary {
   std::string participant;
-  int trials = 0;  ///< including practice, warm-up and checks
+  int trials = 0;  ///< number of trials, including practice, warm-up and checks
   bool is_unfinished = false;
-  int answers = 0;  ///< included in the analysis
-  int checks = 0;
-  int passed = 0;
+  int answers = 0;  ///< number of answers included in the analysis
+  int checks = 0;   ///< number of attention checks
+  int passed = 0;   ///< number of passed checks
   bool is_excluded = false;
-  double median_rt_ms = 0.0;  ///< of included answers; NaN where not measured
-  int stalls = 0;
+  double median_rt_ms = 0.0;  ///< median response time of included answers, ms; NaN if not measured
+  int stalls = 0;             ///< buffering interruptions of videos
   int dropped_frames = 0;
-  int blurs = 0;
-  bool is_straight_lining = false;  ///< straight-lining: at least three included answers, all
-                                    ///< equal; reported, not excluded
+  int blurs = 0;                    ///< tab switches during trials
+  bool is_straight_lining = false;  ///< at least three included answers, all equal; reported, not
+                                    ///< excluded
 };
 
-/// Summaries of all participants, by name.
+/// Summaries of all participants, sorted by name.
 std::vector<ParticipantSummary> participant_summaries(const AnswerSet& answer_set,
                                                       std::vector<AnswerRow> rows);
 
@@ -36,27 +36,27 @@ struct ParticipantTable {
   CsvTable table;
 
   bool empty() const { return table.rows.empty(); }
-  /// The demographic questions: all columns that participant_form does not name.
+  /// The demographic questions: all columns that are not in participant_form.
   std::vector<std::string> questions() const;
-  /// Participants whose column `finished` is 1, also as "participant/session" where there are
-  /// sessions.
+  /// Names of participants whose column `finished` is 1; if there is a column session, also as
+  /// "participant/session".
   std::set<std::string> finished() const;
 };
 
-/// Reads participants.csv. Throws Error where it has no column participant.
+/// Reads participants.csv. Throws Error if it has no column participant.
 ParticipantTable read_participants(const std::filesystem::path& file);
 
-/// Merges tables, dropping duplicate rows. Throws Error where their columns differ.
+/// Merges tables, dropping duplicate rows. Throws Error if their columns differ.
 ParticipantTable joined(const std::vector<ParticipantTable>& tables);
 
 /// A row of the summary of a demographic question over included participants: a statistic of
-/// numbers, or the frequency of a word.
+/// numerical answers, or the frequency of an answer in words.
 struct DemographicSummary {
   std::string question;
-  std::string answer;  ///< "mean", "standard deviation", "least", "most", or a word
-  double value = 0.0;  ///< the statistic, or the frequency
-  int people = 0;      ///< who answered
-  bool is_count = false;
+  std::string answer;     ///< "mean", "standard deviation", "least", "most", or an answer in words
+  double value = 0.0;     ///< the statistic, or the frequency
+  int people = 0;         ///< number of participants who answered
+  bool is_count = false;  ///< `value` is a frequency
 };
 
 std::vector<DemographicSummary> demographics_of(const ParticipantTable& participants,

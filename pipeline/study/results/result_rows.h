@@ -11,7 +11,7 @@
 
 namespace mien::pipeline {
 
-/// A result with the study that it is of.
+/// A result with the answers on which it is based.
 template <class Result>
 struct ResultRow {
   const AnswerSet& in;
@@ -21,7 +21,7 @@ struct ResultRow {
   const Scale& scale() const { return in.scales[of.scale]; }
 };
 
-/// A ColumnOf whose numbers are rounded by number_field.
+/// A ColumnOf whose floating-point numbers are formatted by number_field.
 template <class Row>
 struct ResultColumn : ColumnOf<Row> {
   constexpr ResultColumn() = default;
@@ -41,8 +41,8 @@ struct ResultColumn : ColumnOf<Row> {
   static auto rounded(const auto& value) { return value; }
 };
 
-/// A table of results, its path relative to the folder of the report; `ending` are its last
-/// columns.
+/// A table of results. `path` is relative to the folder of the report, `rows` states what a row is,
+/// and `ending` has the last columns.
 template <class Row, std::size_t count, std::size_t more = 0>
 constexpr Table<Row, count + more> result_table(
     std::string_view path, std::string_view rows, const ResultColumn<Row> (&columns)[count],
@@ -53,7 +53,7 @@ constexpr Table<Row, count + more> result_table(
   return {path, rows, all};
 }
 
-/// Adds the table, unless it has no rows.
+/// Appends the table to `tables`, unless it has no rows. If `simulated`, a column states that.
 template <class Row, std::size_t count>
 void add_table(const Table<Row, count>& table, const std::vector<Row>& rows, bool simulated,
                std::vector<WrittenTable>& tables) {
@@ -69,7 +69,7 @@ void add_table(const Table<Row, count>& table, const std::vector<Row>& rows, boo
   tables.push_back({table.form(), writer.text()});
 }
 
-/// The same of ResultRow{answer_set, result} for each of `results`.
+/// Appends a table with one row, ResultRow{answer_set, result}, for each of `results`.
 template <class Row, std::size_t count>
 void add_results(const Table<Row, count>& table, const auto& results, const AnswerSet& answer_set,
                  std::vector<WrittenTable>& tables) {
@@ -78,7 +78,7 @@ void add_results(const Table<Row, count>& table, const auto& results, const Answ
   add_table(table, rows, answer_set.simulated, tables);
 }
 
-// Columns that several tables have.
+// Columns shared by several tables.
 
 inline constexpr SharedColumn stimulus_column = {"stimulus", "", "stimulus id",
                                                  [](auto& r) { return r.stimulus().id; }};

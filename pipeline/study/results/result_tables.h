@@ -8,8 +8,8 @@
 
 namespace mien::pipeline {
 
-/// All tables of results that have rows. A last column `simulated` is added where the answers are
-/// simulated.
+/// All tables of results that have rows. If the answers are simulated, each has a last column
+/// `simulated`.
 std::vector<WrittenTable> result_tables(const Results& results);
 
 /// A number as text for a table; empty for NaN and infinity.

@@ -27,12 +27,13 @@ struct Results {
   std::vector<PreferenceCount> preferences;
   std::vector<WordFrequency> words;
   std::vector<ParticipantSummary> participants;
-  std::vector<CatchAnswer> catch_answers;  ///< of all participants
+  std::vector<CatchAnswer> catch_answers;  ///< including those of excluded participants
   std::vector<CatchSummary> catch_summaries;
-  std::vector<GroupComparison> groups;  ///< by demographic answers
-  ParticipantTable demographics;        ///< empty where no table of participants was given
+  std::vector<GroupComparison> groups;  ///< comparisons of groups by demographic answers
+  ParticipantTable demographics;        ///< empty if no table of participants was given
 };
 
+/// Computes all statistics. `rows` are the answers as read; `demographics` may be empty.
 inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& rows,
                           ParticipantTable demographics) {
   Results results;

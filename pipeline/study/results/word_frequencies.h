@@ -17,8 +17,8 @@ struct WordFrequency {
 };
 
 /// Splits free-text answers at commas, semicolons and line breaks (, ; 、 ， ； ) and counts each
-/// word once per participant and stimulus. Sorted by stimulus in the order of the manifest, item,
-/// falling frequency, then alphabetically.
+/// word once per participant and stimulus. Sorted by stimulus in the order of the manifest, by
+/// item, by decreasing frequency, then alphabetically.
 std::vector<WordFrequency> word_frequencies_of(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

@@ -14,11 +14,12 @@ namespace mien::pipeline {
 std::string database_library();
 
 /// A SQLite file, locked exclusively by this process until it exits or is killed. A committed
-/// transaction is on the disk (write-ahead log, synchronised at every commit). Not thread-safe.
+/// transaction has been flushed to disk (write-ahead log, synchronised at every commit). Not
+/// thread-safe.
 class Database {
  public:
-  /// Opens the file, or creates it. Throws Error when it is not a SQLite file or another process
-  /// has locked it, and WriteFailure when it cannot be written.
+  /// Opens or creates the file. Throws Error if it is not a SQLite file or is locked by another
+  /// process, and WriteFailure if it cannot be written.
   explicit Database(const std::filesystem::path& file);
   ~Database();
   Database(const Database&) = delete;
@@ -30,14 +31,13 @@ class Database {
   /// The integer value of a SQLite pragma, such as "user_version".
   std::int64_t pragma(const std::string& name);
 
-  /// Keeps the write-ahead log beside the file when this is destroyed, as a killed process would.
+  /// Leaves the write-ahead log next to the file on destruction, as if the process had been killed.
   void keep_log();
 
   const std::filesystem::path& file() const { return file_; }
   sqlite3* handle() const { return database_; }
 
-  /// Throws the last failure of the library: WriteFailure for a full or failing disk, otherwise
-  /// Error.
+  /// Throws SQLite's last error: WriteFailure for a full or failing disk, otherwise Error.
   [[noreturn]] void fail() const;
 
  private:
@@ -64,10 +64,10 @@ class Statement {
     return *this;
   }
 
-  /// Goes to the next row; false after the last. Throws WriteFailure.
+  /// Advances to the next row. Returns false after the last row. Throws WriteFailure.
   bool step();
 
-  /// Steps to the end. Returns the number of rows that were changed. Throws WriteFailure.
+  /// Steps to the end. Returns the number of changed rows. Throws WriteFailure.
   int finish();
 
   std::int64_t number(int column) const;
@@ -92,7 +92,7 @@ class Transaction {
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
-  /// Commits; the changes are on the disk when this returns. Throws WriteFailure.
+  /// Commits the changes and flushes them to disk. Throws WriteFailure.
   void commit();
 
  private:

@@ -10,30 +10,32 @@
 
 namespace mien::pipeline {
 
-/// Version of Boost, whose Asio and Beast the server uses: "1.74.0".
+/// Version of Boost (the server uses Asio and Beast): "1.74.0".
 std::string http_library();
 
 struct HttpSettings {
   std::string listen = "127.0.0.1";  ///< local address to bind to
   int port = 0;                      ///< 0: any free port
-  int connections = 192;             ///< simultaneous; further ones are refused with 503
+  int connections = 192;             ///< maximum number at once; further ones are refused with 503
   RequestLimits limits;
-  /// For each client address. All participants in a laboratory may share one while loading videos.
+  /// Rate limit of each client address. All participants in a laboratory may share one address
+  /// while loading videos.
   Rate requests{.burst = 4000, .per_second = 400};
 };
 
-/// Called from several threads at once.
+/// Handles a request. Called from several threads at once.
 using HttpHandler = std::function<HttpResponse(const HttpRequest&)>;
 
-/// Receives the message of an exception from a handler; the client gets a 500 without it.
+/// Receives the message of an exception thrown by a handler. The client gets status 500 without the
+/// message.
 using HttpFailureHandler = std::function<void(const std::string&)>;
 
-/// A web server. Each request is read whole, within limits, before it is handled; paths that
-/// plain_path rejects are refused. Each response carries headers that keep browsers from running or
-/// framing content of other origins and from caching.
+/// A web server. Each request is read completely, within limits, before it is handled. Paths
+/// rejected by plain_path are refused. Each response has headers that prevent browsers from running
+/// or framing content of other origins and from caching.
 class HttpServer {
  public:
-  /// Starts to listen. Throws Error when the address cannot be bound.
+  /// Starts listening. Throws Error if the address cannot be bound.
   HttpServer(const HttpSettings& settings, HttpHandler answer, HttpFailureHandler failure = {});
   /// Stops listening, and finishes the responses in progress.
   ~HttpServer();

@@ -7,7 +7,7 @@
 
 namespace mien::pipeline {
 
-/// A permitted rate: `burst` times at once, then `per_second` times a second.
+/// A permitted rate: `burst` events at once, then `per_second` events per second.
 struct Rate {
   double burst = 100;
   double per_second = 10;
@@ -20,7 +20,7 @@ class RateLimit {
 
   explicit RateLimit(Rate rate) : rate_(rate) {}
 
-  /// Takes a token from the client's bucket; false when it is empty.
+  /// Takes a token from the client's bucket. Returns false if the bucket is empty.
   bool allows(const std::string& client, Clock::time_point now = Clock::now());
 
  private:

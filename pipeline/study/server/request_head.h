@@ -7,34 +7,34 @@
 
 namespace mien::pipeline {
 
-/// How much a client may send, and how long it may take. Each time limits a whole part of the
-/// exchange, so that a client sending a byte now and then cannot keep a connection open.
+/// Limits of the size and duration of requests. Each duration limits a whole part of the exchange,
+/// so that a client sending occasional single bytes cannot keep a connection open.
 struct RequestLimits {
   std::size_t head_bytes = 16 * 1024;  ///< request line and headers
   std::size_t header_lines = 100;
   std::size_t body_bytes = 64 * 1024;
-  std::chrono::milliseconds idle{10'000};  ///< between requests
-  std::chrono::milliseconds head{10'000};
-  std::chrono::milliseconds body{20'000};
-  std::chrono::milliseconds answer{300'000};
+  std::chrono::milliseconds idle{10'000};     ///< between requests
+  std::chrono::milliseconds head{10'000};     ///< receiving the head
+  std::chrono::milliseconds body{20'000};     ///< receiving the body
+  std::chrono::milliseconds answer{300'000};  ///< sending the response
 };
 
 /// Request line and headers.
 struct RequestHead {
-  int refused = 0;  ///< HTTP status with which it is refused; 0: it is not
+  int refused = 0;  ///< HTTP status with which the request is refused; 0 if it is accepted
   std::string method;
-  std::string target;         ///< visible ASCII, from '/'
+  std::string target;         ///< visible ASCII characters, beginning with '/'
   bool is_persistent = true;  ///< persistent connection: further requests may follow
   bool expects_continue =
       false;  ///< "Expect: 100-continue": the body is sent only after an interim response
-  bool lacks_host = false;  ///< the request is refused because it has no Host header
-  std::size_t body_length = 0;
-  std::map<std::string, std::string>
-      headers;  ///< names in lower case; the first of repeated headers
+  bool lacks_host = false;      ///< the request is refused because it has no Host header
+  std::size_t body_length = 0;  ///< bytes
+  std::map<std::string, std::string> headers;  ///< by name in lower case; first of repeated headers
 };
 
-/// Refuses malformed lines, a request without Host, a body without exactly one valid
-/// Content-Length, and a compressed or too long body. `text` ends with the empty line.
+/// Parses the head of a request. Refused are malformed lines, a missing Host header, a body without
+/// exactly one valid Content-Length, and a compressed or too long body. `text` must end with the
+/// empty line.
 RequestHead parse_request_head(std::string_view text, const RequestLimits& limits);
 
 }  // namespace mien::pipeline

@@ -15,35 +15,36 @@ struct StoredSession {
   int index = 0;            ///< from 0
   int plan = 0;             ///< index of the session plan that it follows
   std::string participant;  ///< "p001"
-  std::string link;         ///< secret part of its address (random_link)
-  std::string begun_at;     ///< ISO 8601 time of the first visit; empty: not begun
-  std::string entry_route;  ///< "link" or "join"; empty: not begun
+  std::string link;         ///< secret part of its web address (random_link)
+  std::string begun_at;     ///< ISO 8601 time of the first visit; empty if not begun
+  std::string entry_route;  ///< "link" or "join"; empty if not begun
 };
 
 /// A record that the page of a participant has sent.
 struct StoredRecord {
-  int session = 0;        ///< index
-  int position = 0;       ///< 0, 1, … in the order of the session
+  int session = 0;        ///< index of the session
+  int position = 0;       ///< 0, 1, … within the session
   std::string name;       ///< "trial-7"
   std::string content;    ///< stored without change
   std::string stored_at;  ///< ISO 8601 time of storing
 };
 
+/// The outcome of storing a record.
 enum class RecordOutcome {
-  stored,       ///< stored; it is on the disk
-  same,         ///< the same record was stored before
-  other,        ///< another record was stored at that position, and remains
+  stored,       ///< the record was stored and flushed to disk
+  same,         ///< an identical record had been stored before
+  other,        ///< another record had been stored at that position and is kept
   out_of_order  ///< an earlier record of the session is missing
 };
 
 /// The sessions of a study and their records, in a database file that survives a crash of the
-/// server. Thread-safe. What a call reports as stored is on the disk. On a full disk a call throws
-/// WriteFailure and stores nothing; it may be repeated.
+/// server. Thread-safe. When a call returns, its changes are on the disk. On a full disk, a call
+/// throws WriteFailure and stores nothing; it may be repeated.
 class SessionStore {
  public:
-  /// Opens a file, or creates it. Throws Error when it is not a session store, was written by a
-  /// later version, is open in another process, or was copied from a running server without its
-  /// write-ahead log (FILE-wal), which has the latest records.
+  /// Opens or creates a file. Throws Error if it is not a session store, was written by a later
+  /// version, is open in another process, or was copied from a running server without its
+  /// write-ahead log (FILE-wal), which contains the latest records.
   explicit SessionStore(const std::filesystem::path& file);
   ~SessionStore();
   SessionStore(const SessionStore&) = delete;
@@ -51,19 +52,20 @@ class SessionStore {
 
   const std::filesystem::path& file() const { return database_.file(); }
 
-  /// A property of the whole study, such as "design"; nullopt when it was not stored.
+  /// A property of the whole study, such as "design"; nullopt if it was not stored.
   std::optional<std::string> fact(const std::string& name);
   /// Stores the properties and sessions of a new study in one transaction.
   void begin(const std::vector<std::pair<std::string, std::string>>& facts,
              const std::vector<StoredSession>& sessions);
 
   std::vector<StoredSession> sessions();
-  /// Stores a further session and its first record in one transaction.
+  /// Stores an additional session and its first record in one transaction.
   void add(const StoredSession& session, const StoredRecord& first);
 
-  /// Marks a session as begun at `now`; false when it had begun before.
+  /// Marks a session as begun at `now`. Returns false if it had begun before.
   bool mark_begun(int session, const std::string& entry_route, const std::string& now);
 
+  /// Stores a record of an existing session.
   RecordOutcome keep(const StoredRecord& record);
 
   std::vector<StoredRecord> records();
@@ -78,8 +80,8 @@ class SessionStore {
   Database database_;
 };
 
-/// 128 bits from the system's random generator, as 32 hexadecimal digits. Throws std::runtime_error
-/// when it fails.
+/// 128 bits from the system's random number generator as 32 hexadecimal digits. Throws
+/// std::runtime_error if the generator fails.
 std::string random_link();
 
 }  // namespace mien::pipeline

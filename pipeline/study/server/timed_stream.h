@@ -11,7 +11,7 @@
 namespace mien::pipeline {
 
 /// A client's socket as a synchronous stream for Boost.Asio, with a deadline. Operations fail with
-/// timed_out after the deadline, and reading with operation_aborted once the server stops.
+/// timed_out after the deadline; reading fails with operation_aborted when the server stops.
 class TimedStream {
  public:
   using ErrorCode = boost::system::error_code;
@@ -43,8 +43,8 @@ class TimedStream {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Waits briefly until the socket is ready; false, with the reason in `error`, when waiting must
-  /// end.
+  /// Waits briefly until the socket is ready. Returns false, with the reason in `error`, if waiting
+  /// must end.
   bool wait(short event, ErrorCode& error) {
     constexpr std::chrono::milliseconds poll_interval{200};
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());

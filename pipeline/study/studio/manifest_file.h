@@ -14,27 +14,27 @@ namespace mien::pipeline {
 /// A manifest's text and its parsed document.
 struct ManifestState {
   std::string text;
-  std::string version;  ///< digest of the file's text; empty without a file
-  nlohmann::ordered_json document;
+  std::string version;              ///< hash of the file's text; empty if there is no file
+  nlohmann::ordered_json document;  ///< the parsed text
 };
 
 /// The result of saving.
 struct SaveResult {
   enum class Outcome {
     saved,
-    unchanged,  ///< there was nothing to write
-    elsewhere  ///< the file was changed by another program since it was opened; nothing was written
+    unchanged,  ///< the file already had this text
+    elsewhere   ///< the file was changed by another program in the meantime; nothing was written
   };
 
   Outcome outcome = Outcome::saved;
-  ManifestState state;  ///< of the file afterwards
+  ManifestState state;  ///< state of the file after saving
 };
 
 /// A manifest file being edited. Thread-safe.
 class ManifestFile {
  public:
-  /// Opens a file. With `begun_from`, a new manifest with that text, whose file is created when it
-  /// is first saved. Throws Faults for a manifest that `mien check` refuses.
+  /// Opens a file. If `begun_from` is given, begins a new manifest with that text instead; its file
+  /// is created when it is first saved. Throws Faults for a manifest that `mien check` refuses.
   ManifestFile(std::filesystem::path file, Environment environment,
                std::optional<std::string> begun_from = std::nullopt);
 
@@ -47,14 +47,15 @@ class ManifestFile {
   /// Whether the file exists.
   bool is_on_disk() const;
 
-  /// Replaces the file's text atomically. `document` is the content that the text must have,
-  /// `version` the version of the file that was edited; when the file has another version, nothing
-  /// is written. Throws Faults for a manifest that `mien check` refuses, Error for a text whose
-  /// content is not `document`, and WriteFailure; nothing is written then.
+  /// Replaces the file's text atomically. The parsed text must equal `document`. `version` is the
+  /// version that was edited; if the file has another version now, nothing is written. Throws
+  /// Faults for a manifest that `mien check` refuses, Error if the text differs from `document`,
+  /// and WriteFailure; the file is unchanged in these cases.
   SaveResult save(const std::string& text, const nlohmann::ordered_json& document,
                   const std::string& version);
 
-  /// Reads the file again. Throws Faults for a manifest that `mien check` refuses.
+  /// Reads the file again. Throws Error if it cannot be read, and Faults if `mien check`
+  /// refuses the manifest.
   ManifestState reload();
 
  private:

@@ -5,7 +5,7 @@
 
 namespace mien::pipeline {
 
-/// Opens a link in a browser by xdg-open, where there is a display. The secret link is passed in a
+/// Opens a link in a browser with xdg-open if there is a display. The secret link is passed in a
 /// file that only its owner can read, since command lines are visible to all users of the machine.
 /// The destructor removes the file.
 class OpenedBrowser {

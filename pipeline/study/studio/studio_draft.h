@@ -15,7 +15,7 @@
 
 namespace mien::pipeline {
 
-/// Thrown for an invalid document or request of a page; the page lists the faults.
+/// Thrown for an invalid document or request from a page; the page displays the faults.
 class DraftFaults : public std::exception {
  public:
   explicit DraftFaults(std::vector<Fault> faults) : faults_(std::move(faults)) {}
@@ -30,7 +30,7 @@ class DraftFaults : public std::exception {
 /// Faults as [{"path": …, "wrong": …, "remedy": …}].
 nlohmann::ordered_json faults_json(const std::vector<Fault>& faults);
 
-/// Reads the documents of a page with the checks of manifests. Thread-safe.
+/// Reads documents sent by a page, with the same checks as for manifests. Thread-safe.
 ///
 /// Every document must first pass `check_files`.
 class DraftReader {
@@ -38,13 +38,13 @@ class DraftReader {
   DraftReader(std::filesystem::path file, Environment environment)
       : file_(std::move(file)), environment_(std::move(environment)) {}
 
-  /// Checks the file names in a document: allowed are those in the manifest as opened or saved
-  /// (`known`), and motions, folders and characters in its places (studio_places.h). Opens no file.
-  /// Throws DraftFaults.
+  /// Checks the file names in a document. Permitted are those in the manifest as opened or last
+  /// saved (`known`), and motions, folders and characters in the permitted folders
+  /// (studio_places.h). Opens no file. Throws DraftFaults.
   void check_files(const nlohmann::ordered_json& document,
                    const nlohmann::ordered_json& known) const;
 
-  /// The manifest of a document that was admitted. Throws DraftFaults.
+  /// The manifest of a document that has passed check_files. Throws DraftFaults.
   Manifest read(const nlohmann::ordered_json& document);
 
   /// Reads the manifest without its stimuli, which are replaced by a placeholder. Throws
@@ -61,12 +61,13 @@ class DraftReader {
   std::map<std::string, Vocabulary> vocabularies_;  ///< by examples_key
 };
 
-/// A key of the parts of a document that determine the examples and their ratings.
+/// A cache key: the parts of a document that determine the examples and their ratings.
 std::string examples_key(const nlohmann::ordered_json& document);
 
-/// The parts of a document that determine the motions and films of those stimuli, without sheets,
-/// overlays and questionnaire. Stimuli that they depend on are included: the source of a foil, and
-/// the references of a hold. Other stimuli are replaced by placeholders, so that indices stay.
+/// The parts of a document that determine the motions and films of the stimuli `ids`, without
+/// sheets, overlays and questionnaire. Stimuli on which these depend are included: the source of a
+/// foil, and the references of a hold. Other stimuli are replaced by placeholders, so that indices
+/// are preserved.
 nlohmann::ordered_json document_excerpt(const nlohmann::ordered_json& document,
                                         const std::vector<std::string>& ids);
 

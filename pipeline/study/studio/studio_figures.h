@@ -13,29 +13,30 @@
 
 namespace mien::pipeline {
 
-/// The figure on which the studio shows a motion.
+/// The figure with which the studio displays a motion.
 struct StudioFigure {
-  /// Identifies the GLB file; empty: the page draws its own figure.
+  /// Identifies the GLB file; empty: the page uses its own figure.
   std::string key;
 
-  int joints = 0;  ///< joints of the GLB file, if other than the body's
+  int joints = 0;  ///< number of joints of the GLB file; 0 if they are the body's
 
-  /// World-space poses of these joints as in the film: f32 positions (frames × joints × 3, metres),
-  /// then rotations (frames × joints × 4: x, y, z, w), little endian.
+  /// World-space poses of these joints as in the film, little-endian f32: positions (frames ×
+  /// joints × 3, metres), then rotations as quaternions (frames × joints × 4: x, y, z, w).
   std::string poses;
 };
 
-/// Makes the mannequins and characters of films as GLB files. Caches characters and the last files.
-/// Not thread-safe.
+/// Creates GLB files of the mannequins and characters of films. Caches characters and the most
+/// recent files. Not thread-safe.
 class StudioFigures {
  public:
-  /// The figure of a clip, with its poses. Point lights, sticks and non-human bodies have no file.
-  /// A trail has the figure of its body. Throws Error when a character cannot be read.
+  /// The figure of a clip, with its poses. Point-light figures, stick figures and non-human bodies
+  /// have no GLB file. A trail has the figure of its body. Throws Error if a character cannot be
+  /// read.
   StudioFigure fitted_figure(const scenes::Figure& figure, scenes::Role role,
                              const motion::Clip& clip);
 
-  /// The GLB file with that key (skinned_glb.h); empty where the figure has another key or no file.
-  /// Throws Error.
+  /// The GLB file of a figure (skinned_glb.h); empty if the figure has no file or its key is not
+  /// `key`. Throws Error.
   const std::string& file(const std::string& key, const scenes::Figure& figure, scenes::Role role,
                           const motion::Skeleton& body);
 

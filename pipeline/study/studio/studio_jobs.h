@@ -13,22 +13,22 @@
 
 namespace mien::pipeline {
 
-/// A still or video to be rendered.
+/// A still or video to render.
 struct StudioJob {
   enum class Kind { still, video };
 
   Kind kind = Kind::still;
-  Manifest manifest;               ///< with the stimulus and all that it depends on
+  Manifest manifest;               ///< with the stimulus and everything that it depends on
   std::string stimulus;            ///< id
-  double seconds = 0.0;            ///< time of a still in the film; clamped to its duration
-  std::optional<Quality> quality;  ///< instead of the manifest's
+  double seconds = 0.0;            ///< time of a still within the film, clamped to its duration
+  std::optional<Quality> quality;  ///< empty: that of the manifest
 };
 
 /// Renders stills and videos in the background, one at a time. Thread-safe.
 class StudioJobs {
  public:
-  /// `folder` is for the results, apart from the output of `mien run`: drafts are not part of a
-  /// study.
+  /// `folder` receives the results. It is separate from the output of `mien run`, since drafts are
+  /// not part of a study. `threads`: number of rendering threads.
   StudioJobs(std::filesystem::path folder, int threads)
       : folder_(std::move(folder)), threads_(threads) {}
 
@@ -40,18 +40,18 @@ class StudioJobs {
   /// Starts a job and returns its number; nullopt while another is running.
   std::optional<int> begin(StudioJob job);
 
-  /// {"job": 3, "kind": "still", "stimulus": …, "state": "running", "done", "failed" or
-  /// "cancelled", "share": 0 … 1, "told": error message, or path of the result}; null unless `job`
-  /// is the last one.
+  /// The status of a job: {"job": 3, "kind": "still", "stimulus": …, "state": "running", "done",
+  /// "failed" or "cancelled", "share": progress from 0 to 1, "told": error message or path of the
+  /// result}. Null unless `job` is the last one.
   nlohmann::ordered_json status(int job) const;
 
-  /// The status of the last job; null before the first.
+  /// The status of the last job; null if there was none.
   nlohmann::ordered_json last() const;
 
   /// Requests the running job to stop.
   void cancel();
 
-  /// The result of the last job, when it is done.
+  /// The file with the result of a job, if it is the last one and done.
   std::optional<std::filesystem::path> result(int job) const;
 
  private:

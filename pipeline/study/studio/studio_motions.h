@@ -22,44 +22,45 @@ struct StudioMotion {
   Synthesis synthesis;
   Output output;
 
-  /// As its clip file is compared (compared_example.h); computed on first use.
+  /// The motion as read back from its clip file, for comparisons (compared_example.h); computed on
+  /// first use.
   std::optional<motion::Example> compared;
 };
 
-/// Synthesizes motions of drafts as a run does. Caches examples and the last motions. Thread-safe;
-/// one motion is made at a time.
+/// Synthesizes motions of drafts as `mien run` does. Caches examples and the most recent motions.
+/// Thread-safe; one motion is synthesized at a time.
 class StudioMotions {
  public:
   explicit StudioMotions(DraftReader& reader) : reader_(reader) {}
 
-  /// The options with the document's examples: "examples" and "sliders" as in
-  /// LiveInfo (pipeline/study/page/src/live/core.ts), "simulated": whether the ratings are
-  /// simulated, "faults": why there are no sliders. Throws DraftFaults.
+  /// What a page can choose from with the document's examples: "examples" and "sliders" as in
+  /// LiveInfo (pipeline/study/page/src/live/core.ts), "blendable": whether the examples can be
+  /// blended, "simulated": whether the ratings are simulated, and "warnings". Throws DraftFaults.
   nlohmann::ordered_json choices(const nlohmann::ordered_json& document);
 
   /// The motion of `show`, a stimulus of the document or an example, as bytes:
   ///
-  ///     u32 length of the JSON that follows, filled up with spaces to whole 8 bytes with these 4
+  ///     u32 length of the JSON, which is padded with spaces so that 4 + length is a multiple of 8
   ///     {"body": …, "findings": […], "warnings": […], "notes": […], "reached": {…},
-  ///      "weights": {…}, "modified": …, "seconds": how long it took, "distance": {…} or null,
+  ///      "weights": {…}, "modified": …, "seconds": computing time, "distance": {…} or null,
   ///      "figure": {"key", "joints"} (studio_figures.h)}
   ///     the motion (motion/live/live_message.h)
   ///     the poses of the figure's own joints, if it has any (studio_figures.h)
   ///
-  /// "distance" is D to the motion of `against`, if any, as `mien motion compare` finds it of the
-  /// written clips: "D", "D_sum", "by_joint" (20), "by_time" (11), metres. Throws DraftFaults.
+  /// "distance" is D to the motion of `against`, if given, as `mien motion compare` reports it for
+  /// the written clips: "D", "D_sum", "by_joint" (20 values), "by_time" (11 values), in metres.
+  /// Throws DraftFaults.
   std::string motion(const nlohmann::ordered_json& document, const std::string& show,
                      const std::string& against);
 
-  /// The GLB file of the figure of `show`; empty where its key is not `key`.
-  /// Throws DraftFaults.
+  /// The GLB file of the figure of `show`; empty if its key is not `key`. Throws DraftFaults.
   std::string figure(const nlohmann::ordered_json& document, const std::string& show,
                      const std::string& key);
 
  private:
   using CachedMotion = std::shared_ptr<StudioMotion>;
 
-  /// The figure of a motion.
+  /// The figure of a motion and its role in the film.
   struct Shown {
     scenes::Figure figure;
     scenes::Role role = scenes::Role::neutral;
@@ -72,7 +73,7 @@ class StudioMotions {
   /// Examples and their ratings, without motions of stimuli.
   struct Study {
     std::string key;
-    std::unique_ptr<const Manifest> manifest;  ///< at a stable address
+    std::unique_ptr<const Manifest> manifest;  ///< on the heap, since `motions` refers to it
     std::unique_ptr<Motions> motions;
   };
 
@@ -81,7 +82,7 @@ class StudioMotions {
   std::deque<Study> studies_;  ///< most recently used first
   std::deque<std::pair<std::string, CachedMotion>>
       motion_cache_;                                       ///< by request, most recently used first
-  std::deque<std::pair<std::string, Shown>> shown_cache_;  ///< by looks, most recently used first
+  std::deque<std::pair<std::string, Shown>> shown_cache_;  ///< by look, most recently used first
   StudioFigures figures_;
 };
 

@@ -17,39 +17,40 @@
 
 namespace mien::pipeline {
 
-/// The walker's page among the studio's, where there is one.
+/// File name of the walker's page, if the studio has one.
 inline constexpr char walker_page[] = "walk.html";
 
-/// Handles the requests to the studio; the link is secret:
+/// Handles the requests to the studio, whose link is secret:
 ///
-///     GET  /<link>/               the page, and the files of it
-///     GET  /<link>/walk.html      the walker's page, if the motion core is compiled for browsers
-///     GET  /<link>/studio.json    the manifest, and what there is to choose from (studio_options)
-///     POST /<link>/choices        examples and sliders for a document
-///     POST /<link>/motion         a motion, as bytes (studio_motions.h)
-///     POST /<link>/figure         {"document", "show", "key"}: the figure of a motion, as GLB
-///     POST /<link>/places         folders of captures, and characters (studio_places.h)
-///     POST /<link>/save           {"document", "text", "version"}: saves the manifest
-///     (manifest_file.h) POST /<link>/reload         opens the file again POST /<link>/jobs
-///     {"document", "kind", "stimulus", "seconds", "quality"}: a still
-///                                 or a video is begun
-///     GET  /<link>/jobs/<n>       how far it is
+///     GET  /<link>/                the page and its files
+///     GET  /<link>/walk.html       the walker's page, if the motion core is compiled for browsers
+///     GET  /<link>/studio.json     the manifest and the available options (studio_options)
+///     POST /<link>/choices         {"document"}: its examples and sliders
+///     POST /<link>/motion          {"document", "show", "against"}: a motion (studio_motions.h)
+///     POST /<link>/figure          {"document", "show", "key"}: the figure of a motion as GLB
+///     POST /<link>/places          folders of captures, and characters (studio_places.h)
+///     POST /<link>/save            {"document", "text", "version"}: saves (manifest_file.h)
+///     POST /<link>/reload          reads the manifest file again
+///     POST /<link>/jobs            {"document", "kind", "stimulus", "seconds", "quality"}:
+///                                  starts rendering a still or a video
+///     GET  /<link>/jobs/<n>        status of a job
 ///     POST /<link>/jobs/<n>/cancel
 ///     GET  /<link>/jobs/<n>/result
 ///
-/// Bodies are JSON. Faults of a document are answered with 422 and
+/// Request bodies are JSON. For an invalid document, the response has status 422 and the body
 /// {"faults": [{"path", "wrong", "remedy"}]}. File names in documents are checked (DraftReader).
 /// Thread-safe.
 class StudioService {
  public:
-  /// `file` outlives this. `page`: the files that browsers are given.
+  /// `file` must outlive this object. `page`: the files served to browsers. `out`: folder for
+  /// stills and videos. `threads`: number of rendering threads.
   StudioService(ManifestFile& file, std::map<std::string, ServedFile> page,
                 const std::filesystem::path& out, int threads);
 
   /// The secret part of the link.
   const std::string& link() const { return link_; }
 
-  /// Sets the port of the server, which requests are checked against; before this, all are refused.
+  /// Sets the port of the server, against which requests are checked. Before that, all are refused.
   void set_port(int port) { port_ = port; }
 
   HttpResponse answer(const HttpRequest& request);

@@ -18,10 +18,10 @@ namespace mien::pipeline {
 struct TrialKind;
 extern const TrialKind rating_trials;
 
-/// An item of a trial: the id of a scale, or the item of the trial form (TrialForm), such as the
-/// choice of an emotion. In matching trials it is the interface, and the stimulus is the target.
+/// An item of a trial: a scale, or the item of the trial form (TrialForm), such as the choice of an
+/// emotion. In matching trials, the item is the interface, and the stimulus is the target.
 struct TrialItem {
-  std::string item;
+  std::string item;      ///< id
   bool flipped = false;  ///< the high end is at the left
 
   friend bool operator==(const TrialItem&, const TrialItem&) = default;
@@ -29,13 +29,13 @@ struct TrialItem {
 
 /// One page of a session.
 struct Trial {
-  int number = 0;     ///< from 1, through all blocks
+  int number = 0;     ///< from 1, counted over all blocks
   std::string block;  ///< "practice", "main", or the level of the blocking factor
-  const TrialKind* kind = &rating_trials;  ///< of an attention check: the kind that it resembles
+  const TrialKind* kind = &rating_trials;  ///< for an attention check, the kind that it resembles
   std::vector<std::string>
-      stimuli;            ///< one, or two of a pair from left to right; none in an attention check
-  std::string reference;  ///< stimulus beside; empty for none
-  std::vector<TrialItem> items;  ///< in the order on the page
+      stimuli;                   ///< one id, or two from left to right; none in an attention check
+  std::string reference;         ///< reference stimulus shown in addition; empty if there is none
+  std::vector<TrialItem> items;  ///< in page order
   bool practice = false;
   bool warm_up = false;
   bool is_catch = false;  ///< an attention check, or a stimulus that is shown a second time
@@ -47,84 +47,85 @@ struct Trial {
   /// Whether it is neither practice, warm-up, an attention check nor a repetition.
   bool is_analysed() const { return !practice && !warm_up && !is_catch; }
 
-  /// The name of its kind in plans, on pages and in tables of answers.
+  /// The name of the kind in plans, on pages and in tables of answers.
   std::string_view kind_name() const;
 
-  /// The stimulus shown beside the first: the second of a pair, or the reference; or empty.
+  /// The stimulus shown in addition to the first: the second of a pair, or the reference; may be
+  /// empty.
   const std::string& against() const { return stimuli.size() > 1 ? stimuli[1] : reference; }
 
   friend bool operator==(const Trial&, const Trial&) = default;
 };
 
-/// A rating scale as the questionnaire presents it. Raw answers count from the left, whichever end
-/// of the scale is there: 1 … points, or 0 … 100 on a slider.
+/// A rating scale as presented by the questionnaire. Raw answers are counted from the left,
+/// regardless of which end of the scale is at the left: 1 … points, or 0 … 100 on a slider.
 struct ResponseScale {
   int points = 5;
   bool slider = false;
-  bool words = false;   ///< answered in free text, which has no value on the scale
-  double least = -2.0;  ///< value of the low end
-  double most = 2.0;
+  bool words = false;     ///< answered in free text, without a value on the scale
+  double least = -2.0;    ///< value of the low end
+  double most = 2.0;      ///< value of the high end
   std::string low, high;  ///< labels of the ends
 };
 
-/// By item.
+/// Response scales by item.
 using ResponseScales = std::map<std::string, ResponseScale>;
 
 /// The scales of a manifest's questionnaire, by item.
 ResponseScales response_scales_by_item(const Manifest& manifest);
 
-/// The scale of an item; nullptr where the item is not a scale.
+/// The scale of an item; nullptr if the item is not a scale.
 const ResponseScale* find_scale(const ResponseScales& scales, const std::string& item);
 
+/// Range of the raw answers.
 double least_raw(const ResponseScale& scale);
 double most_raw(const ResponseScale& scale);
 
-/// The value of a raw answer in the scale's own range; `flipped`: the high end was at the left.
+/// The value of a raw answer in the scale's own range. `flipped`: the high end was at the left.
 double value_of_raw(const ResponseScale& scale, double raw, bool flipped);
 
-/// The same rounded to six decimals, as pages and servers write it.
+/// The value rounded to six decimals, as written by pages and servers.
 double written_value_of_raw(const ResponseScale& scale, double raw, bool flipped);
 
-/// The raw answer nearest to a value, within the range.
+/// The raw answer nearest to a value, clamped to the range.
 double raw_of_value(const ResponseScale& scale, double value, bool flipped);
 
-/// An item of a trial with its scale and choices. References must outlive it.
+/// An item of a trial with its scale and choices. The referenced objects must outlive it.
 struct Question {
   const Trial& trial;
   const TrialItem& item;
-  const ResponseScale* scale;  ///< nullptr where the item is not a scale
-  const std::vector<std::string>&
-      choices;  ///< ids of the offered choices, in the order on the page
+  const ResponseScale* scale;               ///< nullptr if the item is not a scale
+  const std::vector<std::string>& choices;  ///< ids of the offered choices, in page order
 };
 
-/// A response to one item, as the page sends it.
+/// A response to one item, as sent by the page.
 struct ItemResponse {
   std::string item;
-  std::string value_raw;   ///< as text; of numbers the shortest
-  bool is_number = false;  ///< it was a JSON number
-  std::optional<double> rt_ms;
+  std::string value_raw;        ///< as text; numbers in their shortest form
+  bool is_number = false;       ///< whether it was a JSON number
+  std::optional<double> rt_ms;  ///< response time, ms
 };
 
 /// What a simulated participant perceives of one item of a trial.
 struct SimulatedView {
   std::function<double(std::size_t)>
-      opinion;                 ///< value on the scale, of a stimulus by its index in the trial
-  std::string shown;           ///< level of the first stimulus in the factor named like the item
+      opinion;        ///< value on the scale of the stimulus with this index in the trial
+  std::string shown;  ///< level of the first stimulus in the factor with the name of the item
   bool is_recognised = false;  ///< the participant recognises the shown level
-  double chance = 0.0;         ///< 0 to 1
+  double chance = 0.0;         ///< random number from 0 to 1 for the simulated response
 };
 
-/// A kind of trial: what is asked and how responses are checked, completed and simulated. An
-/// attention check is a trial of the same kind without stimuli.
+/// A kind of trial: defines how responses are checked, completed and simulated. An attention check
+/// is a trial of the same kind without stimuli.
 struct TrialKind {
   std::string_view name;
-  const TrialForm* form = nullptr;  ///< its form in a manifest; nullptr for matching trials
+  const TrialForm* form = nullptr;  ///< the form in a manifest; nullptr for matching trials
 
   /// Raw answers that an attention check may request.
   std::vector<std::string> (*attention_answers)(const Question&) = nullptr;
-  /// Why a response is invalid; empty where it is valid.
+  /// The reason why a response is invalid; empty if it is valid.
   std::string (*fault)(const Question&, const ItemResponse&) = nullptr;
-  /// Fills in value and pole_left from the raw answer of a row.
+  /// Sets `value` and `pole_left` of a row from its raw answer.
   void (*complete)(const Question&, AnswerRow& row) = nullptr;
   /// The raw answer of a simulated participant.
   std::string (*simulated)(const Question&, const SimulatedView&) = nullptr;
@@ -141,13 +142,13 @@ extern const TrialKind matching_trials;
 inline constexpr std::array trial_kinds = {&rating_trials, &emotion_trials, &pair_trials,
                                            &matching_trials};
 
-/// The kind of trials with that form.
+/// The kind of trial with that form.
 const TrialKind& trial_kind_of(const TrialForm& form);
 
 /// Sets the columns of a row of answers that describe its trial.
 void set_trial_columns(const Trial& trial, AnswerRow& row);
 
-/// A fault where the response is not one of `choices`; otherwise empty.
+/// An error message if the response is not one of `choices`; otherwise empty.
 std::string choice_fault(const ItemResponse& response, const std::vector<std::string>& choices);
 
 }  // namespace mien::pipeline

@@ -17,52 +17,56 @@ namespace mien::pipeline {
 
 /// A matching experiment, ready to be served, exported or simulated.
 struct MatchingStudy {
-  nlohmann::ordered_json experiment;  ///< what the page reads (page/src/matching/experiment.ts)
+  nlohmann::ordered_json
+      experiment;  ///< content of experiment.json (page/src/matching/experiment.ts)
   std::vector<SessionPlan> plans;
   motion::LiveBundle bundle;
 };
 
-/// Makes the targets; nothing is drawn. Throws Error when an adjective has no rating, or the
-/// examples cannot be blended.
+/// Plans the sessions of `participants` participants (0: as planned) and synthesises the target
+/// motions without rendering them. Throws Error if an adjective has no rating or the examples
+/// cannot be blended.
 MatchingStudy matching_study(const Manifest& manifest, Motions& motions, int participants = 0);
 
-/// With the pages of that folder (page_bundle("matching")), and motions that the server makes.
+/// The study as a server serves it, with the pages in the folder `pages` (page_bundle("matching")).
+/// The server synthesises the motions.
 ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pages);
 
 /// The sessions of a matching experiment for all planned participants, or for `count` when that is
 /// not 0. A trial is a target (its stimulus) and an interface (its item).
 ///
-/// Practice comes first: its motions one after the other, with the interfaces in the participant's
-/// own order, so many trials that each motion and each interface comes. Then one block an
-/// interface, in each of which every target comes once. Blocks follow a row of Williams' square of
-/// the interfaces (orders.h); targets a row of theirs, another one in each block and for each
-/// participant of the same order of blocks.
+/// A session begins with practice, which cycles through the practice motions and through the
+/// interfaces in the participant's order until each has occurred. One block per interface follows,
+/// which contains every target once. The blocks are ordered by a row of Williams' square of the
+/// interfaces (williams_row), the targets within a block by a row of the square of the targets.
+/// That row differs between blocks, and between participants with the same order of blocks.
 ///
-/// Where guesses come first, blocks are targets in that participant's row, in each of which every
-/// interface comes once, in another row of theirs in each block; so practice has every motion with
-/// every interface. Every plan is a pure function of (manifest, its index).
+/// With MatchingOrder::guesses_first, there is one block per target instead, ordered by a row of
+/// the square of the targets. Each block contains every interface once, ordered by a row that
+/// differs between blocks. Practice has one such block per practice motion. Every plan is a pure
+/// function of (manifest, index).
 std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count = 0);
 
-/// A matching experiment that runs by itself, the motion core inside the browser: files by their
-/// paths, for write_export (questionnaire/experiment/export.h).
+/// A matching experiment that runs without a server, with the motion core in the browser: files by
+/// their paths, for write_export (questionnaire/experiment/export.h).
 ///
-///     index.html, matching.js, …        what participants open, on disk or on any web server
+///     index.html, matching.js, …        the page for participants, on disk or on any web server
 ///     experiment.js, experiment.json    all sessions, for the page and for other programs
-///     live_core.js                      the motion core (WebAssembly) and what it blends
+///     live_core.js                      the motion core (WebAssembly) and the live bundle
 ///     <study>.jzip                      the same for JATOS
 ///     plans.csv                         every trial of every participant
-///     answers/data/README.md            where the files of participants go
-///     README.txt                        for the lab
+///     answers/data/README.md            instructions: participants' files are collected here
+///     README.txt                        instructions for the experimenter
 ///
 /// `pages` is the folder of the built page, `module` the motion core (live_module()). The same
-/// study gives the same bytes.
+/// study results in the same bytes.
 ZipFiles exported_matching(const Manifest& manifest, const MatchingStudy& study,
                            const std::filesystem::path& pages, const std::filesystem::path& module);
 
-/// Simulated trials. In each plan, practice excluded, a simulated user
-/// (simulated_trial.h) before each target, who takes 20 s to guess and 3 s for each look after it,
-/// and gives up at the limit. Sliders are those that are shown at once. Every trial is marked as
-/// simulated. Where a target is no blend, its sliders are read as being in the middle.
+/// Simulates all trials of all plans except practice, with one simulated user (simulated_trial.h)
+/// per trial, who needs 20 s for the first guess and 3 s for each further view and stops at the
+/// time limit. The user has the sliders that the page shows initially. For a target that is not a
+/// blend, the ideal slider settings are taken as 0.5. Every trial is marked as simulated.
 std::vector<MatchedTrial> simulated_matching(const Manifest& manifest, Motions& motions,
                                              const MatchingStudy& study);
 
@@ -73,16 +77,17 @@ struct StartingDistance {
   double metres = 0.0;  ///< D
 };
 
-/// Starting distances of each target except practice with each interface. Sliders are at their
-/// initial positions on the page: the examples' mean, or weights of 0.
+/// Starting distances of all targets, except practice ones, with each interface. Sliders are at
+/// their initial positions on the page: the examples' mean for parameters, 0 for weights.
 std::vector<StartingDistance> starting_distances(const Manifest& manifest,
                                                  const MatchingStudy& study);
 
-/// A threshold below the usual starting distances, metres: the paper's 0.06, or half of the median
-/// starting distance, rounded down to a millimetre, where that is less.
+/// Suggested threshold of D below which motions match, metres: half of the median starting
+/// distance, rounded down to a millimetre, but at most 0.06 (the paper's threshold) and at least
+/// 0.001.
 double suggested_threshold(const std::vector<StartingDistance>& distances);
 
-/// A warning about trials that match before any slider is moved; empty where there are none.
+/// A warning about targets that match before any slider is moved; empty if there are none.
 std::string starting_match_warning(const Manifest& manifest, const MatchingStudy& study);
 
 }  // namespace mien::pipeline

@@ -10,12 +10,12 @@
 
 namespace mien::pipeline {
 
-/// What the page of a questionnaire shows (page/src/questionnaire/experiment.ts): texts, settings,
-/// scales in the questionnaire's language, media by their tokens, and all sessions. `media` holds
-/// every stimulus of the plans; their files are named "media/<token><ending>".
+/// The content of a questionnaire's page (page/src/questionnaire/experiment.ts): texts, settings,
+/// scales in the questionnaire's language, media by token, and all sessions. `media` must contain
+/// every stimulus of the plans; the files are named "media/<token><ending>".
 ///
-/// "stimuli" maps tokens to stimuli; a server does not send it to participants. "design" is the
-/// design_hash.
+/// The member "stimuli" maps tokens to stimuli; a server does not send it to participants. "design"
+/// is the design_hash.
 nlohmann::ordered_json experiment_json(const Manifest& manifest,
                                        const std::vector<SessionPlan>& plans,
                                        const MediaFiles& media);
@@ -23,7 +23,7 @@ nlohmann::ordered_json experiment_json(const Manifest& manifest,
 /// The paragraphs of a text, separated by blank lines; lines within a paragraph are joined.
 std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage language);
 
-/// The questions about participants, as the page reads them.
+/// The demographic questions as JSON for the page.
 nlohmann::ordered_json demographics_json(const std::vector<Demographic>& demographics);
 
 }  // namespace mien::pipeline

@@ -15,28 +15,29 @@ namespace mien::pipeline {
 
 /// A questionnaire that runs without mien's server: files by their paths.
 ///
-///     index.html, questionnaire.js, …   what participants open, on disk or on any web server
+///     index.html, questionnaire.js, …   the page for participants, on disk or on any web server
 ///     experiment.js, experiment.json    all sessions, for the page and for other programs
-///     media/<token>.mp4                 media of the stimuli; of a clip a script, too
+///     media/<token>.mp4                 media of the stimuli; 3-D clips also as a script
 ///     <study>.jzip                      the same for JATOS
 ///     plans.csv                         every trial of every participant
-///     answers/dataset_description.json  what the columns of the answers mean (Psych-DS, JSON-LD)
-///     answers/data/README.md            where the answers of participants go
-///     README.txt                        for the lab
+///     answers/dataset_description.json  codebook of the answers (Psych-DS, JSON-LD)
+///     answers/data/README.md            instructions: participants' answers are collected here
+///     README.txt                        instructions for the experimenter
 ///
-/// `pages` is the folder of the built pages (page_bundle). The same study gives the same bytes.
+/// `pages` is the folder of the built pages (page_bundle). The same study results in the same
+/// bytes.
 ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                                 const MediaFiles& media, const std::filesystem::path& pages);
 
-/// Name of the file in an export's folder that lists the export's files, one path a line.
+/// Name of the file in an export's folder that lists the export's files, one path per line.
 inline constexpr char export_marker[] = ".mien-questionnaire";
 
 /// Throws Error for a folder that is not empty and not an earlier export, whose files might be
 /// overwritten.
 void refuse_foreign_folder(const std::filesystem::path& folder);
 
-/// Throws Error where the folder's answers/data contains answers to an earlier export with another
-/// design (design_hash), since answers to the two could not be distinguished later.
+/// Throws Error if the folder's answers/data contains answers to an earlier export with another
+/// design (design_hash), since the answers to both could not be distinguished later.
 void refuse_answers_to_other_design(const std::filesystem::path& folder, const std::string& design);
 
 /// Writes the files into the folder, replacing those of an earlier export; answers and other added
@@ -50,7 +51,7 @@ std::string export_readme(const Manifest& manifest, const std::vector<SessionPla
 /// JSON-LD, with every column of answers and participants.
 nlohmann::ordered_json dataset_description(const Manifest& manifest);
 
-/// README of the folder for answers.
+/// The README of the answers folder.
 std::string answers_readme();
 
 }  // namespace mien::pipeline

@@ -11,20 +11,21 @@ struct JatosStudy {
   std::string title;
   std::string description;
   std::string folder;  ///< folder of its assets: letters, digits, - and _
-  std::string key;  ///< the same for each export of a study, so that JATOS replaces the earlier one
+  std::string
+      key;  ///< the same for every export of a study, so that JATOS replaces the earlier one
 };
 
-/// A study as JATOS imports it (.jzip): a zip archive of "<folder>.jas", which describes a study of
-/// one component and one batch as version 3 of that format does, and of the assets in "<folder>/".
-/// `assets` has an index.html, which is the component.
+/// A study archive for import into JATOS (.jzip): a zip archive with "<folder>.jas", which
+/// describes a study with one component and one batch in version 3 of the format, and the assets in
+/// "<folder>/". `assets` must contain an index.html, which is the component.
 ///
-/// The format is that of JATOS 3 (jatos.org, "Export and import of studies"). The same study gives
-/// the same bytes.
+/// The format is that of JATOS 3 (jatos.org, "Export and import of studies"). The same study
+/// results in the same bytes.
 std::string jatos_archive(const JatosStudy& study, const ZipFiles& assets);
 
-/// The page of an export adapted for JATOS: loads JATOS's script before the page's own (`script`,
-/// "questionnaire.js"), and lacks the content security policy that would block requests to its
-/// server.
+/// The page of an export adapted for JATOS: it loads JATOS's script before the page's own script
+/// (`script`: "questionnaire.js") and lacks the content security policy, which would block requests
+/// to the JATOS server.
 std::string jatos_page(std::string page, const std::string& script);
 
 /// A UUID of version 8 (RFC 9562), derived from the name.

@@ -14,19 +14,19 @@ namespace mien::pipeline {
 struct MediaFile {
   std::filesystem::path file;  ///< in the study's folder
   std::string token;           ///< public name, which does not reveal the stimulus
-  std::string ending;          ///< ".mp4"
-  std::string type;            ///< "video/mp4"
+  std::string ending;          ///< file extension: ".mp4"
+  std::string type;            ///< media type: "video/mp4"
   std::string sha256;
-  double seconds = 0.0;
-  int width = 0;  ///< pixels; 0 for a 3-D motion
+  double seconds = 0.0;  ///< duration
+  int width = 0;         ///< pixels; 0 for a 3-D motion
   int height = 0;
 };
 
 /// Media files by stimulus id.
 using MediaFiles = std::map<std::string, MediaFile>;
 
-/// The manifest with output of the motion files that its questionnaire shows. Throws Error where
-/// shown stimuli have no video that browsers play.
+/// The manifest with output enabled for the 3-D motions that its questionnaire shows. Throws Error
+/// if a shown stimulus has no video that browsers can play.
 Manifest with_media(Manifest manifest);
 
 /// The media of all stimuli in the plans, in the output folder of the study. Throws Error for

@@ -11,37 +11,38 @@
 
 namespace mien::pipeline {
 
-/// Running counts of answers for the experimenter's page, over analysed trials (no practice,
-/// warm-up or checks).
+/// Running counts of answers for the experimenter's page, over analysed trials (without practice,
+/// warm-up and attention checks).
 class LiveResults {
  public:
   explicit LiveResults(const QuestionnaireFacts& facts) : facts_(facts) {}
 
   void add(const std::vector<AnswerRow>& rows);
 
-  /// [{"item": …, "is_pair": false, "answers": 12, "mean": 0.5 or null, "bins": [{"label": "-2",
-  /// "count": 3}, …]}, …]
+  /// Answers by item: [{"item": …, "is_pair": false, "answers": 12, "mean": 0.5 or null, "bins":
+  /// [{"label": "-2", "count": 3}, …]}, …]
   nlohmann::ordered_json histograms() const;
 
-  /// {"passed": 3, "failed": 1}
+  /// Results of attention checks: {"passed": 3, "failed": 1}
   nlohmann::ordered_json checks() const;
 
  private:
   struct Tally {
     int answers = 0;
-    bool is_measured = false;  ///< answers are numbers, and have a mean
+    bool is_measured = false;  ///< answers are numbers, so that they have a mean
     double sum = 0.0;
     std::vector<std::string> labels;
     std::vector<int> counts;
   };
 
-  /// The scale of a row's item, or nullptr.
+  /// The scale of a row's item; nullptr if there is none.
   const ResponseScale* scale_of(const AnswerRow& row) const;
   Tally& tally_of(const AnswerRow& row);
   static void count(Tally& tally, const std::string& label);
 
   const QuestionnaireFacts& facts_;
-  std::map<std::pair<std::string, bool>, Tally> tallies_;  ///< by item, and whether of pairs
+  std::map<std::pair<std::string, bool>, Tally>
+      tallies_;  ///< by item and whether it compares pairs
   int passed_ = 0;
   int failed_ = 0;
 };

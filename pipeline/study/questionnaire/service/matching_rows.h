@@ -11,11 +11,11 @@ namespace mien::pipeline {
 /// A completed matching trial, real or simulated.
 struct MatchedTrial {
   std::string participant;
-  std::string session;  ///< browser session; empty of simulated ones
-  std::string design;
+  std::string session;  ///< browser session; empty for simulated trials
+  std::string design;   ///< design_hash
   Trial trial;
   MatchingRecord match;
-  double limit_s = 0.0;      ///< seconds allowed
+  double limit_s = 0.0;      ///< seconds allowed for a match
   double threshold_m = 0.0;  ///< D below which motions match, metres
   bool simulated = false;
 };
@@ -24,10 +24,10 @@ struct MatchedTrial {
 extern const TableForm matching_trials_form;
 extern const TableForm matching_changes_form;
 
-/// A row for each trial without practice, as `mien study evaluate` reads it.
+/// CSV with a row for each trial except practice, as read by `mien study evaluate`.
 std::string matching_trials_csv(const std::vector<MatchedTrial>& trials);
 
-/// A row for each change, including practice.
+/// CSV with a row for each change, including those in practice.
 std::string matching_changes_csv(const std::vector<MatchedTrial>& trials);
 
 }  // namespace mien::pipeline

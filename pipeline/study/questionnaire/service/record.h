@@ -18,47 +18,47 @@ namespace mien::pipeline {
 struct DemographicQuestion {
   std::string id;
   bool is_number = false;
-  std::vector<std::string> choices;  ///< one of these; empty: a text, or a number
+  std::vector<std::string> choices;  ///< permitted answers; empty: any text, or a number
   bool required = false;
 };
 
-/// The properties of a questionnaire, beside its plans, by which records are checked and written as
-/// rows.
+/// The properties of a questionnaire that are needed, in addition to its plans, to check records
+/// and convert them to rows.
 struct QuestionnaireFacts {
-  std::string design;  ///< hash
+  std::string design;  ///< design_hash
   bool simulated = false;
   ResponseScales scales;
-  std::vector<std::string> choices;  ///< of emotion trials: ids
+  std::vector<std::string> choices;  ///< ids of the choices in emotion trials
   std::vector<DemographicQuestion> questions;
-  std::map<std::string, std::string> sha256;  ///< of the media, by stimulus
-  std::optional<MatchingFacts> matching;      ///< of a matching experiment
+  std::map<std::string, std::string> sha256;  ///< hash of the media, by stimulus
+  std::optional<MatchingFacts> matching;      ///< only in a matching experiment
 };
 
-/// An item of a trial with its scale and choices.
+/// Combines an item of a trial with its scale and choices.
 Question question_of(const QuestionnaireFacts& facts, const SessionPlan& plan, const Trial& trial,
                      const TrialItem& item);
 
-/// Reads them from experiment.json with all sessions. Throws nlohmann::json::exception for other
-/// JSON.
+/// Reads these properties from experiment.json with all sessions. Throws nlohmann::json::exception
+/// for JSON of another form.
 QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment);
 
-/// A record sent by a participant's page: consent, demographics, a trial or the ending.
+/// A record sent by a participant's page: consent, demographic answers, a trial or the ending.
 struct PageRecord {
   std::string name;     ///< "trial-7"
   std::string session;  ///< random name of the browser session
   std::vector<ItemResponse> responses;
   std::string comment;
-  std::string started_at;                  ///< ISO time by the participant's clock
-  AnswerRow measured;                      ///< only the columns that the browser counts or times
-  std::vector<std::string> media_sha256;   ///< of the stimuli shown, then of the reference
-  std::optional<MatchingRecord> matching;  ///< of a matching trial
+  std::string started_at;  ///< ISO 8601 time by the participant's clock
+  AnswerRow measured;      ///< only the columns with counts and times measured by the browser
+  std::vector<std::string> media_sha256;   ///< hashes of the stimuli shown, then of the reference
+  std::optional<MatchingRecord> matching;  ///< only for a matching trial
 };
 
-/// Throws RecordFault for members that are unknown, missing or of another type, numbers out of
-/// range, and texts that are too long.
+/// Parses a record. Throws RecordFault for members that are unknown, missing or of a wrong type,
+/// numbers out of range, and texts that are too long.
 PageRecord read_record(const nlohmann::json& text);
 
-/// Names of a session's records in order: "consent", "demographics" (where there are such
+/// Names of a session's records in order: "consent", "demographics" (if there are demographic
 /// questions), "trial-1", …, "ending".
 std::vector<std::string> record_names(const SessionPlan& plan, const QuestionnaireFacts& facts);
 

@@ -6,12 +6,12 @@
 
 namespace mien::pipeline {
 
-/// Throws RecordFault when the page of this session cannot have sent the record: unknown, missing
-/// or repeated items, invalid values, media that was not shown.
+/// Throws RecordFault if the page of this session cannot have sent the record: unknown, missing or
+/// repeated items, invalid values, or media that were not shown.
 void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
                   const PageRecord& record);
 
-/// The trial of a record such as "trial-7", or nullptr.
+/// The trial of a record such as "trial-7"; nullptr for other records.
 const Trial* trial_of(const SessionPlan& plan, const std::string& record_name);
 
 inline constexpr char consent_record[] = "consent";
@@ -21,8 +21,8 @@ inline constexpr char ending_record[] = "ending";
 /// Whether a record refuses consent.
 bool is_refusal(const PageRecord& record);
 
-/// Recomputes D of the guess and of the last setting on the server. Throws RecordFault when the
-/// record states another, so that a page cannot claim a better match.
+/// Recomputes D of the first guess and of the final setting on the server. Throws RecordFault if
+/// the record states other values, so that a page cannot claim a better match.
 void check_distances(LiveMotions& live, const Trial& trial, const MatchingRecord& record);
 
 }  // namespace mien::pipeline

@@ -17,11 +17,12 @@
 namespace mien::pipeline {
 
 inline constexpr std::size_t max_name_characters = 64;
-inline constexpr std::size_t max_comment_characters = 10'000;  // characters
-inline constexpr double max_ms = 7.0 * 24 * 3600 * 1000;
+inline constexpr std::size_t max_comment_characters = 10'000;
+inline constexpr double max_ms = 7.0 * 24 * 3600 * 1000;  // a week
 inline constexpr double max_count = 1e6;
 
-/// Reads the members of a JSON object with type and range checks, which throw RecordFault.
+/// Reads the members of a JSON object. Every function throws RecordFault for a missing required
+/// member, a wrong type, or a value out of range.
 class RecordReader {
  public:
   explicit RecordReader(const nlohmann::json& text, const char* what) : text_(text), what_(what) {
@@ -85,7 +86,7 @@ class RecordReader {
     return value.get<bool>();
   }
 
-  /// Throws RecordFault when there are members that were not read.
+  /// Throws RecordFault if the object has members that were not read.
   void finish() const {
     for (const auto& [member, value] : text_.items())
       if (!read_members_.contains(member))

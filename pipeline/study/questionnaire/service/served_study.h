@@ -23,38 +23,40 @@ struct ServedMedia {
   std::string type;
 };
 
-/// Everything that is served of a study. Requests name media by tokens and pages by names, which
-/// are looked up in these maps, never in the file system.
+/// A study with everything that a server needs. Requests name media by tokens and pages by names,
+/// which are looked up in these maps, never in the file system.
 struct ServedStudy {
   nlohmann::ordered_json experiment;         ///< experiment.json, with all sessions
-  std::vector<SessionPlan> plans;            ///< of the same sessions, in the same order
+  std::vector<SessionPlan> plans;            ///< plans of these sessions, in the same order
   std::map<std::string, ServedMedia> media;  ///< by token
   std::map<std::string, ServedFile> page;    ///< by name; "index.html" is the page itself
   std::map<std::string, ServedFile> lab;     ///< the experimenter's page, by name
-  QuestionnaireFacts facts;                  ///< of `experiment`
-  std::unique_ptr<LiveMotions> live;         ///< of a matching experiment: what its sliders make
+  QuestionnaireFacts facts;                  ///< read from `experiment`
+  std::unique_ptr<LiveMotions>
+      live;  ///< synthesises the motions of a matching experiment; else null
 };
 
 /// A study with its media, to be served with the pages in the folder `pages` (page_bundle).
 ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                          const MediaFiles& media, const std::filesystem::path& pages);
 
-/// A hash of the media, by which a store detects that other videos are served.
+/// A hash of the media, by which a session store detects that the media have changed.
 Hash media_hash(const ServedStudy& study);
 
 /// The progress of a session.
 struct SessionProgress {
   std::vector<std::string> stored;  ///< names of the stored records
   std::string browser;              ///< the browser session that sent them
-  bool has_refused = false;
+  bool has_refused = false;         ///< consent was refused
 };
 
-/// experiment.json for one participant's page: one session, without data that reveals conditions or
-/// belongs to others.
+/// experiment.json for one participant's page: it contains only this session, without data that
+/// reveals conditions or belongs to other participants.
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
                          const SessionProgress& progress);
 
-/// experiment.json for the page that asks for consent before there is a session: the texts alone.
+/// experiment.json for the page that asks for consent before a session is assigned: the texts
+/// alone.
 std::string joining_json(const ServedStudy& study);
 
 }  // namespace mien::pipeline

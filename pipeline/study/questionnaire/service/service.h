@@ -11,21 +11,21 @@ namespace mien::pipeline {
 
 /// Rate limits of requests.
 struct ServiceRates {
-  Rate link{.burst = 300, .per_second = 10};    ///< by one participant's link
-  Rate live{.burst = 600, .per_second = 120};   ///< motions, by one participant's link
-  Rate wrong{.burst = 60, .per_second = 0.5};   ///< links that do not exist, by one address
-  Rate joining{.burst = 100, .per_second = 1};  ///< new sessions, by one address
+  Rate link{.burst = 300, .per_second = 10};    ///< per participant's link
+  Rate live{.burst = 600, .per_second = 120};   ///< synthesised motions, per participant's link
+  Rate wrong{.burst = 60, .per_second = 0.5};   ///< requests with unknown links, per client address
+  Rate joining{.burst = 100, .per_second = 1};  ///< new sessions, per client address
 };
 
 /// Handles the requests of a served study:
 ///
-///   /s/<link>/                    a participant's page, and the files of it
-///   /s/<link>/session.json        what it shows, and the progress
+///   /s/<link>/                    a participant's page and its files
+///   /s/<link>/session.json        content of the page and progress of the session
 ///   /s/<link>/records/<name>      POST: a record
 ///   /s/<link>/live/…              motions of a matching experiment (live_motions.h)
-///   /media/<token>                a video
-///   /join/<link>/                 the page that asks for consent before there is a session
-///   /join/<link>/records/consent  POST: consent, answered with a session
+///   /media/<token>                a video or 3-D clip
+///   /join/<link>/                 the page that asks for consent before a session is assigned
+///   /join/<link>/records/consent  POST: consent; the response is a new session
 ///   /lab/<link>/                  the experimenter's page and exports (lab_answer)
 ///
 /// A link gives access to one session only. No part of a request is used as a file path.
@@ -36,11 +36,11 @@ class QuestionnaireService {
   QuestionnaireService(const ServedStudy& study, SessionStore& store, ServiceRates rates = {},
                        ClockSeconds clock = system_seconds);
 
-  /// A record that could not be stored is answered with 507 and shown on the experimenter's page
-  /// (last_failure()).
+  /// Handles a request. If a record cannot be stored, the response has status 507, and the failure
+  /// is shown on the experimenter's page (last_failure()).
   HttpResponse answer(const HttpRequest& request);
 
-  /// The last storage failure; empty once a record has been stored since.
+  /// The last storage failure; empty if a record has been stored since.
   std::string last_failure() const;
 
   const StudySessions& sessions() const { return sessions_; }

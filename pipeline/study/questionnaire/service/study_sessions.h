@@ -13,20 +13,21 @@
 
 namespace mien::pipeline {
 
-/// Seconds since 1970.
+/// A clock that returns seconds since 1970.
 using ClockSeconds = std::function<std::int64_t()>;
+/// The system's clock.
 std::int64_t system_seconds();
 
-/// "2026-01-31T09:00:00Z"
+/// ISO 8601 time in UTC: "2026-01-31T09:00:00Z"
 std::string iso_time(std::int64_t seconds);
 
-/// The progress of a participant.
+/// A session and its progress.
 struct SessionState {
   StoredSession session;
-  std::vector<std::string> names;  ///< of this session's records, in order
-  std::size_t stored = 0;          ///< number of stored records, the first of these
+  std::vector<std::string> names;  ///< names of this session's records, in order
+  std::size_t stored = 0;          ///< number of these records that have been stored
   std::int64_t last_seen = 0;      ///< time of the last request, seconds since 1970; 0: never
-  std::string browser;  ///< browser session that sent the first record; others are refused
+  std::string browser;  ///< browser session that sent the first record; other browsers are refused
   bool has_refused = false;
 
   bool has_finished() const { return stored == names.size(); }
@@ -34,10 +35,10 @@ struct SessionState {
   bool is_online(std::int64_t now) const { return last_seen != 0 && now - last_seen <= 300; }
 };
 
-/// The outcome of a sent record.
+/// The outcome of submitting a record.
 struct SubmissionResult {
   RecordOutcome outcome = RecordOutcome::stored;
-  std::string next;          ///< name of the expected record, where the order was wrong
+  std::string next;          ///< name of the expected record, if the order was wrong
   bool has_refused = false;  ///< the participant has refused consent; further records are refused
   bool is_other_browser = false;  ///< the session was begun in another browser
 };
@@ -45,8 +46,8 @@ struct SubmissionResult {
 /// The sessions of a served study: links and progress. Thread-safe.
 class StudySessions {
  public:
-  /// Initialises the store unless it was. Throws Error when the store is of another study or of
-  /// another design of this one. `study` and `store` must outlive this.
+  /// Initialises a new store. Throws Error if the store belongs to another study or to another
+  /// design of this study. `study` and `store` must outlive this object.
   StudySessions(const ServedStudy& study, SessionStore& store, ClockSeconds clock);
 
   /// The session with this link, or nullopt.
@@ -55,25 +56,25 @@ class StudySessions {
   SessionState state(int session) const;
   std::vector<SessionState> states() const;
 
-  /// Notes a request of the participant's page.
+  /// Records the time of a request from the participant's page.
   void note_request(int session);
 
-  /// Stores a record, which must have been checked.
+  /// Stores a record, which must have been checked (record_check.h). `content`: its JSON text.
   SubmissionResult submit(int session, const PageRecord& record, const std::string& content);
 
-  /// Adds a session for a participant who gave consent by the shared link. It follows the plan with
-  /// the fewest participants, not counting those who have left or refused. Planned sessions are
-  /// never used, since their links may have been handed out. The same consent sent again returns
-  /// the same session. Nullopt when has_enough().
+  /// Adds a session for a participant who gave consent on the page of the shared link. It follows
+  /// the plan with the fewest participants, not counting those who have left or refused. Planned
+  /// sessions are never used, since their links may have been handed out. If the same consent is
+  /// sent again, the same session is returned. Nullopt if has_enough().
   std::optional<SessionState> join(const PageRecord& consent, const std::string& content);
 
-  /// Whether all plans are finished, or the limit of further sessions is reached.
+  /// Whether all plans are finished or the maximum number of added sessions is reached.
   bool has_enough() const;
 
   std::string lab_link() const { return lab_link_; }
   std::string join_link() const { return join_link_; }
 
-  /// The plan of a session, with the session's participant name.
+  /// The plan of a session, with the name of the session's participant.
   SessionPlan plan_of(const StoredSession& session) const;
 
   nlohmann::ordered_json histograms() const;

@@ -10,7 +10,7 @@ namespace mien::pipeline {
 
 /// A coloured cell of a table.
 struct HeatCell {
-  std::string text;  ///< printed in it; empty for nothing
+  std::string text;  ///< printed in the cell; may be empty
   Colour colour = paper;
   bool is_outlined = false;
   bool is_bold = false;
@@ -19,7 +19,7 @@ struct HeatCell {
 /// A table whose cells are coloured.
 struct HeatMap {
   std::string title;
-  std::string words;  ///< under the title
+  std::string words;  ///< subtitle
   std::string row_title, column_title;
   std::vector<std::string> row_names, column_names;
   std::vector<std::vector<HeatCell>> cells;  ///< row by row
@@ -28,10 +28,10 @@ struct HeatMap {
 
 Plot heat_map_plot(const HeatMap& map);
 
-/// White for 0, to blue for 1 and to orange for −1, even steps for the eye.
+/// Diverging colormap with perceptually uniform steps: orange for −1, white for 0, blue for 1.
 Colour signed_colour(double value);
 
-/// White for 0 to blue for 1.
+/// Sequential colormap: white for 0, blue for 1.
 Colour share_colour(double value);
 
 }  // namespace mien::pipeline

@@ -7,40 +7,40 @@
 
 namespace mien::pipeline {
 
-/// A small picture of the answers about one stimulus on one scale.
+/// The answers about one stimulus on one scale, for a panel of the grid.
 struct RatingPanel {
-  std::vector<int> counts;  ///< by point of the scale; empty: not rated
+  std::vector<int> counts;  ///< number of answers by scale point; empty: not rated
   double mean = 0.0;        ///< 0 at the low end … 1 at the high end
-  double low = 0.0;         ///< of its interval; NaN for none
-  double high = 0.0;
-  bool is_marked = false;  ///< the scale has the stimulus's intended emotion
+  double low = 0.0;         ///< lower limit of its interval; NaN if there is none
+  double high = 0.0;        ///< upper limit
+  bool is_marked = false;   ///< an end of the scale is the stimulus's intended emotion
 };
 
 struct RatingRow {
   std::string name;
-  std::string note;  ///< under the name
+  std::string note;  ///< small text below the name
   std::vector<RatingPanel> panels;
 };
 
-/// A scale at the head of a column.
+/// The ends of a scale, shown as the heading of a column.
 struct RatingColumn {
   std::string low;
   std::string high;
 };
 
-/// Stimuli below each other, scales beside each other.
+/// A grid with one row per stimulus and one column per scale.
 struct RatingGrid {
   std::string title;
-  std::string words;  ///< under the title
+  std::string words;  ///< subtitle
   std::vector<RatingColumn> columns;
   std::vector<RatingRow> rows;
   bool simulated = false;
 };
 
-/// Histograms of answers with a common vertical scale, and the mean as a line.
+/// A grid of histograms with a common vertical axis, with the mean as a line.
 Plot histogram_grid_plot(const RatingGrid& grid);
 
-/// Means as points with their intervals.
+/// A grid of means as points with their intervals.
 Plot mean_grid_plot(const RatingGrid& grid);
 
 }  // namespace mien::pipeline

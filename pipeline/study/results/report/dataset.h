@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// A file of the report's folder.
+/// A file in the report's folder; `path` is relative to the folder.
 struct DatasetFile {
   std::string path;
   std::string bytes;
@@ -19,28 +19,30 @@ struct DatasetFile {
 /// Paths of the data files in the dataset.
 struct DatasetPaths {
   std::string answers;       ///< "data/study-emotionstudy_description-answers_data.csv"
-  std::string stimuli;       ///< likewise -stimuli_
-  std::string participants;  ///< likewise -participants_
+  std::string stimuli;       ///< "data/study-emotionstudy_description-stimuli_data.csv"
+  std::string participants;  ///< "data/study-emotionstudy_description-participants_data.csv"
 };
 
-/// Paths by the naming rules of Psych-DS: keywords and values of letters and digits.
+/// Paths by the naming rules of Psych-DS, in which keywords and values consist of letters and
+/// digits.
 DatasetPaths dataset_paths(const std::string& study);
 
-/// The data as a Psych-DS dataset (psych-ds.github.io): the answers as read, including excluded
-/// participants; the stimuli with their factors; the participants, where known;
+/// The data as a Psych-DS dataset (psych-ds.github.io): the answers as read, including those of
+/// excluded participants; the stimuli with their factors; the participants, if known;
 /// dataset_description.json (JSON-LD, schema.org), which describes every column; and codebook.csv,
 /// which also describes the tables of results.
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
                                        const std::vector<WrittenTable>& tables);
 
-/// R scripts that read the exported data and fit models that mien does not implement. They run from
-/// their own folder, beside data/.
+/// R scripts that read the exported data and fit models that mien does not implement. They are run
+/// in their own folder, which is next to data/.
 struct RScripts {
-  std::string mixed;    ///< lme4: linear mixed models, scale by scale
-  std::string ordinal;  ///< ordinal: cumulative link mixed models, scale by scale
+  std::string mixed;    ///< a linear mixed model for each scale, by lme4
+  std::string ordinal;  ///< a cumulative link mixed model for each scale, by ordinal
 };
 
-/// `answers` and `stimuli` are the paths of the data, relative to the dataset's folder.
+/// The R scripts. `answers` and `stimuli` are the paths of the data, relative to the dataset's
+/// folder.
 RScripts r_scripts(const AnswerSet& answer_set, const std::string& answers,
                    const std::string& stimuli);
 

@@ -8,12 +8,15 @@
 
 namespace mien::pipeline {
 
-// Numbers as the page of results prints them: with a true minus sign, and "–" for what is not
-// known.
+// Numbers as printed on the page of results: with a typographic minus sign, and "–" for NaN.
 
+/// "−0.25": with that number of decimals
 std::string decimal(double value, int digits = 2);
+/// "[0.10, 0.42]"
 std::string interval_text(double low, double high, int digits = 2);
+/// "25 %" for 0.25
 std::string percent_text(double share);
+/// "[10, 42] %" for 0.10 and 0.42
 std::string share_interval(double low, double high);
 /// "< .001", ".034"
 std::string p_text(double p);
@@ -21,12 +24,13 @@ std::string p_text(double p);
 /// "sad – happy"
 std::string scale_name(const Scale& scale);
 
-/// A row of cells; those of `text` and `prose` are set left, and prose may break.
+/// A row of an HTML table. Cells of `text` and `prose` are left-aligned; only prose may wrap.
+/// Contents are escaped.
 class HtmlRow {
  public:
   HtmlRow& text(const auto&... plain) { return (add("text", plain), ..., *this); }
   HtmlRow& prose(const std::string& plain) { return add("prose", plain), *this; }
-  /// Numbers of two decimals, whole ones, or as they are written already.
+  /// Appends right-aligned cells: doubles with two decimals, integers, or text.
   HtmlRow& number(const auto&... shown) { return (add("", shown), ..., *this); }
   std::string html(bool is_significant = false) const;
 
@@ -38,8 +42,8 @@ class HtmlRow {
   std::string cells_;
 };
 
-/// A table that may be wider than the page; nothing without rows. Heads that begin with "<" are of
-/// columns of text.
+/// A horizontally scrollable HTML table; empty if there are no rows. A heading that begins with "<"
+/// is left-aligned, for a column of text.
 std::string wide_table(const std::vector<std::string_view>& heads, const std::string& rows);
 
 }  // namespace mien::pipeline

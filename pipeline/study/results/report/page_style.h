@@ -4,7 +4,7 @@
 
 namespace mien::pipeline {
 
-/// Style sheet of the page of results: light and dark, screen and paper.
+/// Style sheet of the page of results, for light and dark themes, screen and print.
 inline constexpr std::string_view results_style = R"(:root {
   color-scheme: light dark;
   --ink: #1d2126; --quiet: #5b6570; --paper: #ffffff; --line: #d6dbe1; --card: #f4f6f8;

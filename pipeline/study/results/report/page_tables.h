@@ -6,16 +6,16 @@
 
 namespace mien::pipeline {
 
-// The tables of the page of results, as HTML; empty without rows.
+// The tables of the page of results as HTML. Each is empty if it has no rows.
 
 std::string sessions_html(const Results& results);
-/// Repeated trials: the summary, and all answers.
+/// Summary of repeated trials, and all answers to them.
 std::string catch_summary_html(const Results& results);
 std::string catch_answers_html(const Results& results);
 std::string demographics_html(const Results& results);
 std::string best_seen_html(const Results& results);
-/// The comparisons of a family. In best_seen only the videos of one group (result_figures.h), on
-/// the scale of the intended emotion, or on all scales without one.
+/// The comparisons of a family. In best_seen, only videos of the group `made` (result_figures.h)
+/// are included, on the scale of the intended emotion, or on all scales if there is none.
 std::string comparisons_html(const Results& results, ComparisonFamily family,
                              const std::string& made = "");
 std::string overall_html(const Results& results, ComparisonFamily family);

@@ -22,13 +22,13 @@ struct FrozenVerdict {
 void clear_results_folder(const std::filesystem::path& folder);
 
 /// Writes the report: the page report.html, tables (results/), drawings (figures/, PDF, SVG and
-/// PNG), the data as a Psych-DS dataset and R scripts (analysis/). The same answers give the same
-/// bytes. Throws Error and WriteFailure.
+/// PNG), the data as a Psych-DS dataset and R scripts (analysis/). The same answers result in the
+/// same bytes. Throws Error and WriteFailure.
 void write_results(const Results& results, const std::vector<AnswerRow>& rows,
                    const FrozenVerdict& frozen, const std::filesystem::path& folder);
 
 /// The page report.html: all results, with links to tables and figures. Texts by participants are
-/// escaped. Works from disk, without network or scripts.
+/// escaped. The page works from disk, without network access or scripts.
 std::string results_page(const Results& results, const std::vector<ResultFigure>& figures,
                          const std::vector<WrittenTable>& tables, const FrozenVerdict& frozen);
 
