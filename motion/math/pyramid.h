@@ -16,8 +16,7 @@ namespace mien::motion {
 template <typename Value>
 struct Pyramid {
   std::vector<std::vector<Value>> bands;  ///< finest first
-  std::vector<Value>
-      rest;  ///< the residual: all frequencies below the last band, including the mean
+  std::vector<Value> rest;  ///< residual: frequencies below the last band, with the mean
 };
 
 /// Number of bands of a signal: ⌊log2 samples⌋ (Bruderlin and Williams 1995).

@@ -23,9 +23,9 @@ struct PathGains {
   double low = 1.0;     ///< below 1 Hz, and the mean
   double middle = 1.0;  ///< 1–12.5 Hz
   double high = 1.0;    ///< above 12.5 Hz
-  std::vector<double>
-      bands;  ///< if given, gains of single bands instead, finest first (pyramid.h, at the clip's
-              ///< own frame rate); bands beyond the list have the gain `low`
+  /// If given, gains of single bands instead, finest first (pyramid.h, at the clip's own frame
+  /// rate); bands beyond the list have the gain `low`.
+  std::vector<double> bands;
 };
 
 /// Where acceleration applies.
@@ -64,9 +64,8 @@ struct Modification {
   Limbs limbs;  ///< to which acceleration and variation apply
   std::vector<PostureChange> posture;
   std::optional<PoseDifference> pose_difference;
-  double tempo = 1.0;  ///< overall speed factor, 0.25–4; the duration is divided by it
-  double variation =
-      0.0;  ///< 0–1: strength of smooth random changes of the limbs' path lengths and timing
+  double tempo = 1.0;      ///< overall speed factor, 0.25–4; the duration is divided by it
+  double variation = 0.0;  ///< 0–1: strength of smooth random changes of limb paths and timing
   std::uint64_t seed = 1;  ///< of the variation
   FootRepair repair = FootRepair::plants;
   bool soft_joint_limits = true;
@@ -78,8 +77,7 @@ struct ModificationReport {
   int plants = 0;      ///< number of foot plants, detected on the original
   double drift_before_repair = 0.0;  ///< metres: largest drift of a planted foot (planted_drift)
   double drift_after_repair = 0.0;   ///< metres
-  double travel_ratio =
-      1.0;  ///< distance travelled relative to the original; 1 if the original does not travel
+  double travel_ratio = 1.0;  ///< distance travelled relative to the original; 1 without travel
   double largest_limit_excess = 0.0;  ///< radians: largest correction of a joint by its soft limit
   std::vector<std::string> remarks;   ///< sentences
 };

@@ -16,24 +16,24 @@ namespace mien::motion {
 /// angle; paired joints are rotated on both sides, mirrored. The comments describe a positive
 /// angle.
 enum class PostureUnit {
-  head_flexion,                ///< chin to the chest; neck and head, half each
-  head_lateral,                ///< left ear to the left shoulder; neck and head, half each
-  head_turn,                   ///< face to the left; neck and head, half each
-  chest_flexion,               ///< chest bent forward
-  spine_flexion,               ///< whole back bent forward; spine and chest, half each
-  spine_lateral,               ///< back bent to the left; spine and chest, half each
-  spine_turn,                  ///< shoulders turned to the left; spine and chest, half each
-  pelvis_tilt,                 ///< pelvis, and all above it, leant forward; the legs stay
-  shoulder_elevation,          ///< shoulders drawn up (clavicles)
-  shoulder_protraction,        ///< shoulders drawn forward (clavicles)
-  shoulder_abduction,          ///< upper arms away from the body, sideways
-  shoulder_flexion,            ///< upper arms forward
-  shoulder_internal_rotation,  ///< upper arms turned about their length, bent forearms inwards
+  head_flexion,          ///< chin to the chest; neck and head, half each
+  head_lateral,          ///< left ear to the left shoulder; neck and head, half each
+  head_turn,             ///< face to the left; neck and head, half each
+  chest_flexion,         ///< chest bent forward
+  spine_flexion,         ///< whole back bent forward; spine and chest, half each
+  spine_lateral,         ///< back bent to the left; spine and chest, half each
+  spine_turn,            ///< shoulders rotated to the left; spine and chest, half each
+  pelvis_tilt,           ///< pelvis and everything above it leant forward; the legs do not move
+  shoulder_elevation,    ///< shoulders drawn up (clavicles)
+  shoulder_protraction,  ///< shoulders drawn forward (clavicles)
+  shoulder_abduction,    ///< upper arms away from the body, sideways
+  shoulder_flexion,      ///< upper arms forward
+  shoulder_internal_rotation,  ///< upper arms rotated about their long axis, bent forearms inwards
   elbow_flexion,               ///< forearms towards the upper arms
   wrist_flexion,               ///< palms towards the forearms
   hip_abduction,               ///< thighs apart
   hip_flexion,                 ///< thighs forward
-  hip_internal_rotation,       ///< thighs turned about their length, toes inwards
+  hip_internal_rotation,       ///< thighs rotated about their long axis, toes inwards
   knee_flexion,                ///< heels towards the buttocks
   ankle_dorsiflexion,          ///< toes towards the shins
 };
@@ -86,8 +86,7 @@ class LimbFade {
 
  private:
   Skeleton body_;
-  std::array<Vec3, fading_limb_count>
-      rest_;  ///< positions of the limbs' ends at rest, in the pelvis' frame
+  std::array<Vec3, fading_limb_count> rest_;  ///< ends of the limbs at rest, in the pelvis' frame
   std::array<double, fading_limb_count> lengths_;
 };
 

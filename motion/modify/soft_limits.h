@@ -15,7 +15,7 @@ struct TurnExtremes {
   struct Extreme {
     double least = 0.0, most = 0.0;  ///< radians
   };
-  std::vector<Extreme> turns;  ///< empty before the first pose
+  std::vector<Extreme> turns;  ///< per limited angle; empty before the first pose
 };
 
 void widen(TurnExtremes& extremes, const Pose& pose);

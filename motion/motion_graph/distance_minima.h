@@ -19,9 +19,8 @@ struct DistanceMinimum {
 struct MinimaOptions {
   int window = 10;         ///< frames
   double most_metres = 1;  ///< minima above are left out
-  int least_gap =
-      10;  ///< frames between windows of one clip, since overlapping windows are always similar
-  int threads = 0;  ///< 0: one per processor
+  int least_gap = 10;      ///< frames between windows of one clip; overlapping windows are similar
+  int threads = 0;         ///< 0: one per processor
 };
 
 /// Local minima of `window_distance` over all pairs of windows: pairs whose eight neighbours are no

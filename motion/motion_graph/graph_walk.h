@@ -11,8 +11,7 @@ namespace mien::motion {
 
 struct GraphWalkOptions {
   Vec3 place = Vec3::Zero();  ///< floor position of the pelvis in the first frame, metres
-  double heading =
-      0.0;  ///< facing direction of the pelvis in the first frame, radians about +Y from +Z
+  double heading = 0.0;       ///< of the pelvis in the first frame, radians about +Y from +Z
   /// Whether to lock feet (gait/foot_lock.h) in plants that overlap a transition, so that a foot
   /// planted on both sides stands still throughout and other feet do not slide after landing.
   bool lock_feet = true;

@@ -74,7 +74,7 @@ struct MotionGraph {
   std::vector<GraphNode> nodes;
   std::vector<GraphEdge> edges;
   std::vector<std::vector<int>>
-      leaving;  ///< edges from each node; the one that continues the clip is first
+      leaving;  ///< edges from each node, first the one that continues the clip
   /// Duration of each frame of each clip, seconds, for motions that were synchronised with others
   /// and so differ in tempo (`synchronised`). Empty if every frame lasts 1 / frame rate.
   std::vector<std::vector<double>> frame_seconds;

@@ -30,8 +30,7 @@ struct PointCloud {
   Eigen::MatrixXd across;  ///< z of all points, then −x: `level` rotated by 90°
   Eigen::MatrixXd up;      ///< y
   Eigen::MatrixXd mean;    ///< weighted mean x and z; 2 × frames
-  Eigen::VectorXd
-      square;  ///< weighted mean of the points' squared distance from the origin, per frame
+  Eigen::VectorXd square;  ///< weighted mean squared distance from the origin, per frame
 
   int frame_count() const { return static_cast<int>(square.size()); }
 };

@@ -56,8 +56,7 @@ struct LegCycle {
   SwingCurve toe_extension;
   double knee_peak = 0.0;  ///< added in early swing for the style's peak knee flexion, radians
   double lift = 0.0;       ///< knee flexion added in mid-swing to clear the floor, radians
-  double landing =
-      0.0;  ///< knee flexion added in late swing so that the foot descends from above, radians
+  double landing = 0.0;    ///< knee flexion added in late swing to descend from above, radians
 };
 
 /// Hip–ankle distance (metres) at a knee flexion (radians), and the inverse; for a distance out of

@@ -23,7 +23,7 @@ struct WalkStyle {
   double swing_knee_deg = 61.0;   ///< peak knee flexion of the swing
   double stance_knee_deg = 5.0;   ///< least knee flexion in stance; 2° more at heel strike
   double foot_clearance_m =
-      0.015;  ///< least height of the toes in the swing above their height when planted
+      0.015;                    ///< least height of the swinging toes above their planted height
   double knee_splay_deg = 0.0;  ///< knees out, from the line of the feet
 
   // Pelvis.
@@ -36,9 +36,9 @@ struct WalkStyle {
   // Trunk and head.
   double trunk_lean_deg = 0.5;  ///< of the lumbar spine from the vertical, forward
   double chest_flexion_deg =
-      3.0;  ///< of the chest relative to the spine, positive slumped; below 0 the chest is out
+      3.0;  ///< of the chest relative to the spine (slumped); below 0 it is out
   double trunk_rotation_deg =
-      5.0;  ///< amplitude of axial rotation of the shoulder line, opposite to the pelvis
+      5.0;  ///< amplitude of the shoulder line about the vertical, opposite to the pelvis
   double trunk_sway_deg = 1.5;     ///< amplitude of leaning sideways over the stance leg
   double neck_flexion_deg = 13.0;  ///< of the neck from the vertical, forward
   double head_pitch_deg = 0.0;  ///< of the head from level, positive looking down; below 0 chin up

@@ -64,7 +64,7 @@ struct RigAnalysis {
   std::optional<BodyMapping> human;  ///< empty when it was not recognised
   std::string rejection;             ///< a sentence on why it was not recognised; else empty
   std::vector<std::string>
-      warnings;  ///< warnings of the mapping, or the rejection, and notes of the file reader
+      warnings;  ///< of the mapping, or the rejection; and notes of the file reader
   Quat to_y_up = Quat::Identity();
   std::string up = "+Y";
   double metres_per_unit = 1.0;  ///< 1 if not human: the unit is unknown

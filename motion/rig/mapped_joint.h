@@ -43,8 +43,7 @@ struct KeyJoints {
   int neck = -1;  ///< only in a rig without a head: the neck's last joint
   KeyLimbs left;
   KeyLimbs right;
-  std::vector<int>
-      by_shape;  ///< joints that were found by shape because their names did not identify them
+  std::vector<int> by_shape;  ///< joints found by shape, since their names did not identify them
 };
 
 /// The groups of a rig: spine joints between pelvis and chest are divided between Spine and Chest

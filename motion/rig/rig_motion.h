@@ -50,8 +50,7 @@ Vec3 far_end(const RigMotion& motion, BodyJoint joint);
 /// The axis (±X, ±Y, ±Z) that points from feet to chest, averaged over the frames.
 struct UpAxis {
   Vec3 axis = Vec3::UnitY();
-  double clearness =
-      1.0;  ///< component of the mean unit vector along the axis; 1 if the figure is always upright
+  double clearness = 1.0;  ///< mean component of the unit vectors along it; 1: always upright
 };
 UpAxis up_axis(const std::vector<JointTransforms>& world, const MappedJoints& joints);
 

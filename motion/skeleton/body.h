@@ -11,10 +11,10 @@ namespace mien::motion {
 /// The canonical body: pelvis (the root) and the 20 joints that eq. (8) of the adjective paper sums
 /// over.
 ///
-/// At rest (all rotations identity) it stands in a T-pose facing +Z with +Y up: the left arm along
-/// +X, the right along −X, palms down, legs along −Y, feet along +Z. At rest every joint's frame is
-/// parallel to the world's, so rotations have the same meaning for all subjects, whatever rig they
-/// were captured with.
+/// At rest (all rotations are the identity) it stands in a T-pose facing +Z with +Y up: the left
+/// arm along +X, the right along −X, palms down, legs along −Y, feet along +Z. At rest every
+/// joint's frame is parallel to the world's, so rotations have the same meaning for all subjects,
+/// whatever rig they were captured with.
 enum BodyJoint : int {
   Pelvis,
   Spine,

@@ -23,7 +23,7 @@ struct WalkSegment {
   double pace = 1.0;     ///< relative to the mood's own speed, 0–1.2; 0 for a turn on the spot
   double turn_rate_deg = 0.0;  ///< °/s to the left; of a walk only
   std::vector<double>
-      moods;  ///< weights from the start of the segment on, as in Steering; empty: unchanged
+      moods;  ///< weights from the segment's start on, as in Steering; empty: unchanged
 };
 
 /// A change of mood at a time, which the walker follows smoothly.

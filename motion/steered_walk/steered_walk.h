@@ -12,10 +12,9 @@ namespace mien::motion {
 
 /// Control input of a walker, in effect until it is changed.
 struct Steering {
-  double pace = 0.0;  ///< relative to the mood's own speed; 0 stops; at most 1.2
-  std::optional<double>
-      heading;  ///< requested heading, radians about +Y from +Z; turns through the smaller angle
-  double turning = 0.0;       ///< radians/s to the left, if no heading is requested
+  double pace = 0.0;              ///< relative to the mood's own speed; 0 stops; at most 1.2
+  std::optional<double> heading;  ///< radians about +Y from +Z; turns through the smaller angle
+  double turning = 0.0;           ///< radians/s to the left, if no heading is requested
   std::vector<double> moods;  ///< weights ≥ 0, one per mood, normalised; empty: the first mood
 };
 
@@ -36,13 +35,12 @@ struct SteeredWalk {
   DampedSpring activity;            ///< 0 stands … 1 walks
   DampedSpring crouch;  ///< lowering of the pelvis where the legs would not reach the floor, metres
   DampedSpring gaze;    ///< rotation of head and chest into a turn, radians
-  std::array<DampedSpring, 3>
-      centring;  ///< x, z and heading of the body while it centres over its feet in standing
-  double seconds = 0.0;  ///< time since the start, for breathing and sway
+  std::array<DampedSpring, 3> centring;  ///< x, z and heading while the body centres over its feet
+  double seconds = 0.0;                  ///< time since the start, for breathing and sway
 };
 
-/// A walker that stands at a place on the floor (y = 0), facing a heading. Mood weights as in
-/// Steering.
+/// A walker that stands at a position on the floor (y = 0, metres), with a heading in radians. Mood
+/// weights are as in Steering.
 SteeredWalk standing_walker(const WalkerGaits& gaits, const Vec3& place = Vec3::Zero(),
                             double heading = 0.0, const std::vector<double>& moods = {});
 

@@ -35,7 +35,7 @@ double cycle_rate(const LegCycle& steady);
 Landing landing_of(const SteeredWalk& walker, const SteeredMoment& moment, std::size_t side,
                    const Steering& steering, double own);
 
-/// Whether the present footprints are a stable stance once the root has come to rest.
+/// Whether the current footprints form a stable stance with the root at rest (`rest`).
 bool stands_well(const SteeredWalk& walker, const SteeredMoment& moment, const RootMotion& rest);
 
 }  // namespace mien::motion

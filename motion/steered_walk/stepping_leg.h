@@ -19,7 +19,7 @@ using FootNumbers = Eigen::Matrix<double, 6, 1>;
 /// walker, and in starts, stops and turns the foot leaves and meets the floor without sliding.
 struct SteppingLeg {
   bool swinging = false;
-  bool held = true;  ///< stays planted whatever its phase, until the walk continues
+  bool held = true;  ///< planted regardless of its phase, until the walk continues
 
   // While standing; world space.
   Vec3 print = Vec3::Zero();  ///< the footprint, as in `rolled_foot` (foot_roll.h)

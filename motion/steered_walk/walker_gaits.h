@@ -18,10 +18,9 @@ struct FittedSwing {
 /// A style fitted to a body: the expensive part of a gait as plain numbers, so that gaits can be
 /// blended at run time.
 struct FittedGait {
-  WalkStyle style;             ///< its lengths are those of the body, not for a stature of 1.75 m
-  double mean_height_m = 0.0;  ///< of the pelvis joint
-  double passing_phase =
-      0.25;              ///< phase after heel strike at which the pelvis passes the footprint
+  WalkStyle style;              ///< its lengths are those of the body, not for a stature of 1.75 m
+  double mean_height_m = 0.0;   ///< of the pelvis joint
+  double passing_phase = 0.25;  ///< after heel strike, at which the pelvis passes the footprint
   double ahead_m = 0.0;  ///< forward distance from the pelvis to the footprint at `passing_phase`
   std::array<FittedSwing, 2> swings;  ///< left, right
 };

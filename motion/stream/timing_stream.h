@@ -40,10 +40,9 @@ class TimingStream {
  private:
   struct Player {
     Limb limb;
-    std::deque<Vec3>
-        places;  ///< positions of the limb's end relative to the root, one per pose in `poses_`
-    double source = 0.0;         ///< (fractional) input frame that is shown
-    double rate = 1.0;           ///< input frames per output frame, smoothed
+    std::deque<Vec3> places;  ///< of the limb's end relative to the root, one per pose in `poses_`
+    double source = 0.0;      ///< (fractional) input frame that is shown
+    double rate = 1.0;        ///< input frames per output frame, smoothed
     double mean_duration = 1.0;  ///< over the last segment
     double mean_speed = -1.0;    ///< over the last segment, m/s; below 0 before the first
     double top_speed = 0.0;      ///< over the last segment, m/s

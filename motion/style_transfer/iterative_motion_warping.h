@@ -15,9 +15,8 @@ struct IterativeMotionWarpingOptions {
 /// A correspondence between an input u and an output y: y at row times(i) ≈ scale(i)·u(i) +
 /// offset(i).
 struct MotionCorrespondence {
-  std::vector<double>
-      times;  ///< corresponding (fractional) row of the output per row of the input, ascending
-  Eigen::MatrixXd scale;  ///< same shape as the input; varies smoothly over time
+  std::vector<double> times;  ///< corresponding (fractional) output row per input row, ascending
+  Eigen::MatrixXd scale;      ///< same shape as the input; varies smoothly over time
   Eigen::MatrixXd offset;
   double error = 0.0;  ///< remaining root mean square difference
   int iterations = 0;

@@ -21,8 +21,7 @@ struct LtiStyleOptions {
 /// the principal components of the motion about its mean; outputs are the difference that the style
 /// adds to every curve, and the logarithm of the time rate.
 struct LtiStyleModel {
-  std::vector<Quat>
-      means;  ///< mean rotations of the neutral motion; all curves are relative to them
+  std::vector<Quat> means;  ///< mean rotations of the neutral motion, to which curves are relative
   bool loops = false;
   double frames_per_second = 30.0;
   Eigen::MatrixXd components;  ///< curve_count × inputs, orthonormal

@@ -11,11 +11,9 @@ namespace mien::motion {
 struct ContactChange {
   enum class Kind { shifted, gone, appeared };
   Kind kind = Kind::shifted;
-  double begin_seconds =
-      0.0;  ///< start and end in the first motion (in the second if the plant appeared)
+  double begin_seconds = 0.0;  ///< in the first motion (in the second if the plant appeared)
   double end_seconds = 0.0;
-  double begin_shift =
-      0.0;  ///< delay of start and end relative to the first motion, seconds; for `shifted` only
+  double begin_shift = 0.0;  ///< delay relative to the first motion, seconds; for `shifted` only
   double end_shift = 0.0;
 };
 

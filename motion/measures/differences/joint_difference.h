@@ -49,15 +49,13 @@ struct JointDifference {
   std::string part;  ///< body part, "left forearm"; the joint's name if unknown
   int parent = -1;   ///< index into the same list; −1 none
 
-  std::vector<double> position_m;  ///< distance between the joint's positions, world space
-  std::vector<double> point_m;     ///< largest distance between its JointPoints, world space
-  std::vector<double> aligned_m;   ///< distance of the joint after Procrustes alignment of the
-                                   ///< second pose with the first in each frame
-  std::vector<double>
-      velocity_m_s;  ///< largest velocity difference of its JointPoints, world space
+  std::vector<double> position_m;    ///< distance between the joint's positions, world space
+  std::vector<double> point_m;       ///< largest distance between its JointPoints, world space
+  std::vector<double> aligned_m;     ///< distance of the joint after Procrustes alignment of the
+                                     ///< second pose with the first in each frame
+  std::vector<double> velocity_m_s;  ///< largest velocity difference of its JointPoints, world
   // Local changes of the joint itself, without those of its ancestors.
-  std::vector<double>
-      turn_radians;  ///< of its rotation relative to its parent (for the root, in world space)
+  std::vector<double> turn_radians;   ///< of its local rotation (for the root, in world space)
   std::vector<double> twist_radians;  ///< twist component of it about the bone
   std::vector<double> offset_m;       ///< of its position relative to its parent; 0 for the root
 

@@ -77,9 +77,8 @@ struct MotionDifference {
   PositionErrors errors;
   RootDifference root;
   WholeBodyChange whole;
-  std::optional<BodyDifference> body;  ///< for human motions only
-  std::vector<LintChange>
-      lint;  ///< findings that are new, gone, worse or better; empty unless requested
+  std::optional<BodyDifference> body;       ///< for human motions only
+  std::vector<LintChange> lint;             ///< new, gone, worse or better; empty unless requested
   std::vector<FeatureDifference> features;  ///< from feature_differences; filled in by the caller
   std::vector<std::string> remarks;         ///< sentences, for example on changed units or axes
 

@@ -19,8 +19,7 @@ struct TimeShift {
   int frames = 0;  ///< at the first motion's frame rate; negative: earlier
   double seconds = 0.0;
   double explained = 0.0;  ///< explained share of the squared distances, 0.99 to 1
-  bool path_too =
-      true;  ///< whether the root's path is delayed too; false: only poses relative to the root are
+  bool path_too = true;  ///< whether the root's path is delayed too, not only poses relative to it
 };
 
 /// Frames were dropped or inserted at one point.

@@ -15,10 +15,8 @@ struct MotionMeasures {
   double hand_speed_m_s = 0.0;  ///< relative to the pelvis, mean of both
   double hand_spread_m = 0.0;   ///< mean distance between the hands
   double elbow_flexion_rad = 0.0;  ///< mean of both
-  double trunk_lean_rad =
-      0.0;  ///< of the line from pelvis to neck, forward from the vertical; mean
-  double head_pitch_rad =
-      0.0;  ///< of the line from neck to top of head, forward from the vertical; mean
+  double trunk_lean_rad = 0.0;     ///< of the line pelvis–neck, forward from the vertical; mean
+  double head_pitch_rad = 0.0;  ///< of the line neck–top of head, forward from the vertical; mean
   double trunk_turn_rad = 0.0;  ///< range of axial rotation of the shoulder line
   double least_knee_rad = 0.0;  ///< least knee flexion, mean of both knees; large when crouching
   double bounce_m = 0.0;        ///< vertical range of the pelvis

@@ -33,8 +33,7 @@ struct MotionSummary {
   std::string up;                    ///< "+Y", "+Z", …
   double speed_m_s = 0.0;            ///< mean horizontal speed of the pelvis, excluding sway
   std::vector<GaitCycle> cycles;
-  int steadiest =
-      -1;  ///< index of the steadiest cycle, from which an example would be made; −1: none
+  int steadiest = -1;  ///< index of the cycle from which an example would be made; −1: none
   std::vector<std::string> warnings;  ///< plain sentences
 };
 
