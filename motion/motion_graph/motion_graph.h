@@ -73,8 +73,7 @@ struct MotionGraph {
   std::vector<GraphTransition> transitions;
   std::vector<GraphNode> nodes;
   std::vector<GraphEdge> edges;
-  std::vector<std::vector<int>>
-      leaving;  ///< edges from each node, first the one that continues the clip
+  std::vector<std::vector<int>> leaving;  ///< edges from each node, the clip's continuation first
   /// Duration of each frame of each clip, seconds, for motions that were synchronised with others
   /// and so differ in tempo (`synchronised`). Empty if every frame lasts 1 / frame rate.
   std::vector<std::vector<double>> frame_seconds;

@@ -17,14 +17,13 @@ struct WalkStyle {
   double foot_progression_deg = 7.0;  ///< toes out, from the line of travel
 
   // Feet and legs.
-  double heel_strike_deg = 20.0;  ///< sole against the floor at heel strike, toes up
-  double heel_rise_share = 0.31;  ///< phase at which the heel begins to leave the floor
-  double toe_off_deg = 66.0;      ///< sole against the floor at toe off, heel up
-  double swing_knee_deg = 61.0;   ///< peak knee flexion of the swing
-  double stance_knee_deg = 5.0;   ///< least knee flexion in stance; 2° more at heel strike
-  double foot_clearance_m =
-      0.015;                    ///< least height of the swinging toes above their planted height
-  double knee_splay_deg = 0.0;  ///< knees out, from the line of the feet
+  double heel_strike_deg = 20.0;    ///< sole against the floor at heel strike, toes up
+  double heel_rise_share = 0.31;    ///< phase at which the heel begins to leave the floor
+  double toe_off_deg = 66.0;        ///< sole against the floor at toe off, heel up
+  double swing_knee_deg = 61.0;     ///< peak knee flexion of the swing
+  double stance_knee_deg = 5.0;     ///< least knee flexion in stance; 2° more at heel strike
+  double foot_clearance_m = 0.015;  ///< least height of swinging toes above planted toes
+  double knee_splay_deg = 0.0;      ///< knees out, from the line of the feet
 
   // Pelvis.
   double bounce_m = 0.043;            ///< vertical range, two periods per cycle
@@ -34,13 +33,11 @@ struct WalkStyle {
   double pelvis_tilt_deg = 4.0;       ///< mean, forward
 
   // Trunk and head.
-  double trunk_lean_deg = 0.5;  ///< of the lumbar spine from the vertical, forward
-  double chest_flexion_deg =
-      3.0;  ///< of the chest relative to the spine (slumped); below 0 it is out
-  double trunk_rotation_deg =
-      5.0;  ///< amplitude of the shoulder line about the vertical, opposite to the pelvis
-  double trunk_sway_deg = 1.5;     ///< amplitude of leaning sideways over the stance leg
-  double neck_flexion_deg = 13.0;  ///< of the neck from the vertical, forward
+  double trunk_lean_deg = 0.5;      ///< of the lumbar spine from the vertical, forward
+  double chest_flexion_deg = 3.0;   ///< of the chest on the spine (slumped); below 0 chest out
+  double trunk_rotation_deg = 5.0;  ///< amplitude of the shoulder line, opposite to the pelvis
+  double trunk_sway_deg = 1.5;      ///< amplitude of leaning sideways over the stance leg
+  double neck_flexion_deg = 13.0;   ///< of the neck from the vertical, forward
   double head_pitch_deg = 0.0;  ///< of the head from level, positive looking down; below 0 chin up
   double head_sway_deg = 0.0;   ///< amplitude of tilting sideways with the steps
 

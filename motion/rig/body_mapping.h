@@ -61,10 +61,9 @@ Clip to_body(const Recording& recording);
 
 /// Analysis of any recording, human or not, so that it can be drawn as a stick figure.
 struct RigAnalysis {
-  std::optional<BodyMapping> human;  ///< empty when it was not recognised
-  std::string rejection;             ///< a sentence on why it was not recognised; else empty
-  std::vector<std::string>
-      warnings;  ///< of the mapping, or the rejection; and notes of the file reader
+  std::optional<BodyMapping> human;   ///< empty when it was not recognised
+  std::string rejection;              ///< a sentence on why it was not recognised; else empty
+  std::vector<std::string> warnings;  ///< of the mapping, or the rejection; and notes of the reader
   Quat to_y_up = Quat::Identity();
   std::string up = "+Y";
   double metres_per_unit = 1.0;  ///< 1 if not human: the unit is unknown

@@ -13,9 +13,8 @@ namespace mien::motion {
 /// User input for a walker.
 struct WalkRequest {
   double pace = 0.0;  ///< relative to the mood's own speed: 0 stops, 1 walks; clamped to 0–1.2
-  std::optional<double>
-      heading_deg;            ///< requested, about +Y from +Z; turns through the smaller angle
-  double turn_deg_s = 0.0;    ///< °/s to the left, if no heading is requested
+  std::optional<double> heading_deg;  ///< about +Y from +Z; turns through the smaller angle
+  double turn_deg_s = 0.0;            ///< °/s to the left, if no heading is requested
   std::vector<double> moods;  ///< weights ≥ 0, one per mood, normalised; empty: the first mood
 };
 

@@ -22,8 +22,7 @@ struct WalkSegment {
   double degrees = 0.0;  ///< to the left; below 0 to the right
   double pace = 1.0;     ///< relative to the mood's own speed, 0–1.2; 0 for a turn on the spot
   double turn_rate_deg = 0.0;  ///< °/s to the left; of a walk only
-  std::vector<double>
-      moods;  ///< weights from the segment's start on, as in Steering; empty: unchanged
+  std::vector<double> moods;   ///< as in Steering, from the segment's start; empty: unchanged
 };
 
 /// A change of mood at a time, which the walker follows smoothly.
