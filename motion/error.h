@@ -18,8 +18,8 @@ std::string to_string(const Place& place);
 
 /// An error in the user's input: a file, a manifest, an option.
 ///
-/// `what()` reads "file:line:column: what is wrong; how to fix it". The command line reports it and
-/// exits with code 2.
+/// `what()` reads "file:line:column: what is wrong; how to fix it". The command line returns exit
+/// code 2 for it.
 class Error : public std::runtime_error {
  public:
   Error(Place place, std::string_view wrong, std::string_view remedy);

@@ -4,22 +4,22 @@
 
 namespace mien::motion {
 
-/// An x ≥ 0 for which |A x − b| is least (Lawson & Hanson, Solving Least Squares Problems, 1974,
-/// chapter 23). The columns of A at which x is not 0 are linearly independent.
+/// Returns an x ≥ 0 that minimizes |A x − b| (Lawson & Hanson, Solving Least Squares Problems,
+/// 1974, chapter 23). The columns of A for which x is not 0 are linearly independent.
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-// Convex weights of points (≥ 0, sum 1) for a given weighted mean.
+// Convex weights of points (≥ 0, sum 1) that yield a given weighted mean.
 
-/// Weights whose mean of the points (columns of a D × N matrix) lies nearest to `target`: on it
-/// where it lies within their convex hull. As many weights as D + 1 are above 0 at most. The mean
-/// follows the target continuously; the weights need not.
+/// Weights whose weighted mean of the points (columns of a D × N matrix) lies nearest to `target`,
+/// and equals it if it lies within their convex hull. At most D + 1 weights are above 0. The mean
+/// is a continuous function of the target; the weights need not be.
 Eigen::VectorXd weights_nearest_to(const Eigen::MatrixXd& points, const Eigen::VectorXd& target);
 
-/// Among weights that have the same mean of the points as `start` has, those for which
-/// |C w − d| is least. The columns of C are linearly independent, so there is one answer only; it
-/// follows the mean and d continuously. An active set method for a convex quadratic programme
-/// (Nocedal & Wright, Numerical Optimization, 2006, algorithm 16.3), from the feasible `start`,
-/// which comes from weights_nearest_to.
+/// The weights w that minimize |C w − d| among those with the same weighted mean of the points as
+/// `start`. The columns of C must be linearly independent, so the solution is unique; it is a
+/// continuous function of the mean and of d. An active-set method for convex quadratic programming
+/// (Nocedal & Wright, Numerical Optimization, 2006, algorithm 16.3), starting from the feasible
+/// `start`, a result of weights_nearest_to.
 Eigen::VectorXd least_squares_at_mean(const Eigen::MatrixXd& points, const Eigen::VectorXd& start,
                                       const Eigen::MatrixXd& c, const Eigen::VectorXd& d);
 

@@ -6,22 +6,23 @@
 
 namespace mien::motion {
 
-/// A C² cubic spline through knots.
+/// A C² cubic spline through knots, in Hermite form.
 struct CubicSpline {
   std::vector<double> times;  ///< ascending
   Eigen::MatrixXd values;     ///< knots × curves
   Eigen::MatrixXd slopes;     ///< knots × curves
 };
 
-/// Level at both ends (slope zero), so that it continues a constant. At least 2 knots.
+/// The spline with zero slope at both ends, so that it joins constants there. At least 2 knots.
 CubicSpline level_spline(std::vector<double> times, const Eigen::MatrixXd& values);
 
-/// Through knots that repeat after `period` (which exceeds the distance of the last knot from the
-/// first): the first knot is given once. At least 1 knot.
+/// The periodic spline through the knots, which repeat after `period`. The period is longer than
+/// the time from the first knot to the last: the first knot is not repeated at the end. At least 1
+/// knot.
 CubicSpline periodic_spline(std::vector<double> times, const Eigen::MatrixXd& values,
                             double period);
 
-/// Values of the spline at a time, clamped to its ends.
+/// Values of all curves at a time, which is clamped to the range of the knots.
 Eigen::RowVectorXd at_time(const CubicSpline& spline, double time);
 
 }  // namespace mien::motion

@@ -6,16 +6,17 @@
 
 namespace mien::motion {
 
-/// For each row of `from`, the row of `to` (fractions between) that corresponds: `to` is stretched
-/// evenly to the length of `from`, then the path of least summed squared distance from the first
-/// rows to the last ones is found among those whose slope stays between ½ and 2 (dynamic
-/// programming; Bruderlin and Williams 1995 after Sakoe and Chiba 1978). Ascending; of equally good
-/// paths the one with the most steps (1, 1).
+/// Returns, for each row of `from`, the corresponding (fractional) row of `to`, ascending. `to` is
+/// first stretched uniformly to the length of `from`; then dynamic programming finds the path of
+/// least summed squared distance from the first rows to the last, with a slope between ½ and 2
+/// (Bruderlin and Williams 1995 after Sakoe and Chiba 1978). Among equally good paths, the one with
+/// the most diagonal steps (1, 1) is taken.
 ///
-/// Rows are moments, columns signals, equally many (≥ 1); both have at least 2 rows.
+/// Rows are frames, columns are signals. Both have the same number of columns (≥ 1) and at least 2
+/// rows.
 std::vector<double> dynamic_time_warp(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to);
 
-/// Rows of `signals` at fractions of a row, linearly between them.
+/// `signals` at fractional row indices, by linear interpolation.
 Eigen::MatrixXd rows_at(const Eigen::MatrixXd& signals, const std::vector<double>& rows);
 
 }  // namespace mien::motion

@@ -6,16 +6,16 @@
 
 namespace mien::motion {
 
-/// The rotation that makes whitened signals as independent as it can.
+/// The rotation that makes whitened signals as independent as possible.
 struct FastIca {
   Eigen::MatrixXd rotation;  ///< orthonormal; sources = signals · rotation
   int iterations = 0;
   bool converged = false;
 };
 
-/// FastICA (Hyvärinen 1999) with g = tanh and symmetric decorrelation. `white`: rows are samples,
-/// columns signals of mean zero, unit variance and no correlation. The first guess depends on the
-/// seed alone.
+/// FastICA (Hyvärinen 1999) with g = tanh and symmetric decorrelation. The rows of `white` are
+/// samples; its columns are uncorrelated signals of mean zero and unit variance. The initial guess
+/// depends on the seed alone.
 FastIca fast_ica(const Eigen::MatrixXd& white, std::uint64_t seed, int most_iterations = 500);
 
 }  // namespace mien::motion

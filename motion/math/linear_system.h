@@ -5,16 +5,16 @@
 
 namespace mien::motion {
 
-// Systems of linear equations. Eigen's decompositions are compiled here once, and not in each file
-// that solves something.
+// Systems of linear equations. Wrapping Eigen's decompositions compiles them once instead of in
+// every file that uses them.
 
-/// A factorised square matrix (LU with partial pivoting), to solve many systems with it.
+/// A factorised square matrix (LU with partial pivoting), for solving several systems with it.
 class LinearSystem {
  public:
   LinearSystem() = default;
   explicit LinearSystem(const Eigen::MatrixXd& matrix);
 
-  /// x where matrix · x = right.
+  /// The solution x of matrix · x = right.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
   /// `solve` for each column of `right`.
@@ -27,18 +27,18 @@ class LinearSystem {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
 };
 
-/// X where matrix · X = right, of a symmetric positive semi-definite matrix (LDLᵀ).
+/// The solution X of matrix · X = right for a symmetric positive semi-definite matrix (LDLᵀ).
 Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
 /// The inverse of a symmetric positive definite matrix (LLᵀ).
 Eigen::MatrixXd inverse_of_positive(const Eigen::MatrixXd& matrix);
 
-/// The x for which |matrix · x − right| is least (QR with column pivoting); of a matrix whose
-/// columns depend on each other one of them.
+/// An x that minimizes |matrix · x − right| (QR with column pivoting); it is one of several if the
+/// columns of the matrix are linearly dependent.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
-/// Orthonormal columns that span all x with rows · x = 0, where the rows, no more than there are
-/// columns, do not depend on each other.
+/// An orthonormal basis, as columns, of all x with rows · x = 0. The rows must be linearly
+/// independent and no more numerous than the columns.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& rows);
 
 }  // namespace mien::motion

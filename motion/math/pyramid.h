@@ -11,12 +11,12 @@
 
 namespace mien::motion {
 
-/// A multiresolution decomposition (Laplacian pyramid): the signal is the sum of all its bands and
-/// the rest. All have the length of the signal.
+/// A multiresolution decomposition (Laplacian pyramid): the signal is the sum of its bands and the
+/// residual. Each has as many samples as the signal.
 template <typename Value>
 struct Pyramid {
   std::vector<std::vector<Value>> bands;  ///< finest first
-  std::vector<Value> rest;                ///< what is slower than the last band, with the mean
+  std::vector<Value> rest;  ///< residual: frequencies below the last band, with the mean
 };
 
 /// Number of bands of a signal: ⌊log2 samples⌋ (Bruderlin and Williams 1995).
@@ -24,12 +24,12 @@ inline int band_count(std::size_t samples) {
   return samples < 2 ? 0 : static_cast<int>(std::bit_width(samples)) - 1;
 }
 
-/// Peak frequency of band `band` (0 is the finest), Hz. Half the rate for the
-/// finest band, then 0.1405, 0.0668, 0.0330 of it and halves.
+/// Peak frequency of band `band` (0 is the finest), Hz: 0.5, 0.1405, 0.0668 and 0.0330 times the
+/// rate for the first four, then halved from band to band.
 double band_peak_hz(int band, double rate_hz);
 
-/// One step of the pyramid: the signal convolved with (1 4 6 4 1)/16, its taps 2^level apart
-/// (Burt and Adelson 1983, a = 3/8)..
+/// One step of the pyramid: the signal convolved with (1 4 6 4 1)/16, its taps 2^level apart (Burt
+/// and Adelson 1983, a = 3/8).
 template <typename Value>
 std::vector<Value> smoothed_once(const std::vector<Value>& signal, int level, SignalEnds ends) {
   const auto count = static_cast<long>(signal.size());
@@ -61,8 +61,8 @@ std::vector<Value> smoothed_once(const std::vector<Value>& signal, int level, Si
   return smooth;
 }
 
-/// The signal, padded with its end values at both ends as far as `levels` bands within the signal
-/// depend on them.
+/// The signal, padded at both ends with its end values. The padding is as wide as the support of a
+/// filter with `levels` bands.
 template <typename Value>
 std::vector<Value> with_repeated_ends(std::span<const Value> signal, int levels) {
   const auto pad = static_cast<std::size_t>(2 * ((1L << levels) - 1));
@@ -74,8 +74,8 @@ std::vector<Value> with_repeated_ends(std::span<const Value> signal, int levels)
   return padded;
 }
 
-/// The first `levels` bands of a signal. Beyond the ends of an open signal its end values are
-/// repeated; a periodic one is continued. Value is a number or a vector of numbers.
+/// The first `levels` bands of a signal. An open signal is extended by its end values, a periodic
+/// one by repetition. Value is a number or a vector of numbers.
 template <typename Value>
 Pyramid<Value> pyramid(std::span<const Value> signal, int levels, SignalEnds ends) {
   Pyramid<Value> result;
@@ -98,9 +98,9 @@ Pyramid<Value> pyramid(std::span<const Value> signal, int levels, SignalEnds end
   return result;
 }
 
-/// The signal with its bands weighted: band k by gains[k], and all that is slower than the last of
-/// them by `rest_gain`. Costs O(samples · gains.size()) and three signals of memory, whatever the
-/// number of bands. With all gains 1 the signal comes back to rounding.
+/// The signal with its bands weighted: band k by gains[k], and the residual below the last band by
+/// `rest_gain`. Takes O(samples · gains.size()) time and memory for three signals, whatever the
+/// number of bands. If all gains are 1, the result equals the signal up to rounding.
 template <typename Value>
 std::vector<Value> with_band_gains(std::span<const Value> signal, std::span<const double> gains,
                                    double rest_gain, SignalEnds ends) {

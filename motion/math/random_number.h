@@ -5,8 +5,8 @@
 
 namespace mien::motion {
 
-/// The n-th number, from 0, that SplitMix64 gives when it starts at `seed` (Steele, Lea and Flood
-/// 2014). Without drawing those before it.
+/// The n-th output (from 0) of SplitMix64 seeded with `seed` (Steele, Lea and Flood 2014), computed
+/// directly without its predecessors.
 std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n);
 
 /// The top 53 bits as a number in [−1, 1).

@@ -21,15 +21,15 @@ Quat slerp(const Quat& from, const Quat& to, double t);
 /// `rotation` or its negative, whichever lies in the hemisphere of `reference`.
 Quat in_hemisphere_of(const Quat& reference, const Quat& rotation);
 
-/// The shortest rotation that takes the direction of `from` to that of `to`, neither zero; about
-/// any axis when they are opposite.
+/// The shortest rotation that takes the direction of `from` to that of `to`. Neither is zero; the
+/// axis is arbitrary if they are opposite.
 Quat turn_between(const Vec3& from, const Vec3& to);
 
 /// The rotation about +Y that takes +Z to the heading of `direction` (its horizontal part).
 /// Identity when the horizontal part vanishes.
 Quat heading(const Vec3& direction);
 
-/// The part of `rotation` that turns about the unit vector `axis` (swing–twist decomposition).
+/// The twist of `rotation` about the unit vector `axis` (swing–twist decomposition).
 Quat twist_about(const Quat& rotation, const Vec3& axis);
 
 /// The rotation whose matrix columns are x, y, z after Gram–Schmidt: x exact in direction, y as
@@ -38,9 +38,9 @@ Quat frame_from(const Vec3& x, const Vec3& y_hint);
 
 enum class Axis { x, y, z };
 
-/// The angles (radians) about `order[0]`, `order[1]`, `order[2]`, three different axes, of which a
-/// rotation is the product in that order: R = R₀·R₁·R₂ on column vectors, as BVH's CHANNELS line
-/// means it. The middle angle lies in [−π/2, π/2]. At gimbal lock the third angle is 0.
+/// The Euler angles (radians) about the three different axes `order[0]`, `order[1]`, `order[2]`,
+/// such that rotation = R₀·R₁·R₂ on column vectors, the convention of BVH's CHANNELS. The middle
+/// angle lies in [−π/2, π/2]. At gimbal lock the third angle is 0.
 Vec3 to_euler(const std::array<Axis, 3>& order, const Quat& rotation);
 
 /// A rotation as two direction vectors, d1 = R·e1 and d2 = R·e2 (the six numbers of the emotion
@@ -53,7 +53,8 @@ struct DirectionVectors {
 DirectionVectors to_direction_vectors(const Quat& rotation);
 
 /// The rotation of two direction vectors: x = d1/|d1|, z = (x×d2)/|x×d2|, y = z×x. When |d1| < 0.05
-/// or |x×d2| < 0.05·|d2| the directions are degenerate, and what is missing comes from `previous`.
+/// or |x×d2| < 0.05·|d2| the directions are degenerate, and `previous` supplies the missing
+/// direction.
 Quat to_rotation(const DirectionVectors& directions, const Quat& previous);
 
 }  // namespace mien::motion

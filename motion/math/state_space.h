@@ -16,19 +16,19 @@ struct StateSpace {
 
 /// The state before the first input.
 enum class InitialState {
-  settled,   ///< as if the first input had been there for ever
-  periodic,  ///< the one that is there again after the last input: the inputs are one cycle
+  settled,   ///< the steady state under the first input
+  periodic,  ///< equal to the state after the last input: the inputs are one cycle
 };
 
-/// Rows are moments: inputs T × p; outputs T × q.
+/// The system's outputs (T × q) for the inputs (T × p); rows are time steps.
 Eigen::MatrixXd simulated(const StateSpace& system, const Eigen::MatrixXd& inputs,
                           InitialState initial);
 
 /// Identifies a system of at most `order` states from inputs and outputs of mean zero by the
 /// subspace method N4SID (Van Overschee and De Moor 1994): states from the oblique projection of
-/// future outputs, A and B by least squares on them, poles pulled to within `largest_pole`, then C
-/// and D by least squares on the states that a simulation goes through. Periodic data are one
-/// cycle.
+/// future outputs, A and B by least squares on these states, poles reduced to a magnitude of at
+/// most `largest_pole`, then C and D by least squares on the simulated states. With
+/// InitialState::periodic the data are one cycle.
 StateSpace identified(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& outputs, int order,
                       InitialState initial, double largest_pole = 0.97);
 

@@ -8,20 +8,20 @@
 
 namespace mien::motion {
 
-/// Least step width of a motion, metres: the distance of an ankle from the line between the other
-/// foot's previous and next plant; negative if the foot crosses that line. In standing the lateral
-/// distance of the ankles. Nothing for a motion with neither. Ankle positions are means over a
-/// plant.
+/// Least step width of a motion, metres: the lateral distance of an ankle from the line between the
+/// other foot's previous and next plant; negative if the foot crosses that line. In standing, the
+/// lateral distance of the ankles; empty if the motion has neither steps nor standing. Ankle
+/// positions are means over a plant.
 std::optional<double> least_step_width(const Clip& clip, const std::vector<FootPlant>& plants);
 
-/// Width of a foot, metres: 0.09 at a stature of 1.75 m, as the lint has it (support.h).
+/// Width of a foot, metres: 0.09 at a stature of 1.75 m, the same as in the lint (support.h).
 double foot_width(const Skeleton& body);
 
 /// Whether the modification's posture may bring the feet closer together: adducted hips, or a
 /// captured pose.
 bool may_bring_feet_together(const Modification& modification);
 
-/// The modification with that part of its posture scaled by a share from 0 to 1.
+/// The modification with this part of its posture scaled by a share from 0 to 1.
 Modification with_feet_together(const Modification& modification, double share);
 
 }  // namespace mien::motion

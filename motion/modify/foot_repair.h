@@ -11,27 +11,27 @@ namespace mien::motion {
 /// drift no longer falls, so that a capture's foot skate is not carried into its modification.
 Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants);
 
-/// The clip with the plants of `still`, the original with still feet: after a
-/// smooth hip shift (hip_shift.h), each rolls from heel to ball as it did, moved over the floor and
-/// turned about the vertical to where the change has brought it, and the legs bend for it
-/// (foot_placement.h). Then swinging toes are lifted that would scrape the floor. Both clips travel
-/// and have the same frames.
+/// The clip with the foot plants of `still`, the original with locked feet. After a smooth hip
+/// shift (hip_shift.h), each planted foot rolls from heel to ball as in `still`, translated over
+/// the floor and rotated about the vertical to its position after the modification; the legs follow
+/// by inverse kinematics (foot_placement.h). Toes that would scrape the floor in the swing are then
+/// lifted. Both clips travel and have the same frames.
 Clip with_plants_carried_over(const Clip& clip, const Clip& still,
                               const std::vector<FootPlant>& plants);
 
-/// The clip with its foot plants restored from `original`: by the hip shift alone (exact), or by
-/// carrying the plants over. Both clips travel and have the same frames; `plants` are the
-/// original's.
+/// The clip with its foot plants restored from `original`: by the exact hip shift alone, by
+/// carrying the plants over, or not at all. Both clips travel and have the same frames; `plants`
+/// are the original's.
 Clip with_repaired_feet(const Clip& clip, const Clip& original,
                         const std::vector<FootPlant>& plants, FootRepair repair);
 
-/// The clip with its feet raised, smoothly, where they sink by more than 5 mm deeper into the floor
-/// than in the original: a foot that rolls off over the tip of its toes is put through the floor by
-/// a lock that holds its ball down.
+/// The clip with its feet raised, smoothly, where they penetrate the floor by over 5 mm more than
+/// in the original: a lock that holds the ball of the foot down pushes the toes through the floor
+/// when the foot rolls off over their tip.
 Clip with_feet_above_floor(const Clip& clip, const Clip& original);
 
-/// The clip with swinging feet raised, smoothly, as far as they are lower than in `original` and
-/// lower than 15 mm above the floor. Plants stay as they are.
+/// The clip with swinging feet raised, smoothly, where they are both lower than in `original` and
+/// less than 15 mm above the floor. Plants are unchanged.
 Clip with_toe_clearance(const Clip& clip, const Clip& original,
                         const std::vector<FootPlant>& plants);
 

@@ -9,17 +9,19 @@ namespace mien::motion {
 
 /// How the root follows the planted feet.
 enum class HipPath {
-  exact,   ///< frame by frame: planted feet stand still, jerks and all (the thesis)
-  smooth,  ///< what is slower than 4 Hz; what is left over has to be locked (foot_lock.h)
+  exact,   ///< frame by frame: planted feet stand still, but the root may jerk (as in the thesis)
+  smooth,  ///< low-pass filtered at 4 Hz; the remaining slide must be removed by foot locking
+           ///< (foot_lock.h)
 };
 
-/// The clip with its root moved so that feet which stood in `original` stand again, after changes
-/// that made them slide: h(t) = h(t−1) − Δp, p being the planted foot's pivot (heel, then ball; the
-/// mean of both feet when both stand). Over flights the change of velocity goes evenly from one
-/// plant to the next. The lowest foot is as high as it was in the original.
+/// The clip with its root moved so that the feet planted in `original` stand still again after a
+/// modification made them slide: h(t) = h(t−1) − Δp, where p is the pivot of the planted foot
+/// (heel, then ball; the mean of both feet when both stand). During flight the velocity correction
+/// is interpolated linearly from one plant to the next. The height is corrected too, so that
+/// planted feet are as high as in the original.
 ///
-/// A loop walks as far in a cycle as its feet then carry it; what would drive it off its line is
-/// spread over the cycle. Both clips travel and have the same frames.
+/// The cycle displacement of a loop follows from its feet; drift sideways from its line of travel
+/// is removed evenly over the cycle. Both clips travel and have the same frames.
 Clip with_hip_shift(const Clip& clip, const Clip& original, const std::vector<FootPlant>& plants,
                     HipPath path);
 

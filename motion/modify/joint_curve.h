@@ -7,12 +7,13 @@
 
 namespace mien::motion {
 
-/// The two direction vectors of a rotation (rotation.h) in a row: d1, then d2.
+/// The two direction vectors of a rotation (rotation.h) as one vector: d1, then d2.
 using Directions = Eigen::Matrix<double, 6, 1>;
 
 Directions directions_of(const Quat& rotation);
 
-/// Orthonormal again; what degenerate directions lack comes from `previous`.
+/// The rotation of direction vectors, made orthonormal again. Where they are degenerate, `previous`
+/// supplies the missing direction.
 Quat to_rotation(const Directions& directions, const Quat& previous);
 
 /// The direction vectors of one joint, frame by frame.
@@ -22,8 +23,8 @@ std::vector<Directions> direction_curve(const Clip& clip, int joint);
 /// entries as the clip has frames.
 void set_rotations(Clip& clip, int joint, const std::vector<Directions>& curve);
 
-/// A curve between its samples, by Catmull–Rom splines: exact at the samples, no jump of speed.
-/// A periodic curve is continued; another is clamped to its ends.
+/// The value of a curve at a fractional frame, by a Catmull–Rom spline: exact at the frames, with a
+/// continuous derivative. A periodic curve is continued; a non-periodic one is clamped to its ends.
 Directions value_at(const std::vector<Directions>& curve, double frame, bool periodic);
 
 }  // namespace mien::motion

@@ -9,7 +9,7 @@
 
 namespace mien::motion {
 
-/// A part of the body whose timing is changed as one: its joints keep together.
+/// A part of the body that is retimed as a whole: all its joints keep the same timing.
 enum class Limb { head, left_hand, right_hand, left_foot, right_foot };
 
 inline constexpr std::array<Limb, 5> all_limbs = {Limb::head, Limb::left_hand, Limb::right_hand,
@@ -17,62 +17,63 @@ inline constexpr std::array<Limb, 5> all_limbs = {Limb::head, Limb::left_hand, L
 
 bool has(const Limbs& limbs, Limb limb);
 
-/// Joints of a limb from proximal to distal. The trunk belongs to no limb: its timing is that of
+/// Joints of a limb from proximal to distal. The trunk belongs to no limb and keeps the timing of
 /// the hips.
 std::vector<BodyJoint> joints_of(Limb limb);
 
 /// The end joint, whose speed represents the limb's: head, wrist or ankle.
 BodyJoint end_of(Limb limb);
 
-/// How fast the limb's end moves relative to the hips between each frame and the next, m/s, without
-/// what is quicker than 12.5 Hz (0.3 of the frame rate, if that is less). A loop has as many
-/// intervals as frames, another clip one less.
+/// Speed of the limb's end relative to the hips in each interval between frames, m/s, low-pass
+/// filtered at 12.5 Hz (at 0.3 of the frame rate if that is lower). A loop has as many intervals as
+/// frames, any other clip one less.
 std::vector<double> limb_speeds(const Clip& clip, Limb limb);
 
-/// How long each interval should last, in frames, so that the end's speed is constant: as its speed
-/// over the mean, but at least 0.05. Where it pauses (slower than 0.05 m/s or a tenth of its top
-/// speed) an interval lasts as long as one of mean speed.
+/// Durations of the intervals, in frames, at which the end's speed is constant: the interval's
+/// speed divided by the mean speed, but at least 0.05. Intervals in a pause (slower than 0.05 m/s
+/// or a tenth of the top speed) keep the duration 1.
 std::vector<double> constant_speed_durations(std::span<const double> speeds);
 
-/// Factor by which a pause is stretched at full acceleration. The thesis has 10, which leaves the
-/// rest of a segment 2.5 times as quick: at 30 frames a second that is seen as jerks.
+/// Factor by which a pause is stretched at full acceleration. The thesis uses 10, which makes the
+/// rest of a segment 2.5 times as fast and looks jerky at 30 frames per second.
 inline constexpr double max_pause_factor = 5.5;
 
-/// How long each interval should last so that the end slows down more where it is slow, and is
-/// quicker elsewhere: sets of 0.15 s (at least 3 intervals) that are slower than both their
-/// neighbours last `pause_factor` times as long. What stands still all the while (below 0.05 m/s)
-/// is left.
+/// Relative durations of the intervals that slow the end down where it is slow: groups of intervals
+/// of 0.15 s (at least 3 intervals) that are slower than both neighbouring groups last
+/// `pause_factor` times as long. Groups that never exceed 0.05 m/s are standing still and are not
+/// stretched.
 std::vector<double> accelerated_durations(std::span<const double> speeds, double frames_per_second,
                                           bool loops, double pause_factor = max_pause_factor);
 
-/// Durations restricted to the neighbourhood of given frames: full effect within 0.1 s, none (1)
-/// beyond 0.2 s.
+/// Durations restricted to the neighbourhood of given frames: full effect within 0.1 s, none
+/// (duration 1) beyond 0.2 s.
 std::vector<double> near_only(std::span<const double> durations, std::span<const int> moments,
                               double frames_per_second, bool loops);
 
-/// For each frame the (fractional) frame of the original that is shown then, when intervals last
-/// that long. Stretches of about `segment_seconds` keep their length, so that limbs stay together;
-/// corners are rounded off over 0.1 s. Never decreasing; an open clip keeps its ends, a loop's
-/// source may lie before its first frame or after its last.
+/// Returns, for each frame of the retimed limb, the (fractional) source frame in the original when
+/// its intervals have the given durations. Segments of about `segment_seconds` keep their length,
+/// so that limbs stay synchronised; the time curve is smoothed over 0.1 s. Never decreasing. A clip
+/// that does not loop keeps its ends; the source frames of a loop may lie before its first frame or
+/// after its last.
 std::vector<double> source_frames(std::span<const double> durations, double segment_seconds,
                                   double frames_per_second, bool loops);
 
 inline constexpr double constant_segment_seconds = 1.5;
 inline constexpr double acceleration_segment_seconds = 0.9;
 
-/// Frames at which a foot lands; for `near_only`.
+/// Frames at which a foot lands, for `near_only`.
 std::vector<int> contact_frames(const std::vector<FootPlant>& plants, int frame_count);
 
-/// Retimes one limb of the clip.
+/// Retimes one limb of the clip by the source frame of each frame (`source_frames`).
 void retime(Clip& clip, Limb limb, const std::vector<double>& sources);
 
-/// The clip with constant speed of the limbs' end joints.
+/// The clip with the end joints of its limbs moving at constant speed.
 Clip with_constant_speed(const Clip& clip, const Limbs& limbs);
 
-/// The clip with stretched pauses of its limbs (acceleration), everywhere.
+/// The clip with all pauses of its limbs stretched (full acceleration).
 Clip with_acceleration(const Clip& clip, const Limbs& limbs);
 
-/// As with_acceleration, only near the given frames.
+/// Like with_acceleration, but only near the given frames.
 Clip with_acceleration_near(const Clip& clip, const Limbs& limbs, std::span<const int> moments);
 
 }  // namespace mien::motion

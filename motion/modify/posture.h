@@ -12,27 +12,28 @@
 
 namespace mien::motion {
 
-/// Named unit differences of posture. Each turns some joints of the canonical body by a stated
-/// angle; what lies on either side is turned on both sides, mirrored. Positive is:
+/// Named unit changes of posture. Each rotates certain joints of the canonical body by a given
+/// angle; paired joints are rotated on both sides, mirrored. The comments describe a positive
+/// angle.
 enum class PostureUnit {
-  head_flexion,                ///< chin to the chest; neck and head, half each
-  head_lateral,                ///< left ear to the left shoulder; neck and head, half each
-  head_turn,                   ///< face to the left; neck and head, half each
-  chest_flexion,               ///< chest bent forward
-  spine_flexion,               ///< whole back bent forward; spine and chest, half each
-  spine_lateral,               ///< back bent to the left; spine and chest, half each
-  spine_turn,                  ///< shoulders turned to the left; spine and chest, half each
-  pelvis_tilt,                 ///< pelvis, and all above it, leant forward; the legs stay
-  shoulder_elevation,          ///< shoulders drawn up (clavicles)
-  shoulder_protraction,        ///< shoulders drawn forward (clavicles)
-  shoulder_abduction,          ///< upper arms away from the body, sideways
-  shoulder_flexion,            ///< upper arms forward
-  shoulder_internal_rotation,  ///< upper arms turned about their length, bent forearms inwards
+  head_flexion,          ///< chin to the chest; neck and head, half each
+  head_lateral,          ///< left ear to the left shoulder; neck and head, half each
+  head_turn,             ///< face to the left; neck and head, half each
+  chest_flexion,         ///< chest bent forward
+  spine_flexion,         ///< whole back bent forward; spine and chest, half each
+  spine_lateral,         ///< back bent to the left; spine and chest, half each
+  spine_turn,            ///< shoulders rotated to the left; spine and chest, half each
+  pelvis_tilt,           ///< pelvis and everything above it leant forward; the legs do not move
+  shoulder_elevation,    ///< shoulders drawn up (clavicles)
+  shoulder_protraction,  ///< shoulders drawn forward (clavicles)
+  shoulder_abduction,    ///< upper arms away from the body, sideways
+  shoulder_flexion,      ///< upper arms forward
+  shoulder_internal_rotation,  ///< upper arms rotated about their long axis, bent forearms inwards
   elbow_flexion,               ///< forearms towards the upper arms
   wrist_flexion,               ///< palms towards the forearms
   hip_abduction,               ///< thighs apart
   hip_flexion,                 ///< thighs forward
-  hip_internal_rotation,       ///< thighs turned about their length, toes inwards
+  hip_internal_rotation,       ///< thighs rotated about their long axis, toes inwards
   knee_flexion,                ///< heels towards the buttocks
   ankle_dorsiflexion,          ///< toes towards the shins
 };
@@ -48,7 +49,7 @@ const std::vector<PostureUnitName>& posture_units();
 
 std::string_view name_of(PostureUnit unit);
 
-/// The unit of that name; none when there is no such unit.
+/// The unit with that name, if any.
 std::optional<PostureUnit> posture_unit(std::string_view name);
 
 struct PostureChange {
@@ -56,9 +57,9 @@ struct PostureChange {
   double degrees = 0.0;
 };
 
-/// Rotation of each joint from one standing pose to another, in the joint's own frame:
-/// q_neutral⁻¹ · q_posed. Of the pelvis only what is not heading. Holds angles alone, so that it
-/// fits bodies of every size.
+/// Rotation of each joint from one standing pose to another, in the joint's own frame: q_neutral⁻¹
+/// · q_posed. The pelvis' heading is excluded. Because it consists of rotations only, it applies to
+/// bodies of any size.
 struct PoseDifference {
   std::array<Quat, body_joint_count> turns;
 
@@ -71,10 +72,10 @@ PoseDifference pose_difference(const Pose& neutral, const Pose& posed);
 /// The canonical body standing at rest: arms hanging, legs straight, soles on the floor.
 Pose standing_pose(const Skeleton& body);
 
-/// Number of limbs whose posture change fades as they move away from rest: arms, then legs.
+/// Number of limbs whose posture change fades out as they move away from rest.
 inline constexpr int fading_limb_count = 4;
 
-/// Strength of the posture change of each, 0–1: left arm, right arm, left leg, right leg.
+/// Strength of the posture change per limb, 0–1: left arm, right arm, left leg, right leg.
 using LimbStrengths = std::array<double, fading_limb_count>;
 
 /// Computes the strengths for one pose, not yet smoothed over time; see `with_posture`.
@@ -85,7 +86,7 @@ class LimbFade {
 
  private:
   Skeleton body_;
-  std::array<Vec3, fading_limb_count> rest_;  ///< their ends at rest, seen from the pelvis
+  std::array<Vec3, fading_limb_count> rest_;  ///< ends of the limbs at rest, in the pelvis' frame
   std::array<double, fading_limb_count> lengths_;
 };
 
@@ -97,10 +98,10 @@ std::vector<LimbStrengths> smooth_strengths(std::span<const LimbStrengths> stren
 void apply_posture(Pose& pose, const std::vector<PostureChange>& changes,
                    const std::optional<PoseDifference>& difference, const LimbStrengths& strengths);
 
-/// The clip in another posture: unit differences first, then the captured difference, each at its
-/// full strength while a limb is about where it hangs at rest, and fading out as the hand or foot
-/// goes 35–80 % of the limb's length away from there (as seen from the pelvis; smooth below 4 Hz).
-/// Trunk and head do not fade. Feet are not repaired.
+/// The clip in another posture: unit differences first, then the captured difference, each at full
+/// strength while a limb is close to its rest position, fading out as the hand or foot moves 35–80
+/// % of the limb's length away from there (relative to the pelvis; low-pass filtered at 4 Hz).
+/// Trunk and head do not fade. Foot plants are not restored (see foot_repair.h).
 Clip with_posture(const Clip& clip, const std::vector<PostureChange>& changes,
                   const std::optional<PoseDifference>& difference = {});
 

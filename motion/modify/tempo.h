@@ -7,12 +7,13 @@
 
 namespace mien::motion {
 
-/// The clip played `tempo` times as fast at the same frame rate: directions and places between
-/// frames by splines. A loop's duration is rounded to whole frames, at least 3; its way a cycle
-/// stays.
+/// The clip played `tempo` times as fast at the same frame rate; rotations (as direction vectors)
+/// and root positions are interpolated by splines. A loop's duration is rounded to whole frames, at
+/// least 3; its cycle displacement is unchanged.
 Clip with_tempo(const Clip& clip, double tempo);
 
-/// The plants of a clip after a change of tempo from `frames_before` to `frames_after` frames.
+/// The plants of a clip after a change of tempo that took it from `frames_before` to `frames_after`
+/// frames.
 std::vector<FootPlant> with_tempo(const std::vector<FootPlant>& plants, int frames_before,
                                   int frames_after, bool loops);
 

@@ -7,10 +7,9 @@
 
 namespace mien::motion {
 
-/// Gives the graph, whose clips and window are set, the transitions of the minima within a
-/// threshold, its nodes and edges, and leaves out what is not in the largest strongly connected
-/// component. Returns the number of frames on the edges that are left; 0 leaves the graph without
-/// edges.
+/// Builds the transitions, nodes and edges of a graph whose clips and window are set, from the
+/// minima of at most `threshold_m`, and keeps only the largest strongly connected component.
+/// Returns the number of frames on the remaining edges; if it is 0, the graph has no edges.
 int connect(MotionGraph& graph, std::span<const DistanceMinimum> minima, double threshold_m);
 
 }  // namespace mien::motion

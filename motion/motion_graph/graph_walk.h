@@ -10,36 +10,38 @@
 namespace mien::motion {
 
 struct GraphWalkOptions {
-  Vec3 place = Vec3::Zero();  ///< where the first frame's pelvis stands, on the floor
-  double heading = 0.0;       ///< radians about +Y from +Z: where the first frame's pelvis faces
-  /// Feet that stand on both sides of a transition stand through it, and the others land where they
-  /// stay: feet are locked (gait/foot_lock.h) in plants that touch a transition.
+  Vec3 place = Vec3::Zero();  ///< floor position of the pelvis in the first frame, metres
+  double heading = 0.0;       ///< of the pelvis in the first frame, radians about +Y from +Z
+  /// Whether to lock feet (gait/foot_lock.h) in plants that overlap a transition, so that a foot
+  /// planted on both sides stands still throughout and other feet do not slide after landing.
   bool lock_feet = true;
-  /// Additional heading of each frame, radians to the left, which turns the path too; empty: none.
-  /// With it all planted feet are locked: they stand while the body turns over them.
+  /// Additional heading of each frame, radians to the left; it bends the path too. Empty: none. If
+  /// given, all planted feet are locked, so that they stand still while the body turns above them.
   std::vector<double> added_headings;
 };
 
-/// The motion of a walk, which does not loop. Over the floor the root goes on, frame by frame, by
-/// the steps and turns of its clips, in transitions by their weighted mean, so its path has no jump
-/// but those of the clips; joints and height are interpolated. Frames last as long as the graph
-/// says (`frame_seconds`), and are sampled at its frame rate. Throws mien::Error for a walk without
-/// frames, and for edges that do not follow one another.
+/// The motion of a walk; it does not loop. The horizontal root motion accumulates the displacements
+/// and rotations of the clips from frame to frame (their weighted mean in transitions), so that
+/// transitions add no jumps; joint rotations and height are interpolated. Frames have the durations
+/// of `frame_seconds` in the graph; the result is sampled at the graph's frame rate. Throws
+/// mien::Error for a walk without frames, and for edges that are not consecutive.
 Clip motion_of(const MotionGraph& graph, const GraphWalk& walk,
                const GraphWalkOptions& options = {});
 
-/// The motion of a walk over several versions of one graph (`with_motions`: moods, say), which are
-/// mixed as it goes on: `moods` are the versions' weights from a moment on, ≥ 0, divided by their
-/// sum, and followed within some 0.2 s; without any it is the first version. Tempo is mixed too.
-/// Throws as above, for versions of other graphs, and for weights that are none.
+/// The motion of a walk over several versions of one graph (`with_motions`), such as moods, which
+/// are blended along the walk. `moods` are the weights of the versions from a given time on (≥ 0,
+/// normalised); the blend follows them within about 0.2 s. Without any, the first version is used.
+/// Tempo is blended too. Throws as above, for versions of different graphs, and for invalid
+/// weights.
 Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
                std::span<const MoodChange> moods, const GraphWalkOptions& options = {});
 
-/// As above, with the foot plants.
+/// Like the above, with the foot plants.
 WalkedClip walked_clip(std::span<const MotionGraph> versions, const GraphWalk& walk,
                        std::span<const MoodChange> moods, const GraphWalkOptions& options = {});
 
-/// Start time of each frame of a walk, seconds, and the pelvis' facing direction in it, radians.
+/// Start time of each frame of a walk, seconds, and the pelvis' facing direction in that frame,
+/// radians about +Y from +Z.
 struct WalkHeadings {
   std::vector<double> seconds;
   std::vector<double> facings;

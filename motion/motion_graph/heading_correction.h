@@ -11,18 +11,18 @@ namespace mien::motion {
 struct HeadingGoal {
   double seconds = 0.0;
   double radians = 0.0;
-  double over_seconds = 0.5;  ///< before it, over which the walk's heading is averaged
+  double over_seconds = 0.5;  ///< duration before it over which the walk's heading is averaged
   std::size_t segment = 0;
 };
 
-/// Heading corrections of the frames of a walk, and the remaining error at each goal, radians.
+/// Heading correction of each frame of a walk, and the remaining error at each goal, radians.
 struct HeadingCorrection {
   std::vector<double> added;
   std::vector<double> missing;
 };
 
-/// Spreads the heading error at each goal (in ascending time) over the interval since the goal
-/// before: at most 25° and 12°/s on average, which is not visible with locked feet.
+/// Spreads the heading error at each goal (in ascending time) over the interval since the previous
+/// goal: at most 25° and 12°/s on average, which is not visible with locked feet.
 HeadingCorrection correct_headings(const WalkHeadings& headings,
                                    std::span<const HeadingGoal> goals);
 

@@ -10,10 +10,10 @@ namespace mien::motion {
 
 /// How poses are compared for transitions.
 struct CloudOptions {
-  /// Length of the windows of frames that are compared, seconds: as long as the blend that would
-  /// join them, so that speeds count too (Kovar, Gleicher and Pighin 2002: about 1/3 s).
+  /// Length of the compared windows of frames, seconds: the duration of the blend that would join
+  /// them, so that velocities are compared too (Kovar, Gleicher and Pighin 2002: about 1/3 s).
   double window_seconds = 1.0 / 3.0;
-  /// Distance of a virtual point off each bone, metres, so that a twist about the bone counts.
+  /// Distance of the virtual point from each bone, metres, so that a twist about the bone counts.
   double virtual_point_m = 0.1;
   /// Weight of each joint and its virtual point, by BodyJoint; only ratios matter.
   std::array<double, body_joint_count> joint_weights = [] {
@@ -24,13 +24,13 @@ struct CloudOptions {
 };
 
 /// The points of a clip, frame by frame: each joint and one point off its bone. Coordinates are
-/// multiplied by the root of the point's weight; the weights sum to 1.
+/// multiplied by the square root of the point's weight; the weights sum to 1.
 struct PointCloud {
-  Eigen::MatrixXd level;   ///< x of all points, then z; a column a frame. Metres
-  Eigen::MatrixXd across;  ///< z of all points, then −x: `level` turned by a quarter
+  Eigen::MatrixXd level;   ///< x of all points, then z; one column per frame; metres
+  Eigen::MatrixXd across;  ///< z of all points, then −x: `level` rotated by 90°
   Eigen::MatrixXd up;      ///< y
   Eigen::MatrixXd mean;    ///< weighted mean x and z; 2 × frames
-  Eigen::VectorXd square;  ///< weighted mean of the squared length, a frame
+  Eigen::VectorXd square;  ///< weighted mean squared distance from the origin, per frame
 
   int frame_count() const { return static_cast<int>(square.size()); }
 };
@@ -51,12 +51,12 @@ Vec3 aligned(const PlaneAlignment& alignment, const Vec3& place);
 /// Distance of two windows of frames.
 struct WindowDistance {
   double metres = 0.0;       ///< root of the weighted mean squared distance of the points
-  PlaneAlignment alignment;  ///< that lays the second window on the first with the least distance
+  PlaneAlignment alignment;  ///< of the second window with the first, at the least distance
 };
 
 /// Distance of the windows of `frames` frames that begin at `first_a` and `first_b`, after the
-/// optimal alignment, in closed form (Kovar, Gleicher and Pighin 2002, section 3.1). The same both
-/// ways round; 0 of a window with itself, wherever it stands.
+/// optimal alignment, in closed form (Kovar, Gleicher and Pighin 2002, section 3.1). Symmetric; 0
+/// for a window and a copy of it that is moved or rotated on the floor.
 WindowDistance window_distance(const PointCloud& a, int first_a, const PointCloud& b, int first_b,
                                int frames);
 

@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// Whether each foot (right, left) stands, by clip and frame of a graph.
+/// Whether each foot (right, left) is planted, by clip and frame of a graph.
 using FootContacts = std::vector<std::vector<std::array<bool, 2>>>;
 
 FootContacts foot_contacts(const MotionGraph& graph);
@@ -17,12 +17,12 @@ FootContacts foot_contacts(const MotionGraph& graph);
 /// both feet.
 double contact_change(const FootContacts& contacts, const DistanceMinimum& minimum, int window);
 
-/// Mean difference, radians, between where the pelvis faces in the window of the transition's
-/// second clip, turned by its `turn`, and in that of the first.
+/// Mean difference, radians, between the facing directions of the pelvis in the transition's two
+/// windows, the second clip being rotated by `turn`.
 double facing_change(const MotionGraph& graph, const GraphTransition& transition);
 
-/// How much farther the pelvis turns in some frame of the blend than in the same frame of either
-/// motion, radians.
+/// Largest excess, over the frames of the blend, of the pelvis' rotation per frame over that of
+/// both motions, radians.
 double turn_beyond_motions(const MotionGraph& graph, const GraphTransition& transition);
 
 }  // namespace mien::motion

@@ -8,12 +8,12 @@
 
 namespace mien::motion {
 
-/// Requested shares of a graph's versions at a time, sum 1: those of the last change until then, or
-/// of the first; the first version alone if there is no change.
+/// Requested shares of a graph's versions at a time, sum 1: those of the latest change so far
+/// (before the first change, those of the first); without changes, the first version alone.
 std::vector<double> requested_shares(std::span<const MoodChange> moods, double seconds,
                                      std::size_t versions);
 
-/// A walk in a graph: consecutive edges.
+/// A walk in a graph: indices of consecutive edges.
 struct GraphWalk {
   std::vector<int> edges;
 };
@@ -25,23 +25,23 @@ struct WalkFrame {
   int to_clip = -1;  ///< the clip that is entered; −1 outside of transitions
   int to_frame = 0;
   double share = 1.0;  ///< of the first clip: 2p³ − 3p² + 1 over the window (Kovar 2002, eq. 6)
-  double turn = 0.0;   ///< of the second clip onto the first, radians
+  double turn = 0.0;   ///< rotation that aligns the second clip with the first, radians
 };
 
-/// `share` in a frame of a transition's window.
+/// WalkFrame::share at a frame of a transition's window.
 double blend_share(int frame, int window);
 
 std::vector<WalkFrame> frames_of(const MotionGraph& graph, const GraphWalk& walk);
 
-/// Joints, heading and height of a frame of a walk, the first clip turned by `turn` (radians); over
-/// the floor at x = z = 0. And the step over the floor that leads to it.
+/// The pose of a frame of a walk at x = z = 0, and the horizontal displacement from the previous
+/// frame, metres; the first clip is rotated about +Y by `turn`, radians.
 Pose posture_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
 Vec3 step_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
 
 /// Duration of the frame, seconds.
 double seconds_of(const MotionGraph& graph, const WalkFrame& frame);
 
-/// Foot plants of a walk. In a transition contact is that of the clip with the larger weight.
+/// Foot plants of a walk. In a transition, contacts are those of the clip with the larger weight.
 std::vector<FootPlant> plants_of(const MotionGraph& graph, const std::vector<WalkFrame>& frames);
 
 }  // namespace mien::motion

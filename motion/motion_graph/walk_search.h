@@ -12,10 +12,10 @@ namespace mien::motion {
 
 /// Horizontal motion of an edge, in the frame of the clip that it leaves.
 struct EdgeSteps {
-  std::vector<Vec3> steps;      ///< of the pelvis, metres, a frame
+  std::vector<Vec3> steps;      ///< displacement of the pelvis per frame, metres
   std::vector<double> facings;  ///< of the pelvis after each step, radians about +Y from +Z
-  std::vector<double> seconds;  ///< that each step lasts
-  double turn = 0.0;            ///< of the clip that it leads to on the one that it leaves, radians
+  std::vector<double> seconds;  ///< duration of each step
+  double turn = 0.0;  ///< rotation that aligns the entered clip with the clip that is left, radians
 };
 
 /// The steps of every edge of the graph, as in `motion_of` (graph_walk.h) without foot lock.
@@ -24,23 +24,23 @@ std::vector<EdgeSteps> edge_steps(const MotionGraph& graph);
 /// State of a walk during the search.
 struct WalkState {
   int node = 0;
-  double turn = 0.0;          ///< of the node's clip, radians
+  double turn = 0.0;          ///< rotation of the node's clip, radians
   Vec3 place = Vec3::Zero();  ///< of the pelvis on the floor
   double facing = 0.0;        ///< radians
-  double seconds = 0.0;       ///< since the walk began
-  double played = 0.0;        ///< seconds of the first version's own time
-  double since = 0.0;         ///< since the last transition, of the same time
-  double way = 0.0;           ///< along what is followed; kept by the cost
+  double seconds = 0.0;       ///< since the start of the walk
+  double played = 0.0;        ///< seconds since the start in the first version's own time
+  double since = 0.0;         ///< seconds since the last transition, in the same time
+  double way = 0.0;           ///< progress along the goal; updated by the cost
 };
 
-/// Cost of one more frame, ≥ 0. The state is that after the frame except for `way`, which the cost
-/// may advance.
+/// Cost of one more frame, ≥ 0. `state` is the state after the frame, except for `way`, which the
+/// cost may advance.
 using FrameCost = std::function<double(WalkState& state, const Vec3& step)>;
 /// Whether the walk has reached its goal.
 using GoalReached = std::function<bool(const WalkState& state)>;
 
-/// Versions of one graph (motion_graph.h) and what is asked of them by time, which the search mixes
-/// as `motion_of` (graph_walk.h) does, but without delay.
+/// Versions of one graph (motion_graph.h) and the changes of their weights. The search blends the
+/// versions as `motion_of` (graph_walk.h) does, but without delay.
 struct MixedGraph {
   std::span<const MotionGraph> versions;
   std::span<const MoodChange> moods;
@@ -48,8 +48,8 @@ struct MixedGraph {
   const MotionGraph& graph() const { return versions.front(); }
 };
 
-/// The cheapest walk from each of some starts (of one cost), stretch by stretch by branch and
-/// bound, until it is done. Throws mien::Error when `way` does not get on (`gets_on`).
+/// The cheapest walk from the best of several starts, searched by branch and bound, stretch by
+/// stretch, until `done`. Throws mien::Error when `way` makes no progress.
 GraphWalk search_walk(const MixedGraph& mixed, const std::vector<WalkState>& starts,
                       const FrameCost& cost, const GoalReached& done,
                       const GuidedWalkOptions& options);

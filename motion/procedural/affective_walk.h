@@ -16,21 +16,21 @@ struct Emotion {
 
 /// Nine emotions at their angles on the circumplex of affect (Russell 1980, circular scaling):
 /// happy 7.8°, excited 48.6°, tense 92.8°, afraid 116.0°, frustrated 141.1°, sad 207.5°, bored
-/// 241.9°, tired 267.7°, calm 316.2°; all at distance 1 from the middle.
+/// 241.9°, tired 267.7°, calm 316.2°; all at distance 1 from the origin.
 std::vector<Emotion> circumplex_emotions();
 
 /// The walk style of an emotional state.
 ///
 /// Arousal raises speed and cadence, widens the arm swing and flexes the elbows. Valence lifts
-/// chest and head, adds bounce, arm swing and trunk rotation. Two mixed terms tell the corners
-/// apart: tension = max(arousal, 0)·(1 − valence)/2 raises the shoulders, flexes elbows and knees,
-/// sharpens the swing; weariness = max(−arousal, 0)·(1 − valence)/2 slumps, lowers the feet, sways.
-/// (0, 0) is the ordinary walk. Signs after Montepare et al. 1987, Roether et al. 2009, Michalak et
-/// al. 2009, Barliya et al. 2013.
+/// chest and head, and adds bounce, arm swing and trunk rotation. Two interaction terms distinguish
+/// the corners: tension = max(arousal, 0)·(1 − valence)/2 raises the shoulders, flexes elbows and
+/// knees, and sharpens the swing; weariness = max(−arousal, 0)·(1 − valence)/2 slumps the trunk,
+/// lowers foot clearance and adds sway. (0, 0) is the ordinary walk. Signs after Montepare et al.
+/// 1987, Roether et al. 2009, Michalak et al. 2009, Barliya et al. 2013.
 WalkStyle affective_walk(double valence, double arousal);
 
-/// The same style `factor` times as fast: step length and cadence change by its square root each,
-/// the parameters that go with them as in `ordinary_walk`.
+/// The same style `factor` times as fast: step length and cadence each change by its square root,
+/// and dependent parameters change as in `ordinary_walk`.
 WalkStyle at_pace(const WalkStyle& style, double factor);
 
 }  // namespace mien::motion

@@ -10,7 +10,7 @@
 
 namespace mien::motion {
 
-/// A walk that comes with the program.
+/// A built-in walk style.
 struct NamedStyle {
   std::string name;
   WalkStyle style;
@@ -22,32 +22,33 @@ std::vector<std::string_view> builtin_set_names();
 /// The styles of a built-in set of walks, in its fixed order. An unknown name throws mien::Error
 /// that lists the known ones.
 ///
-/// "walks-10": normal, brisk, slow, happy, sad, angry, proud, afraid, tired, relaxed.
-/// "walks-27": nine emotions from around the circumplex of affect, each fast, at its own speed and
-/// slow: "happy-fast", "happy-normal", "happy-slow", …
+/// "walks-10": normal, brisk, slow, happy, sad, angry, proud, afraid, tired, relaxed. "walks-27":
+/// nine emotions around the circumplex of affect, each fast, at its natural speed and slow:
+/// "happy-fast", "happy-normal", "happy-slow", …
 std::vector<NamedStyle> builtin_styles(std::string_view name);
 
 /// Names of the examples of a built-in set. Throws as above.
 std::vector<std::string> builtin_example_names(std::string_view name);
 
-/// Makes one example of a built-in set.
+/// A named function that makes one example of a built-in set.
 struct ExampleMaker {
   std::string name;
-  std::function<Example()> make;  ///< named; several may be called at the same time
+  std::function<Example()> make;  ///< thread-safe; the example has the same name
 };
 
 /// Makers of the examples of a built-in set, in its fixed order. Throws as above.
 std::vector<ExampleMaker> builtin_example_makers(std::string_view name,
                                                  double frames_per_second = 30.0);
 
-/// A built-in set without its examples: its name and properties.
+/// A built-in set with its name and properties, but without examples.
 ExampleSet empty_example_set(std::string_view name);
 
-/// The set's walks, made by the parametric walker on the standard body; marked as simulated.
+/// The examples of a built-in set, made by the parametric walker and marked as simulated; walks are
+/// on the standard body.
 ///
-/// "actors" is not for blending: a woman of 1.65 m and a man of 1.80 m ("woman-walk-sad",
-/// "man-knock-neutral", …), each walking neutrally and in ten acted emotions, knocking on a door
-/// neutrally and in two, and standing in three poses.
+/// "actors" is not blendable and has two bodies: a woman of 1.65 m and a man of 1.80 m
+/// ("woman-walk-sad", "man-knock-neutral", …), each walking neutrally and in ten acted emotions,
+/// knocking on a door neutrally and in two emotions, and standing in three poses.
 ExampleSet builtin_examples(std::string_view name, double frames_per_second = 30.0);
 
 }  // namespace mien::motion

@@ -5,7 +5,7 @@
 namespace mien::motion {
 
 /// Expressive walks. Their differences from an ordinary walk follow studies of emotional gait;
-/// amounts are ours where the studies give no numbers.
+/// where the studies report no amounts, the amounts are our own choice.
 
 /// A fast ordinary walk.
 WalkStyle brisk_walk();
@@ -13,12 +13,12 @@ WalkStyle brisk_walk();
 /// A slow ordinary walk.
 WalkStyle slow_walk();
 
-/// Fast, upright, much arm swing and vertical movement, a light step (Montepare et al. 1987;
-/// Michalak et al. 2009).
+/// Fast and upright, with much arm swing and vertical movement and a light step (Montepare et al.
+/// 1987; Michalak et al. 2009).
 WalkStyle happy_walk();
 
-/// Slow, little arm swing, head hanging, slumped, more lateral and less vertical movement (Michalak
-/// et al. 2009; Roether et al. 2009).
+/// Slow and slumped, with little arm swing, a hanging head, more lateral and less vertical movement
+/// (Michalak et al. 2009; Roether et al. 2009).
 WalkStyle sad_walk();
 
 /// Fast, long strides, elbows flexed, leaning forward, heavy-footed (Montepare et al. 1987; Roether
@@ -29,26 +29,27 @@ WalkStyle angry_walk();
 /// and Fredrickson 2012).
 WalkStyle proud_walk();
 
-/// Slow, short steps, elbows and knees flexed and held, shoulders raised: contracted (Roether et
-/// al. 2009; Barliya et al. 2013).
+/// Contracted: slow, short steps, elbows and knees held flexed, shoulders raised (Roether et al.
+/// 2009; Barliya et al. 2013).
 WalkStyle afraid_walk();
 
 /// Slow, dragging and heavy, arms hanging, head and trunk bent, swaying.
 WalkStyle tired_walk();
 
-/// Unhurried, loose: late, floating forearms, a slight backward lean, a soft sway (Crane and Gross
-/// 2013 on contentment).
+/// Unhurried and loose: lagging, floating forearms, a slight backward lean, a soft sway (Crane and
+/// Gross 2013 on contentment).
 WalkStyle relaxed_walk();
 
-/// Fast, springy, with wide swings of bent arms that start abruptly, head up (Montepare et al. 1987
-/// and Roether et al. 2009 on joy, further than happy_walk).
+/// Fast, springy, with wide swings of bent arms that start abruptly, head up (after the same
+/// studies of joy as happy_walk, but more pronounced: Montepare et al. 1987; Roether et al. 2009).
 WalkStyle excited_walk();
 
-/// Firm, broad and heavy: arms away from the trunk and turned inwards, chest out, feet apart, full
-/// steps (Montepare et al. 1987 on pride and anger; the strong posture of the emotion thesis).
+/// Firm, broad and heavy: arms abducted and internally rotated, chest out, feet apart, full steps
+/// (Montepare et al. 1987 on pride and anger; the strong posture of the emotion thesis).
 WalkStyle strong_walk();
 
-/// Slow, short and low steps, arms close and hardly swinging, knees and trunk a little bent.
+/// Slow, short and low steps, arms close to the trunk and hardly swinging, knees and trunk a little
+/// bent.
 WalkStyle weak_walk();
 
 }  // namespace mien::motion

@@ -6,10 +6,10 @@
 namespace mien::motion {
 
 /// The points of a foot that touch the floor, in the ankle's frame (sole flat, toes along +Z), and
-/// how high the joints stand when it does. Metres.
+/// the joint heights of a flat foot. Metres.
 struct FootShape {
   double ankle_height;  ///< above the floor, sole flat
-  Vec3 heel;            ///< the edge the foot rolls on after heel strike
+  Vec3 heel;            ///< the edge on which the foot rolls after heel strike
   Vec3 ball;            ///< the toe joint, about which the heel rises
   double ball_height;   ///< above the floor, sole flat
   double toe_length;    ///< from the toe joint to the tip
@@ -23,15 +23,14 @@ struct FootPose {
   Vec3 ankle = Vec3::Zero();   ///< position
   double yaw = 0.0;            ///< about +Y from +Z
   double pitch = 0.0;          ///< of the sole, toes up
-  double toe_extension = 0.0;  ///< of the toes on the foot, up
+  double toe_extension = 0.0;  ///< of the toes relative to the foot, up
 };
 
 /// The foot's rotation in the world.
 Quat foot_rotation(const FootPose& foot);
 
-/// Pitch of the sole through the stance, radians: from toes up at heel strike to flat, then heel up
-/// to toe off. Continuous with its first derivative; at phase 0 and at the end of stance it has the
-/// slopes that the swing must meet.
+/// Pitch of the sole during stance, radians: toes up at heel strike, then flat, then heel up until
+/// toe off. Continuously differentiable; the swing continues its slopes at both ends of the stance.
 double stance_pitch(const WalkStyle& style, double phase);
 
 /// Offsets from the ankle to the pivot of a rolling foot, in world axes.
@@ -43,22 +42,22 @@ struct FootRoll {
 /// The pivot of a foot at a pitch of its sole: the heel's edge (toes up) or the ball (heel up).
 FootRoll foot_roll(const FootShape& shape, double yaw, double pitch);
 
-/// The ankle of a foot rolled so over a print (see `rolled_foot`).
+/// Position of the ankle of a foot with this roll over a footprint (see `rolled_foot`).
 Vec3 rolled_ankle(const FootShape& shape, const Vec3& print, const FootRoll& roll);
 
-/// The foot on the floor at a pitch of its sole, rolled there about the heel's edge (toes up) or
-/// the ball (heel up, toes left flat). `print` is where the ankle's plumb line meets the floor
-/// while the sole is flat: what the foot stands on stays there at every pitch.
+/// The foot on the floor at a given pitch of its sole, rolled about the heel's edge (toes up) or
+/// the ball (heel up, toes flat). `print` is the footprint: the vertical projection of the ankle on
+/// the floor while the sole is flat. The pivot does not move with the pitch.
 FootPose rolled_foot(const FootShape& shape, const Vec3& print, double yaw, double pitch);
 
 /// The foot while it is on the floor, rolling without slipping: on the heel's edge, then flat, then
-/// on the ball with the toes left flat. `phase` ∈ [0, stance_share] counts from the heel strike;
-/// `print` is where the ankle's plumb line meets the floor while the sole is flat.
+/// on the ball with the toes flat. `phase` ∈ [0, stance_share] is measured from heel strike;
+/// `print` is as in `rolled_foot`.
 FootPose stance_foot(const FootShape& shape, const WalkStyle& style, const Vec3& print, double yaw,
                      double phase);
 
-/// Height of the toes (the lower of toe joint and tip) above their height when the foot stands
-/// flat, metres.
+/// Height of the toes (the lower of toe joint and tip) above their height in a flat foot on the
+/// floor, metres.
 double toe_clearance(const FootShape& shape, const FootPose& foot);
 
 /// Height of the heel's edge above the floor, metres.

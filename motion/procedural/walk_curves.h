@@ -11,7 +11,7 @@ struct Harmonic {
   double s = 0.0;
 };
 
-/// mean + Σ harmonics at `phase` (share of the gait cycle; any real number).
+/// Returns mean + Σ harmonics at `phase` (in gait cycles; any real number).
 double fourier(double mean, std::span<const Harmonic> harmonics, double phase);
 
 /// A cosine with `n` periods in a gait cycle, +1 at phase `peak`.
@@ -23,31 +23,32 @@ struct CurveEnd {
   double rate = 0.0;
 };
 
-/// The polynomial of degree 5 that has these ends and no curvature there; x ∈ [0, 1], slopes with
-/// respect to x.
+/// The polynomial of degree 5 with these values and slopes at its ends and zero second derivatives
+/// there; x ∈ [0, 1], slopes with respect to x.
 double quintic(const CurveEnd& from, const CurveEnd& to, double x);
 
 /// `phase` brought into [0, 1).
 double wrapped_phase(double phase);
 
-/// Knee flexion of level walking, degrees, from the leg's own heel strike (phase 0): loading wave
-/// of about 19° at 15 %, nearly straight at 42 %, swing peak of about 63° at 73 %. Five harmonics
-/// fitted to the shape tabulated in gait textbooks (Winter 1991; Perry & Burnfield 2010).
+/// Knee flexion of level walking, degrees, from the leg's own heel strike (phase 0): loading peak
+/// of about 19° at 15 % of the cycle, nearly straight at 42 %, swing peak of about 63° at 73 %.
+/// Five harmonics fitted to the shape tabulated in gait textbooks (Winter 1991; Perry & Burnfield
+/// 2010).
 double normal_knee_flexion_deg(double phase);
 
-/// Shapes of the remaining curves, of amplitude 1, over the phase of the left leg. The right leg is
-/// half a cycle behind.
+/// The remaining curves with amplitude 1, as functions of the phase of the left leg. The right leg
+/// is half a cycle later.
 ///
-/// Pelvis about the vertical: +1 with the left hip forward, at left heel strike.
+/// Axial rotation of the pelvis: +1 with the left hip forward, at left heel strike.
 double pelvis_rotation_shape(double phase);
-/// Pelvis in the frontal plane: +1 with the left hip high, early in left single support.
+/// Pelvic obliquity: +1 with the left hip high, early in left single support.
 double pelvis_obliquity_shape(double phase);
-/// Shoulder line about the vertical: +1 with the left shoulder forward, near right heel strike.
+/// Axial rotation of the shoulder line: +1 with the left shoulder forward, near right heel strike.
 double shoulder_rotation_shape(double phase, double sharpness);
 /// Upper arm: +1 at the forward end of the left arm's swing, just after right heel strike.
 double arm_swing_shape(double phase, double sharpness);
-/// Elbow: +1 most flexed, −1 least; the arm is straighter for longer behind the body than before
-/// it.
+/// Elbow: +1 at the most flexed, −1 at the least; the elbow stays extended longer behind the body
+/// than in front of it.
 double elbow_shape(double phase, double sharpness);
 
 }  // namespace mien::motion

@@ -7,27 +7,27 @@
 
 namespace mien::motion {
 
-/// One cycle of a walk in the given style: looping, along +Z, x = 0 being the line walked on. The
-/// cycle starts at left heel strike and lasts the nearest whole number of frames; step length is
-/// kept. Keytimes: left heel strike, right toe off, left mid-stance (the right ankle passes the
-/// left), right heel strike, left toe off, right mid-stance, left heel strike again.
+/// One cycle of a walk in the given style: a loop along +Z on the line x = 0. The cycle starts at
+/// left heel strike and lasts the nearest whole number of frames; the step length is exact.
+/// Keytimes: left heel strike, right toe off, left mid-stance (the right ankle passes the left),
+/// right heel strike, left toe off, right mid-stance, left heel strike again.
 ///
 /// The feet are fixed to the floor: they roll over heel and ball without slipping, and the legs
-/// follow by two-bone inverse kinematics between the feet and the moving pelvis. The pelvis walks
-/// as high as the style's `stance_knee_deg` allows, so no knee ever locks. The swing follows the
-/// normal knee curve, bent so that it continues the stance on both sides with its speed and
-/// acceleration.
+/// follow by two-bone inverse kinematics between the feet and the moving pelvis. The pelvis is as
+/// high as the style's `stance_knee_deg` allows, so that the knees never fully extend. The swing
+/// follows the normal knee curve, adjusted so that velocity and acceleration are continuous with
+/// the stance at both ends.
 ///
-/// Throws mien::Error when the style is impossible (steps longer than the legs reach, no swing or
-/// no double support, not positive speed, cadence or frame rate).
+/// Throws mien::Error when the style is impossible (steps too long for the legs, no swing or no
+/// double support) or when speed, cadence or frame rate is not positive.
 Example walk(const WalkStyle& style, double frames_per_second, const Skeleton& body);
 
 /// Sets the rotations of spine, chest, neck, head and both arms at a phase of the gait cycle (0 is
 /// left heel strike), given the world rotation of the pelvis.
 ///
-/// The trunk turns against the pelvis; the head looks where the walker goes and nods against the
-/// rise and fall of the body; the arms hang from the shoulders in the world's vertical and swing
-/// against the legs, forearm and hand following late.
+/// The trunk rotates opposite to the pelvis; the head faces the direction of travel and pitches to
+/// compensate for the body's vertical motion; the arms hang vertically in world space and swing
+/// opposite to the legs, with forearm and hand lagging.
 void set_upper_body(const WalkStyle& style, double phase, const Quat& pelvis_rotation, Pose& pose);
 
 }  // namespace mien::motion

@@ -7,20 +7,21 @@
 
 namespace mien::motion {
 
-/// The style with its lengths, and with them its speed, in proportion to the legs of the body.
+/// The style with its lengths and its speed scaled by the body's leg length.
 WalkStyle scaled_to(const Skeleton& body, WalkStyle style);
 
-/// The leg of a body under a pelvis, its swing not yet fitted.
+/// The leg of a body for a trajectory of the pelvis; its swing is not fitted yet.
 LegCycle make_leg(const Skeleton& body, const PelvisPath& pelvis, bool left);
 
-/// Sets hip, knee, ankle and toe joint of the pose so that the foot is where it is to be, by
-/// two-bone inverse kinematics. The pelvis of the pose is set already; knees point between where
-/// the pelvis faces and where the foot does.
+/// Sets hip, knee, ankle and toe joint of the pose so that the foot has the given pose, by two-bone
+/// inverse kinematics. The pelvis must already be set; knees point between the directions of the
+/// pelvis and of the foot.
 void set_leg(const LegCycle& leg, const FootPose& foot, const Skeleton& body, Pose& pose);
 
-/// Places the pelvis over the feet: as high as it can walk without either knee being straighter in
-/// stance than the style's `stance_knee_deg`, and as far before or behind the feet as lets it be
-/// highest. (People keep their legs about as straight as the step allows: it costs least.)
+/// Places the pelvis over the feet: as high as possible without either knee being straighter in
+/// stance than the style's `stance_knee_deg`, at the forward offset from the feet that permits the
+/// greatest height. (People keep their legs about as straight as the step allows, which costs the
+/// least energy.)
 ///
 /// Sets `pelvis.mean_height_m` and `ahead_m` of both legs. Throws mien::Error when the steps are
 /// too long for the legs.

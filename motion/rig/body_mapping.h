@@ -18,8 +18,8 @@ struct BodyMapping {
   std::string rig;      ///< "cmu-bvh", "acclaim", "bandai-namco", …, "by names", "by topology"
   MappedJoints joints;  ///< the rig joints of each canonical joint, with confidence
   std::array<Quat, body_joint_count> calibration;  ///< A_j: G_canonical = G_rig · A_j
-  Skeleton body;                    ///< canonical body with the performer's bone lengths, metres
-  Quat to_y_up = Quat::Identity();  ///< the file's axes → +Y up
+  Skeleton body;                    ///< canonical body with the subject's bone lengths, metres
+  Quat to_y_up = Quat::Identity();  ///< rotation from the file's axes to +Y up
   std::string up = "+Y";            ///< the file's up axis: "+Y", "+Z", "-X", …
   double metres_per_unit = 1.0;
   double confidence = 0.0;            ///< mean over the joints, 0–1
@@ -27,33 +27,33 @@ struct BodyMapping {
 };
 
 /// Recognises a human rig by joint names, else by topology (rig_topology.h), and calibrates it.
-/// Throws Error when it is no human rig that could be followed, saying what is missing.
+/// Throws Error, naming what is missing, if the rig is not recognised as human.
 BodyMapping recognise(const Recording& recording);
 
 /// As above, calibrated over several recordings of one rig together, so that measured quantities
-/// (twist of the limbs, flat feet) are the same for all. All must have the skeleton of the first
-/// (`same_rig`); throws Error naming one that has not.
+/// (twist of the limbs, flat feet) are the same for all. All must have the same skeleton as the
+/// first (`same_rig`); throws Error naming a recording that differs.
 BodyMapping recognise(std::span<const Recording> recordings);
 
-/// The recording as a motion of the canonical body: +Y up, metres, the floor at y = 0; where it is
-/// and where it heads stay as recorded. Joint positions are those of the rig, exactly where rig
-/// joints correspond one to one and keep their offsets.
+/// The recording as a motion of the canonical body: +Y up, metres, the floor at y = 0; horizontal
+/// position and heading stay as recorded. Joint positions are those of the rig; exactly so where
+/// rig joints correspond one to one and have constant offsets.
 ///
-/// The floor is the level on which the lower foot stands (floor.h), so that a few frames of noise
-/// or toes that dip do not move it. A floor that slopes in the recording is levelled first. Toes
-/// that would go through it as a foot rolls off bend (toe_bend.h). Throws Error when the recording
-/// has another rig than the mapping.
+/// The floor is the level on which the lower foot stands (floor.h), so that a few noisy frames or
+/// dipping toes do not affect it. A sloping floor is levelled first. Toes that would penetrate the
+/// floor at toe off are bent (toe_bend.h). Throws Error if the rig of the recording differs from
+/// that of the mapping.
 Clip to_body(const Recording& recording, const BodyMapping& mapping);
 
-/// Floor of a recording mapped to the canonical body, as `to_body` removes it.
+/// Floor of a recording mapped to the canonical body, for which `to_body` corrects.
 struct RecordedFloor {
-  Quat levelling = Quat::Identity();  ///< turns a floor that slopes level
-  double height = 0.0;                ///< metres, after that
+  Quat levelling = Quat::Identity();  ///< rotation that levels a sloping floor
+  double height = 0.0;                ///< metres above y = 0, after levelling
 };
 
 RecordedFloor recorded_floor(const Recording& recording, const BodyMapping& mapping);
 
-/// As above, with a known floor.
+/// Like the above, with a known floor.
 Clip to_body(const Recording& recording, const BodyMapping& mapping, const RecordedFloor& floor);
 
 /// `to_body` with the recording's own `recognise` mapping.
@@ -62,12 +62,12 @@ Clip to_body(const Recording& recording);
 /// Analysis of any recording, human or not, so that it can be drawn as a stick figure.
 struct RigAnalysis {
   std::optional<BodyMapping> human;   ///< empty when it was not recognised
-  std::string rejection;              ///< why it was not recognised, a sentence
+  std::string rejection;              ///< a sentence on why it was not recognised; else empty
   std::vector<std::string> warnings;  ///< of the mapping, or the rejection; and notes of the reader
   Quat to_y_up = Quat::Identity();
   std::string up = "+Y";
   double metres_per_unit = 1.0;  ///< 1 if not human: the unit is unknown
-  double floor = 0.0;            ///< height of the lowest point, metres, after the turn to +Y
+  double floor = 0.0;            ///< height of the lowest point, metres, after rotation to +Y up
 };
 
 RigAnalysis analyse_rig(const Recording& recording);

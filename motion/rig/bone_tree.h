@@ -7,27 +7,27 @@
 
 namespace mien::motion {
 
-/// A rig's tree with its mean bone lengths, in the rig's unit. A joint's bone leads to it from its
-/// parent. Refers to the rig.
+/// A rig's tree with its mean bone lengths, in the rig's unit. The bone of a joint is the segment
+/// from its parent to the joint. Holds a reference to the rig.
 struct BoneTree {
   const Skeleton& rig;
   std::vector<std::vector<int>> children;
-  std::vector<double> bone;   ///< length of the bone that leads to the joint
-  std::vector<double> reach;  ///< length of the longest way from the joint to an end
-  double size = 0.0;          ///< longest way from a fork to an end
+  std::vector<double> bone;   ///< length of the joint's bone
+  std::vector<double> reach;  ///< length of the longest path from the joint down to an end
+  double size = 0.0;          ///< length of the longest path from a fork down to an end
 
-  /// Length of the bone after a leaf joint; 0 if the rig has none.
+  /// Length of the bone beyond a leaf joint (to its tip); 0 if it has no tip.
   double tip_length(int joint) const;
 
-  /// Length from the parent of a child to the farthest end through it.
+  /// Length of the longest path from the parent of `child` through `child` to an end.
   double length_through(int child) const { return bone[child] + reach[child]; }
 };
 
-/// Makes the tree of a rig. Lengths are means over some of the frames, or those of the rig's
-/// offsets without frames.
+/// Makes the tree of a rig. Lengths are means over a sample of the frames; without frames, those of
+/// the rig's offsets.
 BoneTree bone_tree(const Skeleton& rig, const std::vector<JointTransforms>& world);
 
-/// The child with the longest chain, the first of several; −1 when there is none.
+/// The child with the longest chain (the first of equal ones); −1 if there is none.
 int main_child_of(const BoneTree& tree, int joint);
 
 /// The joint followed by its longest chain of descendants.

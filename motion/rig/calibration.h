@@ -9,23 +9,24 @@ namespace mien::motion {
 
 /// Rotations from a rig's joint frames to those of the canonical body.
 struct Calibration {
-  /// Constant A_j: global rotation of canonical joint j = global rotation of the rig joint it
-  /// follows · A_j. Identity for joints that follow none.
+  /// Constant A_j: global rotation of canonical joint j = global rotation of the corresponding rig
+  /// joint · A_j. Identity for joints without a corresponding rig joint.
   std::array<Quat, body_joint_count> to_body;
-  Skeleton body;                ///< canonical body with the performer's proportions, rig units
+  Skeleton body;                ///< canonical body with the subject's proportions, rig units
   bool from_rest_pose = false;  ///< the rig's zero pose is a T-pose (or arms down) and was used
 };
 
-/// Finds the constants from recordings of one and the same rig, all with the same `joints`.
+/// Finds the constants from recordings of one rig, all with the same `joints`.
 ///
-/// Each bone of the rig is laid on `rest_direction` of its joint. The twist about the bone comes
-/// from the rig's zero pose when that is a plausible standing figure. Otherwise, and wherever the
-/// zero pose is off by more than 25° (feet: 12°), it is measured: thighs and shanks by the axis
-/// about which the knee bends, upper arms and forearms by that of the elbow (mean over the frames
-/// bent more than 15°), trunk by the lines through hips and shoulders, neck, head, clavicles and
-/// hands by their mean attitude to chest and forearm, feet by standing flat. In a rig that lays its
-/// limbs along axes of their joint frames, a measured reference within 20° of such an axis gives
-/// way to it, so that all recordings of the rig agree.
+/// Each bone of the rig is aligned with `rest_direction` of its joint. The twist about the bone is
+/// taken from the rig's zero pose if that is a plausible standing figure. Otherwise, and for joints
+/// where the zero pose is off by more than 25° (feet: 12°), it is measured: for thighs and shanks
+/// from the flexion axis of the knee, for upper arms and forearms from that of the elbow (mean over
+/// frames with more than 15° of flexion), for the trunk from the lines through hips and shoulders,
+/// for neck, head, clavicles and hands from their mean orientation relative to chest and forearm,
+/// for feet from standing flat. If the rig aligns its limbs with axes of their joint frames, a
+/// measured reference within 20° of such an axis is replaced by that axis, so that all recordings
+/// of the rig agree.
 Calibration calibrate(std::span<const RigMotion> motions);
 
 }  // namespace mien::motion

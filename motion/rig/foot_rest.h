@@ -8,7 +8,8 @@
 namespace mien::motion {
 
 /// Mean world directions in the frames of a foot's joints while it stands flat. Vectors are means
-/// over the flat frames, not unit; those of the toe are zero when the rig has no turning toe joint.
+/// over the flat frames and not of unit length; those of the toe are zero if the rig has no
+/// rotating toe joint.
 struct FootRest {
   Vec3 up = Vec3::Zero();           ///< world up in the ankle's frame
   Vec3 forward = Vec3::Zero();      ///< ankle to toe in the ankle's frame; zero without a toe
@@ -17,8 +18,8 @@ struct FootRest {
   int frames = 0;                   ///< number of flat frames
 };
 
-/// Frames in which the foot of `ankle` stands flat: ankle and toe both low and slow. When there are
-/// none, the lowest tenth of the frames.
+/// Frames in which the foot of `ankle` stands flat: both ankle and toe are low and slow. If there
+/// are none, the tenth of the frames in which they are lowest.
 std::vector<int> flat_frames(const RigMotion& motion, BodyJoint ankle);
 
 FootRest foot_rest(std::span<const RigMotion> motions, BodyJoint ankle);

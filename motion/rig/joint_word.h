@@ -20,15 +20,14 @@ JointWord joint_word(std::string_view name);
 /// The region of the body that a joint's name indicates.
 enum class BodyRegion { other, head, arm, leg };
 
-/// The region by the beginning of the word, so that "handthumb" and "upperarmtwist" belong to the
-/// arm; `other` for joints of the trunk and unknown names.
+/// The region, determined by the beginning of the word, so that "handthumb" and "upperarmtwist"
+/// belong to the arm; `other` for joints of the trunk and unknown names.
 BodyRegion body_region_of(const JointWord& joint);
 
-/// Whether a name marks its joint as an end site: "HeadTop_End",
-/// "ToeNub".
+/// Whether a name marks its joint as an end site, such as "HeadTop_End" or "ToeNub".
 bool names_an_end(std::string_view name);
 
-/// Words for joints in common rigs.
+/// Lists of the words for joints in common rigs.
 namespace joint_words {
 
 using Words = std::span<const std::string_view>;

@@ -5,16 +5,17 @@
 
 namespace mien::motion {
 
-/// Finds those joints of both arms and legs that names did not identify (−1), from the shape of the
-/// rig around the identified ones: as many joints on as on the other side where that is known, else
-/// the joint between two known ones that parts them best, the joint above, or the longest way on.
-/// An end (wrist, ankle, toe) has to lie where a human's would; a twist joint is none. Adds what it
-/// finds to `by_shape`. Joints that cannot be found stay −1.
+/// Finds the joints of both arms and legs that names did not identify (−1), from the shape of the
+/// rig around the identified ones. A joint is taken at the same depth as on the other side if that
+/// is known; otherwise it is the joint that best divides the chain between two known joints, the
+/// parent, or the end of the longest chain. An end (wrist, ankle, toe) must lie at a plausible
+/// position for a human; twist joints are excluded. Joints that were found are added to `by_shape`;
+/// joints that cannot be found stay −1.
 void fill_limbs_by_shape(const BoneTree& tree, KeyJoints& keys);
 
-/// Finds the head by shape: the end of the longest way up from the chest between the arms, before
-/// what the head itself carries (eyes, jaw, the end of its crown). A chest with one joint called
-/// neck above has a neck and no head. The pelvis, the chest and both arms are known.
+/// Finds the head by shape: the end of the longest chain upwards from the chest between the arms,
+/// without the children of the head itself (eyes, jaw, crown). If the only joint above the chest is
+/// called neck, the rig has a neck and no head. Pelvis, chest and both arms must be known.
 void find_head_by_shape(const BoneTree& tree, KeyJoints& keys);
 
 }  // namespace mien::motion

@@ -4,8 +4,8 @@
 
 namespace mien::motion {
 
-/// Maps a rig to the canonical body pose by pose, for live input, with a mapping that is determined
-/// beforehand.
+/// Retargets a rig to the canonical body pose by pose, for live input, with a mapping determined in
+/// advance.
 class LiveMapping {
  public:
   /// Calibrates from the hierarchy and a first pose alone: the rig's zero pose must be a standing
@@ -13,20 +13,21 @@ class LiveMapping {
   /// pose. Throws mien::Error for a rig that is not human or cannot be calibrated.
   explicit LiveMapping(const Recording& first);
 
-  /// Calibrates from a recording of the same rig. Throws mien::Error when `first` is of another
-  /// rig, or it is not human.
+  /// Calibrates from a recording of the same rig. Throws mien::Error if `first` has another rig, or
+  /// the rig is not human.
   LiveMapping(const Recording& calibration, const Recording& first);
 
   const BodyMapping& mapping() const { return mapping_; }
 
-  /// The next pose of the canonical body. Rotations stay in the hemisphere of the last ones.
+  /// Returns the next pose of the canonical body. Quaternions stay in the hemisphere of those of
+  /// the previous pose.
   Pose operator()(const Pose& pose);
 
  private:
   BodyMapping mapping_;
   RecordedFloor floor_;
   Recording now_;  ///< one pose
-  Pose before_;    ///< on the body; without rotations before the first
+  Pose before_;    ///< previous pose of the canonical body; without rotations before the first call
 };
 
 }  // namespace mien::motion

@@ -11,18 +11,20 @@ namespace mien::motion {
 /// The joints of a rig that correspond to one joint of the canonical body.
 struct MappedJoint {
   std::vector<int> group;  ///< rig joints from root to tip; empty when the rig has none
-  int position = -1;    ///< rig joint that sits where the canonical joint sits; −1 with no group
-  bool at_tip = false;  ///< it sits at the tip ("End Site") of `position` and does not turn
+  int position = -1;    ///< rig joint at the position of the canonical joint; −1 without a group
+  bool at_tip = false;  ///< the canonical joint lies at the tip ("End Site") of `position` and does
+                        ///< not rotate
   double confidence = 0.0;  ///< 0 (guessed by proportion) to 1 (known by name)
   std::string found_by;     ///< "name", "topology", "end site", "missing"
 
-  /// Rig joint whose rotation the canonical joint follows; −1 when it keeps still on its parent.
+  /// Rig joint whose rotation the canonical joint follows; −1 if it does not rotate relative to its
+  /// parent.
   int rotation() const { return at_tip || group.empty() ? -1 : group.back(); }
 };
 
 using MappedJoints = std::array<MappedJoint, body_joint_count>;
 
-/// The joints of one arm and one leg from which the groups follow. −1: the rig has none.
+/// The joints of one arm and one leg that determine the groups. −1: missing in the rig.
 struct KeyLimbs {
   int upper_arm = -1;
   int forearm = -1;
@@ -38,24 +40,25 @@ struct KeyJoints {
   int pelvis = -1;
   int chest = -1;  ///< where the arms branch off
   int head = -1;
-  int neck = -1;  ///< of a rig without a head: the neck's last joint
+  int neck = -1;  ///< only in a rig without a head: the neck's last joint
   KeyLimbs left;
   KeyLimbs right;
-  std::vector<int> by_shape;  ///< those of a named rig that were found by its shape, not by name
+  std::vector<int> by_shape;  ///< joints found by shape, since their names did not identify them
 };
 
-/// The groups of a rig: spine joints between pelvis and chest are shared out to Spine and Chest
-/// (the lower half, rounded up, is Spine), those between chest and head are the neck, those between
-/// chest and upper arm the clavicle. A missing wrist or toe sits at the tip of the bone before it
-/// when the rig gives one. What stands for a joint in `by_shape` is found by "topology" and less
-/// sure.
+/// The groups of a rig: spine joints between pelvis and chest are divided between Spine and Chest
+/// (the lower half, rounded up, is Spine), joints between chest and head form the neck, and joints
+/// between chest and upper arm the clavicle. A missing wrist or toe is placed at the tip of the
+/// preceding bone if the rig has one. Joints in `by_shape` are marked as found by "topology" and
+/// have a lower confidence.
 MappedJoints groups_of(const Skeleton& rig, const KeyJoints& keys, double confidence,
                        const std::string& found_by);
 
-/// Whether no joint of the rig is mapped to two joints of the body.
+/// Whether no rig joint is mapped to more than one joint of the canonical body.
 bool are_disjoint(const MappedJoints& joints);
 
-/// Joints from `ancestor` (left out) down to `descendant` (included). Empty when it is no ancestor.
+/// Joints on the path from `ancestor` (excluded) down to `descendant` (included). Empty if
+/// `ancestor` is not an ancestor of `descendant`.
 std::vector<int> path_down(const Skeleton& rig, int ancestor, int descendant);
 
 /// Lowest common ancestor; a joint counts as its own ancestor. Both must be ≥ 0.

@@ -7,11 +7,12 @@
 
 namespace mien::motion {
 
-/// Calibration constants (A_j of calibration.h) from the way the rig moves, whatever its zero pose.
+/// Calibration constants (A_j of calibration.h) measured from the motion of the rig, independent of
+/// its zero pose.
 struct MeasuredCalibration {
   std::array<Quat, body_joint_count> constants;
-  /// Whether the joint's twist was measured itself (bent elbows and knees, flat feet) rather than
-  /// inferred from its neighbours.
+  /// Whether the joint's twist was measured directly (bent elbows and knees, flat feet) rather than
+  /// inferred from neighbouring joints.
   std::array<bool, body_joint_count> has_evidence{};
 };
 

@@ -11,8 +11,8 @@ namespace mien::motion {
 /// World transforms of every frame of a recording, in the file's unit and axes.
 std::vector<JointTransforms> world_frames(const Recording& recording);
 
-/// A recording seen as a moving human body: still the rig's own joints and unit, but turned so that
-/// +Y is up.
+/// A recording seen as a moving human body: it keeps the rig's joints and unit, but is rotated to
+/// +Y up. Holds references to the rig and the joints.
 struct RigMotion {
   const Skeleton& rig;
   const MappedJoints& joints;
@@ -38,22 +38,23 @@ JointTransforms zero_pose(const Skeleton& rig);
 /// Thigh plus shank, mean of both sides and all frames, in the rig's unit.
 double leg_length(const RigMotion& motion);
 
-/// The present joint that the bone of `joint` leads to: its main child, or the next one down that
-/// chain that the rig has; none for the ends (head, wrists, toes).
+/// The next joint down the main chain from `joint` that the rig has; none for the ends (head,
+/// wrists, toes).
 std::optional<BodyJoint> next_present(const RigMotion& motion, BodyJoint joint);
 
-/// The farthest end of what hangs on the joint that `joint` follows (tips, fingers, crown), mean
-/// over the frames, in that rig joint's frame. Zero when nothing does.
+/// Position of the farthest descendant or tip (fingers, crown) of the rig joint that `joint`
+/// follows, in that rig joint's frame; mean over the frames, in the rig's unit. Zero if there is
+/// none.
 Vec3 far_end(const RigMotion& motion, BodyJoint joint);
 
 /// The axis (±X, ±Y, ±Z) that points from feet to chest, averaged over the frames.
 struct UpAxis {
   Vec3 axis = Vec3::UnitY();
-  double clearness = 1.0;  ///< length of the mean unit vector along the axis: 1 always upright
+  double clearness = 1.0;  ///< mean component of the unit vectors along it; 1: always upright
 };
 UpAxis up_axis(const std::vector<JointTransforms>& world, const MappedJoints& joints);
 
-/// The shortest rotation that takes an axis to +Y; half a turn about X when it is −Y.
+/// The shortest rotation that takes an axis to +Y; 180° about X if the axis is −Y.
 Quat turn_to_y_up(const Vec3& axis);
 
 }  // namespace mien::motion

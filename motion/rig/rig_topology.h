@@ -12,21 +12,21 @@ struct TopologyGuess {
   double confidence = 0.0;  ///< 0–1: how clearly anatomy distinguishes left from right
 };
 
-/// The key joints of a human rig from the shape of its tree and from how it moves. Names are not
-/// needed, but a joint whose name says that it belongs elsewhere (a leg called LowerArm.R) is none,
-/// and no joint stands for two of the body.
+/// Finds the key joints of a human rig from the shape of its tree and from its motion. Names are
+/// not needed, but a joint whose name contradicts its role (a leg called LowerArm.R) is rejected,
+/// and no rig joint is used twice.
 ///
-/// Legs and arms are the two pairs of mirror-like chains; the pair whose fork also carries a single
-/// chain away from the other fork (the neck) is the arms. Thigh and shank, upper arm and forearm
-/// are the two longest bones in a row. Which side is left follows from what can only be forward:
-/// toes, the bend of knees and elbows, and the way the body travels. Empty when there are no two
-/// such pairs, and for more than 4096 joints.
+/// Legs and arms are the two pairs of symmetric chains; the arms are the pair from whose fork a
+/// single chain (the neck) also leads away from the other fork. Thigh and shank, upper arm and
+/// forearm are the two longest consecutive bones. The left side follows from cues for the forward
+/// direction: toes, flexion of knees and elbows, and the direction of travel. Empty if there are no
+/// two such pairs, or more than 4096 joints.
 std::optional<TopologyGuess> key_joints_by_topology(const Recording& recording,
                                                     const std::vector<JointTransforms>& world);
 
-/// Evidence that the body faces (left hip − right hip) × up, mean over the frames: toes, bent
-/// knees and elbows, the way it travels. Some units for a clear rig; negative when left and right
-/// are exchanged.
+/// Evidence that the body faces (left hip − right hip) × up, as a sum of cues averaged over the
+/// frames: toes, flexed knees and elbows, direction of travel. Dimensionless; above 1 for an
+/// unambiguous rig, negative if left and right are exchanged.
 double forward_votes(const Recording& recording, const std::vector<JointTransforms>& world,
                      const KeyJoints& keys);
 

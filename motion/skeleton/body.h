@@ -11,10 +11,10 @@ namespace mien::motion {
 /// The canonical body: pelvis (the root) and the 20 joints that eq. (8) of the adjective paper sums
 /// over.
 ///
-/// At rest (all rotations identity) it stands in a T-pose facing +Z with +Y up: the left arm along
-/// +X, the right along −X, palms down, legs along −Y, feet along +Z. Every joint's frame is
-/// parallel to the world's, so a rotation means the same on every actor whatever rig it was
-/// captured with.
+/// At rest (all rotations are the identity) it stands in a T-pose facing +Z with +Y up: the left
+/// arm along +X, the right along −X, palms down, legs along −Y, feet along +Z. At rest every
+/// joint's frame is parallel to the world's, so rotations have the same meaning for all subjects,
+/// whatever rig they were captured with.
 enum BodyJoint : int {
   Pelvis,
   Spine,
@@ -57,15 +57,15 @@ BodyJoint mirrored(BodyJoint joint);
 bool is_left(BodyJoint joint);
 bool is_right(BodyJoint joint);
 
-/// Unit direction, at rest, of the bone that the joint carries (towards its main child or its tip).
+/// Unit direction, at rest, from the joint to its main child or its tip.
 Vec3 rest_direction(BodyJoint joint);
 
 /// A body of average adult proportions (de Leva 1996 segment lengths, male), scaled to `height_m`.
 Skeleton standard_body(double height_m = 1.75);
 
 /// A body of average female proportions: narrower shoulders and wider hips than `standard_body`,
-/// whose segments' shares of stature it keeps otherwise (de Leva 1996: they differ by less than 1 %
-/// of stature).
+/// with otherwise the same segment lengths relative to stature (de Leva 1996: these differ by less
+/// than 1 % of stature).
 Skeleton standard_female_body(double height_m = 1.65);
 
 /// Whether the skeleton has the canonical joints in canonical order.
@@ -74,12 +74,12 @@ bool is_body(const Skeleton& skeleton);
 /// Thigh plus shank, mean of both sides, metres.
 double leg_length(const Skeleton& body);
 
-/// Height of the head's top above the lowest joint or tip when standing at rest, metres: a skeleton
-/// ends at its toe joints, so this is less than the stature by the sole's depth (sole.h).
+/// Height of the top of the head above the lowest joint or tip when standing at rest, metres. A
+/// skeleton has no sole, so this is less than the stature by the sole's depth (sole.h).
 double standing_height(const Skeleton& body);
 
-/// Stature relative to `standard_body()` (1.75 m): the factor for lengths that are given for 1.75
-/// m.
+/// Stature relative to `standard_body()` (1.75 m): the factor by which to scale lengths given for
+/// 1.75 m.
 double relative_stature(const Skeleton& body);
 
 }  // namespace mien::motion

@@ -12,8 +12,8 @@ namespace mien::motion {
 /// A motion of the canonical body (body.h): metres, +Y up, the floor at y = 0. Bone lengths never
 /// change: poses carry no offsets of their own.
 ///
-/// Frame i is at i / frames_per_second seconds. A clip that `loops` holds one cycle without its
-/// last, repeated frame: frame n is frame 0 again, `cycle_displacement` further on.
+/// Frame i is at i / frames_per_second seconds. A clip that `loops` holds one cycle without the
+/// repeated last frame: frame n is frame 0 displaced by `cycle_displacement`.
 struct Clip {
   std::string name;
   Skeleton body;
@@ -24,22 +24,22 @@ struct Clip {
 
   int frame_count() const { return static_cast<int>(poses.size()); }
 
-  /// Looping: frames/fps. Otherwise from the first frame to the last.
+  /// Duration of a cycle if the clip loops, otherwise from the first frame to the last.
   double duration_seconds() const {
     return (loops ? frame_count() : frame_count() - 1) / frames_per_second;
   }
 };
 
-/// The pose at a time, interpolated between frames. A looping clip repeats in both directions, each
-/// cycle displaced; another is clamped at its ends.
+/// The pose at a time, interpolated between frames. A looping clip repeats in both directions, with
+/// each cycle displaced; for any other clip the time is clamped to its ends.
 Pose pose_at(const Clip& clip, double seconds);
 
-/// The clip at another frame rate: slerp for rotations, cubic (Catmull–Rom) for the root. A looping
-/// clip keeps its duration to the nearest whole frame; another ends with the last frame that lies
-/// within it.
+/// The clip at another frame rate: slerp for rotations, cubic (Catmull–Rom) for the root. The
+/// duration of a looping clip is rounded to whole frames; any other clip ends at the last new frame
+/// within its duration.
 Clip resampled(const Clip& clip, double frames_per_second);
 
-/// `cycles` repetitions of a looping clip in a row, as a clip that does not loop.
+/// `cycles` consecutive repetitions of a looping clip, as a clip that does not loop.
 Clip repeated(const Clip& loop, int cycles);
 
 /// World positions of all joints, frame by frame.

@@ -7,16 +7,16 @@
 
 namespace mien::motion {
 
-/// A motion prepared for blending: walks along +Z, starts at its first keytime, and marks the
-/// moments that correspond between examples.
+/// A motion prepared for blending: it walks along +Z, starts at its first keytime, and has keytimes
+/// that correspond between examples.
 struct Example {
-  std::string name;              ///< used by ratings and weights: "normal", "sad_002", …
+  std::string name;              ///< referenced by ratings and weights: "normal", "sad_002", …
   Clip clip;                     ///< loops for gait; one performance otherwise
   std::vector<double> keytimes;  ///< seconds, ascending, first 0, last the clip's duration
 };
 
-/// Examples with the same number of keytimes, on one body; or, when they are not to be blended,
-/// each on its own body with keytimes of its own.
+/// Examples with the same number of keytimes, on one body; or, if they are not `blendable`, each
+/// with its own body and keytimes.
 struct ExampleSet {
   std::string name;
   std::vector<Example> examples;

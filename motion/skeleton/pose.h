@@ -21,7 +21,8 @@ struct JointTransforms {
   std::vector<Quat> rotations;
 };
 
-/// Forward kinematics. The root stands at `pose.root_position`; its skeleton offset is not added.
+/// Forward kinematics. The root is at `pose.root_position`; its offset in the skeleton is not
+/// added.
 JointTransforms world_transforms(const Skeleton& skeleton, const Pose& pose);
 
 /// Forward kinematics, positions only.

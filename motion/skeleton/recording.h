@@ -17,8 +17,8 @@ struct Recording {
   Skeleton skeleton;
   double frames_per_second = 30.0;
   std::vector<Pose> poses;
-  std::vector<std::string> takes;  ///< motions that the file holds, where it names them (glTF)
-  std::string take;                ///< the name of this one
+  std::vector<std::string> takes;  ///< names of the motions in the file, if it names them (glTF)
+  std::string take;                ///< the name of this motion
   std::vector<std::string> notes;  ///< choices and omissions of the reader, as sentences
 
   int frame_count() const { return static_cast<int>(poses.size()); }

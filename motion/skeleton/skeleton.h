@@ -9,7 +9,7 @@
 
 namespace mien::motion {
 
-/// A joint and where it sits on its parent.
+/// A joint and its position relative to its parent.
 struct Joint {
   std::string name;
   int parent = -1;             ///< index of the parent joint, −1 for the root

@@ -7,20 +7,20 @@
 
 namespace mien::motion {
 
-/// A path on the floor with rounded corners, sampled in equal steps. y is 0.
+/// A path on the floor with rounded corners, sampled at equal steps of arc length. y is 0.
 struct FloorPath {
   std::vector<Vec3> points;
-  double step_m = 0.05;  ///< from point to point
+  double step_m = 0.05;  ///< arc length between points
 
   double length() const { return step_m * static_cast<double>(points.size() - 1); }
 };
 
-/// The polyline through points (x, z in metres; y is ignored) as a path whose corners are
-/// rounded over some 0.3 m. The ends stay. Throws mien::Error for non-finite numbers and for a path
-/// shorter than 0.1 m.
+/// The polyline through points (x, z in metres; y is ignored) as a path whose corners are rounded
+/// over about 0.3 m. The end points are kept. Throws mien::Error for non-finite numbers and for a
+/// path shorter than 0.1 m.
 FloorPath floor_path(std::span<const Vec3> polyline);
 
-/// The point at an arc length, metres; straight on beyond the end.
+/// The point at an arc length, metres; beyond the end the path continues straight.
 Vec3 point_at(const FloorPath& path, double way);
 
 /// Heading of the path at an arc length, about +Y from +Z, radians.
@@ -29,8 +29,8 @@ double heading_at(const FloorPath& path, double way);
 /// Largest curvature, 1/m, between two arc lengths.
 double largest_curvature(const FloorPath& path, double from, double to);
 
-/// Arc length of the point nearest to `place`, searched from `last` to 0.6 m on, so that
-/// self-crossing paths are not cut short.
+/// Arc length, metres, of the point nearest to `place`, searched from `last` to 0.6 m farther, so
+/// that no loop of a self-crossing path is skipped.
 double nearest_way(const FloorPath& path, const Vec3& place, double last);
 
 }  // namespace mien::motion

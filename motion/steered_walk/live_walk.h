@@ -12,19 +12,19 @@ namespace mien::motion {
 
 /// User input for a walker.
 struct WalkRequest {
-  double pace = 0.0;  ///< share of the mood's own speed: 0 stops, 1 walks, up to 1.2; else clamped
-  std::optional<double> heading_deg;  ///< to face, about +Y from +Z; turns the shorter way
+  double pace = 0.0;  ///< relative to the mood's own speed: 0 stops, 1 walks; clamped to 0–1.2
+  std::optional<double> heading_deg;  ///< about +Y from +Z; turns through the smaller angle
   double turn_deg_s = 0.0;            ///< °/s to the left, if no heading is requested
-  std::vector<double> moods;  ///< weights ≥ 0, one for each mood, normalised; empty: the first mood
+  std::vector<double> moods;  ///< weights ≥ 0, one per mood, normalised; empty: the first mood
 };
 
-/// An interactive walker that can run indefinitely, in real time: a pose in some 50 µs, without
-/// threads, files or memory that grows. Moods are versions of every one of its motions, in
-/// correspondence, and are interpolated while it walks, tempo too.
+/// An interactive walker that can run indefinitely, in real time: about 50 µs per pose, without
+/// threads, files or growing memory. Moods are corresponding versions of all its motions and are
+/// blended during the walk, including tempo.
 ///
-/// It goes by footsteps that are planned as it walks (steered_walk.h), not over a motion graph: in
-/// a graph a new request waits for the next transition, some tenths of a second and up to a step or
-/// two, and a change of mood for motions that differ only in it. Graphs are for captures.
+/// It plans footsteps as it walks (steered_walk.h) instead of searching a motion graph: in a graph,
+/// a new request has to wait for the next transition (some tenths of a second, up to a step or
+/// two), and a change of mood requires motions that differ in mood only. Graphs are for captures.
 struct LiveWalk {
   std::vector<std::string> moods;
   WalkerGaits gaits;
@@ -32,12 +32,12 @@ struct LiveWalk {
 };
 
 /// A walker that stands at the origin and faces +Z. Throws mien::Error without moods, and as
-/// `fit_walker` (walker_gaits.h). Takes some 60 ms a mood.
+/// `fit_walker` (walker_gaits.h). Takes about 60 ms per mood.
 LiveWalk make_live_walk(std::span<const NamedStyle> moods, const Skeleton& body);
 
-/// Advances the walker by `seconds`, at most a quarter of a second (longer after a page was
-/// hidden), and returns its pose. Throws mien::Error for a negative time or non-finite numbers and
-/// leaves the walker unchanged.
+/// Advances the walker by `seconds`, capped at a quarter of a second (longer intervals occur after
+/// a page was hidden), and returns its pose. Throws mien::Error for a negative time or non-finite
+/// numbers and leaves the walker unchanged.
 Pose advance(LiveWalk& walk, double seconds, const WalkRequest& request);
 
 }  // namespace mien::motion

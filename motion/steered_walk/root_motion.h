@@ -4,30 +4,31 @@
 
 namespace mien::motion {
 
-/// The state of a critically damped spring: a value that follows a goal with a continuous rate.
+/// The state of a critically damped spring: a value that approaches a goal with a continuous rate
+/// of change.
 struct DampedSpring {
   double value = 0.0;
-  double rate = 0.0;  ///< 1/s
+  double rate = 0.0;  ///< of the value, per second
 };
 
 /// The spring `seconds` later, with angular frequency `stiffness` (1/s) and a constant goal: the
 /// exact solution for any step.
 DampedSpring spring_step(const DampedSpring& number, double goal, double stiffness, double seconds);
 
-/// Root motion of a walker: position and heading on the floor and their velocities, the frame of
-/// its steps. Speed and turning follow their goals with a lag of a third of a second and continuous
-/// acceleration.
+/// Root motion of a walker: position and heading on the floor and their rates; steps are planned in
+/// this frame. Speed and turning rate follow their goals with a lag of a third of a second and
+/// continuous acceleration.
 struct RootMotion {
   Vec3 place = Vec3::Zero();  ///< on the floor, metres
   double heading = 0.0;       ///< about +Y from +Z, radians
   DampedSpring speed;         ///< along the heading, m/s
   DampedSpring turning;       ///< radians/s
-  DampedSpring wanted_speed;  ///< goal of the speed, smoothed
+  DampedSpring wanted_speed;  ///< smoothed goal of the speed, m/s
   DampedSpring wanted_turning;
 };
 
-/// The root `seconds` (a small step) later, with these goals of speed (m/s) and turning
-/// (radians/s).
+/// The root motion after a small time step of `seconds`, with these goals for speed (m/s) and
+/// turning rate (radians/s).
 RootMotion advanced(RootMotion root, double speed, double turning, double seconds);
 
 /// Unit facing direction, and transforms between the root's frame (x to the left, y up, z forward)
@@ -36,7 +37,7 @@ Vec3 forward_of(const RootMotion& root);
 Vec3 to_world(const RootMotion& root, const Vec3& local);
 Vec3 to_local(const RootMotion& root, const Vec3& world);
 
-/// How much farther it turns (radians) and travels (metres) if both goals are 0 from now on.
+/// Remaining rotation (radians) and travel (metres) of the root if both goals are 0 from now on.
 double coasting_turn(const RootMotion& root);
 double coasting_distance(const RootMotion& root);
 

@@ -12,16 +12,17 @@ namespace mien::motion {
 /// One segment of a walker's script.
 struct WalkSegment {
   enum class Kind {
-    walk,   ///< for `seconds` straight on, or in a curve of `turn_rate_deg`
-    turn,   ///< by `degrees`: on the spot, or on the way at a `pace` above 0; until it is done
-    stand,  ///< for `seconds` after it has come to rest
+    walk,   ///< for `seconds`, straight ahead or in a curve of `turn_rate_deg`
+    turn,   ///< by `degrees`: on the spot, or while walking if `pace` is above 0; lasts until the
+            ///< turn is complete
+    stand,  ///< for `seconds` after coming to rest
   };
   Kind kind = Kind::stand;
   double seconds = 0.0;
-  double degrees = 0.0;        ///< to the left; below 0 to the right
-  double pace = 1.0;           ///< of the mood's own speed, 0–1.2; of a turn 0 is on the spot
-  double turn_rate_deg = 0.0;  ///< °/s to the left, of a walk
-  std::vector<double> moods;   ///< from its beginning on, as in Steering; empty: unchanged
+  double degrees = 0.0;  ///< to the left; below 0 to the right
+  double pace = 1.0;     ///< relative to the mood's own speed, 0–1.2; 0 for a turn on the spot
+  double turn_rate_deg = 0.0;  ///< °/s to the left; of a walk only
+  std::vector<double> moods;   ///< as in Steering, from the segment's start; empty: unchanged
 };
 
 /// A change of mood at a time, which the walker follows smoothly.
@@ -38,22 +39,23 @@ struct WalkedClip {
 
 struct ScriptedWalkOptions {
   double frames_per_second = 30.0;
-  std::vector<MoodChange> moods;  ///< by time; the first also before it; segments override
+  std::vector<MoodChange> moods;  ///< in order of time; the first also applies before its time;
+                                  ///< moods of segments override
   Vec3 place = Vec3::Zero();      ///< start position on the floor
   double heading = 0.0;           ///< start heading, radians about +Y from +Z
 };
 
-/// Runs a walker through a script, segment by segment, from standing, and records it as a clip that
-/// does not loop. Throws mien::Error for an empty script, numbers that are not finite or out of
-/// range, and for a result longer than an hour.
+/// Runs a walker through a script, segment by segment, starting from standing, and records a clip
+/// that does not loop. Throws mien::Error for an empty script, numbers that are not finite or out
+/// of range, and for a result longer than an hour.
 WalkedClip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script,
                          const ScriptedWalkOptions& options = {});
 
 /// A walker that starts on the first point of a path over the floor (x, z in metres; y is ignored),
-/// walks along it at a pace, and stops at its end. It looks ahead along the path, so it rounds
-/// corners by some centimetres, slower the sharper they are, and leaves a path whose curves are
-/// wider than half a metre by less than 0.2 m. `options.place` and `heading` are ignored. Throws as
-/// above, and for a path shorter than 0.1 m.
+/// walks along it at a pace, and stops at its end. It looks ahead along the path, so it cuts
+/// corners by a few centimetres and slows down more in sharper corners; on a path with curve radii
+/// above half a metre it deviates by less than 0.2 m. `options.place` and `heading` are ignored.
+/// Throws as above, and for a path shorter than 0.1 m.
 WalkedClip walk_along(const WalkerGaits& gaits, std::span<const Vec3> path, double pace = 1.0,
                       const ScriptedWalkOptions& options = {});
 

@@ -10,13 +10,13 @@ namespace mien::motion {
 /// The gait of a steered walker at one time, and its leg cycles for straight walking.
 struct SteeredMoment {
   FittedGait gait;
-  WalkStyle upper;  ///< of trunk, head and arms, which follow the mood faster
+  WalkStyle upper;  ///< style of trunk, head and arms, which follow the mood faster
   std::array<LegCycle, 2> legs;
 };
 
 SteeredMoment moment_at(const WalkerGaits& gaits, const SteeredWalk& walker);
 
-/// Shares of the moods, sum 1: the requested ones, and the present ones.
+/// Shares of the moods, sum 1: the requested shares, and the current shares.
 std::vector<double> mood_goals(const std::vector<double>& asked, std::size_t moods);
 std::vector<double> shares_of(const std::vector<DampedSpring>& moods);
 

@@ -4,7 +4,8 @@
 
 namespace mien::motion {
 
-/// Limits of turning: on the spot, radians/s, and of a walk in a curve, m/s².
+/// Limits of turning: the turning rate on the spot, radians/s, and the lateral acceleration of a
+/// walk in a curve, m/s².
 inline constexpr double fastest_turning = 1.25;
 inline constexpr double most_sideways_acceleration = 1.6;
 
@@ -14,26 +15,27 @@ struct RootGoal {
   double turning = 0.0;
 };
 
-/// Remaining angle to the requested heading, radians, after its present turning has decayed; 0 if
-/// no heading is requested.
+/// Angle to the requested heading, radians, that remains after the root's present turning has
+/// decayed; 0 if no heading is requested.
 double remaining_turn(const RootMotion& root, const Steering& steering);
 
 /// The present goals of the root motion. `own` is the moods' speed at pace 1, m/s. Turning is
-/// limited by the lateral acceleration of people in curves, and sharp turns are walked slowly.
+/// limited by the lateral acceleration that people accept in curves, and speed is reduced in sharp
+/// turns.
 RootGoal goal_of(const RootMotion& root, const Steering& steering, double own);
 
 /// The predicted root motion under constant steering.
 RootMotion predicted(RootMotion root, const Steering& steering, double own, double seconds);
 
-/// Cadence of a gait in cycles a second.
+/// Cycle frequency of a gait, 1/s.
 double cycle_rate(const LegCycle& steady);
 
-/// The next landing of a swinging leg: beside the predicted path of the root, without crossing the
-/// other foot.
+/// The next landing of a swinging leg: to the side of the predicted path of the root, without
+/// crossing the other foot.
 Landing landing_of(const SteeredWalk& walker, const SteeredMoment& moment, std::size_t side,
                    const Steering& steering, double own);
 
-/// Whether the present footprints are a stable stance once the root has come to rest.
+/// Whether the current footprints form a stable stance with the root at rest (`rest`).
 bool stands_well(const SteeredWalk& walker, const SteeredMoment& moment, const RootMotion& rest);
 
 }  // namespace mien::motion

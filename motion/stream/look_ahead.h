@@ -5,35 +5,38 @@
 
 namespace mien::motion {
 
-/// Distance of the joints of one motion from those of another.
+/// Distances between the joints of two motions.
 struct StreamError {
   double largest_metres = 0.0;
   double rms_metres = 0.0;
-  BodyJoint joint = Pelvis;  ///< where the largest is
+  BodyJoint joint = Pelvis;  ///< joint with the largest distance
   int frame = 0;
 };
 
-/// Error of a streamed clip; both have the same frames and the canonical body.
+/// Error of a streamed clip against the offline result. Both clips have the same number of frames
+/// and the canonical body.
 StreamError stream_error(const Clip& streamed, const Clip& offline);
 
-/// Tolerance of a joint's distance from the offline result, metres.
+/// Largest accepted distance of a joint from the offline result, metres.
 inline constexpr double largest_stream_error = 0.01;
 
-/// The modification without foot repair and without anything that `check_streamable` refuses: the
-/// offline reference of a stream.
+/// The modification without foot repair and without the settings that `check_streamable` refuses:
+/// the offline reference for a stream.
 Modification without_repair(Modification modification);
 
-/// The shortest look-ahead of path lengths, frames, with which no joint is farther than
-/// `largest_error` from where the modification of the whole motion has it; 0 when path lengths
-/// stay. Found by trying on the built-in motions ("actors" and "walks-10", loops walked four times)
-/// with some margin, for captures err more. Takes about a second, and depends on nothing else.
+/// Shortest look-ahead for path lengths, frames, at which no joint deviates by more than
+/// `largest_error` (metres) from the offline modification; 0 if path lengths are unchanged.
+/// Determined by trial on the built-in motions ("actors" and "walks-10", with loops repeated four
+/// times), plus a margin because errors are larger in captures. Takes about a second; depends on
+/// the arguments only.
 ///
-/// Soft joint limits are excluded: no look-ahead predicts the range of a motion's joints, so they
-/// deviate until the motion has covered it.
+/// Soft joint limits are excluded: they depend on the motion's joint ranges, which no look-ahead
+/// can predict, so they deviate until the motion has covered its range.
 int shortest_look_ahead(const Modification& modification, double frames_per_second,
                         double largest_error = largest_stream_error);
 
-/// Splits a delay: paths get what they can use, then timing, then posture.
+/// Divides a delay of `frames` among the parts: path lengths first, as far as they can use it, then
+/// timing, then posture.
 StreamDelay split_delay(int frames, const Modification& modification, double frames_per_second);
 
 }  // namespace mien::motion

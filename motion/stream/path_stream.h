@@ -10,39 +10,41 @@
 
 namespace mien::motion {
 
-/// Change of path lengths: a mix of the motion with these gains and the unchanged motion
+/// Change of path lengths: a blend of the motion filtered with these gains and the unchanged motion
 /// (nine_grid.h).
 struct PathMix {
   PathGains gains;
-  double share = 0.0;  ///< 0–1
-  bool legs = true;    ///< else pelvis and legs stay as they are, and the feet where they stand
+  double share = 0.0;  ///< of the filtered motion, 0–1
+  bool legs = true;    ///< false: pelvis and legs are unchanged, so that the feet do not move
 };
 
 PathMix path_mix(const Modification& modification);
 
-/// Look-ahead of the band filter, frames, at which a stream's paths equal those of the whole
-/// motion.
+/// Look-ahead of the band filter, frames, with which streamed path lengths equal the offline
+/// result.
 int path_reach(const PathGains& gains, double frames_per_second);
 
-/// Changes the lengths of motion paths as `with_path_gains` does (by direction vectors), a frame at
-/// a time and `look_ahead` frames late: the weighting of bands is one symmetrical filter, and what
-/// lies beyond the newest frame counts as a repetition of it, just as offline beyond the last. With
-/// `path_reach` frames of look-ahead the result is the offline one to rounding.
+/// Changes the lengths of motion paths as `with_path_gains` does (by direction vectors), frame by
+/// frame with a delay of `look_ahead` frames. The band gains form one symmetric filter; beyond the
+/// newest frame the signal is extended by repeating that frame, as the offline version does after
+/// the last. With a look-ahead of `path_reach` frames the result equals the offline one up to
+/// rounding.
 class PathStream {
  public:
   PathStream(const PathMix& mix, double frames_per_second, int look_ahead);
 
-  /// Takes the next frame and returns, from frame `look_ahead` on, the frame that many before it.
+  /// Takes the next frame and returns, once `look_ahead` frames have passed, the modified frame
+  /// that many frames earlier.
   std::optional<Pose> push(const Pose& pose);
 
-  /// The remaining frames. Nothing may be pushed afterwards.
+  /// Returns the remaining frames. Nothing may be pushed afterwards.
   std::vector<Pose> finish();
 
  private:
-  /// The newest directions of one joint, and its signal between frames too.
+  /// The newest direction vectors of one joint, and its oversampled signal.
   struct Signal {
     std::deque<Directions> newest;  ///< up to four frames
-    std::deque<Directions> dense;   ///< `factor` samples a frame, from `first_dense_`
+    std::deque<Directions> dense;   ///< `factor` samples per frame, from `first_dense_` on
   };
 
   void extend(Signal& signal, const Quat& rotation) const;
@@ -56,11 +58,11 @@ class PathStream {
   int look_ahead_;
   std::vector<double> response_;  ///< impulse response of the bands, centred
   std::array<Signal, body_joint_count> signals_;
-  std::deque<Pose> waiting_;  ///< from the frame that is given next to the newest
-  long first_dense_ = 0;      ///< place in the signal of the first sample that is kept
-  long given_ = 0;            ///< frames given so far
+  std::deque<Pose> waiting_;  ///< from the next frame to be returned to the newest
+  long first_dense_ = 0;      ///< index in the signal of the first sample that is kept
+  long given_ = 0;            ///< number of frames returned so far
   std::optional<Pose> longer_before_;
-  std::optional<Pose> before_;  ///< the frame that was given last
+  std::optional<Pose> before_;  ///< the frame returned last
 };
 
 }  // namespace mien::motion

@@ -11,18 +11,19 @@
 
 namespace mien::motion {
 
-/// Applies a posture change as `with_posture` does, frame by frame and `look_ahead` frames late.
-/// The strengths of the limbs are smoothed over the frames so far, as if the motion ended there:
-/// without look-ahead they are those of the present pose. Trunk and head need no look-ahead.
+/// Applies a posture change as `with_posture` does, frame by frame with a delay of `look_ahead`
+/// frames. The limbs' strengths are smoothed over the frames received so far, as if the motion
+/// ended there; without look-ahead they are not smoothed. Trunk and head need no look-ahead.
 class PostureStream {
  public:
   PostureStream(const Modification& modification, const Skeleton& body, double frames_per_second,
                 int look_ahead);
 
-  /// Takes the next frame and gives, once `look_ahead` have passed, the frame that many before it.
+  /// Takes the next frame and returns, once `look_ahead` frames have passed, the modified frame
+  /// that many frames earlier.
   std::optional<Pose> push(Pose pose);
 
-  /// The frames that have not been given yet. Nothing may be pushed after it.
+  /// Returns the remaining frames. Nothing may be pushed afterwards.
   std::vector<Pose> finish();
 
  private:
@@ -33,56 +34,55 @@ class PostureStream {
   LimbFade fade_;
   double frames_per_second_;
   int look_ahead_;
-  std::deque<Pose> waiting_;             ///< from the frame that is given next to the newest
-  std::deque<LimbStrengths> strengths_;  ///< those of `waiting_`, and of some before
+  std::deque<Pose> waiting_;             ///< from the next frame to be returned to the newest
+  std::deque<LimbStrengths> strengths_;  ///< those of `waiting_` and of some earlier frames
 };
 
 /// The joints whose path lengths change.
 enum class PathScope {
   body,
-  upper_body,  ///< all but pelvis and legs, so that feet slide no more than before
+  upper_body,  ///< all except pelvis and legs, so that feet do not slide more than in the input
 };
 
-/// Look-ahead of each part of a modification in frames, which delays the motion. Posture and
-/// acceleration work without.
+/// Look-ahead of each part of a modification, frames; their sum delays the motion. Posture and
+/// acceleration also work without look-ahead.
 struct StreamDelay {
-  int paths = 0;    ///< of no use beyond `path_reach`
-  int timing = 0;   ///< of acceleration: the limb may be before the trunk by as many
-  int posture = 0;  ///< of use to limbs that swing; see PostureStream
+  int paths = 0;    ///< useful up to `path_reach`
+  int timing = 0;   ///< of acceleration: largest lead of a limb over the trunk
+  int posture = 0;  ///< useful for swinging limbs; see PostureStream
 
   int frames() const { return paths + timing + posture; }
 };
 
-/// Throws mien::Error for a modification that no bounded delay allows: another tempo (the delay
-/// would grow for ever, or what is to be shown would not have come yet), variation (its splines run
-/// over the whole motion), filtering of logarithms (about the mean rotation of the whole motion),
-/// acceleration near contacts only (they are found on the whole motion); and, as `check`, for
-/// numbers out of range. More than 12 bands are refused for their memory.
+/// Throws mien::Error for a modification that cannot be streamed with a bounded delay: a change of
+/// tempo (the delay would grow indefinitely, or future frames would be needed), variation (its
+/// splines span the whole motion), RotationSignal::quaternions (needs the mean rotation over the
+/// whole motion), acceleration near contacts only (contacts are detected on the whole motion). Also
+/// throws as `check` for numbers out of range, and for more than 12 bands because of their memory.
 void check_streamable(const Modification& modification);
 
-/// A motion of the canonical body that is modified while it comes: a frame in, at most one frame
-/// out, `delay.frames()` later, with memory that does not grow. What is given depends on nothing
-/// that comes later than the delay.
+/// Modifies a motion of the canonical body in real time: each input frame yields at most one output
+/// frame, with a delay of `delay.frames()` and bounded memory. An output frame depends only on
+/// input up to that delay.
 ///
-/// Path lengths, acceleration and posture as of `modify`, in this order, then soft joint limits
-/// (against how far the joints of the motion have gone until now). Path lengths and posture are the
-/// offline ones when the look-ahead is long enough, acceleration is one of its own (TimingStream).
-/// Feet are not repaired, whatever the modification says: the root goes as in the motion that
-/// comes.
+/// Applies path lengths, acceleration and posture as in `modify`, in this order, then soft joint
+/// limits (relative to the joint ranges observed so far). With sufficient look-ahead, path lengths
+/// and posture equal the offline result; acceleration uses a different method (TimingStream).
+/// FootRepair is ignored: the root follows the input motion.
 class StreamedModification {
  public:
-  /// Throws as `check_streamable`, and for a skeleton that is not the canonical body.
+  /// Throws as `check_streamable`, and for a skeleton other than the canonical body.
   StreamedModification(const Skeleton& body, double frames_per_second,
                        const Modification& modification, const StreamDelay& delay,
                        PathScope scope = PathScope::body);
 
-  /// A known motion of the same performer, whose joint ranges are allowed.
+  /// Allows the joint ranges of a known motion of the same subject, in addition to those observed.
   void expect(const Clip& known);
 
   /// Takes the next frame; returns none until the delay has passed, then one each time.
   std::optional<Pose> push(const Pose& pose);
 
-  /// The frames that have not been given yet. Nothing may be pushed after it.
+  /// Returns the remaining frames. Nothing may be pushed afterwards.
   std::vector<Pose> finish();
 
   const StreamDelay& delay() const { return delay_; }
@@ -97,13 +97,13 @@ class StreamedModification {
 
   bool limits_ = false;
   TurnExtremes extremes_;
-  StreamDelay delay_;  ///< of the parts that there are
+  StreamDelay delay_;  ///< of the active parts only
   std::optional<PathStream> paths_;
   std::optional<TimingStream> timing_;
   std::optional<PostureStream> posture_;
 };
 
-/// The result of streaming a whole clip, which does not loop.
+/// Streams a whole clip, which must not loop, and returns the result.
 Clip streamed(const Clip& clip, const Modification& modification, const StreamDelay& delay,
               PathScope scope = PathScope::body);
 

@@ -8,16 +8,17 @@
 
 namespace mien::motion {
 
-/// Stretches the pauses of limbs (acceleration above 0) or evens their speed (below 0), frame by
-/// frame and `look_ahead` frames late.
+/// Stretches the pauses of limbs (acceleration above 0) or makes their speed more constant (below
+/// 0), frame by frame with a delay of `look_ahead` frames.
 ///
 /// Offline, a limb's pauses are stretched within segments of 0.9 s and the rest is accelerated, so
-/// that the limb alternately leads and lags the trunk. A stream cannot show future frames: here a
-/// limb plays past frames at its own speed, behind the newest frame by 0 to `look_ahead` +
-/// `longest_lag_seconds`. It falls behind in its pauses and catches up after them. Speed of a
-/// limb's end relative to the hips, over 0.1 s, against its mean over the last 0.9 s (1.5 s for
-/// constant speed) says what a pause is; how long it lasts is `max_pause_factor` or
-/// `constant_speed_durations`. Without any change of speed the motion is unchanged.
+/// that the limb alternately leads and lags the trunk. A stream cannot show future frames, so each
+/// limb here plays the received frames at its own rate, 0 to `look_ahead` frames +
+/// `longest_lag_seconds` behind the newest. It falls behind in its pauses and catches up after
+/// them. A pause is detected by comparing the speed of the limb's end relative to the hips,
+/// measured over 0.1 s, with its mean over the last 0.9 s (1.5 s for constant speed). Pauses are
+/// stretched by up to `max_pause_factor`; for constant speed, durations follow
+/// `constant_speed_durations`. A limb whose speed does not vary is unchanged.
 class TimingStream {
  public:
   static constexpr double longest_lag_seconds = 0.25;
@@ -25,21 +26,23 @@ class TimingStream {
   TimingStream(const Modification& modification, const Skeleton& body, double frames_per_second,
                int look_ahead);
 
-  /// Takes the next frame and gives, once `look_ahead` have passed, the frame that many before it.
+  /// Takes the next frame and returns, once `look_ahead` frames have passed, the retimed frame that
+  /// many frames earlier.
   std::optional<Pose> push(const Pose& pose);
 
-  /// The frames that have not been given yet. Nothing may be pushed after it.
+  /// Returns the remaining frames. Nothing may be pushed afterwards.
   std::vector<Pose> finish();
 
-  /// Largest lag of a limb behind the trunk, frames; negative if it was ahead.
+  /// Lag of a limb behind the trunk that is largest in magnitude, frames; negative if the limb was
+  /// ahead.
   double largest_lag() const { return largest_lag_; }
 
  private:
   struct Player {
     Limb limb;
-    std::deque<Vec3> places;     ///< of the limb's end, seen from the hips; as `poses_`
-    double source = 0.0;         ///< frame that is shown
-    double rate = 1.0;           ///< frames of the motion a frame, smooth
+    std::deque<Vec3> places;  ///< of the limb's end relative to the root, one per pose in `poses_`
+    double source = 0.0;      ///< (fractional) input frame that is shown
+    double rate = 1.0;        ///< input frames per output frame, smoothed
     double mean_duration = 1.0;  ///< over the last segment
     double mean_speed = -1.0;    ///< over the last segment, m/s; below 0 before the first
     double top_speed = 0.0;      ///< over the last segment, m/s

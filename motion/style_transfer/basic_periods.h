@@ -7,30 +7,32 @@
 
 namespace mien::motion {
 
-/// The wrist or ankle with the longest path about the pelvis.
+/// The end effector (wrist or ankle) with the longest path relative to the pelvis.
 BodyJoint busiest_effector(const Clip& clip);
 
-/// Where basic periods begin and end, frames: first 0; last the frame after the last of a loop,
-/// the last of a take. In a take a period ends where the effector, having been away from its first
-/// place, has come nearest to it again; both ways are at least a quarter of the farthest.
+/// Boundaries of the basic periods, frames. The first is 0; the last is the frame count of a loop,
+/// or the last frame of a take. In a take, a period ends where the effector, after moving away from
+/// its starting position, is nearest to it again; it must move away and return by at least a
+/// quarter of its largest distance.
 std::vector<int> basic_periods(const Clip& clip, BodyJoint effector);
 
 /// Joints by distance from the body's centre: trunk; neck, head and the limbs' roots; elbows and
-/// knees; hands and feet. The root's position is a separate class.
+/// knees; hands and feet. The root's position forms a fifth class.
 inline constexpr int amplitude_classes = 5;
 inline constexpr int root_place_class = 4;
 int amplitude_class(int joint);
 
-/// Even steps of a period's time and path at which it is measured.
+/// Number of equal steps at which a period is measured, both in time and along the path.
 inline constexpr int period_steps = 100;
 
-/// What the emotion transform measures in a basic period.
+/// Measurements of a basic period for the emotion transform.
 struct PeriodMeasure {
   double seconds = 0.0;
-  /// Share of the effector's path behind it at even shares of the time, 0 … 1, ascending.
+  /// Share of the effector's path covered at equal steps of time, 0 … 1, ascending.
   std::vector<double> path = std::vector<double>(period_steps + 1);
-  /// Root mean square deviation from the line between the period's ends (a loop: from the mean), at
-  /// even shares of the path, summed over the joints of each class; radians, of the place metres.
+  /// Root mean square deviation from the line between the period's ends (for a loop, from the
+  /// mean), at equal steps of the path, summed over the joints of each class; radians, for the root
+  /// position metres.
   std::array<double, amplitude_classes> amplitudes = {};
 };
 
@@ -39,14 +41,15 @@ std::vector<PeriodMeasure> measured_periods(const Clip& clip, BodyJoint effector
 
 PeriodMeasure mean_of(const std::vector<PeriodMeasure>& periods);
 
-/// The line that deviations of a period of the curves are taken from, at frame `first` + `offset`:
-/// between the values at the ends, or the mean of a loop.
+/// The reference value from which deviations in a period are measured, at frame `first` + `offset`:
+/// on the straight line between the values at the period's ends, or the mean of a loop.
 Eigen::RowVectorXd period_line(const MotionCurves& curves, int first, int last, double offset);
 
-/// Where an ascending function given at even steps of [0, 1] reaches `value`, as a share.
+/// The argument in [0, 1] at which an ascending function, sampled at equal steps of [0, 1], reaches
+/// `value`.
 double share_reaching(const std::vector<double>& ascending, double value);
 
-/// A function given at even steps of [0, 1], linearly between them.
+/// The value at `share` of a function sampled at equal steps of [0, 1], by linear interpolation.
 double at_share(const std::vector<double>& even, double share);
 
 }  // namespace mien::motion

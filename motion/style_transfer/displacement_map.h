@@ -10,26 +10,26 @@ namespace mien::motion {
 struct DisplacementKey {
   double seconds = 0.0;
   BodyJoint joint = Pelvis;
-  Vec3 turn = Vec3::Zero();   ///< rotation vector, radians, axes of the parent's frame
-  Vec3 shift = Vec3::Zero();  ///< metres, world space; of the root, so only with the pelvis
+  Vec3 turn = Vec3::Zero();   ///< rotation vector, radians, in the parent's frame
+  Vec3 shift = Vec3::Zero();  ///< root translation, metres, world space; for the pelvis only
 };
 
 struct DisplacementMapOptions {
   double amount = 1.0;
-  double start_seconds = 0.0;  ///< of the window; its keys lie inside
-  double end_seconds = 0.0;  ///< of the window; not after the motion, or within one cycle's length
-                             ///< from the start in a loop (then it may cross the seam)
+  double start_seconds = 0.0;  ///< start of the window; all keys lie inside the window
+  double end_seconds = 0.0;    ///< end of the window: at most the end of the motion; in a loop at
+                               ///< most one cycle after the start (the window may cross the seam)
 };
 
 /// Displacement mapping (Bruderlin and Williams 1995): a cubic spline through the keys of each
-/// joint, zero with zero slope at the window's ends, is turned onto the motion. Outside the window
-/// nothing changes. Throws Error when the window is empty or too long, or a key is not inside it,
-/// or two of one joint are at the same moment.
+/// joint, with value and slope zero at the window's ends, is applied to the motion as an additional
+/// rotation and translation. Outside the window the motion is unchanged. Throws Error if the window
+/// is empty or too long, a key lies outside it, or two keys of one joint are at the same time.
 Clip displaced(const Clip& motion, const std::vector<DisplacementKey>& keys,
                const DisplacementMapOptions& options = {});
 
-/// Keys of one joint each that move the motion by the difference of mean postures, `styled` less
-/// `neutral`, through the window: at a quarter, half and three quarters of it.
+/// Keys that displace a motion by the difference of the mean postures, `styled` − `neutral`: for
+/// each joint at a quarter, half and three quarters of the window.
 std::vector<DisplacementKey> displacements_between(const Clip& neutral, const Clip& styled,
                                                    const DisplacementMapOptions& window);
 

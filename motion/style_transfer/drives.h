@@ -7,20 +7,20 @@
 
 namespace mien::motion {
 
-/// A spatial quantity of a pose that can be read and set. Places of hands are relative to the
-/// middle between the shoulders, in the frame of the chest.
+/// A spatial quantity of a pose that can be read and set. Hand positions are relative to the
+/// midpoint between the shoulders, in the chest's frame.
 enum class DriveQuantity {
   left_hand_forward,   ///< metres
-  left_hand_side,      ///< metres away from the body's middle
+  left_hand_side,      ///< metres outwards from the midline
   left_hand_height,    ///< metres
-  left_hand_distance,  ///< metres from the middle between the shoulders
+  left_hand_distance,  ///< metres from the midpoint between the shoulders
   right_hand_forward,
   right_hand_side,
   right_hand_height,
   right_hand_distance,
-  torso_bend,     ///< radians, forward flexion of spine and chest together
-  head_bend,      ///< radians, forward flexion of neck and head together
-  pelvis_height,  ///< metres above the floor; the ankles stay where they are
+  torso_bend,     ///< radians, total forward flexion of spine and chest
+  head_bend,      ///< radians, total forward flexion of neck and head
+  pelvis_height,  ///< metres above the floor; setting it does not move the ankles
 };
 
 inline constexpr int drive_quantity_count = 11;
@@ -35,13 +35,13 @@ std::vector<double> quantity_of(const Clip& clip, DriveQuantity quantity);
 struct Drive {
   double slope = 0.0;
   double intercept = 0.0;
-  double r_squared = 0.0;  ///< share of y's variance; 0 when x or y does not vary
+  double r_squared = 0.0;  ///< explained share of y's variance; 0 if x or y does not vary
 };
 
 Drive drive_between(const std::vector<double>& x, const std::vector<double>& y);
 
-/// y' = scale·y + shift. With `correlated`, quantities move along by the slope with which they
-/// follow y in the motion.
+/// Edit of a quantity y: y' = scale·y + shift. The quantities in `correlated` change too, in
+/// proportion to the slope of their regression on y in the motion.
 struct DriveEdit {
   DriveQuantity quantity = DriveQuantity::left_hand_distance;
   double scale = 1.0;
@@ -53,15 +53,15 @@ struct DriveOptions {
   double amount = 1.0;  ///< of scale − 1 and of shift
 };
 
-/// Editing by drives and correlations (Neff and Kim 2009): edits in their order; hands and legs
-/// follow by two-bone inverse kinematics, hands keep their orientation in the world and feet
-/// theirs. A place beyond the limb's reach is approached. Bone lengths are kept.
+/// Editing by drives and correlations (Neff and Kim 2009): edits are applied in order; arms and
+/// legs follow by two-bone inverse kinematics, and hands and feet keep their world orientation. A
+/// position out of the limb's reach is approached as far as possible. Bone lengths are kept.
 Clip driven(const Clip& motion, const std::vector<DriveEdit>& edits,
             const DriveOptions& options = {});
 
-/// The edits that take the neutral motion's hands (forward, side, height), torso, head and pelvis
-/// to the styled one's at corresponding shares of the cycle or take: regression of the styled
-/// quantity on the neutral one.
+/// The edits that bring the neutral motion's hands (forward, side, height), torso, head and pelvis
+/// to those of the styled motion, from the regression of each styled quantity on the neutral one at
+/// the same normalized time of the cycle or take.
 std::vector<DriveEdit> drives_towards(const Clip& neutral, const Clip& styled);
 
 }  // namespace mien::motion

@@ -8,43 +8,45 @@
 namespace mien::motion {
 
 struct EmotionTransformOptions {
-  double amount = 1.0;    ///< 0 leaves the motion, 1 is the emotion as captured, more exaggerates
-  bool timing = true;     ///< take over the emotion's timing
-  bool amplitude = true;  ///< take over how far the joints swing
+  double amount = 1.0;    ///< 0: motion unchanged; 1: the emotion as captured; above 1: exaggerated
+  bool timing = true;     ///< whether to apply the emotional timing
+  bool amplitude = true;  ///< whether to apply the emotional amplitudes
 };
 
 /// Transform of one basic period of a motion.
 struct PeriodTransform {
   double duration_ratio = 1.0;
-  /// Share of the neutral period's time at even shares of the emotional one's, ascending 0 … 1.
+  /// Normalized time in the neutral period at equal steps of normalized time in the emotional one,
+  /// ascending 0 … 1.
   std::vector<double> timing;
   std::array<double, amplitude_classes> amplitude_ratios = {1, 1, 1, 1, 1};
 };
 
-/// Emotion transform: timing and amplitude by which an emotional performance differs from a
-/// neutral one of the same action (Amaya, Bruderlin and Calvert 1996).
+/// Emotion transform: the differences in timing and amplitude between an emotional and a neutral
+/// performance of the same action (Amaya, Bruderlin and Calvert 1996).
 struct EmotionTransform {
-  BodyJoint effector = RightWrist;       ///< whose path defines timing and periods
-  std::vector<PeriodTransform> periods;  ///< one for each period of both, else only the mean
+  BodyJoint effector = RightWrist;       ///< end effector whose path defines timing and periods
+  std::vector<PeriodTransform> periods;  ///< one per period if both motions have the same number;
+                                         ///< else empty, with `mean` only
   PeriodTransform mean;
-  double displacement_ratio = 1.0;  ///< of the ways along the floor
+  double displacement_ratio = 1.0;  ///< ratio of the horizontal travel, emotional to neutral
 };
 
-/// Periods of a take end where the end effector (the wrist or ankle with the longest path about
-/// the pelvis) comes back towards where it started; a loop is one period. Timing: how far along its
-/// path in the period the end effector is at each moment. Amplitude: deviation of the joint from
-/// the straight line between the period's ends (in a loop, which has none, from its mean), ratio of
-/// emotional to neutral within each class of joints. Both must loop or neither; throws Error
-/// otherwise.
+/// Fits the transform. A period of a take ends where the end effector (the wrist or ankle with the
+/// longest path relative to the pelvis) returns towards its starting position; a loop is one
+/// period. Timing is the share of the end effector's path covered as a function of time. Amplitude
+/// is a joint's deviation from the straight line between the period's ends (in a loop, from its
+/// mean); the emotional-to-neutral ratio is taken per class of joints. Throws Error if only one of
+/// the clips loops.
 EmotionTransform emotion_transform(const Clip& neutral, const Clip& emotional);
 
-/// The motion with the transform: deviations scaled, then time. Ratios to the power `amount`;
-/// timing stays ascending. Mean posture is not changed: the method has no means for it. Feet are
-/// not repaired.
+/// Applies the transform to a motion: first scales the deviations, then warps time. Ratios are
+/// raised to the power `amount`; timing stays ascending. The method does not change the mean
+/// posture. Foot plants are not restored.
 Clip transformed(const Clip& motion, const EmotionTransform& transform,
                  const EmotionTransformOptions& options = {});
 
-/// emotion_transform and transformed in one call.
+/// Calls emotion_transform and transformed.
 Clip emotion_transformed(const Clip& motion, const Clip& neutral, const Clip& emotional,
                          const EmotionTransformOptions& options = {});
 

@@ -9,37 +9,37 @@
 namespace mien::motion {
 
 struct LtiStyleOptions {
-  double amount = 1.0;  ///< 0 leaves the motion, 1 translates it, more exaggerates
-  int order = 10;       ///< states of the model, 1 … 10
-  int inputs = 3;       ///< principal components of the neutral motion that drive it, ≥ 1
-  bool timing = true;   ///< translate the timing too
+  double amount = 1.0;  ///< 0: motion unchanged; 1: translated; above 1: exaggerated
+  int order = 10;       ///< number of states of the model, 1 … 10
+  int inputs = 3;  ///< number of principal components of the neutral motion used as inputs, ≥ 1
+  bool timing = true;  ///< whether to translate the timing too
   IterativeMotionWarpingOptions warping;
 };
 
 /// A translation of style as a linear time-invariant system (Hsu, Pulli and Popović 2005), learnt
-/// from a neutral motion and a styled one that iterative motion warping aligned to it. Inputs are
-/// the principal components of the motion about its mean; outputs are what style adds to every
-/// curve and the logarithm of the rate of time.
+/// from a neutral motion and a styled motion aligned to it by iterative motion warping. Inputs are
+/// the principal components of the motion about its mean; outputs are the difference that the style
+/// adds to every curve, and the logarithm of the time rate.
 struct LtiStyleModel {
-  std::vector<Quat> means;  ///< of the neutral motion; all curves are about them
+  std::vector<Quat> means;  ///< mean rotations of the neutral motion, to which curves are relative
   bool loops = false;
   double frames_per_second = 30.0;
   Eigen::MatrixXd components;  ///< curve_count × inputs, orthonormal
   StateSpace system;
-  Eigen::RowVectorXd mean_difference;  ///< of the outputs
+  Eigen::RowVectorXd mean_difference;  ///< mean of the outputs
   Vec3 displacement_difference =
-      Vec3::Zero();            ///< of the ways, frame of the mean direction, metres
+      Vec3::Zero();  ///< difference in travel, metres, in the frame of the mean direction of travel
   double error_radians = 0.0;  ///< root mean square error of joint rotations on the training pair
   MotionCorrespondence correspondence;
 };
 
-/// Both must loop, and begin at the same moment of the cycle, or neither; throws Error otherwise
-/// and when options are out of range.
+/// Fits the model. Both clips must loop and begin at the same phase of the cycle, or neither may
+/// loop; throws Error otherwise and for options out of range.
 LtiStyleModel fit_lti_style(const Clip& neutral, const Clip& styled,
                             const LtiStyleOptions& options = {});
 
-/// The motion filtered by the system: motion + amount · output. A loop stays one: the system is
-/// taken in the state that it would have after endlessly many cycles. Feet are not repaired.
+/// The motion filtered by the system: motion + amount · output. A loop remains a loop: the system
+/// is in its periodic steady state. Foot plants are not restored.
 Clip translated(const Clip& motion, const LtiStyleModel& model,
                 const LtiStyleOptions& options = {});
 

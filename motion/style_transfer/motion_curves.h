@@ -8,61 +8,65 @@
 
 namespace mien::motion {
 
-/// Columns of the curves: three for the root's place, three for each joint.
+/// Number of curves: three for the root position and three per joint.
 inline constexpr int curve_count = 3 + 3 * body_joint_count;
 
-/// First of the three columns of a joint's rotation; those of the root's place are 0, 1 and 2.
+/// First of the three columns of a joint's rotation. Columns 0, 1 and 2 are the root position.
 constexpr int first_curve(int joint) { return 3 + 3 * joint; }
 
-/// A clip as the signals that the older methods of motion editing work on.
+/// A clip as signals for the classic signal-based methods of motion editing.
 ///
-/// They were published for Euler angles. Here a joint's rotation q is the rotation vector (radians)
-/// of q·m⁻¹ about the joint's mean rotation m, axes of the parent's frame: no gimbal lock, and
-/// vectors of neighbouring frames are neighbours. The pelvis' rotation and the root's place
-/// (metres) are taken in the frame of the clip's mean direction of walking (straighten.h), so that
-/// motions that head elsewhere can be compared; the mean travel along the floor is subtracted, and
-/// the horizontal part of the rest has mean zero.
+/// These methods were published for Euler angles. Here a joint's rotation q is represented by the
+/// rotation vector (radians, in the parent's frame) of q·m⁻¹, where m is the joint's mean rotation.
+/// This avoids gimbal lock, and the vectors are continuous over time. The pelvis' rotation and the
+/// root position (metres) are expressed in the frame of the clip's mean direction of travel
+/// (straighten.h), so that motions with different headings can be compared. The mean horizontal
+/// travel is subtracted from the root position, and the horizontal remainder has mean zero.
 struct MotionCurves {
-  Clip timing;              ///< name, body, frame rate and whether it loops; no poses
-  Quat heading;             ///< +Z → mean direction of walking
-  Vec3 origin;              ///< horizontal mean of what the even way leaves, world space, metres
-  Vec3 way;                 ///< along the floor in one cycle or take, frame of `heading`, metres
-  std::vector<Quat> means;  ///< one a joint
+  Clip timing;   ///< name, body, frame rate and whether it loops; no poses
+  Quat heading;  ///< rotation from +Z to the mean direction of travel
+  Vec3 origin;   ///< horizontal mean of the root position after subtracting the mean travel, world
+                 ///< space, metres
+  Vec3 way;      ///< horizontal travel in one cycle or take, in the frame of `heading`, metres
+  std::vector<Quat> means;  ///< mean rotation per joint
   Eigen::MatrixXd values;   ///< frames × curve_count
 
   int frame_count() const { return static_cast<int>(values.rows()); }
 };
 
-/// The rotation vector of the same rotation that is nearest to `previous`.
+/// Of all rotation vectors of the same rotation, the one nearest to `previous`.
 Vec3 unwrapped(const Vec3& vector, const Vec3& previous);
 
-/// Mean rotation (Karcher) of every joint, the pelvis' in the frame of the mean direction.
+/// Mean rotation (Karcher mean) of every joint; that of the pelvis in the frame of the mean
+/// direction of travel.
 std::vector<Quat> mean_rotations(const Clip& clip);
 
-/// About the clip's own means, or about others, so that curves of several clips can be compared.
-/// Throws Error, naming the clip, when it is not of the canonical body or has fewer than 4 frames.
+/// The curves of a clip, relative to its own mean rotations or to given ones (so that several clips
+/// can be compared). Throws Error, naming the clip, if it is not of the canonical body or has fewer
+/// than 4 frames.
 MotionCurves to_curves(const Clip& clip);
 MotionCurves to_curves(const Clip& clip, const std::vector<Quat>& means);
 
 /// The inverse of `to_curves`.
 Clip to_clip(const MotionCurves& curves);
 
-/// Values at `share` ∈ [0, 1) of a loop or [0, 1] of a take, between the frames by a cubic
-/// (Catmull–Rom); at a frame that frame exactly.
+/// Values at normalized time `share`, in [0, 1) for a loop and [0, 1] for a take, by Catmull–Rom
+/// interpolation; exact at the frames.
 Eigen::RowVectorXd curves_at(const MotionCurves& curves, double share);
 
-/// The same curves with `frames` frames, evenly; the frame rate stays.
+/// The same curves resampled uniformly to `frames` frames; the frame rate is unchanged.
 MotionCurves resampled(const MotionCurves& curves, int frames);
 
-/// Values with the first frame once more at the end of a loop, so that both ends of two loops
-/// correspond.
+/// The values; for a loop with the first frame repeated at the end, so that two loops correspond at
+/// both ends.
 Eigen::MatrixXd with_closing_frame(const MotionCurves& curves);
 
-/// Frames from the first to the last, of a loop to the one after the last.
+/// Number of frame intervals: frames − 1, or the number of frames for a loop.
 double frame_span(const MotionCurves& curves);
 
-/// Corresponding frames of `to` at each frame of `from`, found by dynamic programming in whole and
-/// half frames, as a smooth course of time: what they are ahead of an even one, below 4 Hz.
+/// Smooths `times`, the frames of `to` that correspond to the frames of `from`, which dynamic
+/// programming finds in whole and half frames only: their deviation from a uniform time mapping is
+/// low-pass filtered at 4 Hz.
 std::vector<double> smoothed_times(const std::vector<double>& times, const MotionCurves& from,
                                    const MotionCurves& to);
 

@@ -11,10 +11,11 @@ namespace mien::motion {
 
 struct StyleComponentOptions {
   double amount = 1.0;
-  int components = 6;        ///< ≥ 1; no more than the motions have
-  std::uint64_t seed = 0;    ///< of the first guess
-  std::vector<int> swapped;  ///< from 0, the strongest; empty: the `most_different`
-  int most_different = 2;    ///< how many are swapped when none are named
+  int components = 6;      ///< number of components, ≥ 1; limited to those that the motions have
+  std::uint64_t seed = 0;  ///< seed of the initial guess
+  std::vector<int> swapped;  ///< indices of the swapped components, 0 being the strongest; empty:
+                             ///< the `most_different`
+  int most_different = 2;    ///< number of components swapped if `swapped` is empty
 };
 
 /// Independent components of two motions of the same action (Shapiro, Cao and Faloutsos 2006).
@@ -22,25 +23,26 @@ struct StyleComponentOptions {
 /// aligned to it in time.
 struct StyleComponents {
   MotionCurves neutral;
-  Eigen::RowVectorXd mean;           ///< of both motions together
-  Eigen::MatrixXd neutral_series;    ///< frames × components, unit variance over both motions
-  Eigen::MatrixXd styled_series;     ///< of the styled motion, in the neutral motion's time
-  Eigen::MatrixXd mixing;            ///< components × curve_count
-  Eigen::MatrixXd neutral_residual;  ///< frames × curve_count: what the components leave
+  Eigen::RowVectorXd mean;         ///< of both motions together
+  Eigen::MatrixXd neutral_series;  ///< frames × components, unit variance over both motions
+  Eigen::MatrixXd styled_series;   ///< as above for the styled motion, in the neutral motion's time
+  Eigen::MatrixXd mixing;          ///< components × curve_count
+  Eigen::MatrixXd neutral_residual;  ///< frames × curve_count: not explained by the components
   Eigen::VectorXd energy;            ///< squared norm of each mixing row, descending
-  /// Mean squared difference of the two series times the energy: how much of the style is in it.
+  /// Mean squared difference of the two series times the energy: each component's contribution to
+  /// the style.
   Eigen::VectorXd difference;
-  Eigen::MatrixXd joint_shares;  ///< components × body_joint_count: share of the energy, rows sum 1
-                                 ///< with the root's place counted to the pelvis
+  Eigen::MatrixXd joint_shares;  ///< components × body_joint_count: share of the energy per joint;
+                                 ///< rows sum to 1; the root position counts towards the pelvis
   int iterations = 0;
   bool converged = false;
 };
 
-/// The styled motion is aligned by dynamic time warping, both are put one after the other, whitened
-/// by principal components and turned to independence by FastICA (Hyvärinen 1999; tanh, symmetric).
-/// The same seed gives the same components; signs are such that the largest number in each mixing
-/// row is positive. Both must loop, beginning at the same moment of the cycle, or neither; throws
-/// Error otherwise and when options are out of range.
+/// Aligns the styled motion by dynamic time warping, concatenates both motions, whitens them by
+/// principal components and rotates them to independence by FastICA (Hyvärinen 1999; tanh,
+/// symmetric). The same seed yields the same components; signs are chosen so that the largest
+/// element of each mixing row is positive. Both clips must loop and begin at the same phase of the
+/// cycle, or neither may loop; throws Error otherwise and for options out of range.
 StyleComponents style_components(const Clip& neutral, const Clip& styled,
                                  const StyleComponentOptions& options = {});
 
@@ -48,9 +50,9 @@ StyleComponents style_components(const Clip& neutral, const Clip& styled,
 std::vector<int> swapped_components(const StyleComponents& components,
                                     const StyleComponentOptions& options);
 
-/// The motion with the chosen components' series taken from the styled motion. Of another motion
-/// than the neutral one: plus what that changes in the neutral one at the same share of the cycle
-/// or take. Timing stays. Feet are not repaired.
+/// The motion with the chosen components' series taken from the styled motion. For a motion other
+/// than the neutral one, adds the change that this makes in the neutral motion at the same
+/// normalized time of the cycle or take. Timing is unchanged. Foot plants are not restored.
 Clip restyled(const Clip& motion, const StyleComponents& components,
               const StyleComponentOptions& options = {});
 

@@ -7,9 +7,9 @@
 
 namespace mien::motion {
 
-/// The number that a text is from its first character to its last, without blanks or a plus sign
-/// before it; nothing for another text, and for a number that `Number` cannot hold. Of floating
-/// point it takes "inf" and "nan" too.
+/// Parses the whole text as a number, without leading blanks or plus sign. Returns nothing for any
+/// other text and for a number that `Number` cannot represent. Floating-point types also accept
+/// "inf" and "nan".
 template <class Number>
 std::optional<Number> as_number(std::string_view text) {
   Number number{};
@@ -19,13 +19,13 @@ std::optional<Number> as_number(std::string_view text) {
   return number;
 }
 
-/// As `as_number`, but nothing for infinities and NaN.
+/// Like `as_number`, but returns nothing for infinities and NaN.
 inline std::optional<double> as_finite_number(std::string_view text) {
   const std::optional<double> number = as_number<double>(text);
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-/// A finite number as people write it: it may have a plus, too.
+/// Like `as_finite_number`, but also accepts a leading plus sign, as in numbers written by people.
 inline std::optional<double> as_written_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   return as_finite_number(text);

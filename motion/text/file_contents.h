@@ -9,25 +9,26 @@
 
 namespace mien::motion {
 
-/// Largest size of files that are read, bytes: of a text written by people (manifest, scales,
-/// recipes, set), of a table (answers), and of a recording or a character.
+/// Largest sizes of input files, bytes: for documents written by people (manifest, scales, recipes,
+/// set), for tables (answers), and for recordings and characters.
 inline constexpr std::uintmax_t max_document_bytes = std::uintmax_t{64} << 20;
 inline constexpr std::uintmax_t max_table_bytes = std::uintmax_t{512} << 20;
 inline constexpr std::uintmax_t max_recording_bytes = std::uintmax_t{2} << 30;
 inline constexpr std::uintmax_t any_size = std::numeric_limits<std::uintmax_t>::max();
 
-/// Why a file cannot be read, as words that follow its name: "there is no such file", "is a pipe
-/// and no file", "has 8 GiB, more than the 64 MiB that are read". Empty if it can. Only regular
-/// files are read: a pipe, a socket or a device may block or never end. Does not open the file.
+/// Returns why a file cannot be read, as a phrase to follow its name: "there is no such file", "is
+/// a pipe and no file", "has 8 GiB, more than the 64 MiB that are read". Empty if it can be read.
+/// Only regular files are read: a pipe, a socket or a device may block or never end. Does not open
+/// the file.
 std::string read_error(const std::filesystem::path& path, std::uintmax_t most_bytes);
 
-/// A file's bytes, or why they could not be read.
+/// The bytes of a file, or the reason that they could not be read.
 struct FileReading {
   std::optional<std::string> bytes;
-  std::string error;  ///< empty when there are bytes
+  std::string error;  ///< empty if reading succeeded
 };
 
-/// Reads a regular file of at most that many bytes. Never blocks on a writer.
+/// Reads a regular file of at most `most_bytes`. Never blocks on a writer.
 FileReading bytes_of_file(const std::filesystem::path& path, std::uintmax_t most_bytes);
 
 /// Whether a file's bytes are a git LFS pointer instead of the file.
@@ -35,7 +36,7 @@ inline bool is_lfs_pointer(std::string_view bytes) {
   return bytes.starts_with("version https://git-lfs.github.com/spec/");
 }
 
-/// The bytes of a motion's or character's file. Throws mien::Error when it cannot be read.
+/// The bytes of a motion or character file. Throws mien::Error when it cannot be read.
 std::string read_contents(const std::filesystem::path& path);
 
 }  // namespace mien::motion

@@ -4,10 +4,10 @@
 
 namespace mien::motion {
 
-/// Throws mien::Error, naming the file, when its bytes are plainly those of something else than
-/// its name says: nothing, UTF-16 text, a picture, a web page, an archive, another kind of motion.
-/// One sentence for each, with what to do. Bytes that are none of these are left to the reader.
-/// `format` is that of the reader (Recording::format): "bvh", "amc", "gltf".
+/// Throws mien::Error, naming the file and the remedy, if its bytes are clearly not of the expected
+/// format: an empty file, UTF-16 text, an image, a web page, an archive, another motion format.
+/// Other invalid bytes are left to the file reader. `format` is the expected format
+/// (Recording::format): "bvh", "amc", "gltf".
 void require_kind(std::string_view bytes, std::string_view file, std::string_view format);
 
 }  // namespace mien::motion

@@ -8,20 +8,22 @@
 namespace mien::motion {
 
 /// Damerau–Levenshtein distance: the fewest insertions, deletions, replacements and exchanges of
-/// neighbouring letters that turn one word into the other. Counts bytes, minds upper and lower
-/// case.
+/// neighbouring letters that turn one word into the other. Counts bytes; case-sensitive.
 int edit_distance(std::string_view from, std::string_view to);
 
-/// The candidate that `word` was most likely meant to be; empty when none is near.
+/// The candidate that was most likely meant by `word`; empty if none is near.
 ///
-/// Near is at most one edit for each three letters (at least one), case aside, also of a hyphenated
-/// word with its halves exchanged ("happy-sad"). The first of equally near ones is taken; without
-/// any the only one that the word is the first part of ("limit" of "limit_s"). At most 200 bytes.
+/// A candidate is near if it differs by at most one edit per three letters (but at least one is
+/// allowed), ignoring case; a hyphenated word is also compared with its halves exchanged
+/// ("happy-sad"). Of equally near candidates the first is taken. If none is near, a candidate is
+/// returned if it is the only one that begins with `word` ("limit_s" for "limit"). Words over 200
+/// bytes have no near candidate.
 std::optional<std::string> nearest_word(std::string_view word,
                                         std::span<const std::string> candidates);
 
-/// `did you mean "quickness"?` when a candidate is near `word`, and otherwise the list of what
-/// there is, cut after twelve: `use one of "quickness", "clearness"`. For the remedy of an Error.
+/// `did you mean "quickness"?` when a candidate is near `word`, and otherwise the list of
+/// candidates, truncated after twelve: `use one of "quickness", "clearness"`. For the remedy of an
+/// Error.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace mien::motion

@@ -8,8 +8,8 @@
 
 namespace mien {
 
-/// An output file or folder could not be written: not an error of the user's input, and perhaps
-/// temporary (a full disk, an unreachable server). The command line turns it into exit code 1.
+/// An output file or folder could not be written: not an error in the user's input, and possibly
+/// temporary (a full disk, an unreachable server). The command line returns exit code 1 for it.
 class WriteFailure : public std::runtime_error {
  public:
   explicit WriteFailure(const std::string& text, std::error_code code = {})
@@ -22,21 +22,22 @@ class WriteFailure : public std::runtime_error {
   std::error_code code_;
 };
 
-/// "out.bvh: cannot be written (No space left on device); make room": the path, the system's own
-/// reason, and what mends that.
+/// "out.bvh: cannot be written (No space left on device); make room": the path, the system's
+/// reason, and the remedy.
 WriteFailure cannot_be_written(const std::filesystem::path& file, std::error_code code);
 
 namespace motion {
 
 /// An output file that is written atomically: it replaces the older file of that name completely,
-/// or not at all. It is written as a draft in the same folder, which is removed unless it is
-/// published, also when the program is interrupted.
+/// or not at all. It is written as a draft in the same folder; unless published, the draft is
+/// removed, even if the program is interrupted.
 ///
-/// A link keeps its target, and the older file's permissions are kept. Special files (/dev/null, a
-/// pipe) are written directly.
+/// If the target is a link, the file that it points to is replaced; the permissions of the older
+/// file are kept. Special files (/dev/null, a pipe) are written directly.
 class ResultFile {
  public:
-  /// Makes an empty file beside the place. Throws WriteFailure, also when a folder lies there.
+  /// Creates an empty draft in the target's folder. Throws WriteFailure, also if the target is a
+  /// folder.
   explicit ResultFile(std::filesystem::path target);
   ~ResultFile();
   ResultFile(const ResultFile&) = delete;
@@ -44,28 +45,28 @@ class ResultFile {
 
   const std::filesystem::path& target() const { return target_; }
 
-  /// Where to write; its name ends with that of the target, or with its ending.
+  /// The path to write to. Its name ends with the target's name, or at least with its extension.
   const std::filesystem::path& draft() const { return draft_; }
 
   /// The message with the draft's name replaced by the target's.
   std::string with_target_name(std::string message) const;
 
-  /// Waits until the bytes are on the disk and puts them in their place. To be called once.
-  /// Throws WriteFailure.
+  /// Flushes the draft to disk and replaces the target with it. Must be called at most once. Throws
+  /// WriteFailure.
   void publish();
 
  private:
   std::filesystem::path target_;
-  std::filesystem::path place_;  ///< the target, or what it is a link to
+  std::filesystem::path place_;  ///< the target, or the file to which it links
   std::filesystem::path draft_;
-  bool is_own_ = false;  ///< the draft is there, and this object's to remove
+  bool is_own_ = false;  ///< the draft exists and must be removed by this object
 };
 
-/// Creates or replaces a file of these bytes, as ResultFile does. Throws WriteFailure.
+/// Creates or replaces a file with these bytes, like ResultFile. Throws WriteFailure.
 void write_result(const std::filesystem::path& target, std::string_view bytes);
 
-/// Writes the bytes into the file itself, and does not wait for the disk: for what is published by
-/// other means, such as a store's artifacts. Throws WriteFailure.
+/// Writes the bytes directly into the file, without flushing to disk, for files that are published
+/// by other means, such as a store's artifacts. Throws WriteFailure.
 void write_in_place(const std::filesystem::path& file, std::string_view bytes);
 
 /// Removes the drafts of all unfinished results, for a program that exits immediately.

@@ -8,35 +8,35 @@
 
 namespace mien::motion {
 
-// Names that somebody else wrote (in a file, an archive, a request) and that become files or
-// folders of ours. A hostile one must lead nowhere but into the folder that is meant.
+// Checks of untrusted names (from a file, an archive, a request) that become names of files or
+// folders. A hostile name must not lead out of the intended folder.
 
-/// Why a text is not the name of one file or folder on any system, in words that follow it: "leads
-/// out of its folder". Empty when it is. Refused are the empty name, "." and "..", '/' and '\', a
-/// drive letter ("c:"), control characters, names that Windows reserves (CON, nul.txt, COM1), a dot
-/// or space at the end, and more than 255 bytes.
+/// Returns why a text is not a portable name of a single file or folder, as a phrase to follow it:
+/// "leads out of its folder". Empty if the name is valid. Refused are the empty name, "." and "..",
+/// '/' and '\', a drive letter ("c:"), control characters, names that Windows reserves (CON,
+/// nul.txt, COM1), a dot or space at the end, and more than 255 bytes.
 std::string fault_of_name(std::string_view name);
 
-/// As fault_of_name, for a path of such names separated by '/': "frames/walk/00012.png". Absolute
+/// Like fault_of_name, for a path of such names separated by '/': "frames/walk/00012.png". Absolute
 /// paths are refused, and so is an empty path.
 std::string fault_of_names(std::string_view path);
 
-/// Why a path leads out of its folder as it is written, or is none: empty, absolute, with "..",
-/// with a zero byte, or the folder itself. Empty when it stays inside. Names in it may be any that
-/// this system allows, as those of files that the user has named.
+/// Returns why a path, as written, is invalid or leads out of its folder: it is empty, absolute,
+/// contains ".." or a zero byte, or is the folder itself. Empty if it stays inside. Its names may
+/// be any that this system allows, since they may be the user's own file names.
 std::string fault_of_relative(std::string_view path);
 
-/// The name, which is fit to be appended to a folder. Throws mien::Error, with the place that gave
-/// it, what is wrong and how to mend it.
+/// Returns the name if it can safely be appended to a folder. Otherwise throws mien::Error with
+/// `place`, the fault and the remedy.
 std::string safe_component(std::string_view name, const Place& place);
 
-/// As safe_component, for a path of names.
+/// Like safe_component, for a path of names.
 std::string safe_names(std::string_view path, const Place& place);
 
-/// `folder / relative`, where that lies in the folder however it is written and whatever links lead
-/// to: each link on the way must end in the folder. The file need not be there; `folder` may itself
-/// be a link. Unlike the names above, those of `relative` may be any that this system allows.
-/// Throws mien::Error.
+/// Returns `folder / relative` if it lies within the folder after resolving all links: the target
+/// of each link along the path must lie in the folder too. The file need not exist; `folder` may
+/// itself be a link. As in fault_of_relative, names may be any that this system allows. Otherwise
+/// throws mien::Error.
 std::filesystem::path inside(const std::filesystem::path& folder, std::string_view relative,
                              const Place& place);
 

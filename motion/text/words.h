@@ -10,12 +10,12 @@
 
 namespace mien {
 
-/// Words of a document or table, and what they mean.
+/// Words used in a document or table, with the values that they represent.
 template <class Enum>
 using Words = std::initializer_list<std::pair<const char*, Enum>>;
 
-/// The first word that means `value`; there must be one: without it an assertion fails, and the
-/// word is empty where assertions are off.
+/// The first word for `value`. There must be one: otherwise an assertion fails, or the result is
+/// empty if assertions are disabled.
 template <class Enum>
 std::string_view word_of(Words<Enum> words, std::type_identity_t<Enum> value) {
   const auto found = std::find_if(words.begin(), words.end(),
@@ -25,7 +25,7 @@ std::string_view word_of(Words<Enum> words, std::type_identity_t<Enum> value) {
   return found->first;
 }
 
-/// What a word means; nothing where it is none of them.
+/// The value of a word; nothing if the word is unknown.
 template <class Enum>
 std::optional<Enum> meaning_of(Words<Enum> words, std::string_view word) {
   const auto found = std::find_if(words.begin(), words.end(),

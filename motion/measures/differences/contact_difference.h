@@ -11,25 +11,25 @@ namespace mien::motion {
 struct ContactChange {
   enum class Kind { shifted, gone, appeared };
   Kind kind = Kind::shifted;
-  double begin_seconds = 0.0;  ///< in the first motion; in the second if it appeared
+  double begin_seconds = 0.0;  ///< in the first motion (in the second if the plant appeared)
   double end_seconds = 0.0;
-  double begin_shift = 0.0;  ///< seconds later than in the first; only of `shifted`
+  double begin_shift = 0.0;  ///< delay relative to the first motion, seconds; for `shifted` only
   double end_shift = 0.0;
 };
 
 /// One foot's contacts with the floor in two motions.
 struct FootDifference {
-  int frames = 0;                      ///< of the first motion in which contact differs
-  std::vector<ContactChange> changes;  ///< by time; unchanged plants are omitted
-  /// Additional slide of the foot while it is planted in both motions: the largest change of the
-  /// horizontal offset between the balls of both within a plant, metres. A constant offset is no
-  /// slide.
+  int frames = 0;  ///< number of frames of the first motion in which contact differs
+  std::vector<ContactChange> changes;  ///< in order of time; unchanged plants are omitted
+  /// Additional slide of the foot while it is planted in both motions: the largest change, within a
+  /// plant, of the horizontal offset between the balls of the foot in the two motions, metres. A
+  /// constant offset is not a slide.
   double slide_m = 0.0;
-  double slide_seconds = 0.0;  ///< when it has slid so far
+  double slide_seconds = 0.0;  ///< time of the largest slide
 };
 
 /// Contact differences of the left and the right foot. Both clips are of the canonical body.
-/// Contacts are those of contact.h, each at its motion's frame rate.
+/// Contacts are detected as in contact.h, at each motion's own frame rate.
 std::array<FootDifference, 2> contact_differences(const Clip& before, const Clip& now);
 
 }  // namespace mien::motion

@@ -8,8 +8,8 @@ namespace mien::motion {
 
 /// The largest change of a motion in one line: "left forearm twisted by up to 1.0°, at 0.43 s".
 ///
-/// Changes of the whole motion come before those of a part: delayed or missing frames, another
-/// rate, exchanged sides, a displaced figure; then the joint with the largest local rotation or a
+/// Changes of the whole motion take precedence: delayed or missing frames, a different frame rate,
+/// exchanged sides, a displaced figure; then the joint with the largest local rotation, or a
 /// changed bone, and sliding feet. "no difference" when there is none.
 std::string largest_change(const MotionDifference& difference);
 

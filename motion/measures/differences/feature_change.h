@@ -6,8 +6,8 @@
 
 namespace mien::motion {
 
-/// One motion feature of three motions, in the feature's unit: how a created motion differs from
-/// its reference, beside how a target does.
+/// One motion feature of three motions, in the feature's unit, for comparing a created motion's
+/// change from a reference with the target's change.
 struct FeatureChange {
   int feature = 0;  ///< index into motion_features()
   double reference = 0.0;
@@ -16,8 +16,8 @@ struct FeatureChange {
 
   double target_change() const { return target - reference; }
   double created_change() const { return created - reference; }
-  /// Whether the target differs from the reference by more than can be measured of a capture: 1°,
-  /// 1 cm, 0.05 m/s or 0.03 s.
+  /// Whether the target differs from the reference by more than the measurement error of motion
+  /// capture: 1°, 1 cm, 0.05 m/s or 0.03 s.
   bool moved() const;
   /// Whether the created motion changed in the same direction by at least a tenth of the target's
   /// change.

@@ -17,68 +17,70 @@
 
 namespace mien::motion {
 
-/// Change of a fault between two motions.
+/// Change of a lint finding between two motions.
 struct LintChange {
   enum class Kind { gone, appeared, worse, better };
   Kind kind = Kind::appeared;
-  Finding finding;  ///< of the second motion; one that is gone, of the first
+  Finding finding;  ///< from the second motion; from the first if `kind` is `gone`
 };
 
 /// "gone", "new", "worse", "better".
 std::string_view name_of(LintChange::Kind kind);
 
-/// The findings in which two motions differ. Two are one fault when check and
-/// joint are the same and their frames touch by time; it is worse or better when its severity
-/// changed. Findings of the second come first, in their order, then those that are gone.
+/// The lint findings in which two motions differ. Two findings are the same fault if they have the
+/// same check and joint and their intervals overlap or touch in time; it is worse or better if its
+/// severity changed. Findings of the second motion come first, in their order, followed by those
+/// that are gone.
 std::vector<LintChange> lint_changes(const std::vector<Finding>& before, double rate_before,
                                      const std::vector<Finding>& now, double rate_now);
 
-/// Mean distances between joints over all moments that both motions have, metres.
+/// Mean distances between corresponding joints over all common frames, metres.
 struct PositionErrors {
-  double mpjpe = 0.0;                ///< as they are in the world
+  double mpjpe = 0.0;                ///< in world space, without alignment
   double root_relative_mpjpe = 0.0;  ///< relative to the root joint's position
-  double pa_mpjpe = 0.0;  ///< after turning, scaling and moving each pose onto the first's
+  double pa_mpjpe = 0.0;  ///< after Procrustes alignment (rotation, scale, translation) of each
+                          ///< pose with the first motion's
 };
 
 /// Differences of two motions of the canonical body.
 struct BodyDifference {
-  double d_m = 0.0;      ///< D of distance.h, aligned at the pelvis, over the whole durations
-  double mpjpe_m = 0.0;  ///< aligned at the pelvis too
+  double d_m = 0.0;      ///< D of distance.h, aligned at the pelvis, over the full durations
+  double mpjpe_m = 0.0;  ///< also aligned at the pelvis
   std::array<FootDifference, 2> feet;  ///< left, right
 };
 
-/// A motion feature before and after, in its unit; NaN where a motion has none.
+/// A motion feature before and after, in the feature's unit; NaN if a motion lacks it.
 struct FeatureDifference {
   int feature = 0;  ///< index into motion_features()
   double before = 0.0;
   double now = 0.0;
-  /// Whether it changed by more than can be measured of a capture (FeatureChange::moved), or is
-  /// there in one of them only.
+  /// Whether it changed by more than the measurement error of motion capture
+  /// (FeatureChange::moved), or exists in only one of the motions.
   bool is_notable() const;
 };
 
-/// Difference of a motion from its earlier version. All lengths are metres, angles radians, times
-/// seconds.
+/// Difference of a motion from its earlier version. Lengths are in metres, angles in radians, times
+/// in seconds.
 ///
-/// Everything is exactly zero or empty for equal motions. Distances are symmetric when both have
-/// the same frame rate, `aligned_m` and `pa_mpjpe` apart, which are in the size of the first.
+/// Everything is exactly zero or empty for equal motions. Distances are symmetric if both have the
+/// same frame rate, except `aligned_m` and `pa_mpjpe`, which are at the scale of the first motion.
 struct MotionDifference {
-  bool identical = false;  ///< every number of both is the same
+  bool identical = false;  ///< all numbers of both are exactly equal
   /// Whether both were mapped to the canonical body because their rigs differ; the mapping
   /// (calibration, floor) is then part of the comparison.
   bool on_body = false;
   TimingDifference timing;
-  std::vector<JointDifference> joints;             ///< those that both have; never empty
-  std::vector<std::string> only_before, only_now;  ///< joints that one has
-  /// Renamed joints of recordings: old name, new name. `joints` have the old names.
+  std::vector<JointDifference> joints;             ///< joints in both motions; never empty
+  std::vector<std::string> only_before, only_now;  ///< joints in one motion only
+  /// Renamed joints of recordings: old name, new name. `joints` uses the old names.
   std::vector<std::pair<std::string, std::string>> renamed;
   PositionErrors errors;
   RootDifference root;
   WholeBodyChange whole;
-  std::optional<BodyDifference> body;  ///< of humans
-  std::vector<LintChange> lint;        ///< new, gone, worse or better; empty when not asked for
-  std::vector<FeatureDifference> features;  ///< as feature_differences has them; the caller's
-  std::vector<std::string> remarks;         ///< plain sentences: units or axes that changed
+  std::optional<BodyDifference> body;       ///< for human motions only
+  std::vector<LintChange> lint;             ///< new, gone, worse or better; empty unless requested
+  std::vector<FeatureDifference> features;  ///< from feature_differences; filled in by the caller
+  std::vector<std::string> remarks;         ///< sentences, for example on changed units or axes
 
   double frames_per_second() const { return timing.before.frames_per_second; }
 };
@@ -88,9 +90,9 @@ struct MotionDifferenceOptions {
   LintOptions lint_options;
 };
 
-/// Compares two motions as they are: nothing is settled, moved or turned first. Joints are paired
-/// by name, moments by time (paired_motions.h). BodyDifference is made when both are of the
-/// canonical body. Throws Error as `paired` does.
+/// Compares two motions without any alignment or preprocessing. Joints are paired by name, frames
+/// by time (paired_motions.h). `body` is computed if both are of the canonical body. Throws Error
+/// as `paired` does.
 MotionDifference motion_difference(const Clip& before, const Clip& now,
                                    const MotionDifferenceOptions& options = {});
 
@@ -101,23 +103,23 @@ BodyDifference body_difference(const Clip& before, const Clip& now);
 std::vector<LintChange> lint_difference(const Clip& before, const Clip& now,
                                         const LintOptions& options = {});
 
-/// Differences of all features, in the order of motion_features(), that at least one of the two
-/// has.
+/// Differences of all features that at least one of the motions has, in the order of
+/// motion_features().
 std::vector<FeatureDifference> feature_differences(const FeatureValues& before,
                                                    const FeatureValues& now);
 
-/// The joints that differ themselves (differs_itself) and not only through their ancestors, sorted
-/// by rotation, largest first. Indices into `joints`.
+/// Indices into `joints` of the joints that differ locally (differs_itself), not only through their
+/// ancestors, sorted by rotation in descending order.
 std::vector<int> causes(const MotionDifference& difference);
 
-/// Whether a joint is the body's root or its ancestor, so that its translation is the figure's path
-/// and not a bone.
+/// Whether a joint is the body's root or its ancestor, so that its translation moves the whole
+/// figure instead of changing a bone.
 bool carries_body(const MotionDifference& difference, int joint);
 
 /// Whether only the root's position or orientation differs.
 bool is_root_only(const MotionDifference& difference);
 
-/// The joint and frame of a maximum.
+/// The joint with the largest value of a curve, and its peak.
 struct WorstJoint {
   int joint = 0;
   CurvePeak peak;
@@ -125,7 +127,7 @@ struct WorstJoint {
 WorstJoint worst_joint(const MotionDifference& difference,
                        std::vector<double> JointDifference::*curve);
 
-/// Root mean square over all joints and moments.
+/// Root mean square over all joints and frames.
 double root_mean_square(const MotionDifference& difference,
                         std::vector<double> JointDifference::*curve);
 

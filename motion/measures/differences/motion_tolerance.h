@@ -7,17 +7,17 @@
 
 namespace mien::motion {
 
-/// Differences up to these count as none because they are not visible: a millimetre is half
-/// a pixel of a figure of 1,000 pixels' height.
+/// Differences up to these tolerances are ignored because they are not visible: a millimetre is
+/// about half a pixel for a figure 1,000 pixels high.
 struct MotionTolerance {
-  double position_m = 0.001;  ///< of joints and their virtual points, in the world
-  double rotation_radians = 0.1 * radians_per_degree;  ///< of joints on their parents
+  double position_m = 0.001;  ///< of joints and their virtual points, world space
+  double rotation_radians = 0.1 * radians_per_degree;  ///< of joints relative to their parents
   double velocity_m_s = 0.05;
-  double contact_seconds = 0.05;  ///< that a foot comes down or leaves earlier or later
-  double slide_m = 0.001;         ///< that a foot slides where it stood
+  double contact_seconds = 0.05;  ///< change in the time at which a foot lands or lifts off
+  double slide_m = 0.001;         ///< additional slide of a planted foot
   double duration_seconds = 0.001;
-  bool any_rate = false;  ///< ignore another frame rate
-  bool any_lint = false;  ///< ignore new lint errors
+  bool any_rate = false;  ///< whether to ignore a different frame rate
+  bool any_lint = false;  ///< whether to ignore new lint errors
 };
 
 /// A tolerance that a difference exceeds.
@@ -29,7 +29,7 @@ struct Excess {
   std::string unit;  ///< "m", "rad", "m/s", "s", "frames/s"; empty: a count
 };
 
-/// The exceeded tolerances, in the order of the measures above; empty for motions that are equal
+/// The exceeded tolerances, in the order listed in Excess::measure; empty if the motions are equal
 /// within the tolerance.
 std::vector<Excess> excesses(const MotionDifference& difference, const MotionTolerance& tolerance);
 

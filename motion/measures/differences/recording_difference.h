@@ -12,9 +12,9 @@ namespace mien::motion {
 
 /// Two recordings prepared for comparison: metres, +Y up, otherwise unchanged.
 struct ComparedRecordings {
-  /// On the recording's own joints, where they are; on the canonical body when `on_body`.
+  /// Clips on the recordings' own joints and floor, or on the canonical body if `on_body`.
   Clip before, now;
-  /// On the canonical body, when a human was recognised in both.
+  /// Clips on the canonical body, if both were recognised as human.
   std::optional<Clip> body_before, body_now;
   /// Body part of each joint of `before`: "left forearm"; the joint's name if unknown.
   std::vector<std::string> parts;
@@ -25,16 +25,17 @@ struct ComparedRecordings {
   std::vector<std::pair<std::string, std::string>> renamed;
 };
 
-/// Recordings whose joints have the same names for the most part (three of four of each) are
-/// compared on their own joints, others as humans. In two of one file format a unit of the file
-/// means the same length and its up axis is the same, as found for the first; a file of another
-/// format has its own. Rigs that agree joint by joint are put on the body by one calibration, that
-/// of the first.
+/// Prepares two recordings for comparison. If at least three quarters of the joints of each have
+/// the same names, the recordings are compared on their own joints, otherwise on the canonical
+/// body. Recordings of the same file format are assumed to have the same unit and up axis, as
+/// determined for the first; for different formats they are determined separately. Rigs with
+/// identical joints are mapped to the body by the same calibration, that of the first.
 ///
-/// Throws Error when a recording has no frames, or when rigs differ and are not both human.
+/// Throws Error if a recording has no frames, or if the rigs differ and are not both human.
 ComparedRecordings compared_recordings(const Recording& before, const Recording& now);
 
-/// As for clips; contacts, lint and D are those of the body on its own floor.
+/// Like the comparison of clips, but contacts, lint and D are measured on the canonical body, each
+/// motion on its own floor.
 MotionDifference motion_difference(const ComparedRecordings& recordings,
                                    const MotionDifferenceOptions& options = {});
 

@@ -6,7 +6,7 @@
 
 namespace mien::motion {
 
-/// How long a motion lasts.
+/// The length of a motion.
 struct MotionLength {
   int frames = 0;
   double frames_per_second = 0.0;
@@ -14,30 +14,31 @@ struct MotionLength {
   bool loops = false;
 };
 
-/// The second motion is the first, delayed by some frames.
+/// A delay of the second motion relative to the first.
 struct TimeShift {
-  int frames = 0;  ///< at the first motion's rate; negative: earlier
+  int frames = 0;  ///< at the first motion's frame rate; negative: earlier
   double seconds = 0.0;
-  double explained = 0.0;  ///< share of the squared distances that it explains, 0.99 to 1
-  bool path_too = true;    ///< false: only poses relative to the root are shifted
+  double explained = 0.0;  ///< explained share of the squared distances, 0.99 to 1
+  bool path_too = true;  ///< whether the root's path is delayed too, not only poses relative to it
 };
 
 /// Frames were dropped or inserted at one point.
 struct FrameGap {
-  int frame = 0;           ///< of the first motion, the first that is missing or comes later
-  int frames = 0;          ///< negative: frames dropped; positive: frames inserted
-  double explained = 0.0;  ///< as of TimeShift
+  int frame = 0;   ///< first frame of the first motion that is missing or delayed in the second
+  int frames = 0;  ///< negative: frames dropped; positive: frames inserted
+  double explained = 0.0;  ///< as in TimeShift
 };
 
 /// Timing of two motions. A shift or a gap is reported if it explains 99 % of the squared distances
-/// between the points of all joints; at most one of these is reported.
+/// between the points of all joints; at most one of the two is reported.
 struct TimingDifference {
   MotionLength before, now;
   std::optional<TimeShift> shift;
   std::optional<FrameGap> gap;
-  bool other_pace = false;  ///< the same frames at another frame rate
+  bool other_pace = false;  ///< the same frames at a different frame rate
   bool reversed = false;    ///< the same frames in reverse order
-  int every = 1;            ///< k: every k-th frame at 1/k of the rate; −k: the reverse
+  int every = 1;  ///< k: the second motion has every k-th frame of the first at 1/k of the rate;
+                  ///< −k: the first has every k-th frame of the second
 
   bool same_length() const {
     return before.frames == now.frames &&
@@ -45,8 +46,8 @@ struct TimingDifference {
   }
 };
 
-/// Shifts are sought up to half a second and a quarter of the shorter motion; gaps up to 3 frames
-/// and what the second motion has more or fewer.
+/// Compares the timing. Shifts are searched up to half a second and a quarter of the shorter
+/// motion, gaps up to 3 frames and the difference in frame counts.
 TimingDifference timing_difference(const Clip& before, const Clip& now, const PairedMotions& pair);
 
 }  // namespace mien::motion

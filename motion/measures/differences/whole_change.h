@@ -9,40 +9,41 @@ namespace mien::motion {
 /// A transformation of a motion as a whole.
 enum class WholeChange {
   none,
-  moved,          ///< turned about the vertical and set elsewhere; poses are the same
+  moved,          ///< rotated about the vertical and translated; poses are unchanged
   mirrored,       ///< mirrored, with left and right exchanged
   flipped,        ///< geometry mirrored without exchanging left and right
-  renamed_sides,  ///< same trajectories, but the names of left and right are exchanged
-  swapped_turns,  ///< rotations of left and right exchanged, not mirrored
-  scaled,         ///< uniformly scaled, as by other units
+  renamed_sides,  ///< same trajectories, but with the names of left and right exchanged
+  swapped_turns,  ///< rotations of left and right exchanged without mirroring
+  scaled,         ///< uniformly scaled, as by different units
 };
 
 /// "none", "moved", …
 std::string_view name_of(WholeChange change);
 
 /// A transformation of the whole motion, reported if it explains nearly all of the difference:
-/// `moved` and `scaled` when less than 1 % of the distance is left, the others when less than 15 %
-/// is (bodies are not quite symmetric) of what moving and turning the motion leaves.
+/// `moved` and `scaled` if less than 1 % of the distance remains; the others if less than 15 %
+/// remains of the distance after `moved` (a larger share because bodies are not perfectly
+/// symmetric).
 struct WholeBodyChange {
   WholeChange kind = WholeChange::none;
-  double turn_radians = 0.0;  ///< about +Y, as the level fit has it (similarity.h)
-  Vec3 shift = Vec3::Zero();  ///< metres, after the turn
-  double scale = 1.0;         ///< of `scaled`: 10 where a metre before is ten metres now
-  double before = 0.0;        ///< RMS distance of the joints without it, metres
-  double left = 0.0;          ///< … with it. Of `swapped_turns` both are angles, radians
+  double turn_radians = 0.0;  ///< about +Y, from `horizontal_fit` (similarity.h)
+  Vec3 shift = Vec3::Zero();  ///< metres, applied after the rotation
+  double scale = 1.0;   ///< scale factor if `scaled`: 10 if one metre before is ten metres now
+  double before = 0.0;  ///< RMS distance of the joints before applying the transformation, metres
+  double left = 0.0;  ///< the same after applying it; for `swapped_turns` both are angles, radians
 };
 
 WholeBodyChange whole_change(const PairedMotions& pair, const Skeleton& before,
                              const Skeleton& now);
 
-/// Difference in the placement of the body: of its first joint with more than one child (the
-/// pelvis), in the world. One value for each frame.
+/// Difference in the placement of the body, measured at its first joint with more than one child
+/// (the pelvis), in world space. One value per frame.
 struct RootDifference {
   int joint = 0;                        ///< index among the shared joints
-  std::vector<double> path_m;           ///< horizontal
-  std::vector<double> height_m;         ///< vertical, positive
-  std::vector<double> heading_radians;  ///< of its turn about the vertical
-  std::vector<double> tilt_radians;     ///< the rest of its turn
+  std::vector<double> path_m;           ///< horizontal distance
+  std::vector<double> height_m;         ///< vertical distance, ≥ 0
+  std::vector<double> heading_radians;  ///< rotation about the vertical
+  std::vector<double> tilt_radians;     ///< remaining rotation
 };
 
 RootDifference root_difference(const PairedMotions& pair, const Skeleton& before);

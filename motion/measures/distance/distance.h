@@ -10,8 +10,8 @@ namespace mien::motion {
 
 /// Alignment of two motions before they are compared.
 enum class Alignment {
-  pelvis,  ///< pelvis at x = z = 0 and heading removed in every frame; height kept (default)
-  world,   ///< both start with the pelvis at x = z = 0 and the same heading; then as they move
+  pelvis,  ///< horizontal pelvis position and heading removed in every frame; height kept (default)
+  world,   ///< horizontal pelvis position and heading aligned in the first frame only
 };
 
 inline constexpr int distance_times = 11;             ///< T + 1 of eq. (8)
@@ -32,10 +32,10 @@ struct Distance {
   bool matches() const { return mean < distance_threshold_m; }
 };
 
-/// Compares at corresponding moments: time t/T, whose keytimes are half way between those of the
-/// two motions, is mapped through the keytimes of each when both have the same number of them, and
-/// is otherwise linear in each duration. D is the same when the two change places (`mpjpe` goes by
-/// the target's frames). Bones keep their own lengths; nothing is scaled.
+/// Compares the motions at corresponding times. If both have the same number of keytimes, the
+/// normalized time t/T is mapped through the keytimes of each motion, relative to keytimes halfway
+/// between the two; otherwise it is linear in each duration. D is symmetric; `mpjpe` is not,
+/// because it uses the target's frames. Bone lengths are not changed or scaled.
 Distance distance(const Example& target, const Example& created,
                   Alignment alignment = Alignment::pelvis);
 
@@ -43,8 +43,7 @@ Distance distance(const Example& target, const Example& created,
 /// and height kept.
 Pose aligned_pose_at(const Clip& clip, double seconds, Alignment alignment);
 
-/// Time in `motion` (seconds) that corresponds to the share `share` ∈ [0, 1] of `timing`'s
-/// duration.
+/// Time in `motion`, seconds, that corresponds to the normalized time `share` ∈ [0, 1] of `timing`.
 double corresponding_time(const Example& timing, const Example& motion, double share);
 
 }  // namespace mien::motion

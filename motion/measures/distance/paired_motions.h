@@ -7,16 +7,17 @@
 
 namespace mien::motion {
 
-/// A joint that two skeletons have, by its name.
+/// A joint that two skeletons share by name.
 struct SharedJoint {
   std::string name;
   int before = -1;    ///< index in the first skeleton
   int now = -1;       ///< index in the second
-  int parent = -1;    ///< nearest joint above that is shared, as index among the shared; −1 none
-  int opposite = -1;  ///< the joint of the other side; itself on the midline, −1 if missing
+  int parent = -1;    ///< nearest shared ancestor, as an index into the shared joints; −1: none
+  int opposite = -1;  ///< the mirrored joint, as an index into the shared joints; the joint itself
+                      ///< on the midline, −1 if missing
 };
 
-/// A motion at evenly spaced moments, with where its joints are.
+/// A uniformly sampled motion, with the world transforms of its joints.
 struct SampledMotion {
   std::vector<Pose> poses;
   std::vector<JointTransforms> world;
@@ -25,28 +26,29 @@ struct SampledMotion {
 };
 
 /// Two motions sampled at the same times, with corresponding joints. Frame i is at i /
-/// frames_per_second seconds after the start of each; neither is aligned or scaled.
+/// frames_per_second seconds after the start of each; the motions are neither aligned nor scaled.
 struct PairedMotions {
   std::vector<SharedJoint> joints;  ///< in the order of the first skeleton; never empty
   std::vector<std::string> only_before, only_now;
   double frames_per_second = 30.0;  ///< of the first motion
-  SampledMotion before;             ///< its frames as they are
-  SampledMotion now;                ///< at the first's frame rate, interpolated where it differs
-  int frames = 0;                   ///< number of frames that both have
+  SampledMotion before;             ///< its original frames
+  SampledMotion now;  ///< resampled to the first motion's frame rate if the rates differ
+  int frames = 0;     ///< number of frames in both
 
   double seconds(int frame) const { return frame / frames_per_second; }
 };
 
-/// Pairs the joints by their names (of two of one name the first) and the frames by time.
-/// Throws Error naming the clip when it has no frames or a number that is none, or when the two
-/// have no joint in common.
+/// Pairs the joints by name (of joints with the same name, the first) and the frames by time.
+/// Throws Error, naming the clip, if a clip has no frames or contains a non-finite number, and if
+/// the two have no joint in common.
 PairedMotions paired(const Clip& before, const Clip& now);
 
 /// Whether both frame rates are equal within the rounding of files.
 bool same_rate(double before, double now);
 
-/// A joint's frame relative to that of the shared joint above it; of a joint without one in the
-/// world. Poses' own numbers where skeletons agree, so that equal poses give equal numbers.
+/// A joint's frame relative to its nearest shared ancestor, or to the world if it has none. Where
+/// the skeletons agree, the numbers are taken directly from the poses, so that equal poses yield
+/// exactly equal frames.
 struct LocalFrame {
   Vec3 offset;
   Quat rotation;

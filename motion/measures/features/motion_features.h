@@ -8,8 +8,8 @@
 
 namespace mien::motion {
 
-/// The four groups that the features of walking fall into in the adjective paper (its tables 4 and
-/// 5): the primary feature parameters.
+/// The four groups of walking features in the adjective paper (its tables 4 and 5): the primary
+/// feature parameters.
 enum class FeatureGroup { lateral_swing, front_back_swing, upper_body_bend, step_length };
 
 inline constexpr int feature_group_count = 4;
@@ -25,14 +25,14 @@ enum class FeatureUnit { degrees, metres, metres_per_second, seconds };
 /// "deg", "m", "m/s", "s".
 std::string_view symbol_of(FeatureUnit unit);
 
-/// One of the measures of a walk that motions can be made from.
+/// A feature of a walk, usable as a parameter for synthesizing motions.
 struct MotionFeature {
   std::string_view id;  ///< "sigma-head-lr": statistic, segment, direction
   std::string_view name;
   std::string_view japanese;  ///< UTF-8, our translation
   FeatureUnit unit;
   FeatureGroup group;
-  /// Replaces a duplicate: the published tables have 51 lines, of which two occur twice.
+  /// True if it replaces a duplicate: of the 51 rows in the published tables, two occur twice.
   bool reconstructed = false;
 };
 
@@ -46,32 +46,33 @@ int find_motion_feature(std::string_view id);
 
 struct FeatureOptions {
   MassModel masses = MassModel::de_leva_male;
-  /// Sideways angles of arms, legs and feet count from the body outwards; otherwise to the left.
+  /// True: lateral angles of arms, legs and feet are positive outwards from the body; false:
+  /// positive to the left.
   bool outward = true;
 };
 
 using FeatureValues = std::array<double, motion_feature_count>;
 
-/// Measures one cycle of a loop, or a whole performance, at 30 moments a second.
+/// Measures one cycle of a loop, or a whole performance, sampled at 30 Hz.
 ///
-/// With f the way walked (straighten.h), l to its left and u up: segments that point up (torso:
-/// pelvis to neck; head: neck to vertex) have the angles atan2(d·f, d·u) forward and atan2(d·l,
-/// d·u) to the left, those that point down (upper arm, forearm, thigh, shin) the same with −d·u.
-/// The foot is the direction s of its sole towards the toes (from ankle to toe joint, levelled as
-/// in standing) and has its pitch, atan2(s·u, s·f), and its turn, atan2(s·l, s·f). Angles run on
-/// over ±180°; moments at which a segment points within 10° of the axis of an angle (the foot's
-/// turn: at which the sole is steeper than 80°) do not count for it.
+/// Let f be the direction of travel (straighten.h), l the direction to its left, u up, and d the
+/// direction of a segment. Segments that point up (torso: pelvis to neck; head: neck to vertex)
+/// have the angles atan2(d·f, d·u) forward and atan2(d·l, d·u) to the left; those that point down
+/// (upper arm, forearm, thigh, shin) have the same angles with −d·u. A foot is represented by the
+/// direction s of its sole towards the toes (from ankle to toe joint, levelled as in standing),
+/// with a pitch of atan2(s·u, s·f) and a yaw of atan2(s·l, s·f). Angles are unwrapped beyond ±180°.
+/// Frames in which a segment points within 10° of the rotation axis of an angle (for the foot's
+/// yaw: in which the sole is steeper than 80°) are excluded from that angle.
 ///
-/// "mu" is a mean and "sigma" a standard deviation (n) over the cycle; "com" is the centre of mass,
-/// its height above the floor and its way beside the straight line walked; velocities are central
-/// differences of the travelling motion. Steps are the distances between the ankles along f and l
-/// at the heel strikes of both feet, on the average; a little less than between footprints, because
-/// the rear heel has risen.
+/// "mu" is the mean and "sigma" the (population) standard deviation over the cycle. "com" is the
+/// centre of mass: its height above the floor and its lateral deviation from the line of travel;
+/// velocities are central differences of the travelling motion. Steps are the mean distances
+/// between the ankles along f and l at the heel strikes of both feet; they are slightly shorter
+/// than the distances between footprints because the rear heel has risen.
 ///
-/// Units as `motion_features` says. What a motion does not have is NaN: a performance has no
-/// steps, an arm held out straight no angle forward.
-/// The values change neither with a turn about the vertical nor with a shift on the floor.
-/// Needs two frames or more.
+/// Units are those in `motion_features`. Features that a motion lacks are NaN: a performance has no
+/// steps, an arm held out sideways has no forward angle. The values are invariant to rotation about
+/// the vertical and translation on the floor. Needs at least two frames.
 FeatureValues measure_features(const Example& example, const FeatureOptions& options = {});
 
 }  // namespace mien::motion

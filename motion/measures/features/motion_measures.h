@@ -6,23 +6,23 @@
 
 namespace mien::motion {
 
-/// Simple measures of a motion, for motions without ratings.
+/// Simple measures of a motion, used for motions without ratings.
 struct MotionMeasures {
-  double speed_m_s = 0.0;          ///< of the pelvis over the floor
-  double tempo_hz = 0.0;           ///< cycles (or performances) a second
-  double travel_m = 0.0;           ///< over the floor, a cycle
-  double hand_range_m = 0.0;       ///< extent of the hands' ways relative to the pelvis, mean
-  double hand_speed_m_s = 0.0;     ///< relative to the pelvis, mean of both
-  double hand_spread_m = 0.0;      ///< between the hands, mean
+  double speed_m_s = 0.0;       ///< of the pelvis over the floor
+  double tempo_hz = 0.0;        ///< cycles (or performances) per second
+  double travel_m = 0.0;        ///< horizontal travel per cycle
+  double hand_range_m = 0.0;    ///< extent of the hands' paths relative to the pelvis, mean of both
+  double hand_speed_m_s = 0.0;  ///< relative to the pelvis, mean of both
+  double hand_spread_m = 0.0;   ///< mean distance between the hands
   double elbow_flexion_rad = 0.0;  ///< mean of both
-  double trunk_lean_rad = 0.0;     ///< pelvis to neck, from the vertical, forward; mean
-  double head_pitch_rad = 0.0;     ///< neck to head's top, from the vertical, forward; mean
-  double trunk_turn_rad = 0.0;     ///< range of the shoulders' line about the vertical
-  double least_knee_rad = 0.0;     ///< least flexion of a knee, mean of both: crouching
-  double bounce_m = 0.0;           ///< vertical range of the pelvis
-  double sway_m = 0.0;             ///< lateral range of the pelvis
-  double lift_share = 0.0;         ///< bounce / (bounce + sway); ½ when the pelvis rests
-  double asymmetry_m = 0.0;        ///< between the ranges of the left and right ankle
+  double trunk_lean_rad = 0.0;     ///< of the line pelvis–neck, forward from the vertical; mean
+  double head_pitch_rad = 0.0;  ///< of the line neck–top of head, forward from the vertical; mean
+  double trunk_turn_rad = 0.0;  ///< range of axial rotation of the shoulder line
+  double least_knee_rad = 0.0;  ///< least knee flexion, mean of both knees; large when crouching
+  double bounce_m = 0.0;        ///< vertical range of the pelvis
+  double sway_m = 0.0;          ///< lateral range of the pelvis
+  double lift_share = 0.0;      ///< bounce / (bounce + sway); ½ if the pelvis does not move
+  double asymmetry_m = 0.0;     ///< difference between the ranges of the left and right ankle
 };
 
 inline constexpr int motion_measure_count = 15;

@@ -8,10 +8,10 @@
 
 namespace mien::motion {
 
-/// How one canonical joint was recognised.
+/// The recognition of one canonical joint in a rig.
 struct JointSummary {
   std::string joint;                    ///< canonical name, "LeftKnee"
-  std::vector<std::string> rig_joints;  ///< names in the file, from root to tip; empty when missing
+  std::vector<std::string> rig_joints;  ///< names in the file, from root to tip; empty if missing
   double confidence = 0.0;              ///< 0–1
   std::string found_by;                 ///< "name", "topology", "end site", "missing"
 };
@@ -22,18 +22,18 @@ struct MotionSummary {
   double frames_per_second = 0.0;
   double duration_seconds = 0.0;
   std::vector<std::string> joint_names;  ///< of the file
-  std::vector<std::string> takes;        ///< motions that the file names; empty where it names none
-  std::string take;                      ///< the one of them that this is
-  bool is_human = false;                 ///< whether the figure was recognised
-  std::string rig;                       ///< rig family, "unknown" when not human
+  std::vector<std::string> takes;  ///< names of the motions in the file; empty if it names none
+  std::string take;                ///< name of the summarised motion
+  bool is_human = false;           ///< whether the figure was recognised
+  std::string rig;                 ///< rig family; "unknown" if not human
   double confidence = 0.0;
-  std::vector<JointSummary> joints;  ///< of the canonical body; empty when not human
-  double height_m = 0.0;             ///< standing height of the skeleton; 0 when not human
-  double unit_m = 1.0;               ///< metres in one unit of the file
+  std::vector<JointSummary> joints;  ///< of the canonical body; empty if not human
+  double height_m = 0.0;             ///< standing height of the skeleton; 0 if not human
+  double unit_m = 1.0;               ///< metres per unit of the file
   std::string up;                    ///< "+Y", "+Z", …
-  double speed_m_s = 0.0;            ///< mean horizontal speed of the pelvis without its sway
+  double speed_m_s = 0.0;            ///< mean horizontal speed of the pelvis, excluding sway
   std::vector<GaitCycle> cycles;
-  int steadiest = -1;                 ///< index of the cycle that an example would use; −1: none
+  int steadiest = -1;  ///< index of the cycle from which an example would be made; −1: none
   std::vector<std::string> warnings;  ///< plain sentences
 };
 

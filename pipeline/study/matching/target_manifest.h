@@ -18,7 +18,7 @@ struct TargetSet {
   std::uint64_t seed = 0;  ///< seed of the sampling
 };
 
-/// A manifest with a matching experiment whose targets are synthesised from the examples of
+/// A manifest with a matching experiment whose targets are synthesized from the examples of
 /// `source`.
 Manifest target_manifest(const Manifest& source, const TargetSet& set);
 

@@ -23,13 +23,13 @@ struct MatchingStudy {
   motion::LiveBundle bundle;
 };
 
-/// Plans the sessions of `participants` participants (0: as planned) and synthesises the target
+/// Plans the sessions of `participants` participants (0: as planned) and synthesizes the target
 /// motions without rendering them. Throws Error if an adjective has no rating or the examples
 /// cannot be blended.
 MatchingStudy matching_study(const Manifest& manifest, Motions& motions, int participants = 0);
 
 /// The study as a server serves it, with the pages in the folder `pages` (page_bundle("matching")).
-/// The server synthesises the motions.
+/// The server synthesizes the motions.
 ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pages);
 
 /// The sessions of a matching experiment for all planned participants, or for `count` when that is

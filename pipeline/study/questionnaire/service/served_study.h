@@ -33,7 +33,7 @@ struct ServedStudy {
   std::map<std::string, ServedFile> lab;     ///< the experimenter's page, by name
   QuestionnaireFacts facts;                  ///< read from `experiment`
   std::unique_ptr<LiveMotions>
-      live;  ///< synthesises the motions of a matching experiment; else null
+      live;  ///< synthesizes the motions of a matching experiment; else null
 };
 
 /// A study with its media, to be served with the pages in the folder `pages` (page_bundle).

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 /// Rate limits of requests.
 struct ServiceRates {
   Rate link{.burst = 300, .per_second = 10};    ///< per participant's link
-  Rate live{.burst = 600, .per_second = 120};   ///< synthesised motions, per participant's link
+  Rate live{.burst = 600, .per_second = 120};   ///< synthesized motions, per participant's link
   Rate wrong{.burst = 60, .per_second = 0.5};   ///< requests with unknown links, per client address
   Rate joining{.burst = 100, .per_second = 1};  ///< new sessions, per client address
 };
