@@ -73,25 +73,36 @@ Color unshadowed_floor(const Scene& scene, const Vec3& point) {
   return scene.ground.albedo * inverse_pi * irradiance_on_floor(scene, point);
 }
 
+std::optional<FloorPoint> visible_floor(const Ground& ground, const CameraFrame& camera,
+                                        const CameraRay& ray) {
+  const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
+  if (!distance) return std::nullopt;
+  Vec3 point = ray.origin + *distance * ray.direction;
+  point.y() = 0.0f;
+  const Vec3 across = point - Vec3{camera.position.x(), 0.0f, camera.position.z()};
+  const float share = visibility(ground, across.norm());
+  if (share <= 0.0f) return std::nullopt;
+  return FloorPoint{point, *distance, share};
+}
+
+Color albedo_at(const Ground& ground, const Vec3& point) {
+  return albedo_at(ground, point, {0.0f, 0.0f});
+}
+
 BackgroundPixel background_pixel(const Scene& scene, const CameraFrame& camera,
                                  const CameraRay& ray) {
   const Vec3& direction = ray.direction;
   BackgroundPixel pixel;
   pixel.radiance = backdrop_radiance(scene.sky, direction);
   if (!scene.has_ground) return pixel;
-  const std::optional<float> distance = distance_to_floor(ray.origin, direction);
-  if (!distance) return pixel;
+  const std::optional<FloorPoint> floor = visible_floor(scene.ground, camera, ray);
+  if (!floor) return pixel;
 
-  pixel.point = ray.origin + *distance * direction;
-  pixel.point.y() = 0.0f;
-  const Vec3 across = pixel.point - Vec3{camera.position.x(), 0.0f, camera.position.z()};
-  const float share = visibility(scene.ground, across.norm());
-  if (share <= 0.0f) return pixel;
-
+  pixel.point = floor->point;
   pixel.shows_floor = true;
-  const float forwards = direction.dot(camera.forward);
+  const float share = floor->share, forwards = direction.dot(camera.forward);
   const Footprint print =
-      footprint(camera, direction / forwards, camera.parallel ? 1.0f : *distance * forwards);
+      footprint(camera, direction / forwards, camera.parallel ? 1.0f : floor->distance * forwards);
   pixel.visible_albedo = share * albedo_at(scene.ground, pixel.point, print);
   pixel.radiance = (1.0f - share) * pixel.radiance +
                    pixel.visible_albedo * inverse_pi * irradiance_on_floor(scene, pixel.point);

@@ -22,6 +22,18 @@ struct BackgroundPixel {
 BackgroundPixel background_pixel(const Scene& scene, const CameraFrame& camera,
                                  const CameraRay& ray);
 
+/// A point of the floor that a camera ray shows.
+struct FloorPoint {
+  Vec3 point;
+  float distance;  ///< along the ray, metres
+  float share;     ///< of the floor's light that has not faded into the backdrop, more than 0
+};
+std::optional<FloorPoint> visible_floor(const Ground& ground, const CameraFrame& camera,
+                                        const CameraRay& ray);
+
+/// The floor's albedo at a point, its lines unfiltered.
+Color albedo_at(const Ground& ground, const Vec3& point);
+
 /// Distance, in lengths of the direction, at which a ray meets the floor from above.
 inline std::optional<float> distance_to_floor(const Vec3& origin, const Vec3& direction) {
   if (!(origin.y() > 0.0f && direction.y() < 0.0f)) return std::nullopt;

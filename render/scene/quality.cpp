@@ -27,4 +27,11 @@ Quality final_quality() {
   return quality;
 }
 
+Quality reference_quality() {
+  Quality quality;
+  quality.samples_per_pixel = 256;
+  quality.reference = true;
+  return quality;
+}
+
 }  // namespace mien::render

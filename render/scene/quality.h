@@ -43,6 +43,10 @@ struct Quality {
   float shutter = 1.0f;    ///< share of the frame interval for which it is open
   std::uint64_t seed = 0;  ///< another seed, another noise pattern
 
+  /// Camera and shadow rays alone (tracer/reference.h); of the members above, the samples per
+  /// pixel, the filter, the background, the shutter and the seed count.
+  bool reference = false;
+
   /// Also trace rays that are known to hit nothing. The picture is the same, bit for bit, only
   /// slower; for tests of the culling.
   bool exhaustive = false;
@@ -51,5 +55,7 @@ struct Quality {
 Quality draft_quality();     ///< previews: 2 samples
 Quality standard_quality();  ///< videos: 16 samples
 Quality final_quality();     ///< print and publication: 128 samples
+Quality
+reference_quality();  ///< 256 samples that share nothing: what the others are tested against
 
 }  // namespace mien::render

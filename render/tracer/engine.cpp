@@ -67,7 +67,7 @@ Engine::Engine(const TracerOptions& options)
       light_cache_(options.light_cache) {}
 
 void Engine::sample_floor_sky(PreparedScene& prepared) {
-  if (prepared.is_per_sample()) return;
+  if (prepared.is_per_sample() || prepared.quality.reference) return;
   run_alone([&] {
     tbb::parallel_for(std::size_t{0}, prepared.floor_sky.corner_count(), [&](std::size_t corner) {
       prepared.floor_sky.sample_corner(corner, prepared.figure, prepared.opacities);
@@ -78,6 +78,7 @@ void Engine::sample_floor_sky(PreparedScene& prepared) {
 
 SceneBackground Engine::background_for(const Scene& scene, const Camera& camera,
                                        const Quality& quality) {
+  if (quality.reference) return bare_background(scene);
   std::vector<float> wanted = static_background_key(scene, camera, quality);
   if (wanted == cached_[0].key) return cached_[0].background;
   std::swap(cached_[0], cached_[1]);
@@ -92,6 +93,14 @@ SceneBackground Engine::background_for(const Scene& scene, const Camera& camera,
   if (!scene.static_solids.empty())
     background.solids = std::make_shared<const EmbreeScene>(device_, static_shapes(scene));
   key = std::move(wanted);
+  return background;
+}
+
+// The pictures of this quality need the static solids alone.
+SceneBackground Engine::bare_background(const Scene& scene) {
+  SceneBackground background{std::make_shared<const StaticBackground>(), nullptr};
+  if (!scene.static_solids.empty())
+    background.solids = std::make_shared<const EmbreeScene>(device_, static_shapes(scene));
   return background;
 }
 

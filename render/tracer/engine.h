@@ -49,7 +49,8 @@ class Engine {
  public:
   explicit Engine(const TracerOptions& options);
 
-  /// The background for a camera: one of the last two, or a new one.
+  /// The background for a camera: one of the last two, or a new one. In reference quality its
+  /// image is empty.
   SceneBackground background_for(const Scene& scene, const Camera& camera, const Quality& quality);
 
   /// Builds the acceleration structures and culling masks of a picture. The background and its
@@ -81,6 +82,8 @@ class Engine {
     std::vector<float> key;
     SceneBackground background;
   };
+
+  SceneBackground bare_background(const Scene& scene);
 
   /// Renders a background. `room`: one whose memory is reused, or an empty one.
   StaticBackground make_background(const Scene& scene, const Camera& camera, const Quality& quality,

@@ -14,6 +14,7 @@
 #include "render/tracer/pixel.h"
 #include "render/tracer/pixel_plan.h"
 #include "render/tracer/primary_rays.h"
+#include "render/tracer/reference.h"
 
 namespace mien::render {
 namespace {
@@ -416,6 +417,7 @@ void TilePainter::write_pixel(const FloorPixel& pixel, const Color& figure, cons
 }  // namespace
 
 void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas) {
+  if (prepared.quality.reference) return draw_reference(prepared, part, canvas);
   TilePainter(prepared).draw(part, canvas);
 }
 
@@ -433,7 +435,9 @@ void draw_pieces(
       framebuffer.height = piece.y_end - piece.y_begin;
       framebuffer.channels.resize(3 * static_cast<std::size_t>(framebuffer.width) *
                                   static_cast<std::size_t>(framebuffer.height));
-      painter.draw(piece, {target, piece.x_begin, piece.y_begin});
+      const Canvas canvas{target, piece.x_begin, piece.y_begin};
+      prepared.quality.reference ? draw_reference(prepared, piece, canvas)
+                                 : painter.draw(piece, canvas);
       drawn(piece, framebuffer);
     }
   }
