@@ -31,8 +31,8 @@ struct PictureDifference {
   double rms = 0.0;                   ///< root-mean-square difference over all channels
   double psnr_db = 0.0;               ///< for a peak value of 1; infinite for equal pictures
   std::int64_t differing_pixels = 0;  ///< pixels that differ in any channel
-  std::int64_t pixels_over_limit =
-      0;                         ///< pixels with a channel that differs by more than the limit
+  /// Pixels with a channel that differs by more than the limit.
+  std::int64_t pixels_over_limit = 0;
   double differing_share = 0.0;  ///< fraction of all pixels
   double over_limit_share = 0.0;
   Window changed;  ///< bounding box of the differing pixels; empty if none differ

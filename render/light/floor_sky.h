@@ -32,10 +32,10 @@ class FloorSky {
     float inverse_side = 0.0f;  ///< 1/metres; 0: nothing is occluded
     bool known = true;
     int corners[4] = {0, 0, 0, 0};     ///< indices, at (0, 0), (1, 0), (0, 1), (1, 1)
-    Color at_corner = Color::Zero();   ///< occluded light at (0, 0),
+    Color at_corner = Color::Zero();   ///< occluded light at (0, 0)
     Color along_x = Color::Zero();     ///< its increase towards (1, 0)
-    Color along_z = Color::Zero();     ///< and towards (0, 1),
-    Color along_both = Color::Zero();  ///< and the bilinear term
+    Color along_z = Color::Zero();     ///< its increase towards (0, 1)
+    Color along_both = Color::Zero();  ///< the bilinear term
 
     bool holds(float px, float pz) const {
       const float u = (px - x) * inverse_side, v = (pz - z) * inverse_side;
@@ -75,7 +75,7 @@ class FloorSky {
     float x;
     float z;
     float even = 0.0f;    // occluded irradiance over π of a sky of radiance 1
-    float rising = 0.0f;  // of a sky whose radiance is the sine of the elevation
+    float rising = 0.0f;  // the same for a sky whose radiance is the sine of the elevation
   };
   struct Square {
     int x;  // in units of 1/64 m

@@ -18,7 +18,7 @@ struct Cone {
   float solid_angle() const;
 };
 
-/// Squared sine of the half angle from which on no Cone is used: about 51°.
+/// Squared sine of the half angle, about 51°, from which on no Cone is used.
 inline constexpr float greatest_cone_sine_squared = 0.6f;
 
 /// Returns the cone around a bounding sphere; nothing if the squared sine of its half angle is

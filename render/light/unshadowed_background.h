@@ -59,8 +59,8 @@ class UnshadowedRow {
   FloorRow row_;
   float down_;       // from the optical axis, pixels
   bool is_unfaded_;  // whether all pixels show unfaded floor
-  std::vector<std::vector<float>>
-      nodes_;  // per light: irradiance at pixels −8, 0, 8 …; empty if it is not interpolated
+  // Per light: irradiance at pixels −8, 0, 8, …, if interpolated.
+  std::vector<std::vector<float>> nodes_;
 };
 
 }  // namespace mien::render

@@ -18,8 +18,8 @@ enum class Background {
 struct Quality {
   int samples_per_pixel = 16;  ///< each is a primary ray where the pixel may show a solid
   int sky_rays = 2;            ///< rays towards the sky for each shaded surface sample
-  int samples_shaded_together =
-      1;  ///< samples of a pixel that share one shading where they hit the same solid
+  /// Samples of a pixel that share one shading where they hit the same solid.
+  int samples_shaded_together = 1;
 
   /// Whether samples of two neighbouring pixels in a row are shaded together too; only where
   /// `samples_shaded_together` is not less than `samples_per_pixel`.

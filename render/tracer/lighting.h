@@ -72,16 +72,16 @@ struct FloorSamples {
   }
 };
 
-/// Shades surfaces: adds all the light from the lights and the sky that they reflect to the camera.
+/// Shades surfaces: adds all light from area lights and sky that they reflect to the camera.
 void shade_surfaces(const PreparedScene& prepared, const SurfaceSamples& batch, bool of_figure,
                     ShadowRayQueue& shadow_rays);
 
-/// Subtracts from a static solid the light of the lights and the sky that the figure occludes.
+/// Subtracts from a static solid the light from area lights and sky that the figure occludes.
 void shadow_static_solid(const PreparedScene& prepared, const Sample& sample,
                          const Surface& surface, ShadowRayQueue& shadow_rays);
 
-/// Subtracts from the floor the light of the lights that the figure occludes and, for pixels that
-/// cast their own sky rays, that of the sky.
+/// Subtracts from the floor the light from area lights that the figure occludes and, for pixels
+/// that cast their own sky rays, the light from the sky.
 void shadow_floor(const PreparedScene& prepared, const FloorSamples& batch,
                   ShadowRayQueue& shadow_rays, LineShadowQueue& line_shadows);
 

@@ -15,8 +15,8 @@ namespace mien::render {
 struct TileLineShadows {
   std::uint32_t lights = 0;  ///< bit i: light i is line-sampled
   float penumbra = 0.0f;     ///< width of the narrowest penumbra, pixels
-  std::vector<std::vector<int>>
-      casters;  ///< per light: indices of the round cones that may occlude it
+  /// Per light: indices of the round cones that may occlude it.
+  std::vector<std::vector<int>> casters;
 };
 
 /// The number of samples that share a line: some of one pixel, or all of several neighbouring

@@ -88,8 +88,8 @@ class PixelPlanner {
   std::uint32_t tile_lights_ = 0;   // bit i: the figure may occlude light i somewhere in the tile
   bool shaded_everywhere_ = false;  // every pixel may be shadowed from all of tile_lights_
   int end_ = 0;                     // of the tile's columns
-  std::optional<FloorReach>
-      floor_reach_;                // the tile's, if tile_lights_ is not 0; none at the horizon
+  // Of the tile if it has tile_lights_; none at the horizon.
+  std::optional<FloorReach> floor_reach_;
   std::uint32_t figure_rows_ = 0;  // bit i: row i of the tile may show the figure
   int first_row_ = 0;              // of the tile
   bool shows_background_only_ = false;

@@ -33,8 +33,8 @@ struct PreparedScene {
   const EmbreeScene* static_solids;  ///< null if there are none
   BoundingSphere bounds;             ///< of the figure
   PixelMask pixel_mask;              ///< where primary rays may hit the figure
-  std::vector<ShadowMask>
-      shadow_masks;           ///< per light: where the figure may occlude it from the floor
+  /// Per light: where the figure may occlude it from the floor.
+  std::vector<ShadowMask> shadow_masks;
   std::uint32_t line_lights;  ///< bit i: shadows of light i on the floor are line-sampled
   std::vector<std::vector<int>> casters;  ///< per light: the round cones that are not behind it
   FloorSky floor_sky;                     ///< the figure's occlusion of the sky on the floor

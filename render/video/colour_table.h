@@ -38,8 +38,8 @@ class ColourTable {
 
   /// Writes the palette index of each pixel of a frame, with ordered dither (Bayer 8 × 8). An
   /// unchanged pixel has the same index in every frame, so static areas do not flicker. The
-  /// dither's amplitude is the average distance of neighbouring palette colours. Rows of `numbers`
-  /// are `stride` bytes apart.
+  /// dither's amplitude is the average spacing of the palette's colours. Rows of `numbers` are
+  /// `stride` bytes apart.
   void index(const Image8& frame, std::uint8_t* numbers, int stride);
 
   int size() const { return static_cast<int>(colours_.size()); }

@@ -14,9 +14,9 @@ namespace mien::render {
 /// Returns the pixel format that a kind's encoder expects.
 AVPixelFormat pixel_format_of(VideoKind kind);
 
-/// An encoder with its container, which encodes pictures to a file. Its settings are those of the
-/// kind. The file depends neither on the machine nor on the time; the number of threads is fixed,
-/// because encoders partition their work by it.
+/// An encoder with its container: encodes pictures into a file. Its settings are those of the kind.
+/// The file depends neither on the machine nor on the time; the number of threads is fixed, because
+/// encoders partition their work by it.
 class StreamEncoder {
  public:
   /// Throws Error when this FFmpeg lacks the encoder or the file cannot be created.

@@ -17,8 +17,8 @@ namespace mien::render {
 /// each.
 struct VideoReceipt {
   std::vector<std::uint64_t> frames;  ///< hash_of each written frame, in order
-  std::vector<std::uint64_t>
-      packet_hashes;  ///< packet_hash of each frame; empty: no packet per frame
+  /// The packet_hash of each frame; empty for kinds without a packet per frame.
+  std::vector<std::uint64_t> packet_hashes;
 };
 
 /// Whether files of this kind store each frame as one packet, as the encoder produced it: MP4, WebM
