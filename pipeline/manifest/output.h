@@ -14,11 +14,13 @@
 
 namespace mien::pipeline {
 
-enum class Quality { draft, standard, final };
+enum class Quality { draft, standard, final, reference };
 enum class FrameFormat { none, png, png16, exr, layers };
 
-inline constexpr Words<Quality> quality_words = {
-    {"draft", Quality::draft}, {"standard", Quality::standard}, {"final", Quality::final}};
+inline constexpr Words<Quality> quality_words = {{"draft", Quality::draft},
+                                                 {"standard", Quality::standard},
+                                                 {"final", Quality::final},
+                                                 {"reference", Quality::reference}};
 
 inline constexpr Words<FrameFormat> frame_format_words = {{"none", FrameFormat::none},
                                                           {"png", FrameFormat::png},
@@ -85,6 +87,7 @@ struct Output {
   int cycles = 3;         ///< repetitions of a looping clip
   bool in_place = false;  ///< remove travel (walk on the spot)
   Quality quality = Quality::standard;
+  int samples = 256;     ///< per pixel, in reference quality
   double shutter = 0.0;  ///< shutter angle for motion blur: degrees of 360 per frame
   FrameFormat frames = FrameFormat::png;
   std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< without duplicates
@@ -111,6 +114,7 @@ void fields_of(auto&& field, MaybeConst<Output> auto& output) {
   field("fps", output.fps, concerns::motion | concerns::picture);
   field("in_place", output.in_place, concerns::motion | concerns::picture);
   field("quality", output.quality, concerns::picture | concerns::drawing, quality_words);
+  field("samples", output.samples, concerns::picture | concerns::drawing);
   field("shutter", output.shutter, concerns::picture | concerns::drawing);
   field("cycles", output.cycles, concerns::motion);
   field("frames", output.frames, concerns::stored, frame_format_words);

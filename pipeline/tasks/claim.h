@@ -9,13 +9,13 @@
 namespace mien::pipeline {
 
 /// Announces to the other processes in a study's folder that this one works on a task, so that they
-/// do something else in the meantime. Claims only save time: a product made twice is published
-/// once. Released by the destructor.
+/// work on other tasks in the meantime. Claims only save time: an artifact that is produced twice
+/// is published once. Released by the destructor.
 class Claim {
  public:
-  /// Claims `what` for `worker`. Null while a process that seems alive holds the claim; that of a
-  /// dead one is taken over. Throws std::system_error or WriteFailure if the folder is not
-  /// writable.
+  /// Claims `what` for `worker`. Returns null while a process that seems alive holds the claim; the
+  /// claim of a dead process is taken over. Throws std::system_error or WriteFailure if the folder
+  /// is not writable.
   static std::unique_ptr<Claim> take(const std::filesystem::path& folder, const std::string& what,
                                      const std::string& worker, WorkerWatch& watch);
   ~Claim();

@@ -19,9 +19,9 @@ std::string as_duration(double seconds);
 /// every ten seconds.
 class ProgressBar {
  public:
-  using Clock = std::function<double()>;  ///< seconds, ascending
+  using Clock = std::function<double()>;  ///< monotonic time, seconds
 
-  /// Writes to `out`, which outlives it.
+  /// Writes to `out`, which must outlive it.
   ProgressBar(std::ostream& out, bool terminal, Clock clock = steady_seconds);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
@@ -53,7 +53,8 @@ class ProgressBar {
 /// one for each completed or failed task and one every ten seconds in between.
 class Progress {
  public:
-  /// Writes to `out`, which outlives it. Tasks that are cached in `plan` take no time.
+  /// Writes to `out`, which must outlive it. Tasks that are cached in `plan` are assumed to take no
+  /// time.
   Progress(std::ostream& out, bool terminal, const TaskGraph& graph,
            const std::vector<TaskOutcome>& plan, ProgressBar::Clock clock);
   Progress(const Progress&) = delete;

@@ -10,9 +10,9 @@
 
 namespace mien::pipeline {
 
-/// Artifacts in this folder that no task produces any more, sorted by path: of a renamed stimulus,
-/// or a video format that is no longer selected. Files without a receipt are ignored. `kept`: paths
-/// that belong to the study besides its tasks' products.
+/// Artifacts in this folder that no task produces any more, sorted by path: for example those of a
+/// renamed stimulus or of a video format that is no longer selected. Files without a receipt are
+/// ignored. `kept`: paths that belong to the study in addition to its tasks' products.
 std::vector<Receipt> stale_artifacts(const std::filesystem::path& folder, const TaskGraph& graph,
                                      const std::vector<std::string>& kept);
 
@@ -22,8 +22,8 @@ std::vector<std::string> shown_paths(const std::vector<Receipt>& artifacts);
 /// Whether an artifact is unchanged since it was published, or no longer exists.
 bool is_removable(const std::filesystem::path& folder, const Receipt& artifact);
 
-/// Removes an artifact with its receipt, and folders that are empty afterwards. An artifact that
-/// was changed is not removed; returns false then.
+/// Removes an artifact with its receipt, and folders that are empty afterwards. Returns false,
+/// without removing it, if the artifact was changed.
 bool remove_artifact(const Store& store, const Receipt& artifact);
 
 }  // namespace mien::pipeline

@@ -5,12 +5,13 @@
 
 namespace mien::pipeline {
 
-/// Number of records of ended processes that are kept: the newest of those that drew frames, from
-/// which the time per frame is estimated.
+/// Number of records of ended processes that are kept: the newest of the processes that drew
+/// frames, from which the time per frame is estimated.
 inline constexpr std::size_t retained_records = 64;
 
 /// Removes attempts, claims and records of dead processes from a study's folder, except the newest
-/// records of drawing times. `now` is a file just written there; its time serves as the present.
+/// records of drawing times. `now` is a file just written there; its modification time is taken as
+/// the current time.
 void remove_stale_files(const std::filesystem::path& folder, const std::filesystem::path& now);
 
 /// Removes files that are not needed once a study is complete: claims, and unpublished frames

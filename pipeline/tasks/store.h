@@ -51,7 +51,7 @@ class Store {
  public:
   /// Writes the artifact to the given path, which has the artifact's own file name.
   using Write = std::function<void(const std::filesystem::path& file)>;
-  /// Reads the written file back and throws if it is not what it should be.
+  /// Reads the written file back and throws if its content is wrong.
   using Verify = std::function<void(const std::filesystem::path& file)>;
 
   /// Creates the folder and removes files of dead processes. Throws StoreBusy if another process
@@ -85,7 +85,7 @@ class Store {
   /// The record of this process that others read.
   WorkerHeartbeat& heartbeat();
 
-  /// All nondeterminism met so far, by path.
+  /// All nondeterminism detected so far, sorted by path.
   std::vector<Nondeterminism> nondeterminism() const;
 
   /// Records that an artifact was found damaged.
@@ -157,8 +157,8 @@ class FrameStore {
   Store::State* store_;
   std::string path_;
   Hash key_;
-  std::filesystem::path folder_;  ///< of the sequence in the making: frames/ and notes/
-  std::mutex mutex_;              ///< of what follows
+  std::filesystem::path folder_;                ///< of the unpublished sequence: frames/ and notes/
+  std::mutex mutex_;                            ///< guards the members below
   std::map<std::string, std::uintmax_t> read_;  ///< notes' file → size when it was last read
   std::multimap<std::string, Note> notes_;      ///< by frame
   std::map<std::string, Found> found_;

@@ -16,7 +16,7 @@
 namespace mien::pipeline {
 
 /// An artifact produced by a task. Its key is built from the task's key and the determinants of
-/// this product alone, so that a changed video setting does not draw the frames again.
+/// this product alone, so that frames are not drawn again when a video setting changes.
 struct Product {
   std::string path;  ///< in the store
   KeyBuilder own;    ///< determinants beyond the task's
@@ -43,7 +43,7 @@ struct TaskRun {
 /// Thrown by a task that was asked to stop.
 struct Interrupted {};
 
-/// A part of a task that is done in parts: the third of twelve is {3, 12}.
+/// One part of a task that is split: the third of twelve parts is {3, 12}.
 struct Part {
   int number = 1;
   int of = 1;
@@ -59,10 +59,11 @@ struct Task {
   std::string id;                   ///< "film:target-1"
   std::string kind;                 ///< "film"
   std::vector<std::string> inputs;  ///< ids of tasks whose products it reads
-  std::vector<std::string> after;   ///< ids of tasks that only have to have succeeded before
-  KeyBuilder determinants;          ///< all determinants of the products except the inputs' bytes
-  std::vector<Product> products;    ///< empty for a part, which determines itself what is missing
-  double cost_seconds = 0.0;        ///< estimate on one core
+  /// Ids of tasks that must have succeeded before but are not read.
+  std::vector<std::string> after;
+  KeyBuilder determinants;        ///< all determinants of the products except the inputs' bytes
+  std::vector<Product> products;  ///< empty for a part, which finds out itself what is missing
+  double cost_seconds = 0.0;      ///< estimate on one core
   std::function<void(TaskRun&)> make;
 
   /// Does one part of the work, which `make` then reuses; empty if the task cannot be split.
@@ -86,7 +87,7 @@ struct TaskGraph {
 enum class TaskState {
   cached,  ///< all products existed
   made,
-  failed,   ///< `error` says why
+  failed,   ///< for the reason in `error`
   skipped,  ///< an input failed or was interrupted
   interrupted,
   waiting,  ///< in a plan: its inputs have to be produced first
@@ -97,7 +98,7 @@ struct TaskOutcome {
   TaskState state = TaskState::waiting;
   std::string error;
   bool is_bad_input = false;      ///< failed because of the user's files
-  bool is_transient = false;      ///< failed because of the machine; may succeed the next time
+  bool is_transient = false;      ///< failed because of the machine; may succeed next time
   bool is_disk_fault = false;     ///< failed because the disk is full, read-only or unavailable
   std::vector<Receipt> products;  ///< when cached or made, in the task's order
 };
@@ -120,8 +121,8 @@ std::vector<Hash> keys_of(const Task& task, const std::vector<const TaskOutcome*
 std::optional<std::vector<Receipt>> find_products(const Task& task, const std::vector<Hash>& keys,
                                                   const std::filesystem::path& folder);
 
-/// What a run would do: which tasks are cached, due or waiting. Reads and hashes all existing
-/// products. One outcome per task.
+/// Determines which tasks are cached, due or waiting, without running any. Reads and hashes all
+/// existing products. One outcome per task.
 std::vector<TaskOutcome> plan(const TaskGraph& graph, const std::filesystem::path& folder);
 
 /// A fast `plan`, based on receipts and file sizes and, for frames, on the existence of their

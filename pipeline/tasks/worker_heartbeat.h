@@ -38,23 +38,23 @@ class WorkerHeartbeat {
 
   std::filesystem::path folder_;
   const WorkerRecord self_;
-  std::mutex writing_;  ///< of the file
-  std::mutex mutex_;    ///< of now_ and closing_
+  std::mutex writing_;  ///< guards the file
+  std::mutex mutex_;    ///< guards now_ and closing_
   WorkerRecord now_;
   bool closing_ = false;
   std::condition_variable closed_;
   std::thread thread_;
 };
 
-/// Judges from this process which workers are alive.
+/// Determines which workers are alive, as observed by this process.
 class WorkerWatch {
  public:
   explicit WorkerWatch(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// False if the process is proven to have ended, has no record any more, or has not updated it
   /// for `heartbeat_timeout_seconds` between calls of this function. Independent of the clocks of
-  /// other machines and file systems. A stopped process counts as dead after that time and may come
-  /// back.
+  /// other machines and file systems. A suspended process counts as dead after that time and may
+  /// resume later.
   bool seems_alive(const std::string& worker);
 
   static constexpr double heartbeat_timeout_seconds = 30.0;

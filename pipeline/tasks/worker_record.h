@@ -48,8 +48,9 @@ std::optional<WorkerRecord> read_worker_record(const std::filesystem::path& fold
 /// All records in a study's folder, sorted by name.
 std::vector<WorkerRecord> read_worker_records(const std::filesystem::path& folder);
 
-/// Whether the process is proven to have ended: its record says so, or it ran on this machine and
-/// no longer exists. Always false for other machines' processes whose record does not say so.
+/// Whether the process is proven to have ended: its record states this, or it ran on this machine
+/// and no longer exists. Always false for processes of other machines whose record does not state
+/// it.
 bool is_gone(const WorkerRecord& record);
 
 /// Whether a process is working now, judged by the age of its record. `now`: as below.

@@ -5,47 +5,48 @@
 
 namespace mien::render {
 
-/// Viewing conditions of a picture, by default those of the paper: a screen of 3,840 pixels and 0.7
-/// m, at 0.7 m, which makes 67.02 pixels a degree.
+/// Viewing conditions of a picture, by default those of the paper: a screen 3,840 pixels and 0.7 m
+/// wide, seen from 0.7 m, which is 67.02 pixels per degree of visual angle.
 struct Viewing {
-  double distance_metres = 0.7;  ///< from the eye to the screen
-  double screen_metres = 0.7;    ///< width of the screen
-  int screen_pixels = 3840;      ///< across
+  double distance_metres = 0.7;  ///< from the eye to the screen, metres
+  double screen_metres = 0.7;    ///< width of the screen, metres
+  int screen_pixels = 3840;      ///< width of the screen, pixels
 
   double pixels_per_degree() const;
 };
 
-/// ꟻLIP of two pictures as a display shows them: what a viewer who flips between them sees of their
-/// difference, 0 (nothing) … 1, a pixel each. It is symmetric, 0 for equal pictures, and the same
-/// to the bit whatever the threads and the machine.
+/// Returns the ꟻLIP error of each pixel: the difference that a viewer perceives when flipping
+/// between the two displayed pictures, 0 (none) … 1. It is symmetric, 0 for equal pictures, and
+/// bit-identical on every machine and for any number of threads.
 ///
 /// After Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild 2020, "FLIP: A
 /// Difference Evaluator for Alternating Images", the variant for low dynamic range: filters, colour
-/// distance, its redistribution, features and how they combine are the paper's. Chosen beyond it,
-/// as the authors' own program does: pixels beyond the border are those of the border; filters end
-/// at three standard deviations of the widest; the white is D65 with chromaticity (0.31271,
-/// 0.32902). Errors are not quantised. `threads` 0 takes one a core.
+/// distance, its redistribution, feature detection and their combination follow the paper. Where
+/// the paper leaves a choice, this follows the authors' implementation: border pixels are
+/// replicated, filters are cut off at three standard deviations of the widest Gaussian, and the
+/// white is D65 at chromaticity (0.31271, 0.32902). Errors are not quantised. With `threads` 0, one
+/// thread per core is used.
 ///
-/// No published figure could be compared with: those known are of pictures that were not at hand.
-/// The tests compare it with an independent implementation of the formulas, in two dimensions and
-/// in double precision.
+/// It has not been compared with published values, because the pictures that they belong to were
+/// not available. The tests compare it with an independent implementation of the formulas, in two
+/// dimensions and in double precision.
 ///
-/// Throws Error when sizes differ, std::invalid_argument when there are not between 1 and 1,000
-/// pixels a degree.
+/// Throws Error when sizes differ, std::invalid_argument when the viewing conditions do not result
+/// in 1 to 1,000 pixels per degree.
 PixelMap perceptual_error(const Image8& a, const Image8& b, const Viewing& viewing = {},
                           int threads = 0);
 
-/// Statistics of a map of errors between 0 and 1.
+/// Statistics of a map of errors, each 0 … 1.
 struct ErrorSummary {
   double mean = 0.0;
   double least = 0.0;
   double largest = 0.0;
-  int largest_x = 0;  ///< where; the first row by row
+  int largest_x = 0;  ///< position of the largest error: the first in row-major order
   int largest_y = 0;
 
-  /// Percentiles in which each pixel weighs as much as its error, so that many pixels without any
-  /// do not hide the few: the error up to which a quarter, half, three quarters of the sum of
-  /// errors lie. To 1/65,536.
+  /// Quartiles weighted by error, so that many error-free pixels do not hide the few others: the
+  /// errors up to which a quarter, half and three quarters of the sum of all errors lie. Resolution
+  /// 1/65,536.
   double weighted_first_quartile = 0.0;
   double weighted_median = 0.0;
   double weighted_third_quartile = 0.0;

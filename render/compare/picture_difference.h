@@ -21,23 +21,25 @@ void require_same_size(const Picture& a, const Picture& b) {
   if (a.width < 1 || a.height < 1) throw Error("the pictures have no pixels");
 }
 
-/// How two pictures differ, channel by channel. Values are shares of full scale.
+/// The difference of two pictures over all channels. Values are fractions of full scale.
 struct PictureDifference {
-  double largest = 0.0;  ///< of a channel
-  int x = 0;             ///< where, the first row by row
+  double largest = 0.0;  ///< largest absolute difference of a channel
+  int x = 0;             ///< position of the first such pixel in row-major order
   int y = 0;
   int channel = 0;
-  double mean = 0.0;                   ///< of all channels, absolute
-  double rms = 0.0;                    ///< of all channels
-  double psnr_db = 0.0;                ///< of a peak of 1; infinite where nothing differs
-  std::int64_t differing_pixels = 0;   ///< in any channel
-  std::int64_t pixels_over_limit = 0;  ///< with a channel that differs by more
-  double differing_share = 0.0;        ///< of all pixels
+  double mean = 0.0;                  ///< mean absolute difference over all channels
+  double rms = 0.0;                   ///< root-mean-square difference over all channels
+  double psnr_db = 0.0;               ///< for a peak value of 1; infinite for equal pictures
+  std::int64_t differing_pixels = 0;  ///< pixels that differ in any channel
+  /// Pixels with a channel that differs by more than the limit.
+  std::int64_t pixels_over_limit = 0;
+  double differing_share = 0.0;  ///< fraction of all pixels
   double over_limit_share = 0.0;
-  Window changed;  ///< the smallest that holds all that differs; without pixels: nothing does
+  Window changed;  ///< bounding box of the differing pixels; empty if none differ
 };
 
-/// Throws Error, with both sizes, when they differ. `limit` is a share of full scale.
+/// Compares two pictures; `limit` is a fraction of full scale. Throws Error, with both sizes, when
+/// the sizes differ.
 PictureDifference picture_difference(const Image8& a, const Image8& b, double limit = 0.0);
 
 /// The result of OpenImageIO's ImageBufAlgo::compare: an independent second measurement.
@@ -53,14 +55,14 @@ struct LibraryDifference {
 };
 LibraryDifference library_difference(const Image8& a, const Image8& b, double limit = 0.0);
 
-/// A rectangle of pixels, (x, y) its upper left.
+/// A rectangle of pixels; (x, y) is its upper left corner.
 struct PicturePart {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// The rectangle within `part` whose results can differ if each depends on the pixels up to `reach`
-/// around it: the bounding box of the differing pixels, grown by `reach`. Its height is 0 when
-/// nothing differs. Both pictures have one size.
+/// Returns the rectangle within `part` in which the results of a filter with a radius of `reach`
+/// pixels can differ between the pictures: the bounding box of the differing pixels, grown by
+/// `reach`. Its height is 0 when no pixel differs. Both pictures must have the same size.
 PicturePart changed_part(const Image8& a, const Image8& b, const PicturePart& part, int reach);
 
 }  // namespace mien::render

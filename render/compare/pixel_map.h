@@ -5,7 +5,7 @@
 
 namespace mien::render {
 
-/// A number a pixel: rows from top to bottom.
+/// One number per pixel, in rows from top to bottom.
 struct PixelMap {
   int width = 0;
   int height = 0;

@@ -5,23 +5,24 @@
 
 namespace mien::render {
 
-/// Weights of a filter along a line: of the centre, then of each distance from it. What lies on
-/// both sides at one distance has the same weight (even) or the opposite one (odd, whose first
-/// weight is 0).
+/// One half of a 1-D filter kernel: the weight at the centre, then at each distance from it, in
+/// pixels. At the same distance on the other side the weight is equal (even kernel) or has the
+/// opposite sign (odd kernel, whose central weight is 0).
 using HalfKernel = std::vector<float>;
 
-/// How far it reaches, pixels.
+/// The radius of a kernel, pixels.
 inline int reach_of(const HalfKernel& kernel) { return static_cast<int>(kernel.size()) - 1; }
 
-/// A Gaussian of that standard deviation (pixels) up to `reach`, its whole sum 1.
+/// Returns a Gaussian kernel with this standard deviation (pixels) and radius `reach` (pixels),
+/// whose full weights add up to 1.
 HalfKernel gaussian_kernel(double deviation, int reach);
 
-/// How many values are filtered at a time: counts given below are multiples of it.
+/// Number of values that are filtered at a time; `count` must be a multiple of it.
 inline constexpr int filter_block = 16;
 
-/// out[i] = Σ weight[k] · (in[i + k · step] ± in[i − k · step]) for i = 0 … count − 1. The sum runs
-/// from the centre outwards, whatever machine: the result is the same everywhere, and a mirrored
-/// line gives the mirrored result.
+/// out[i] = Σ weight[k] · (in[i + k · step] ± in[i − k · step]) for i = 0 … count − 1, with + for
+/// an even and − for an odd kernel. Terms are added from the centre outwards in a fixed order, so
+/// that results are the same on every machine and a mirrored line has the mirrored result.
 void filter_even(const HalfKernel& kernel, const float* in, std::ptrdiff_t step, int count,
                  float* out);
 void filter_odd(const HalfKernel& kernel, const float* in, std::ptrdiff_t step, int count,

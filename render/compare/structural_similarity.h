@@ -6,13 +6,13 @@
 namespace mien::render {
 
 /// SSIM of two pictures (Wang, Bovik, Sheikh and Simoncelli 2004) on BT.709 luma of their sRGB
-/// codes: windows of 11 × 11 pixels under a Gaussian of standard deviation 1.5, K1 = 0.01,
-/// K2 = 0.03, L = 255. 1 for equal pictures, −1 at least; symmetric.
+/// codes: windows of 11 × 11 pixels weighted by a Gaussian of standard deviation 1.5 pixels, K1 =
+/// 0.01, K2 = 0.03, L = 255. It is symmetric, 1 for equal pictures and never below −1.
 struct StructuralSimilarity {
-  PixelMap map;  ///< of the window about each pixel; beyond the border its pixels go on
+  PixelMap map;  ///< SSIM of the window around each pixel; border pixels are replicated
 
-  /// Over the windows that lie wholly in the picture, as its authors have it; over all where the
-  /// picture holds none.
+  /// Mean over the windows that lie entirely within the picture, as in the paper; over all windows
+  /// if there are none.
   double mean = 1.0;
 };
 

@@ -9,8 +9,8 @@
 
 namespace mien::render {
 
-// Conservative bounds of a figure, by which rays are culled: they may report an intersection where
-// there is none, never the reverse.
+// Conservative bounds of a figure for culling rays: they may report an intersection where there is
+// none, but never miss one.
 
 /// A sphere that contains all shapes; radius −1 if there are none.
 struct BoundingSphere {
@@ -19,25 +19,26 @@ struct BoundingSphere {
 };
 BoundingSphere bounding_sphere(const Shapes& shapes);
 
-/// Whether a ray of unit direction may meet what is in the sphere.
+/// Returns whether a ray with unit direction may hit the contents of the sphere.
 bool may_intersect(const BoundingSphere& sphere, const Vec3& origin, const Vec3& direction);
 
 /// Spheres that together contain all shapes, few but tight.
 std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes);
 
-/// The pixels whose primary rays, anywhere under a filter of that half width, may meet a
-/// shape.
+/// The pixels whose primary rays may hit a shape, at any offset within the reconstruction filter.
+/// The filter's half width is in pixels.
 class PixelMask {
  public:
   PixelMask(const Camera& camera, const Shapes& shapes, float filter_half_width);
 
   bool may_intersect(int x, int y) const { return ((word(x / bits, y) >> (x % bits)) & 1u) != 0; }
 
-  /// Whether any of the pixels [x_begin, x_end) of a row may.
+  /// Returns whether the primary rays of any of the pixels [x_begin, x_end) of a row may hit a
+  /// shape.
   bool may_intersect_row(int x_begin, int x_end, int y) const;
 
  private:
-  static constexpr int bits = 64;  // of a word
+  static constexpr int bits = 64;  // bits per word
 
   std::uint64_t word(int column, int y) const {
     return words_[static_cast<std::size_t>(y) * static_cast<std::size_t>(words_across_) +

@@ -13,8 +13,8 @@ namespace mien::render {
 /// An Embree device pinned to an instruction set.
 class EmbreeDevice {
  public:
-  /// "sse2", "sse4.2", "avx", "avx2" or "avx512"; empty: avx2, or sse4.2 on a machine without.
-  /// Throws Error when it is not one of them or the machine lacks it.
+  /// "sse2", "sse4.2", "avx", "avx2" or "avx512"; empty: avx2, or sse4.2 on a machine without AVX2.
+  /// Throws Error for any other name, and when the machine lacks the instruction set.
   explicit EmbreeDevice(const std::string& instruction_set);
   ~EmbreeDevice();
   EmbreeDevice(const EmbreeDevice&) = delete;
@@ -38,9 +38,9 @@ struct RayPacket {
   alignas(32) float direction_x[packet_size] = {};
   alignas(32) float direction_y[packet_size] = {};
   alignas(32) float direction_z[packet_size] = {};
-  alignas(32) float reach[packet_size] = {};  ///< hits farther than this do not count, metres
+  alignas(32) float reach[packet_size] = {};  ///< hits beyond this distance are ignored, metres
   alignas(32) float time[packet_size] = {};   ///< 0 when the shutter opens … 1 when it closes
-  alignas(32) std::uint32_t present[packet_size] = {};  ///< bit f: figure f is there
+  alignas(32) std::uint32_t present[packet_size] = {};  ///< bit f: figure f is present for this ray
   int count = 0;
 
   void push(const Vec3& origin, const Vec3& direction, float distance, float when = 0.0f,
@@ -52,12 +52,12 @@ struct RayPacket {
 /// The nearest hit of each ray of a packet.
 struct Hits {
   float distance[packet_size];
-  int shape[packet_size];  ///< number of the shape; −1: none
+  int shape[packet_size];  ///< index of the shape (Shapes); −1: none
 };
 
-/// Shapes in an Embree hierarchy. Embree proposes candidates from padded boxes, our own
-/// intersections decide, and of two equally near hits the lower number wins, so that what is found
-/// does not depend on Embree's version or instruction set.
+/// Shapes in an Embree bounding volume hierarchy. Embree proposes candidates by padded bounding
+/// boxes, our own intersection tests decide, and of two equally near hits the shape with the lower
+/// index wins, so that hits do not depend on Embree's version or instruction set.
 class EmbreeScene {
  public:
   EmbreeScene(const EmbreeDevice& device, Shapes shapes);
@@ -67,10 +67,11 @@ class EmbreeScene {
 
   const Shapes& shapes() const { return shapes_; }
 
-  /// The nearest hit of each ray. For coherent rays: neighbouring primary rays.
+  /// Returns the nearest hit of each ray. Optimised for coherent rays, such as neighbouring primary
+  /// rays.
   Hits intersect(const RayPacket& rays) const;
 
-  /// Bit i is set when something occludes ray i before its reach.
+  /// Returns a bit mask: bit i is set when a shape occludes ray i within its reach.
   std::uint32_t occluded(const RayPacket& rays) const;
 
  private:

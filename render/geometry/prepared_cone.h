@@ -31,7 +31,7 @@ std::vector<PreparedCone> prepared_cones(const Solids& solids);
 /// Unit outward normal at a point of the surface.
 Vec3 normal_at(const PreparedCone& cone, const Vec3& point);
 
-/// Rays as arrays, one value a lane; directions have unit length.
+/// Rays as arrays, one value per lane; directions have unit length.
 struct RayLanes {
   const float* origin_x;
   const float* origin_y;
@@ -43,18 +43,19 @@ struct RayLanes {
 
 inline constexpr unsigned max_lanes = 16;
 
-/// Where each of `count` ≤ max_lanes lines enters and leaves the solid, as distances along the ray;
-/// enter > leave when it misses. The same bits on every machine.
+/// Writes the distances along each of `count` ≤ max_lanes rays at which its line enters and leaves
+/// the solid; enter > leave when it misses. Results are bit-identical on every machine.
 ///
 /// The solid is convex and is the union of both spheres and the hull between them, so the interval
-/// is bounded by the extreme roots of the three surfaces; only roots of the (double) cone need a
-/// test of where they lie. Roots are found from the point of the line nearest to the solid's
-/// middle, which keeps them exact however far the ray comes from. Quadratic of the round cone after
-/// Quilez (2018).
+/// is bounded by the extreme roots of the three surfaces; only for roots of the (double) cone must
+/// it be tested that they lie on the hull's side. Roots are computed relative to the point of the
+/// line nearest to the solid's centre, which keeps them accurate for distant ray origins. The round
+/// cone's quadratic is that of Quilez (2018).
 void intersect_lines(const PreparedCone& cone, const RayLanes& rays, unsigned count, float* enter,
                      float* leave);
 
-/// The first of either that lies beyond `from`, of each line; infinity when there is none.
+/// Writes, for each line, the lesser of `enter` and `leave` that exceeds `from`; infinity if
+/// neither does.
 void crossings_beyond(const float* from, const float* enter, const float* leave, unsigned count,
                       float* distance);
 

@@ -16,34 +16,34 @@ struct FloorArea {
   float z_max;
 };
 
-/// Whether all of a solid lies on the side of the light's plane that it does not shine to, where it
-/// hides nothing.
+/// Returns whether a solid lies entirely behind the plane of the light, where it cannot occlude it.
 bool is_behind(const AreaLight& light, const PreparedCone& solid);
 
-/// The part of the floor on which a shape may hide a part of a light: a grid of cells.
+/// A grid of floor cells that marks where the shapes may occlude all or part of a light.
 class ShadowMask {
  public:
   ShadowMask(const AreaLight& light, const Shapes& shapes);
 
-  /// Whether any point of the area may lie in umbra or penumbra.
+  /// Returns whether any point of the area may lie in umbra or penumbra.
   bool may_shade(const FloorArea& area) const;
 
-  /// Whether every point of the area may, by the resolution of the grid.
+  /// Returns whether every point of the area may lie in umbra or penumbra, at the resolution of the
+  /// grid.
   bool may_shade_all(const FloorArea& area) const;
 
-  /// Adds the indices of the round cones that may hide a part of the light somewhere in the area,
-  /// in rising order. Returns the least height above the floor, metres, of the pieces that do;
-  /// infinity if there are none.
+  /// Adds, in ascending order, the indices of the round cones that may occlude part of the light
+  /// from some point of the area. Returns the lowest height above the floor, metres, of the pieces
+  /// of these cones that may do so; infinity if there are none.
   float add_casters(const FloorArea& area, std::vector<int>& cones) const;
 
  private:
-  static constexpr int cells = 128;  // a side
+  static constexpr int cells = 128;  // cells per side
 
-  /// The area of the floor on which a piece of a round cone may hide the light.
+  /// The area of the floor from which a piece of a round cone may occlude the light.
   struct Caster {
     FloorArea area;
     int cone;
-    float height;  // of its lowest point
+    float height;  // height of the piece's lowest point, metres
   };
 
   int column(float x) const;

@@ -14,7 +14,7 @@ struct Ball {
   float radius;
 };
 
-/// Calls `visit` with the pieces of a shape, each as balls whose convex hull bounds it. A round
+/// Calls `visit` with each piece of a shape, as balls whose convex hull bounds the piece. A round
 /// cone becomes a chain of pieces about as long as they are thick, whose boxes are tighter than one
 /// box around the whole. A moving shape is bounded by the hull of its two positions.
 template <class Visit>

@@ -9,7 +9,7 @@
 
 namespace mien::render {
 
-/// Which triangle of which mesh.
+/// The mesh, and the triangle within it, that a traced triangle comes from (indices).
 struct TriangleSource {
   int mesh;
   int triangle;
@@ -18,16 +18,16 @@ struct TriangleSource {
 /// Solids prepared for tracing. Shapes are numbered: first the round cones, then the triangles of
 /// all meshes.
 ///
-/// With motion blur every shape has a second position, when the shutter closes, and moves there in
-/// a straight line; otherwise the closing lists are empty.
+/// With motion blur every shape has a second position, at shutter close, and moves to it in a
+/// straight line; otherwise the closing lists are empty.
 struct Shapes {
   std::vector<PreparedCone> cones;
   std::vector<PreparedCone> closing_cones;
   std::vector<Triangle> triangles;
   std::vector<Triangle> closing_triangles;
-  std::vector<TriangleSource> sources;  ///< of the triangles
-  std::vector<std::uint8_t> figures;    ///< one a shape: index into Scene::figures
-  bool all_present = true;              ///< no figure's opacity is below 1
+  std::vector<TriangleSource> sources;  ///< of each triangle
+  std::vector<std::uint8_t> figures;    ///< per shape: index into Scene::figures
+  bool all_present = true;              ///< whether no figure has an opacity below 1
 
   bool empty() const { return cones.empty() && triangles.empty(); }
   bool move() const { return !closing_cones.empty() || !closing_triangles.empty(); }
@@ -42,8 +42,9 @@ Shapes figure_shapes(const Scene& scene);
 /// The shapes of the static solids of a scene, which are always fully opaque.
 Shapes static_shapes(const Scene& scene);
 
-/// The shapes of the figures as they move from one scene, when the shutter opens, to the other,
-/// when it closes. Throws std::invalid_argument unless both hold the same shapes in the same order.
+/// The shapes of the figures as they move from `opening`, the scene at shutter open, to `closing`,
+/// the scene at shutter close. Throws std::invalid_argument unless both hold the same shapes in the
+/// same order.
 Shapes shapes_between(const Scene& opening, const Scene& closing);
 
 }  // namespace mien::render

@@ -11,12 +11,13 @@ struct Triangle {
   Vec3 c;
 };
 
-/// Where each of `count` ≤ max_lanes lines crosses a triangle, as distances along the ray; infinity
-/// when it misses. The same bits on every machine.
+/// Writes the distance along each of `count` ≤ max_lanes rays at which its line crosses the
+/// triangle; infinity when it misses. Results are bit-identical on every machine.
 ///
-/// A line is on the inner side of an edge by the sign of a product that only the edge and the line
-/// go into, and that turns round exactly when the edge does: of two triangles that share an edge, a
-/// line through it meets at least one (Plücker coordinates; Shoemake 1998).
+/// The test is watertight: the sign of a product of the line and an edge alone decides on which
+/// side of the edge the line passes, and this sign changes exactly when the edge is reversed. A
+/// line through an edge that two triangles share thus hits at least one of them (Plücker
+/// coordinates; Shoemake 1998).
 void intersect_triangle(const Triangle& triangle, const RayLanes& rays, unsigned count,
                         float* distance);
 

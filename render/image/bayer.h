@@ -2,7 +2,7 @@
 
 namespace mien::render {
 
-/// Recursive ordered dither (Bayer 1973) of 8 × 8 pixels: 0 … 63.
+/// The entry, 0 … 63, of the 8 × 8 ordered-dither matrix (Bayer 1973) for a pixel.
 constexpr int bayer(int x, int y) {
   int rank = 0;
   for (int bit = 0; bit < 3; ++bit) {

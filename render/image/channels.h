@@ -6,16 +6,17 @@
 
 namespace mien::render {
 
-/// A picture of any named channels.
+/// A picture with arbitrary named channels.
 struct Channels {
   int width = 0;
   int height = 0;
   std::vector<std::string> names;
-  std::vector<float> values;  ///< one a name and pixel; rows from top to bottom
+  std::vector<float> values;  ///< one per name for each pixel; rows from top to bottom
 };
 
-/// The first part of any file that OpenImageIO reads: whole numbers as shares of full scale,
-/// channels in the library's order. Throws Error when it is no picture or is cut short.
+/// Reads the first part of a file of any format that OpenImageIO supports: integers as fractions of
+/// full scale, channels in the library's order. Throws Error when the file is not a picture or is
+/// truncated.
 Channels read_channels(const std::filesystem::path& path);
 
 }  // namespace mien::render

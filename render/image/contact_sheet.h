@@ -8,8 +8,8 @@
 
 namespace mien::render {
 
-/// `count` frame indices spread evenly over 0 … frame_count − 1, both ends included; fewer when
-/// there are fewer frames; the middle one when `count` is 1.
+/// Returns `count` frame indices spread evenly over 0 … frame_count − 1, both ends included; fewer
+/// when there are fewer frames; the middle one when `count` is 1.
 std::vector<int> evenly_spread(int frame_count, int count);
 
 struct ContactSheet {
@@ -18,8 +18,8 @@ struct ContactSheet {
   std::uint8_t background[3] = {255, 255, 255};
 };
 
-/// The pictures, all of one size, row by row from the top left. Scale them down first (resize.h).
-/// Throws std::invalid_argument when there are none or sizes differ.
+/// Arranges pictures of the same size row by row from the top left; scale them down first
+/// (resize.h). Throws std::invalid_argument when there are none or sizes differ.
 Image8 contact_sheet(std::span<const Image8> pictures, const ContactSheet& layout = {});
 
 }  // namespace mien::render

@@ -9,7 +9,7 @@ namespace mien::render {
 /// above 1 are allowed).
 using Framebuffer = Image<float>;
 
-/// Crops a list with `stride` values a pixel, of a picture `width` pixels wide, to a window.
+/// Crops a list with `stride` values per pixel, of a picture `width` pixels wide, to a window.
 template <class Value>
 std::vector<Value> crop(const std::vector<Value>& values, int width, const Window& window,
                         std::size_t stride = 1) {
@@ -38,7 +38,7 @@ inline Framebuffer crop(const Framebuffer& framebuffer, const Window& window) {
 /// A framebuffer with an alpha channel.
 struct RenderTarget {
   Framebuffer color;         ///< multiplied by alpha (associated)
-  std::vector<float> alpha;  ///< 0 … 1, one a pixel; empty where the background shows
+  std::vector<float> alpha;  ///< 0 … 1, one per pixel; empty if the background is shown
 };
 
 }  // namespace mien::render

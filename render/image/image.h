@@ -6,7 +6,7 @@
 
 namespace mien::render {
 
-/// An RGB picture: rows from top to bottom, three channels a pixel, no padding.
+/// An RGB picture: rows from top to bottom, three channels per pixel, no padding.
 template <class Channel>
 struct Image {
   int width = 0;

@@ -8,23 +8,23 @@
 
 namespace mien::render {
 
-/// A named thing that covers a share of a pixel.
+/// A named object that covers a fraction of a pixel.
 struct Coverage {
-  std::uint32_t id = 0;  ///< of its name, see layer_id; 0: nothing
+  std::uint32_t id = 0;  ///< layer_id of its name; 0: none
   float share = 0.0f;
 };
 
 inline constexpr std::size_t covered_ranks = 6;
 
-/// What covers each pixel, by falling share.
+/// The objects that cover each pixel, by descending share.
 struct CoverageLayer {
-  std::vector<std::string> names;  ///< all that the scene holds, in its order
-  std::vector<Coverage> ranks;     ///< covered_ranks a pixel
+  std::vector<std::string> names;  ///< of all objects, in the scene's order
+  std::vector<Coverage> ranks;     ///< covered_ranks per pixel
 };
 
-/// A picture with its arbitrary output variables (AOVs). Means over a pixel's samples, under the
-/// same filter as the picture: albedo, normal, ids. Taken from the ray through the pixel's centre,
-/// because a mean would be meaningless: depth, position, motion. The backdrop has albedo 0, normal
+/// A picture with its arbitrary output variables (AOVs). Albedo, normal and ids are means over a
+/// pixel's samples, filtered like the picture. Depth, position and motion, whose means would be
+/// meaningless, are those of the ray through the pixel's centre. The backdrop has albedo 0, normal
 /// 0, position 0 and an infinite depth.
 struct Layers {
   Framebuffer beauty;
@@ -32,18 +32,18 @@ struct Layers {
   Framebuffer normal;           ///< world space, on the side that is seen
   Framebuffer position;         ///< world space, metres
   std::vector<float> depth;     ///< along the optical axis, metres
-  std::vector<float> motion;    ///< two a pixel: to where it is in the next picture, pixels
-  std::vector<float> samples;   ///< primary rays that were traced; 0: known in closed form
-  std::vector<float> variance;  ///< of the pixel's luminance between noise patterns
+  std::vector<float> motion;    ///< two per pixel: displacement to the next picture, pixels
+  std::vector<float> samples;   ///< number of primary rays; 0: known in closed form
+  std::vector<float> variance;  ///< of the pixel's luminance over noise patterns
   CoverageLayer figures;
   CoverageLayer parts;  ///< "figure/part"
 };
 
-/// Crops all layers of the size of `layers.albedo` to a window.
+/// Crops to a window all layers that have the size of `layers.albedo`.
 Layers crop(Layers layers, const Window& window);
 
-/// The id that Cryptomatte gives a name: MurmurHash3 (32 bits, seed 0), with the exponent kept off
-/// the values that are no finite number (Friedman & Jones 2015).
+/// Returns the Cryptomatte id of a name: MurmurHash3 (32 bits, seed 0), with the lowest exponent
+/// bit flipped where the bits would be a denormal, infinite or NaN float (Friedman & Jones 2015).
 std::uint32_t layer_id(const std::string& name);
 
 }  // namespace mien::render

@@ -17,14 +17,15 @@ struct Luminance {
   double rms_contrast() const { return mean > 0.0 ? deviation / mean : 0.0; }
 };
 
-/// Luminance of linear light with Rec.709 primaries, by the weights of BT.709.
+/// Returns the relative luminance of a linear colour with Rec.709 primaries, weighted by BT.709.
 float relative_luminance(const Color& light);
 
-/// Mean and deviation of a picture. Summed in whole numbers (steps of 2⁻²⁰), so the result is the
-/// same on every machine.
+/// Returns the mean and deviation of a picture. Sums are integers (steps of 2⁻²⁰), so the result is
+/// the same on every machine.
 Luminance luminance_of(const Image8& picture);
 
-/// Mean luminance of the framebuffer as a display shows it with this tone, not rounded to codes.
+/// Mean luminance of the framebuffer as a display shows it with this tone curve, without rounding
+/// to code values.
 double mean_luminance(const Framebuffer& framebuffer, const Tone& tone);
 
 /// Luminance of the frames of a clip.
@@ -32,8 +33,8 @@ struct ClipLuminance {
   int frames = 0;
   double mean = 0.0;          ///< of the frames' means
   double deviation = 0.0;     ///< mean of the frames' deviations
-  double rms_contrast = 0.0;  ///< mean of the frames'
-  double darkest = 0.0;       ///< least mean of a frame
+  double rms_contrast = 0.0;  ///< mean of the frames' RMS contrasts
+  double darkest = 0.0;       ///< smallest mean of a frame
   double lightest = 0.0;      ///< largest mean of a frame
 
   void add(const Luminance& frame);

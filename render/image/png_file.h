@@ -6,21 +6,21 @@
 
 namespace mien::render {
 
-// Opaque PNG by libpng itself, which is loaded anyway: OpenImageIO brings 100 MB of libraries into
-// memory, and a study's frames are the only pictures that most runs read and write.
+// Reading and writing of opaque PNG files by libpng, which is loaded in any case. OpenImageIO would
+// load 100 MB of libraries, although most runs read and write no pictures but a study's frames.
 
-/// Three channels of 8 or 16 bits as they lie in memory, row by row.
+/// Interleaved RGB pixels of 8 or 16 bits per channel, row by row, in native byte order.
 struct PngPixels {
   int width = 0;
   int height = 0;
-  int bits = 8;  ///< a channel
+  int bits = 8;  ///< per channel
   const void* values = nullptr;
 };
 
 /// Writes exactly the bytes that OpenImageIO 2.4 writes for the same pixels. Throws Error.
 void write_png_file(const std::filesystem::path& path, const PngPixels& pixels);
 
-/// A PNG of which the head has been read.
+/// An open PNG file whose header has been read.
 class PngFile {
  public:
   /// Throws Error when it is not a PNG.
@@ -32,9 +32,10 @@ class PngFile {
   int width() const;
   int height() const;
   int channels() const;
-  int bits() const;  ///< a channel
+  int bits() const;  ///< per channel
 
-  /// Reads all rows into memory for them, once. Throws Error: cut short, damaged.
+  /// Reads all rows into `values`, which has room for them; may be called once. Throws Error when
+  /// the file is truncated or damaged.
   void read(void* values);
 
  private:
@@ -42,7 +43,7 @@ class PngFile {
   std::unique_ptr<State> state_;
 };
 
-/// For the provenance: "1.6.39".
+/// Version of libpng, for provenance records: "1.6.39".
 std::string png_library();
 
 }  // namespace mien::render

@@ -10,41 +10,42 @@
 
 namespace mien::render {
 
-// The files of pictures, as the library reads and writes them. It and what it needs take a third of
-// a second to load: they lie in a part of the program that is loaded when the first picture is read
-// or written. These types are all that both sides know.
+// Reading and writing of picture files by OpenImageIO. The library and its dependencies take a
+// third of a second to load, so they are linked to a plug-in that is loaded when the first picture
+// is read or written. The types below are the whole interface between the program and the plug-in.
 
-/// What a channel's value is.
+/// The numeric type of a channel's values.
 enum class ChannelKind {
   byte,    ///< 0 … 255
   word,    ///< 0 … 65,535
-  half,    ///< 16 bits, floating
-  single,  ///< 32 bits, floating
+  half,    ///< 16-bit floating point
+  single,  ///< 32-bit floating point
   other
 };
 
-/// What a file says of one of its pictures.
+/// The properties of one of a file's pictures, as stated in the file.
 struct ImageLayout {
   int width = 0;
   int height = 0;
   std::vector<std::string> channels;  ///< names, in the order of the values
   ChannelKind stored = ChannelKind::other;
-  int bits = 0;             ///< a channel, as stored
+  int bits = 0;             ///< per channel, as stored
   std::string format;       ///< "png", "openexr", …
   std::string color_space;  ///< "sRGB", "Linear"; empty if not stated
 };
 
-/// A file that is open for reading, at one of its pictures: at first, the first.
+/// A file open for reading, with one of its pictures selected, initially the first.
 class ImageFile {
  public:
   virtual ~ImageFile() = default;
   virtual const ImageLayout& layout() const = 0;
 
-  /// Goes to a picture, counted from 0. False when there is none; `error` says why.
+  /// Selects a picture by its index, from 0. Returns false, with the reason in `error`, when there
+  /// is none.
   virtual bool select(int picture) = 0;
 
-  /// All values, rows from top to bottom; whole numbers become shares of full scale when something
-  /// floating is wanted. False when the file is broken.
+  /// Reads all values, in rows from top to bottom; integers become fractions of full scale if
+  /// `wanted` is a floating-point type. Returns false when the file is damaged.
   virtual bool read(ChannelKind wanted, void* values) = 0;
 
   virtual std::string error() const = 0;
@@ -62,7 +63,7 @@ struct ImagePart {
   const void* values = nullptr;
 };
 
-/// Values of a picture of three channels.
+/// The values of a picture with three channels.
 struct ImageValues {
   int width = 0;
   int height = 0;
@@ -70,30 +71,30 @@ struct ImageValues {
   const void* values = nullptr;
 };
 
-/// What the library finds to differ between two pictures; of whole numbers as shares of full scale.
+/// The library's comparison of two pictures; differences of integers are fractions of full scale.
 struct ImageComparison {
   double mean = 0.0;
   double rms = 0.0;
   double psnr_db = 0.0;
   double largest = 0.0;
-  int x = 0, y = 0, channel = 0;  ///< where
+  int x = 0, y = 0, channel = 0;  ///< position of the largest difference
   std::int64_t failing = 0;       ///< pixels above the threshold
 };
 
-/// The library. For several threads.
+/// The functions of the library. Thread-safe.
 class ImageFiles {
  public:
   virtual ~ImageFiles() = default;
 
-  /// Opens a picture file; null, with the reason in `error`, when that fails.
+  /// Opens a picture file. Returns null, with the reason in `error`, on failure.
   virtual std::unique_ptr<ImageFile> open(const std::string& path, std::string& error) const = 0;
 
-  /// Opens a picture file in memory, whose bytes outlive the result; the extension of `name`
+  /// Opens a picture file in memory, whose bytes must outlive the result; the extension of `name`
   /// selects the format.
   virtual std::unique_ptr<ImageFile> open(std::span<const unsigned char> bytes,
                                           const std::string& name, std::string& error) const = 0;
 
-  /// Writes a file of these pictures; false, with the reason in `error`, when that fails.
+  /// Writes a file of these pictures. Returns false, with the reason in `error`, on failure.
   virtual bool write(const std::string& path, const std::vector<ImagePart>& parts,
                      std::string& error) const = 0;
 
@@ -107,10 +108,11 @@ class ImageFiles {
   virtual std::string version() const = 0;  ///< "2.4.7"
 };
 
-/// The library, loaded when this is first called. Throws Error when it is not there.
+/// Returns the library, which is loaded on the first call. Throws Error when the plug-in cannot be
+/// loaded.
 const ImageFiles& image_files();
 
-/// The library's version, from its file's name without loading it where possible.
+/// Returns the library's version, from its file name and without loading it if possible.
 std::string image_files_version();
 
 /// Version of the types above (load_part.h).

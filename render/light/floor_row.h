@@ -11,15 +11,16 @@ struct FloorPlace {
   float z;
 };
 
-/// The points of the floor at the centres of a row of pixels, where they show it: a straight line.
-/// With u pixels right of the optical axis it is seen s = height / (drop + u·drop_step) times what
-/// it is at distance 1 from the camera.
+/// The points of the floor seen at the centres of a row of pixels; they lie on a straight line. The
+/// pixel u columns to the right of the optical axis shows the point (x, z) + s · (from + u · step),
+/// where from + u · step is the offset at distance 1 from the camera and s = height / (drop + u ·
+/// drop_step).
 struct FloorRow {
-  float x = 0.0f;  ///< below the camera, or wherever a parallel camera's are counted from
+  float x = 0.0f;  ///< below the camera; 0 for an orthographic camera
   float z = 0.0f;
-  float from_x = 0.0f;  ///< from there, at distance 1 and u = 0
+  float from_x = 0.0f;  ///< offset from (x, z) at distance 1 and u = 0
   float from_z = 0.0f;
-  float step_x = 0.0f;  ///< a pixel further right
+  float step_x = 0.0f;  ///< change of this offset per pixel to the right
   float step_z = 0.0f;
   float height = 1.0f;
   float drop = 1.0f;
@@ -43,7 +44,7 @@ struct FloorRow {
       drop_step = -right.y();
       return;
     }
-    // All its rays lean alike; one that looks up or along the floor does not show it.
+    // All rays are parallel; a camera that looks up or along the floor does not show it.
     const Vec3& forward = camera.forward;
     const float lean_x = forward.y() < 0.0f ? forward.x() / forward.y() : 0.0f;
     const float lean_z = forward.y() < 0.0f ? forward.z() / forward.y() : 0.0f;
@@ -54,16 +55,16 @@ struct FloorRow {
     step_z = right.z() - right.y() * lean_z;
   }
 
-  /// The floor at the centre of the pixel in that column; meaningless where the pixel does not show
-  /// the floor.
+  /// Returns the point of the floor at the centre of the pixel in this column; meaningless where
+  /// the pixel does not show the floor.
   FloorPlace at(int column) const {
     const float u = static_cast<float>(column) + 0.5f - centre;
     const float s = height / (drop + u * drop_step);
     return {x + s * (from_x + u * step_x), z + s * (from_z + u * step_z)};
   }
 
-  /// Whether pixels follow each other on the floor in the order of their columns, in x as well as
-  /// in z, whatever rounding does. Where the horizon is aslant it may exchange two.
+  /// Returns whether the floor points are monotonic in x and in z along the row despite rounding.
+  /// If the horizon is tilted, rounding may swap two neighbours.
   bool is_in_order() const { return drop_step == 0.0f; }
 };
 

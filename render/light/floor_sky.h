@@ -16,39 +16,40 @@ namespace mien::render {
 /// Occlusion of the sky by a figure, as seen from the floor: an irradiance cache on an adaptive
 /// grid. Occlusion is sampled with many rays at the corners of square cells and interpolated
 /// bilinearly in between. Cells are small enough for an interpolation error of at most
-/// `Quality::floor_sky_tolerance` of the sky's light. Where that would take cells smaller than
-/// `Quality::floor_sky_cell`, as under the feet, the error may be larger with
-/// `Quality::floor_sky_smooth`; without, the cell is not known and each pixel casts its own rays.
-/// Farther than 32 m from the figure there is no occlusion.
+/// `Quality::floor_sky_tolerance` of the sky's light. Where that would require cells smaller than
+/// `Quality::floor_sky_cell`, such as under the feet, the error may be larger with
+/// `Quality::floor_sky_smooth`; without it the cell is unknown and each pixel casts its own rays.
+/// Occlusion is neglected outside a square of 128 m, which extends at least 32 m from the figure's
+/// centre on each side.
 ///
-/// Corners lie at the same places of the floor for every picture, and so do their rays' directions.
+/// Corners have the same positions on the floor and use the same random numbers in every picture.
 class FloorSky {
  public:
   /// A square of the floor.
   struct Cell {
     float x = 0.0f;
     float z = 0.0f;
-    float inverse_side = 0.0f;  ///< 0: nothing is hidden
+    float inverse_side = 0.0f;  ///< 1/metres; 0: nothing is occluded
     bool known = true;
-    int corners[4] = {0, 0, 0, 0};     ///< (0, 0), (1, 0), (0, 1), (1, 1)
-    Color at_corner = Color::Zero();   ///< (0, 0), and how much more towards
-    Color along_x = Color::Zero();     ///< (1, 0),
-    Color along_z = Color::Zero();     ///< (0, 1)
-    Color along_both = Color::Zero();  ///< and beyond both at (1, 1)
+    int corners[4] = {0, 0, 0, 0};     ///< indices, at (0, 0), (1, 0), (0, 1), (1, 1)
+    Color at_corner = Color::Zero();   ///< occluded light at (0, 0)
+    Color along_x = Color::Zero();     ///< its increase towards (1, 0)
+    Color along_z = Color::Zero();     ///< its increase towards (0, 1)
+    Color along_both = Color::Zero();  ///< the bilinear term
 
     bool holds(float px, float pz) const {
       const float u = (px - x) * inverse_side, v = (pz - z) * inverse_side;
       return inverse_side > 0.0f && u >= 0.0f && u < 1.0f && v >= 0.0f && v < 1.0f;
     }
 
-    /// Hidden light (irradiance over π) at a point of the cell, if it is known.
+    /// Returns the occluded light (irradiance over π) at a point of a known cell.
     Color hidden(float px, float pz) const {
       const float u = (px - x) * inverse_side, v = (pz - z) * inverse_side;
       return at_corner + u * along_x + v * (along_z + u * along_both);
     }
   };
 
-  /// Without `shapes` nothing is occluded. Outside of `view` nothing is known.
+  /// If `shapes` is empty, nothing is occluded. Cells outside `view` are unknown.
   FloorSky(const Shapes& shapes, const BoundingSphere& bounds, const Quality& quality,
            const std::array<HalfSpace, 4>& view);
 
@@ -62,7 +63,7 @@ class FloorSky {
   /// Computes the cells; call it after all corners have been sampled.
   void finish(const Sky& sky);
 
-  /// The cell that a point of the floor lies in.
+  /// Returns the cell that contains a point of the floor.
   const Cell& cell_at(float x, float z) const;
 
  private:
@@ -73,11 +74,11 @@ class FloorSky {
   struct Corner {
     float x;
     float z;
-    float even = 0.0f;    // hidden of a sky of radiance 1: irradiance over π
-    float rising = 0.0f;  // and of one whose radiance is the sine of the elevation
+    float even = 0.0f;    // occluded irradiance over π of a sky of radiance 1
+    float rising = 0.0f;  // the same for a sky whose radiance is the sine of the elevation
   };
   struct Square {
-    int x;  // in units
+    int x;  // in units of 1/64 m
     int z;
     int side;
   };
@@ -93,7 +94,7 @@ class FloorSky {
   std::vector<BoundingSphere> spheres_;
   Quality quality_;
   std::array<HalfSpace, 4> view_;
-  int origin_x_ = 0;  // of the root, in units
+  int origin_x_ = 0;  // of the root, in units of 1/64 m
   int origin_z_ = 0;
   std::vector<Branch> branches_;
   std::vector<Cell> cells_;

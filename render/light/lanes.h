@@ -8,9 +8,9 @@
 
 namespace mien::render {
 
-// The arithmetic of eight samples side by side, as arrays of eight: what sampler.h, directions.h,
-// light.h and camera.h do for one. Lanes that are not wanted may hold anything finite. The same
-// bits on every machine, and the same as one by one up to rounding.
+// Arithmetic on eight samples at a time, as arrays of eight: the counterparts of the scalar
+// functions of sampler.h, directions.h, light.h and camera.h. Unused lanes may hold any finite
+// values. Results are bit-identical on every machine and equal the scalar ones up to rounding.
 
 inline constexpr unsigned lanes = 8;
 
@@ -46,7 +46,7 @@ struct LanePoints {
   LaneFloats v;
 };
 
-/// `sample_point` (sampler.h) of eight indices and seeds.
+/// `sample_point` (sampler.h) for eight indices and seeds.
 LanePoints sample_points(const LaneWords& index, const LaneWords& seed);
 
 /// Camera rays through eight points of the image plane (the filter's offset already added), of a
@@ -77,7 +77,7 @@ class FloorLight {
 
   int count() const { return count_; }
   const Vec3& corner(int i) const { return corners_[i]; }
-  const Vec3& front() const { return front_; }  ///< towards where it shines
+  const Vec3& front() const { return front_; }  ///< normal, in the direction in which it shines
   const Vec3& centre() const { return centre_; }
 
  private:

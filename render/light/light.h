@@ -9,15 +9,15 @@ namespace mien::render {
 struct LightSample {
   Vec3 towards;         ///< unit
   float distance;       ///< metres
-  Color perpendicular;  ///< irradiance that it represents on a surface that faces it; black: the
-                        ///< light is not visible
+  Color perpendicular;  ///< irradiance that it represents on a surface facing it; black: the light
+                        ///< is not visible
 };
 
 /// Samples the light uniformly by area: E[perpendicular · cos θ] is the irradiance.
 LightSample sample(const AreaLight& light, const Vec3& point, Point2 u);
 
-/// Irradiance from the whole, unoccluded light at a point with that unit normal: Lambert's
-/// formula for polygons, the part below the surface's horizon cut off.
+/// Irradiance from the whole, unoccluded light at a point with this unit normal: Lambert's formula
+/// for polygons, clipped at the surface's horizon.
 Color irradiance(const AreaLight& light, const Vec3& point, const Vec3& normal);
 
 }  // namespace mien::render

@@ -9,18 +9,18 @@
 
 namespace mien::render {
 
-// Soft shadows by line sampling (Billen & Dutré 2016) instead of shadow rays: which part of a line
-// across a light a round cone hides is known in closed form, and so is the light of the rest. Only
-// the position of the line on the light is random.
+// Soft shadows by line sampling (Billen & Dutré 2016) instead of shadow rays: the part of a line
+// across a light that a round cone occludes is known in closed form, and so is the light from the
+// rest of the line. Only the position of the line on the light is random.
 
-/// Lines across a light, one a lane, each seen from its own point of the floor (y = 0).
+/// Lines across a light, one per lane, each seen from its own point of the floor (y = 0).
 struct LightLines {
   LaneVectors start;           ///< from the point to the line's start
-  Vec3 along = Vec3::Zero();   ///< from there to its end
-  Vec3 normal = Vec3::Zero();  ///< towards where it shines; its length is the light's area
+  Vec3 along = Vec3::Zero();   ///< from the line's start to its end
+  Vec3 normal = Vec3::Zero();  ///< of the light, where it shines; its length is the area, m²
 
-  /// Unit normals of the sides of what the point and the line span, a flat triangle: of its plane,
-  /// and inwards of the sides to the line's start and to its end.
+  /// Unit normals of the triangle that the point and the line span: of its plane, and, pointing
+  /// inwards, of its sides from the point to the line's start and end.
   LaneVectors plane;
   LaneVectors start_side;
   LaneVectors end_side;
@@ -30,7 +30,8 @@ struct LightLines {
 /// plane, and all of the light lies above the floor. Solids behind the light hide nothing.
 bool has_line_shadows(const AreaLight& light, std::span<const PreparedCone> solids);
 
-/// Lines along `half_u` whose places along `half_v` are the random numbers `v`.
+/// Returns lines along `half_u` at positions along `half_v` given by the random numbers `v` in [0,
+/// 1).
 LightLines lines_across(const AreaLight& light, const LaneVectors& points, const LaneFloats& v);
 
 /// An interval of a line, as fractions from start to end in [0, 1].
@@ -45,19 +46,22 @@ struct LineIntervals {
   LaneFloats last;
 };
 
-/// The interval of each line that a solid hides. From a point inside the solid all is hidden.
+/// Returns the interval of each line that a solid occludes; seen from inside the solid, the whole
+/// line.
 ///
-/// Seen from a point the solid is convex: its outline are two circles' arcs and the two tangent
-/// planes that both spheres share, so the hidden part lies between the extreme crossings of these.
-/// Returns nothing when it hides nothing of any line, which is quickly decided for most solids.
+/// The solid is convex, so its silhouette from a point consists of arcs of two circles and of the
+/// two planes tangent to both spheres, and the occluded part lies between the outermost
+/// intersections with these. Returns nothing when no line is occluded, which is quickly decided for
+/// most solids.
 std::optional<LineIntervals> hidden_part(const PreparedCone& solid, const LaneVectors& points,
                                          const LightLines& lines);
 
-/// Irradiance over π on the floor from an interval of a lane's line, as an estimator for the whole
-/// light (of radiance 1): E[irradiance_of({0, 1})] over `v` is that of the light.
+/// Returns the irradiance over π on the floor from an interval of a lane's line, as an estimator
+/// for a light of radiance 1: the expectation of irradiance_of({0, 1}) over `v` is the irradiance
+/// over π of the whole light.
 float irradiance_of(const LightLines& lines, int lane, LineInterval part);
 
-/// As `irradiance_of`, for the union of some intervals, which are sorted.
+/// As `irradiance_of`, for the union of several intervals; sorts `parts`.
 float irradiance_of_union(const LightLines& lines, int lane, std::vector<LineInterval>& parts);
 
 }  // namespace mien::render

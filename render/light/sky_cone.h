@@ -8,32 +8,33 @@
 
 namespace mien::render {
 
-// Sampling of the sky's occlusion by a figure.
+// Sampling of a figure's occlusion of the sky.
 
-/// The directions from a point that may meet the figure, where they are few.
+/// A cone of directions from a point that contains the whole figure.
 struct Cone {
   Vec3 axis;     ///< unit
-  float cosine;  ///< of its half angle
+  float cosine;  ///< of the half angle
 
   float solid_angle() const;
 };
 
-/// Upper bound of the squared sine of the half angle of a Cone.
+/// Squared sine of the half angle, about 51°, from which on no Cone is used.
 inline constexpr float greatest_cone_sine_squared = 0.6f;
 
-/// The cone around a bounding sphere; nothing when that fills half of the point's hemisphere or
-/// more.
+/// Returns the cone around a bounding sphere; nothing if the squared sine of its half angle is
+/// greatest_cone_sine_squared or more, which includes points inside the sphere.
 std::optional<Cone> cone_of(const BoundingSphere& bounds, const Vec3& point);
 
-/// How many of a pixel's samples, the first ones, cast a ray at the sky, and how many samples each
-/// represents.
+/// The number of a pixel's samples, the first ones, that cast a sky ray, and the number of samples
+/// that each ray represents.
 struct SkyRays {
   int rays = 0;
   float samples = 0.0f;
 };
 
-/// Rays for a pixel of `samples` that shows a surface at `point`, in proportion to the solid angle
-/// of the figure; an expectation below one ray is met by Russian roulette.
+/// Returns the sky rays of a pixel of `samples` samples that shows a surface at `point`; their
+/// number grows with the solid angle of the figure. An expected number below one is realised by
+/// Russian roulette.
 SkyRays sky_rays_of(const BoundingSphere& bounds, const Vec3& point, const Vec3& normal,
                     int samples, const PixelSampler& sampler);
 

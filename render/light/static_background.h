@@ -13,17 +13,17 @@
 
 namespace mien::render {
 
-/// The background of all pictures of one set and camera, without figures: its radiance and what
-/// shadows and primary rays need to know of it. Rendered once.
+/// The background of all pictures of one set and camera, without figures: its radiance, and the
+/// properties that shadows and primary rays depend on. Rendered once.
 struct StaticBackground {
   Framebuffer radiance;
   std::vector<std::uint8_t> floor;  ///< 1 where a pixel's centre shows the floor
   std::vector<std::uint8_t> solid;  ///< 1 where a static solid may show; empty: none
-  CameraFrame camera;               ///< projects the floor (FloorRow)
+  CameraFrame camera;               ///< locates pixels on the floor (FloorRow)
 
-  /// The floor's albedo, multiplied by the share that has not faded. A row of uniform colour has it
-  /// in `uniform_albedo` alone, which is faster to read.
-  std::vector<std::optional<Color>> uniform_albedo;  ///< one a row
+  /// The floor's albedo, multiplied by the share that has not faded. For rows of uniform albedo it
+  /// is stored in `uniform_albedo` only, which is faster to read.
+  std::vector<std::optional<Color>> uniform_albedo;  ///< one per row
   Framebuffer albedo;                                ///< of the other rows
 
   bool shows_floor(int x, int y) const { return floor[place_of(x, y)] != 0; }
@@ -36,26 +36,26 @@ struct StaticBackground {
     return even ? *even : Color(Eigen::Map<const Color>(albedo.at(x, y)));
   }
 
-  /// Index of a pixel in the lists.
+  /// Returns the index of a pixel in the lists.
   std::size_t place_of(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(radiance.width) +
            static_cast<std::size_t>(x);
   }
 };
 
-/// All numbers that a static background depends on, for comparison.
+/// Returns all numbers that a static background depends on, for comparison.
 std::vector<float> static_background_key(const Scene& scene, const Camera& camera,
                                          const Quality& quality);
 
-/// A hash of that key as a name, 32 hexadecimal digits (128 bits).
+/// Returns a name derived from such a key: its hash in 32 hexadecimal digits (128 bits).
 std::string static_background_name(const std::vector<float>& key);
 
-/// Renders the floor and backdrop of a row at the centres of the pixels (UnshadowedRow): all there
-/// is of a background without solids.
+/// Renders the floor and backdrop of a row at the centres of the pixels (UnshadowedRow): the whole
+/// background if there are no static solids.
 void render_unshadowed_row(const UnshadowedBackground& open, int y, StaticBackground& background);
 
-/// A background of that size without solids, whose rows are still to be rendered; it takes over the
-/// memory of `used`.
+/// Returns a background of this size without solids, whose rows are still to be rendered; it reuses
+/// the memory of `used`.
 StaticBackground blank_background(int width, int height, const CameraFrame& camera,
                                   StaticBackground used = {});
 

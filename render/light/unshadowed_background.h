@@ -9,7 +9,7 @@
 
 namespace mien::render {
 
-/// Eight colours, one a lane.
+/// Eight colours, one per lane.
 struct LaneColors {
   LaneFloats red;
   LaneFloats green;
@@ -21,12 +21,12 @@ struct LaneBackgroundPixels {
   LaneColors radiance;
   LaneColors visible_albedo;
   LaneVectors point;   ///< of the floor
-  LaneFloats share;    ///< of the floor, which the rest has faded from; 0: it is not shown
-  bool plain = false;  ///< all show floor without lines, of which nothing has faded
+  LaneFloats share;    ///< of the floor that has not faded; 0: no floor is shown
+  bool plain = false;  ///< whether all pixels show unfaded floor without grid lines
 };
 
 /// The background of a scene through one camera, without solids and their shadows: backdrop and
-/// floor, in closed form. The scene outlives it.
+/// floor, in closed form. The scene must outlive it.
 class UnshadowedBackground {
  public:
   UnshadowedBackground(const Scene& scene, const CameraFrame& camera);
@@ -40,15 +40,16 @@ class UnshadowedBackground {
 };
 
 /// A row of an UnshadowedBackground, eight pixels at a time. A light's irradiance is interpolated
-/// between every eighth pixel by cubic polynomials where that is exact to 0.00002 of it (by the
-/// fourth derivative of a point light's irradiance; larger lights vary less): before an upright
-/// perspective camera, in rows without fading, where eight pixels are less than a twentieth of the
-/// light's height apart on the floor.
+/// between every eighth pixel by cubic polynomials where the relative error is at most 0.00002 (by
+/// the fourth derivative of a point light's irradiance; that of larger lights varies less): before
+/// an upright perspective camera, in rows without fading, where eight pixels are less than a
+/// twentieth of the light's height apart on the floor.
 class UnshadowedRow {
  public:
   UnshadowedRow(const UnshadowedBackground& set, int y, int width);
 
-  /// Through the middles of the pixels x … x + 7 of the row; x is a multiple of eight.
+  /// Returns the background at the centres of the pixels x … x + 7 of the row; x is a multiple of
+  /// eight.
   LaneBackgroundPixels pixels(int x) const;
 
  private:
@@ -56,10 +57,10 @@ class UnshadowedRow {
 
   const UnshadowedBackground& set_;
   FloorRow row_;
-  float down_;                             // from the optical axis, pixels
-  bool is_unfaded_;                        // all pixels show floor of which nothing has faded
-  std::vector<std::vector<float>> nodes_;  // of each light: what it gives pixels −8, 0, 8 …; none
-                                           // where it is not interpolated
+  float down_;       // from the optical axis, pixels
+  bool is_unfaded_;  // whether all pixels show unfaded floor
+  // Per light: irradiance at pixels −8, 0, 8, …, if interpolated.
+  std::vector<std::vector<float>> nodes_;
 };
 
 }  // namespace mien::render

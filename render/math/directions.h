@@ -5,14 +5,14 @@
 
 namespace mien::render {
 
-// Everything here is arithmetic and square roots, no libm, so that it gives the same bits on every
-// machine.
+// These functions use only arithmetic and square roots, no libm, so that results are bit-identical
+// on every machine.
 
-/// Arc sine on 0 … 1, to 1e-7.
+/// Arc sine for 0 … 1, radians, to 1e-7.
 float arc_sine(float x);
 
-/// A point of the unit disc, evenly: squares become rings, so that strata stay compact (Shirley &
-/// Chiu 1997).
+/// A point of the unit disc, uniformly distributed by the concentric mapping (Shirley & Chiu 1997),
+/// which maps squares to rings and keeps strata compact.
 struct DiscPoint {
   float x;
   float y;
@@ -30,7 +30,8 @@ Tangents tangents(const Vec3& normal);
 /// Unit direction about `normal` with density cos θ / π.
 Vec3 cosine_direction(const Vec3& normal, Point2 u);
 
-/// Unit direction within a cone about `axis`, evenly: density 1 / (2π (1 − cos half_angle)).
+/// Unit direction within a cone about `axis`, uniformly distributed: density 1 / (2π (1 − cos
+/// half_angle)).
 Vec3 cone_direction(const Vec3& axis, float cosine_of_half_angle, Point2 u);
 
 }  // namespace mien::render

@@ -5,14 +5,14 @@
 namespace mien::render {
 
 /// A separable Blackman–Harris reconstruction filter (Harris 1978, four terms), applied by
-/// importance sampling: samples are placed with the filter's density and weigh the same (Ernst et
-/// al. 2006), so that no pixel touches another.
+/// importance sampling: samples are distributed with the filter's density and have equal weights
+/// (Ernst et al. 2006), so that each contributes to one pixel only.
 class Filter {
  public:
-  /// `width` is the whole width in pixels, more than 0.
+  /// `width` is the full width in pixels, more than 0.
   explicit Filter(float width);
 
-  /// Offset from the pixel's centre for a random number in [0, 1).
+  /// Returns the offset from the pixel's centre, in pixels, for a random number in [0, 1).
   float offset(float u) const {
     const float position = u * intervals;
     const auto index = static_cast<std::size_t>(position);
@@ -24,7 +24,7 @@ class Filter {
 
  private:
   static constexpr int intervals = 1024;
-  std::array<float, intervals + 1> offsets_;  // of equal shares of the filter's area
+  std::array<float, intervals + 1> offsets_;  // at equal steps of the filter's area, pixels
 };
 
 }  // namespace mien::render

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Before a function: compiles it for AVX2 as well, and the program chooses when it starts. Both
-/// give the same bits: AVX2 alone has no fused multiply-add. Not with the thread sanitizer, which
-/// is not ready yet when the choice is made.
+/// Function attribute: compiles the function for AVX2 as well; the version is selected when the
+/// program starts. Both give bit-identical results, because AVX2 alone has no fused multiply-add.
+/// Disabled under the thread sanitizer, which is not initialised yet at that time.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__)
 #define MIEN_FOR_AVX2_TOO __attribute__((target_clones("avx2", "default")))
 #else

@@ -6,11 +6,10 @@
 
 namespace mien::render {
 
-// Powers of floats by additions, multiplications and divisions alone, in a fixed order: they give
-// the same bits on every machine, which those of a C library do not, and loops of them become
-// vector code.
+// Powers of floats by additions, multiplications and divisions alone, in a fixed order. Unlike
+// those of a C library they are bit-identical on every machine, and loops over them vectorise.
 
-/// The cube root of x ≥ 0, within 2 units in the last place; 0 for what is below 10⁻³⁷.
+/// The cube root of x ≥ 0, within 2 units in the last place; 0 for x below 10⁻³⁷.
 inline float cube_root(float x) {
   // A third of the exponent is a guess within 4 %; each of Halley's steps cubes the error.
   const auto third =
@@ -38,7 +37,7 @@ inline float binary_logarithm(float x) {
   return static_cast<float>(exponent) + 2.88539008f * (s + s * tail);
 }
 
-/// 2^x for −126 ≤ x ≤ 127, within 3·10⁻⁷ relatively.
+/// 2^x for −126 ≤ x ≤ 127, with a relative error of at most 3·10⁻⁷.
 inline float power_of_two(float x) {
   constexpr float to_whole = 12582912.0f;  // 1.5 · 2²³: sums with it have no fraction
   const float shifted = x + to_whole;
@@ -53,8 +52,8 @@ inline float power_of_two(float x) {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(series) + (exponent << 23));
 }
 
-/// base^exponent for 0 ≤ base ≤ 10⁹ and 0 ≤ exponent ≤ 1, within 3·10⁻⁶ relatively; 0 where that
-/// is below 10⁻³⁷, and for a base of 0 but for an exponent of 0, which gives 1.
+/// base^exponent for 0 ≤ base ≤ 10⁹ and 0 ≤ exponent ≤ 1, with a relative error of at most 3·10⁻⁶;
+/// results below 10⁻³⁷ become 0. The result is 1 for the exponent 0, also of the base 0.
 inline float power(float base, float exponent) {
   const float safe = base < 1.2e-38f ? 1.2e-38f : base;
   const float logarithm = exponent * binary_logarithm(safe);

@@ -29,7 +29,7 @@ constexpr std::uint32_t reversed_bits(std::uint32_t x) {
   return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
 }
 
-/// The point of that index in the two-dimensional Sobol sequence, as 32-bit fractions. The first
+/// Returns point `index` of the two-dimensional Sobol sequence, as 32-bit fractions. The first
 /// dimension is the van der Corput sequence; the second multiplies by the Pascal matrix modulo 2,
 /// here in five steps (Ahmed 2024).
 constexpr std::array<std::uint32_t, 2> sobol(std::uint32_t index) {
@@ -42,9 +42,9 @@ constexpr std::array<std::uint32_t, 2> sobol(std::uint32_t index) {
   return {reversed_bits(index), reversed_bits(v)};
 }
 
-/// Owen's nested uniform scrambling of a 32-bit fraction whose bits are reversed: a hash in which
-/// every bit depends on the seed and on the lower bits only (Laine & Karras 2011, constants of
-/// Vegdahl 2021).
+/// Owen's nested uniform scrambling of a 32-bit fraction given with reversed bits: a hash in which
+/// every bit depends on the seed and on lower bits only (Laine & Karras 2011, constants of Vegdahl
+/// 2021).
 constexpr std::uint32_t scrambled_reversed(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -59,9 +59,9 @@ constexpr float unit_float(std::uint32_t fraction) {
   return static_cast<float>(fraction >> 8) * 0x1p-24f;
 }
 
-/// Point `index` of an Owen-scrambled, shuffled Sobol sequence; each seed gives an independent
-/// sequence, so pairs of dimensions are padded by different seeds (Burley 2020). Every aligned
-/// block of 2^k indices is a (0, k, 2)-net.
+/// Returns point `index` of an Owen-scrambled, shuffled Sobol sequence. Each seed gives an
+/// independent sequence, so further pairs of dimensions are padded with other seeds (Burley 2020).
+/// Every aligned block of 2^k indices is a (0, k, 2)-net.
 constexpr Point2 sample_point(std::uint32_t index, std::uint32_t seed) {
   const std::uint32_t shuffled =
       reversed_bits(scrambled_reversed(reversed_bits(index), mixed(seed, 0)));
@@ -70,7 +70,8 @@ constexpr Point2 sample_point(std::uint32_t index, std::uint32_t seed) {
           unit_float(reversed_bits(scrambled_reversed(reversed_bits(point[1]), mixed(seed, 2))))};
 }
 
-/// The purpose of a pair of random numbers; further lights count on from FirstLight.
+/// The use of a pair of random numbers. That of light i is FirstLight + i, that of figure i is
+/// FirstFigure + i.
 enum class Dimension : std::uint32_t {
   PixelPosition,
   FigureSky,
@@ -78,11 +79,11 @@ enum class Dimension : std::uint32_t {
   FloorSkyChoice,
   CornerSky,
   Lens,
-  Time,                   ///< the first number alone
-  LightLine,              ///< which of some floor points asks lines of the lights, and where on the
-                          ///< first light its line lies
-  FirstLight,             ///< one a light
-  FirstFigure = 1u << 16  ///< one a figure, the first number alone: whether it is there
+  Time,        ///< first number only
+  LightLine,   ///< which of the floor points that share a line it starts from, and the line's
+               ///< position on the first light
+  FirstLight,  ///< one per light
+  FirstFigure = 1u << 16  ///< one per figure, first number only: whether the figure is present
 };
 
 /// Spreads bits 0 … 15 to the even positions (Morton code).
@@ -99,16 +100,17 @@ class PixelSampler {
  public:
   PixelSampler() = default;
 
-  /// Sampler of a pixel with that many samples. All pixels share one sequence, block by block along
-  /// the Morton curve, so that the errors of neighbours cancel (Ahmed & Wonka 2020): a pixel is as
-  /// noisy as alone, areas are less noisy.
+  /// Returns the sampler of a pixel with `samples` samples. All pixels share one sequence, of which
+  /// each uses one block, in the order of the Morton curve, so that errors of neighbours tend to
+  /// cancel (Ahmed & Wonka 2020): single pixels are as noisy as with independent sequences, but
+  /// areas are less noisy.
   static PixelSampler for_picture(std::uint64_t seed, int x, int y, int samples) {
     PixelSampler sampler(seed, 0, 0);
     sampler.samples_ = static_cast<std::uint32_t>(samples);
     return sampler.for_pixel(x, y);
   }
 
-  /// Sampler of another pixel of the same picture.
+  /// Returns the sampler of another pixel of the same picture.
   PixelSampler for_pixel(int x, int y) const {
     PixelSampler sampler = *this;
     sampler.place_ = spread_bits(static_cast<std::uint32_t>(x)) |
@@ -116,31 +118,35 @@ class PixelSampler {
     return sampler;
   }
 
-  /// Sampler that is independent of its neighbours, of a pixel, a grid corner …
+  /// Makes a sampler that is independent of its neighbours, for example for a pixel or a grid
+  /// corner.
   PixelSampler(std::uint64_t seed, int x, int y)
       : seed_(mixed(
             mixed(mixed(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)),
                   static_cast<std::uint32_t>(x)),
             static_cast<std::uint32_t>(y))) {}
 
-  /// Seed of a pair of dimensions, for sample_point; `which` counts lights or figures.
+  /// Returns the seed of a pair of dimensions for sample_point; `which` is the index of the light
+  /// or figure.
   std::uint32_t seed(Dimension dimension, int which = 0) const {
     return mixed(seed_, static_cast<std::uint32_t>(dimension) + static_cast<std::uint32_t>(which));
   }
 
-  /// Index of one of `times` points for each sample, for sample_point.
+  /// Returns the index for sample_point of one of the pixel's points, where each sample has `times`
+  /// points.
   std::uint32_t index(int point, int times = 1) const {
     return index_of(point, static_cast<std::uint32_t>(times) * samples_);
   }
 
-  /// Index of a point shared by a group of `samples` samples of the pixel (the last group may be
-  /// smaller).
+  /// Returns the index of the point that a group of `samples` samples of the pixel shares (the last
+  /// group may be smaller).
   std::uint32_t index_of_group(int group, int samples) const {
     const auto size = static_cast<std::uint32_t>(samples);
     return index_of(group, (samples_ + size - 1) / size);
   }
 
-  /// Index of a point shared by `pixels` neighbours on the Morton curve, a power of two.
+  /// Returns the index of the point that `pixels` consecutive pixels on the Morton curve share;
+  /// `pixels` is a power of two.
   std::uint32_t index_of_block(int pixels) const {
     return place_ / static_cast<std::uint32_t>(pixels);
   }
@@ -164,11 +170,11 @@ class PixelSampler {
   }
 
   std::uint32_t seed_ = 0;
-  std::uint32_t place_ = 0;  // of the pixel's block in the sequence
+  std::uint32_t place_ = 0;  // index of the pixel on the Morton curve
   std::uint32_t samples_ = 1;
 };
 
-/// Stochastic transparency: which figures are present for a sample, a bit each.
+/// Stochastic transparency: returns the figures that are present for a sample, one bit per figure.
 inline std::uint32_t present_figures(const PixelSampler& sampler, std::span<const float> opacities,
                                      int index) {
   std::uint32_t present = ~0u;

@@ -5,21 +5,21 @@
 
 namespace mien::render {
 
-// Libraries that take long to load are linked to parts of the program (plug-ins): files beside it
+// Libraries that take long to load are linked to parts of the program (plug-ins): separate files
 // that are loaded when they are first needed.
 
-/// What a part defines as `mien_part`, extern "C": gives its interface, an object that lives as
-/// long as the program, or nothing to a program that was built with another edition of the
-/// interface.
+/// The type of the extern "C" function `mien_part` that each part defines. It returns the part's
+/// interface, an object that lives as long as the program, or null if the program was built with
+/// another edition of the interface.
 using PartEntry = const void*(int edition);
 
-/// Loads a part, which is never closed, and gives its interface. `name` is its file's, `purpose`
-/// completes "the part of mien that …". Throws Error when it is not there, cannot be loaded or is
-/// of another edition.
+/// Loads a part, which is never unloaded, and returns its interface. `name` is its file name;
+/// `purpose` completes "the part of mien that …" in messages. Throws Error when the file is
+/// missing, cannot be loaded or has another edition.
 const void* load_part(const std::string& name, const std::string& purpose, int edition);
 
-/// The version in the name of the file that a library's path leads to, without loading it: "2.4.7"
-/// of "libOpenImageIO.so.2.4.7"; empty where the name has none of three numbers.
+/// Returns the version in a library's file name, with symbolic links resolved, without loading it:
+/// "2.4.7" for "libOpenImageIO.so.2.4.7"; empty if the name has no version of three numbers.
 std::string version_of_library(const std::filesystem::path& library);
 
 }  // namespace mien::render

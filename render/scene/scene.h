@@ -19,14 +19,14 @@ struct Material {
   Color emission{0.0f, 0.0f, 0.0f};
   int texture = -1;  ///< index into Scene::textures that multiplies the albedo of meshes; −1: none
 
-  /// Index into Scene::textures of normals of meshes (Blinn 1978), as glTF has them: 2 · texel − 1
-  /// is how far the normal points along growing u, along falling v, and out of the surface. −1:
+  /// Index into Scene::textures of normals of meshes (Blinn 1978), as in glTF: 2 · texel − 1 are
+  /// the normal's components along increasing u, along decreasing v, and out of the surface. −1:
   /// none.
   int normal_map = -1;
-  float normal_scale = 1.0f;  ///< of the first two of these
+  float normal_scale = 1.0f;  ///< factor of the first two components
 };
 
-/// Reflectances, or other fractions, over the unit square; it repeats beyond.
+/// Reflectances, or other fractions, over the unit square; the texture repeats outside it.
 struct Texture {
   int width = 0;
   int height = 0;
@@ -54,10 +54,10 @@ struct RoundCone {
 /// A surface of triangles, lit on both sides.
 struct Mesh {
   std::vector<Vec3> positions;                ///< of the vertices, metres
-  std::vector<Vec3> normals;                  ///< unit, one a vertex
-  std::vector<std::array<float, 2>> uv;       ///< one a vertex; empty: no texture
+  std::vector<Vec3> normals;                  ///< unit, one per vertex
+  std::vector<std::array<float, 2>> uv;       ///< one per vertex; empty: no texture
   std::vector<std::array<int, 3>> triangles;  ///< indices of vertices
-  std::vector<int> triangle_parts;            ///< one a triangle; empty: `part` for all
+  std::vector<int> triangle_parts;            ///< one per triangle; empty: `part` for all
   int material = 0;                           ///< index into Scene::materials
   int part = 0;                               ///< index into Scene::parts
 };
@@ -78,7 +78,7 @@ struct Figure {
   float opacity = 1.0f;  ///< 0 … 1
 };
 
-/// What a solid is called in the id layer: "left-knee" of "target".
+/// The name of a solid in the id layer, such as "left-knee" of the figure "target".
 struct Part {
   std::string name = "body";
   int figure = 0;  ///< index into Scene::figures
@@ -86,9 +86,9 @@ struct Part {
 
 /// The floor: the plane y = 0, seen from above only, with lines of a square grid.
 ///
-/// The lines are filtered analytically by the pixel's footprint. With the distance along the floor
-/// from the camera it fades into the backdrop, shadows included: untouched up to `fade_start`, gone
-/// at `fade_end`.
+/// The lines are filtered analytically by the pixel's footprint. With increasing horizontal
+/// distance from the camera the floor fades into the backdrop, shadows included: not at all up to
+/// `fade_start`, completely at `fade_end`.
 struct Ground {
   Color albedo{0.5f, 0.5f, 0.5f};
   Color line_albedo{0.4f, 0.4f, 0.4f};
@@ -111,16 +111,15 @@ struct AreaLight {
   Color radiance{10.0f, 10.0f, 10.0f};
 };
 
-/// An upright light of that size, metres, whose axis points from `centre` to `target`.
+/// Returns an upright light of this size, metres, whose axis points from `centre` to `target`.
 AreaLight softbox(const Vec3& centre, const Vec3& target, float width, float height,
                   const Color& radiance);
 
-/// Light from all around, and what the camera sees where there is nothing.
+/// Light from all directions, and the backdrop that the camera sees where there is nothing else.
 ///
-/// From above the horizon, radiance goes from `horizon` to `zenith` in proportion to the sine of
-/// the elevation. From below comes `below`, an approximation of the light that the floor reflects:
-/// constant, and occluded by solids only, never by the floor. For a floor that reflects nothing it
-/// is 0.
+/// Above the horizon, radiance changes from `horizon` to `zenith` in proportion to the sine of the
+/// elevation. Below it, radiance is `below`, an approximation of the light that the floor reflects:
+/// constant, and occluded by solids only, never by the floor; 0 for a floor that reflects nothing.
 struct Sky {
   Color zenith{0.6f, 0.6f, 0.6f};
   Color horizon{0.6f, 0.6f, 0.6f};
@@ -129,7 +128,8 @@ struct Sky {
   Color backdrop_zenith{0.6f, 0.6f, 0.6f};   ///< seen by the camera straight up
 };
 
-/// Everything that a picture shows. `has_ground` false leaves the backdrop alone.
+/// Everything that a picture shows. Without `has_ground` only the backdrop is shown around the
+/// solids.
 ///
 /// `solids` may move from picture to picture; `static_solids` belong to the set like the ground,
 /// and a tracer renders them once for each set and camera.
@@ -149,10 +149,10 @@ struct Scene {
 /// Radiance of the sky's light that arrives from the unit direction `towards`.
 Color sky_radiance(const Sky& sky, const Vec3& towards);
 
-/// Irradiance over π on a surface of that unit normal under the whole, unoccluded sky.
+/// Irradiance over π on a surface of this unit normal under the whole, unoccluded sky.
 Color unoccluded_sky_light(const Sky& sky, const Vec3& normal);
 
-/// What the camera sees in the unit direction `towards` where there is nothing.
+/// Radiance of the backdrop in the unit direction `towards`.
 Color backdrop_radiance(const Sky& sky, const Vec3& towards);
 
 /// Irradiance on an upward-facing floor under the whole, unoccluded sky.

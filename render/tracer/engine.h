@@ -28,8 +28,8 @@ struct SceneBackground {
   std::shared_ptr<const EmbreeScene> solids;  ///< the static solids; null if there are none
 };
 
-/// Recycles the memory of backgrounds that are no longer in use: without it backgrounds that are
-/// seen once would allocate anew for every picture.
+/// Recycles the memory of backgrounds that are no longer in use. Without it, backgrounds that are
+/// seen only once would be allocated anew for every picture.
 class BackgroundPool {
  public:
   /// Shares a background whose memory returns to the pool, from any thread. Must not outlive the
@@ -44,7 +44,8 @@ class BackgroundPool {
   std::vector<StaticBackground> free_;
 };
 
-/// The implementation of a tracer: its threads, Embree, and what is cached from picture to picture.
+/// The implementation of a tracer: its threads, Embree, and the caches that persist between
+/// pictures.
 class Engine {
  public:
   explicit Engine(const TracerOptions& options);
@@ -59,12 +60,12 @@ class Engine {
                         const StaticBackground& background, const EmbreeScene* static_solids,
                         Shapes shapes, const Solids& solids);
 
-  /// Samples how much of the sky the figures hide from the floor.
+  /// Samples the figures' occlusion of the sky, as seen from the floor.
   void sample_floor_sky(PreparedScene& prepared);
 
   /// Calls `work` for parts of the picture, each of whole tiles, that together cover the window. A
-  /// thread that waits for the others helps with other frames. Throws Stopped when a stop was
-  /// requested.
+  /// thread that has to wait for the others works on other frames meanwhile. Throws Stopped when a
+  /// stop was requested.
   template <class Work>
   void for_all_parts(int width, int height, const Window& window, const Work& work) {
     arena_.execute([&] { loop_over_parts(width, height, window, work); });
@@ -83,14 +84,15 @@ class Engine {
     SceneBackground background;
   };
 
+  /// The static solids of a scene without an image.
   SceneBackground bare_background(const Scene& scene);
 
-  /// Renders a background. `room`: one whose memory is reused, or an empty one.
+  /// Renders a background, reusing the memory of `room`, which may be empty.
   StaticBackground make_background(const Scene& scene, const Camera& camera, const Quality& quality,
                                    const std::string& name, StaticBackground room);
 
-  /// Runs a loop with the tracer's threads. A thread that waits for the others helps with nothing
-  /// else, because preparations would otherwise wait for whole frames. It runs in the arena's own
+  /// Runs a loop with the tracer's threads. A thread that waits for the others does no other work,
+  /// because preparations would otherwise wait for whole frames. The loop runs in the arena's own
   /// context: when a frame fails, loops in its context end early and would leave a background half
   /// rendered.
   template <class Loop>

@@ -25,8 +25,8 @@ class ShadowRayQueue {
  public:
   explicit ShadowRayQueue(const PreparedScene& prepared) : prepared_(prepared) {}
 
-  /// Queues a shadow ray. `light`: the radiance that it carries, for each sample that this one
-  /// represents.
+  /// Queues a shadow ray. `light` is the radiance that the ray contributes for each sample that
+  /// this one represents.
   void enqueue(const Sample& sample, const Vec3& origin, const Vec3& direction, float distance,
                const Color& light, Contribution contribution) {
     if ((light == 0.0f).all()) return;
@@ -72,21 +72,21 @@ struct FloorSamples {
   }
 };
 
-/// Shades surfaces: all the light that they reflect to the camera, from the lights and the sky.
+/// Shades surfaces: adds all light from area lights and sky that they reflect to the camera.
 void shade_surfaces(const PreparedScene& prepared, const SurfaceSamples& batch, bool of_figure,
                     ShadowRayQueue& shadow_rays);
 
-/// Subtracts what the figure hides of the lights and the sky from a static solid.
+/// Subtracts from a static solid the light from area lights and sky that the figure occludes.
 void shadow_static_solid(const PreparedScene& prepared, const Sample& sample,
                          const Surface& surface, ShadowRayQueue& shadow_rays);
 
-/// Subtracts what the figure hides of the lights from the floor, and of the sky for pixels that
-/// cast their own sky rays.
+/// Subtracts from the floor the light from area lights that the figure occludes and, for pixels
+/// that cast their own sky rays, the light from the sky.
 void shadow_floor(const PreparedScene& prepared, const FloorSamples& batch,
                   ShadowRayQueue& shadow_rays, LineShadowQueue& line_shadows);
 
-/// Adds the backdrop or floor that a ray shows to the pixel's background, and queues shadow rays
-/// for everything that shadows it.
+/// Adds the backdrop or floor that a ray shows to the pixel's background, and queues the shadow
+/// rays for everything that may occlude light from it.
 void add_unshadowed_background(const PreparedScene& prepared, const Sample& sample,
                                const CameraFrame& camera, const CameraRay& ray,
                                ShadowRayQueue& shadow_rays);

@@ -13,20 +13,23 @@ namespace mien::render {
 
 /// Line shadows (line_shadow.h) on the floor of a tile.
 struct TileLineShadows {
-  std::uint32_t lights = 0;               ///< bit i: light i is sampled by lines
-  float penumbra = 0.0f;                  ///< least width of a penumbra, pixels
-  std::vector<std::vector<int>> casters;  ///< of each light, the round cones that may hide it
+  std::uint32_t lights = 0;  ///< bit i: light i is line-sampled
+  float penumbra = 0.0f;     ///< width of the narrowest penumbra, pixels
+  /// Per light: indices of the round cones that may occlude it.
+  std::vector<std::vector<int>> casters;
 };
 
-/// How many samples share a line: some of one pixel, or all of several neighbours.
+/// The number of samples that share a line: some of one pixel, or all of several neighbouring
+/// pixels.
 struct SharedLine {
   int samples;
   int pixels;
 };
 
-/// Wide penumbrae change so little within a pixel that four samples share a line; where they are
-/// twice as wide, also four samples of two pixels, and where four times, eight of 2 × 2. Where
-/// pixels have one sample, 2 to 4 × 4 pixels share a line.
+/// Wide penumbrae vary so little within a pixel that four of its samples share a line. With two
+/// samples per pixel, in penumbrae twice as wide, the four samples of two pixels share one, and in
+/// penumbrae four times as wide the eight of 2 × 2 pixels. With one sample per pixel, up to 4 × 4
+/// pixels share a line.
 SharedLine shared_line(const TileLineShadows& tile, int samples_per_pixel);
 
 /// A block of pixels that share a line, aligned to multiples of its size: a power of two of
@@ -40,7 +43,7 @@ PixelBlock block_of(const SharedLine& shared);
 /// The blocks of a tile whose pixels share a line, with the result for each.
 class FloorBlocks {
  public:
-  /// Resets to blocks of that size, none requested.
+  /// Resets to blocks of this size, none requested.
   void clear(const PixelBlock& size);
 
   /// Requests the occlusion of these lights for the block of a pixel.
@@ -79,8 +82,8 @@ class LineShadowQueue {
 
   const TileLineShadows& of_tile() const { return tile_; }
 
-  /// Queues the line of `sample`, for that many samples of a pixel that share it. Where pixels
-  /// share lines it only counts the samples: their block is queued later.
+  /// Queues the line of `sample`, on behalf of the `samples` samples of the pixel that share it.
+  /// Where pixels share lines, only counts the samples; their block is queued later.
   void enqueue(FloorPixel& pixel, int sample, int samples);
 
   /// Queues the lines of all samples of a pixel.
@@ -96,11 +99,11 @@ class LineShadowQueue {
   struct Query {
     int x = 0;  // of the pixel, or of one of those that share the line
     int y = 0;
-    std::uint32_t lights = 0;     // that may be hidden
+    std::uint32_t lights = 0;     // that may be occluded
     int group = 0;                // of the pixel's samples
     int samples = 0;              // of the pixel
-    FloorPixel* pixel = nullptr;  // takes the answer,
-    Color* block = nullptr;       // or this
+    FloorPixel* pixel = nullptr;  // receives the result,
+    Color* block = nullptr;       // or this does
   };
 
   void add(const Query& query);
@@ -112,10 +115,10 @@ class LineShadowQueue {
   std::array<Query, lanes> queries_;
   int count_ = 0;
   LaneVectors points_;  // of the floor
-  LaneWords index_;     // of random numbers
-  LaneFloats across_;   // where on the first light, in [0, 1)
+  LaneWords index_;     // of the random numbers
+  LaneFloats across_;   // position on the first light, in [0, 1)
   std::array<bool, lanes> meets_floor_{};
-  std::array<Color, lanes> occluded_;  // a sample
+  std::array<Color, lanes> occluded_;  // per sample
   std::array<std::vector<LineInterval>, lanes> hidden_;
 };
 

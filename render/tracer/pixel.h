@@ -12,38 +12,38 @@ namespace mien::render {
 /// How a pixel is drawn.
 enum class PixelKind {
   background,      ///< the background, with the figure's occlusion of the sky on its floor
-  shadowed_floor,  ///< also with the figure's shadows from the lights
+  shadowed_floor,  ///< as `background`, also with the figure's shadows from the lights
   static_solid,    ///< a static solid may show, and no figure
   figure,          ///< the figure may show, and no static solid
-  per_sample       ///< every sample by itself: figure and static solids may both show
+  per_sample       ///< each sample separately: figure and static solids may both show
 };
 
-/// A pixel that shows the floor: what line shadows need to know of it.
+/// The properties of a pixel showing the floor that line shadows depend on.
 struct FloorPixel {
   int x = 0;
   int y = 0;
-  std::uint32_t shadow_lights = 0;  ///< bit i: the figure may hide light i from here
+  std::uint32_t shadow_lights = 0;  ///< bit i: the figure may occlude light i
   Color radiance = Color::Zero();   ///< of the background
   Color floor_albedo = Color::Zero();
   Color known_occluded = Color::Zero();  ///< light of the background that the figure occludes,
                                          ///< known without rays, summed over the samples; negative
-  int block_samples = 0;                 ///< that wait for the line of their block
+  int block_samples = 0;                 ///< number of samples waiting for their block's line
 };
 
-/// Subtracts the light that is hidden from a number of samples of a pixel, `hidden` (irradiance
-/// over π) from each.
+/// Subtracts from a number of samples of a pixel the light that is occluded: `hidden` (irradiance
+/// over π) for each.
 inline void subtract_light(FloorPixel& pixel, int samples, const Color& hidden) {
   pixel.known_occluded -= (static_cast<float>(samples) * hidden) * pixel.floor_albedo;
 }
 
 /// A pixel while its samples are traced.
 struct Pixel : FloorPixel {
-  Pixel() {}  // sets no more to zero than what has no other beginning
+  Pixel() {}  // user-provided, so that value-initialisation does not zero the members first
 
   PixelKind kind = PixelKind::background;
   PixelSampler sampler;
   bool shows_floor = false;
-  int floor_sky_rays = 0;          ///< number of samples that cast a ray from the floor at the sky
+  int floor_sky_rays = 0;          ///< number of samples that cast a sky ray from the floor
   float floor_sky_samples = 0.0f;  ///< samples that each of those represents
   int background_samples = 0;      ///< samples that show the static background
   int covered = 0;                 ///< samples that show the figure
@@ -51,12 +51,12 @@ struct Pixel : FloorPixel {
   /// Whether the figure may hide a light from this pixel's floor.
   bool may_be_shadowed(int light) const { return ((shadow_lights >> light) & 1u) != 0; }
 
-  // Sums over the samples. What is known at once and what rays find later are summed apart, so that
-  // each sum is always taken in the same order.
+  // Sums over the samples. Light that is known at once and light found by rays later are summed
+  // separately, so that each sum is always taken in the same order.
   Color known_figure = Color::Zero();      ///< light from the figure
   Color known_background = Color::Zero();  ///< light from the set, sample by sample
   Color figure = Color::Zero();      ///< light from the figure that shadow rays add or subtract
-  Color background = Color::Zero();  ///< from the set
+  Color background = Color::Zero();  ///< the same from the set
   Color occluded = Color::Zero();    ///< as known_occluded, found by rays
 };
 
@@ -65,10 +65,10 @@ struct Sample {
   Pixel* pixel = nullptr;
   int index = 0;
   float time = 0.0f;
-  std::uint32_t present = ~0u;  ///< bit f: figure f is there
-  float weight = 1.0f;          ///< number of samples that its light represents
+  std::uint32_t present = ~0u;  ///< bit f: figure f is present
+  float weight = 1.0f;          ///< number of samples that it represents
   Pixel* partner = nullptr;     ///< another pixel, some of whose samples it represents,
-  float partner_weight = 0.0f;  ///< and how many of them
+  float partner_weight = 0.0f;  ///< and their number
 };
 
 /// Adds a sample's light to one of the sums of its pixel, and of its partner.

@@ -14,14 +14,14 @@ namespace mien::render {
 
 /// The background of a pixel.
 struct BackgroundLight {
-  Color radiance;  ///< less the figure's occlusion of the sky, where that is known
+  Color radiance;  ///< minus the figure's occlusion of the sky, if that is known
   bool complete;   ///< false: the occlusion of the sky is not known and needs rays
 };
 
 /// What a pixel may show besides the background.
 struct PixelPlan {
   PixelKind kind = PixelKind::background;
-  std::uint32_t shadow_lights = 0;  ///< bit i: the figure may hide light i from its floor
+  std::uint32_t shadow_lights = 0;  ///< bit i: the figure may occlude light i from its floor
 };
 
 /// A distance on the floor, along each axis, metres.
@@ -58,11 +58,10 @@ class PixelPlanner {
 
   PixelPlan plan(int x, int y);
 
-  /// A run of pixels of a row, known at once to show no figure and to be shadowed from the same
-  /// lights at most.
+  /// A run of pixels in a row that show no figure and can only be shadowed from the given lights.
   struct UniformRun {
     int end;
-    std::uint32_t lights;  ///< that may be hidden; if not 0, all of the pixels show the floor
+    std::uint32_t lights;  ///< that may be occluded; if not 0, all pixels of the run show the floor
   };
   std::optional<UniformRun> uniform_run_from(int x, int y);
 
@@ -70,7 +69,7 @@ class PixelPlanner {
   void init(Pixel& pixel, int x, int y, const PixelPlan& plan, const BackgroundLight& background);
 
  private:
-  /// A span of a row, and the lights that may be hidden from it.
+  /// A span of a row, and the lights that may be occluded from it.
   struct PixelSpan {
     int row = -1;
     int first = 0;
@@ -86,16 +85,17 @@ class PixelPlanner {
   const PreparedScene& prepared_;
   const bool per_sample_;
   const FloorSky::Cell* cell_;      // cell of the floor that was used last
-  std::uint32_t tile_lights_ = 0;   // bit i: the figure may hide light i somewhere in the tile
+  std::uint32_t tile_lights_ = 0;   // bit i: the figure may occlude light i somewhere in the tile
   bool shaded_everywhere_ = false;  // every pixel may be shadowed from all of tile_lights_
   int end_ = 0;                     // of the tile's columns
-  std::optional<FloorReach> floor_reach_;  // where tile_lights_ are; none at the horizon
-  std::uint32_t figure_rows_ = 0;          // bit i: row i of the tile may show the figure
-  int first_row_ = 0;                      // of the tile
+  // Of the tile if it has tile_lights_; none at the horizon.
+  std::optional<FloorReach> floor_reach_;
+  std::uint32_t figure_rows_ = 0;  // bit i: row i of the tile may show the figure
+  int first_row_ = 0;              // of the tile
   bool shows_background_only_ = false;
 
-  PixelSpan span_;  // that was used last, in the tile
-  FloorRow row_;    // that was used last
+  PixelSpan span_;  // last one used in the tile
+  FloorRow row_;    // last one used
   int row_number_ = -1;
   TileLineShadows lines_;
 };

@@ -17,27 +17,29 @@
 namespace mien::render {
 
 /// Everything that is fixed while a picture is rendered: the scene prepared for tracing, with
-/// bounds and masks of what its figure can hit or shadow. The scenes and the background outlive it.
+/// bounds and masks of where its figure may be hit or cast shadows. The scenes and the background
+/// must outlive it.
 struct PreparedScene {
   const Scene& scene;            ///< when the shutter opens
   const Solids& solids;          ///< the figure's, in `scene`
   const Solids* closing_solids;  ///< when the shutter closes; null: nothing moves
   Quality quality;
-  PixelSampler sampler;  ///< of one pixel; others are for_pixel
+  PixelSampler sampler;  ///< of one pixel; for others use for_pixel
   CameraFrame camera;
   std::optional<CameraFrame> closing_camera;  ///< none: the camera does not move
   const Filter& filter;
   EmbreeScene figure;
   const StaticBackground& background;
-  const EmbreeScene* static_solids;       ///< null if there are none
-  BoundingSphere bounds;                  ///< of the figure
-  PixelMask pixel_mask;                   ///< where primary rays may meet the figure
-  std::vector<ShadowMask> shadow_masks;   ///< where it may hide each light from the floor
-  std::uint32_t line_lights;              ///< bit i: shadows of light i on the floor are by lines
-  std::vector<std::vector<int>> casters;  ///< of each light, the round cones that are not behind it
-  FloorSky floor_sky;                     ///< its occlusion of the sky on the floor
+  const EmbreeScene* static_solids;  ///< null if there are none
+  BoundingSphere bounds;             ///< of the figure
+  PixelMask pixel_mask;              ///< where primary rays may hit the figure
+  /// Per light: where the figure may occlude it from the floor.
+  std::vector<ShadowMask> shadow_masks;
+  std::uint32_t line_lights;  ///< bit i: shadows of light i on the floor are line-sampled
+  std::vector<std::vector<int>> casters;  ///< per light: the round cones that are not behind it
+  FloorSky floor_sky;                     ///< the figure's occlusion of the sky on the floor
   std::vector<float> opacities;           ///< of the figures
-  const Shapes* next_shapes = nullptr;    ///< the figure's in the next picture, for motion
+  const Shapes* next_shapes = nullptr;    ///< in the next picture, for motion vectors
 
   /// Whether every sample renders its own background, because the rays of a pixel differ in origin
   /// or time.

@@ -12,14 +12,15 @@
 namespace mien::render {
 
 /// Static backgrounds shared by concurrent tracers: each is rendered by the first tracer that needs
-/// it and shared with all, as long as any uses it. Outlives the tracers.
+/// it and shared as long as any of them uses it. Must outlive the tracers.
 class StaticBackgroundCache {
  public:
   /// Shared ownership, because no tracer knows whether it is the last user.
   using Handle = std::shared_ptr<const StaticBackground>;
 
-  /// The background of that name (static_background_name), made by `make` unless it exists. Waits
-  /// while another thread makes it, and makes it itself if that fails. Throws what `make` throws.
+  /// Returns the background with this name (static_background_name), made by `make` unless it
+  /// exists. Waits while another thread makes it, and makes it if that thread fails. Throws what
+  /// `make` throws.
   Handle get_or_make(const std::string& name, const std::function<StaticBackground()>& make);
 
  private:

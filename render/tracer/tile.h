@@ -18,8 +18,8 @@ struct Tile {
 
 inline constexpr int tile_size = 16;
 
-/// Where a part of a picture is written: pixel (x, y) of the picture is pixel (x − left, y − top)
-/// of the target.
+/// The target of a part of a picture: pixel (x, y) of the picture is pixel (x − left, y − top) of
+/// the target.
 struct Canvas {
   RenderTarget& target;
   int left = 0;
@@ -38,9 +38,10 @@ struct Canvas {
 ///
 /// The background (floor, backdrop and static solids) is known beforehand. Primary rays are traced
 /// where they may hit the figure or, in front of it, static solids; surfaces that they hit are lit
-/// by rays to the lights and to the sky. What the figure hides from the floor is subtracted: of a
-/// light by lines across it (line_shadow.h) or, where lines do not apply, by shadow rays; of the
-/// sky by interpolation (floor_sky.h) or, where that is too coarse, by rays.
+/// by rays to the lights and to the sky. Light that the figure occludes from the floor is
+/// subtracted: light from area lights by line sampling (line_shadow.h) or, where that does not
+/// apply, by shadow rays; light from the sky by interpolation (floor_sky.h) or, where that is too
+/// coarse, by rays.
 void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas);
 
 /// As `draw`, for a picture whose background is shown, in small pieces: `drawn` is called with each

@@ -18,19 +18,19 @@
 namespace mien::render {
 
 struct TracerOptions {
-  int threads = 0;  ///< 0: one a core. No influence on the picture.
+  int threads = 0;  ///< 0: one per core. Does not affect the picture.
 
   /// Instruction set that Embree is pinned to: "sse2", "sse4.2", "avx", "avx2", "avx512". Empty:
-  /// avx2, or sse4.2 on a machine without. No influence on the picture: Embree only finds
-  /// candidates, the intersections are our own.
+  /// avx2, or sse4.2 on a machine without AVX2. Does not affect the picture: Embree only finds
+  /// candidates, the intersection tests are our own.
   std::string instruction_set;
 
   /// Once a stop is requested, rendering is aborted within a fraction of a second.
   std::stop_token stop = {};
 
-  /// Where static backgrounds are shared with other tracers, and stored for later ones. No
-  /// influence on the picture. Leave empty if a background is seen only once, because camera or
-  /// ground move with every frame.
+  /// Caches by which static backgrounds are shared with other tracers and stored for later ones.
+  /// They do not affect the picture. Leave them empty if each background is seen only once, because
+  /// the camera or the ground moves with every frame.
   StaticBackgroundCache* backgrounds = nullptr;
   LightCache light_cache = {};
 };
@@ -40,7 +40,7 @@ struct Stopped {};
 
 class Engine;  // the implementation (engine.h)
 
-/// What a picture shows.
+/// The scene, camera and quality of a picture.
 struct View {
   Scene scene;
   Camera camera;
@@ -53,7 +53,7 @@ struct View {
 };
 
 /// A view prepared for rendering: acceleration structures and culling masks. It is rendered once,
-/// by the tracer that prepared it and outlives it.
+/// by the tracer that prepared it, which must outlive it.
 class PreparedView {
  public:
   PreparedView();
@@ -69,32 +69,33 @@ class PreparedView {
 
 /// A rectangle of finished pixels.
 struct RenderedRegion {
-  const Framebuffer& framebuffer;  ///< contains them, and perhaps others
+  const Framebuffer& framebuffer;  ///< contains the finished pixels, and possibly others
   Window pixels;                   ///< which pixels of the framebuffer
-  int x = 0;                       ///< where the first of them lies in the camera's picture
+  int x = 0;                       ///< position of the region in the camera's picture, pixels
   int y = 0;
 };
 using OnRegion = std::function<void(const RenderedRegion& part)>;
 
 /// Callbacks for the frames of a clip, numbered from 0.
 struct FrameCallbacks {
-  /// In order, one at a time; false: there is no such frame, and no further one.
+  /// Called in order, one frame at a time. Returns false if there is neither this frame nor any
+  /// later one.
   std::function<bool(std::size_t frame)> begin;
 
-  /// Several at a time.
+  /// Called for several frames concurrently.
   std::function<void(std::size_t frame)> draw;
 
-  /// In order, one at a time.
+  /// Called in order, one frame at a time.
   std::function<void(std::size_t frame)> end;
 };
 
 /// Draws scenes with Embree: Lambert surfaces under area lights and a sky, direct light only, soft
 /// shadows, filtered by a Blackman–Harris filter.
 ///
-/// A picture depends on the scene, camera and quality alone: not on threads, on what was traced
-/// before, nor on the machine. A Tracer may render several prepared views at a time while another
-/// is being prepared (`trace`, `render_view` and `layers` prepare their own); several Tracers may
-/// work concurrently. All rendering functions throw Stopped when a stop was requested.
+/// A picture depends on the scene, camera and quality alone: not on the threads, previous pictures
+/// or the machine. A Tracer may render several prepared views at a time while another is being
+/// prepared (`trace`, `render_view` and `layers` prepare their own); several Tracers may work
+/// concurrently. All rendering functions throw Stopped when a stop was requested.
 class Tracer {
  public:
   /// Throws Error when the machine cannot run Embree with that instruction set.
@@ -118,22 +119,24 @@ class Tracer {
 
   /// Renders the frames of a clip with the tracer's threads, at most `in_flight` at a time. While
   /// one is prepared or its last parts are rendered, threads render the next one. Throws what the
-  /// callbacks throw; some frames may then have begun that do not end.
+  /// callbacks throw; `begin` may then have been called for frames for which `end` never is.
   void for_frames(const FrameCallbacks& work, int in_flight);
 
   /// Prepares and renders a picture with its background shown. Throws as `prepare`.
   Framebuffer trace(Scene scene, const Camera& camera, const Quality& quality);
 
-  /// Prepares and renders a view, its background as its quality has it. Throws as `prepare`.
+  /// Prepares and renders a view, with the background that its quality selects. Throws as
+  /// `prepare`.
   RenderTarget render_view(View view);
 
   /// A picture with all its layers: as `trace`, without depth of field or motion blur. With `next`,
-  /// a scene of the same solids, motion vectors point to where each point is in it as seen by
-  /// `next_camera`. The variance is that of eight pictures with different noise patterns.
+  /// a scene of the same solids, motion vectors point to the position of each point in that scene
+  /// as seen by `next_camera`. The variance is that of eight pictures with different noise
+  /// patterns.
   Layers layers(const Scene& scene, const Camera& camera, const Quality& quality,
                 const Scene* next = nullptr, const Camera* next_camera = nullptr);
 
-  /// For the provenance: "Embree 3.13.5, avx2".
+  /// Renderer version for provenance records: "Embree 3.13.5, avx2".
   std::string description() const;
 
   int threads() const;

@@ -26,9 +26,9 @@ class ColourHistogram {
   std::vector<Cell> cells_;
 };
 
-/// At most 255 colours that stand for all of a film, and one that is transparent, for pixels that
-/// stay as they were. Colours are found by splitting along the axis of most variance (Wan, Wong and
-/// Prusinkiewicz 1988) and improved by Lloyd's iteration.
+/// A palette of at most 255 colours that represent those of a film, and a transparent entry for
+/// unchanged pixels. Colours are found by splitting along the axis of greatest variance (Wan, Wong
+/// and Prusinkiewicz 1988) and improved by Lloyd's iteration.
 class ColourTable {
  public:
   explicit ColourTable(const ColourHistogram& histogram);
@@ -36,9 +36,10 @@ class ColourTable {
   /// Writes 256 entries, 0xAARRGGBB.
   void copy_entries(std::uint32_t* entries) const;
 
-  /// The colours' numbers for a frame, with ordered dither (Bayer 8 × 8): the same pixel in another
-  /// frame gets the same number, so what stands still does not flicker. The dither is as wide as
-  /// the colours lie apart on average. Rows of numbers lie `stride` bytes apart.
+  /// Writes the palette index of each pixel of a frame, with ordered dither (Bayer 8 × 8). An
+  /// unchanged pixel has the same index in every frame, so static areas do not flicker. The
+  /// dither's amplitude is the average spacing of the palette's colours. Rows of `numbers` are
+  /// `stride` bytes apart.
   void index(const Image8& frame, std::uint8_t* numbers, int stride);
 
   int size() const { return static_cast<int>(colours_.size()); }

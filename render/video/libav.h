@@ -1,6 +1,6 @@
 #pragma once
 
-// The C libraries of FFmpeg, and owners for what they allocate. Included by video sources only.
+// The C libraries of FFmpeg, and owning types for their objects. Included by video sources only.
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -47,7 +47,7 @@ using Scaler = std::unique_ptr<SwsContext, FreeScaler>;
 using Input = std::unique_ptr<AVFormatContext, CloseInput>;
 using Output = std::unique_ptr<AVFormatContext, CloseOutput>;
 
-/// Throws Error with the library's own words when `code` is negative; returns it otherwise.
+/// Throws Error with the library's error text when `code` is negative; otherwise returns `code`.
 inline int checked(int code, const std::string& doing) {
   if (code >= 0) return code;
   char words[AV_ERROR_MAX_STRING_SIZE] = {};
@@ -55,7 +55,8 @@ inline int checked(int code, const std::string& doing) {
   throw Error(doing + ": " + words);
 }
 
-/// Between 8-bit sRGB and BT.709 of limited range, rounded alike on every processor.
+/// Returns a converter between 8-bit sRGB and limited-range BT.709 that rounds identically on every
+/// processor.
 inline Scaler make_scaler(int width, int height, AVPixelFormat from, AVPixelFormat to,
                           bool to_video) {
   Scaler scaler(sws_getContext(

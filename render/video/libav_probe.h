@@ -7,7 +7,7 @@
 
 namespace mien::render {
 
-// The functions of video.h for files that FFmpeg reads: all kinds but WebP.
+// The functions of video.h for files that FFmpeg reads: all kinds except WebP.
 
 VideoSummary libav_probe(const std::filesystem::path& path,
                          const std::function<void(const TimedPicture&)>& on_picture, int row_step);

@@ -11,25 +11,26 @@
 
 namespace mien::render {
 
-/// The pixel format in which a kind's encoder takes its pictures.
+/// Returns the pixel format that a kind's encoder expects.
 AVPixelFormat pixel_format_of(VideoKind kind);
 
-/// One encoder with its container: pictures in, a file out. Its settings are those of the kind;
-/// nothing of the machine or the time goes into the file, and the number of threads is fixed,
-/// because encoders cut their work by it.
+/// An encoder with its container: encodes pictures into a file. Its settings are those of the kind.
+/// The file depends neither on the machine nor on the time; the number of threads is fixed, because
+/// encoders partition their work by it.
 class StreamEncoder {
  public:
-  /// Throws Error: no such encoder in this FFmpeg, the file cannot be made.
+  /// Throws Error when this FFmpeg lacks the encoder or the file cannot be created.
   StreamEncoder(const std::filesystem::path& path, const VideoFormat& format);
 
   /// The picture to be filled for the next `send`.
   AVFrame& picture();
 
-  /// Encodes the picture as the next frame. Throws Error when the encoder returns another packet
-  /// than that of the next frame, for kinds with a packet per frame.
+  /// Encodes the picture as the next frame. For kinds with a packet per frame, throws Error when
+  /// the encoder returns a packet that is not that of the next frame.
   void send();
 
-  /// Completes the file. Throws Error when no frame was sent, or one did not come out.
+  /// Completes the file. Throws Error when no frame was sent, or the encoder returned fewer frames
+  /// than were sent.
   void finish();
 
   /// The packet_hash of each frame so far; empty for kinds without a packet per frame.

@@ -12,7 +12,7 @@
 
 namespace mien::render {
 
-/// Frames a second as a fraction: 30/1, 30000/1001.
+/// A frame rate, frames per second, as a fraction: 30/1, 30000/1001.
 struct FrameRate {
   int numerator = 30;
   int denominator = 1;
@@ -25,7 +25,7 @@ struct FrameRate {
 /// 1000). Throws std::invalid_argument when it is not positive.
 FrameRate frame_rate(double per_second);
 
-/// How hard an encoder tries to make files small: `fast` keeps up with drafts.
+/// The encoder's effort to make files small: `fast` is for drafts.
 enum class VideoEffort { fast, thorough };
 
 struct VideoFormat {
@@ -37,8 +37,9 @@ struct VideoFormat {
   bool loops = true;  ///< animated pictures: repeat for ever, else play once
 };
 
-/// Writes a video of any kind (video_kind.h): exactly the frames given, at a constant rate, with
-/// nothing of the time or the machine in it, so the same frames give the same bytes everywhere.
+/// Writes a video of any kind (video_kind.h): exactly the given frames, at a constant rate. The
+/// file contains nothing that depends on the time or the machine, so the same frames give the same
+/// bytes everywhere.
 ///
 ///   VideoWriter video(path, {.width = 960, .height = 540, .rate = {30, 1}});
 ///   for (…) video.write(to_srgb8(tracer.trace(scene, camera, quality)));
@@ -46,35 +47,36 @@ struct VideoFormat {
 ///
 /// Lossy kinds are yuv420p, BT.709, limited range; lossless ones RGB; all are tagged so where their
 /// container can. MP4 has its index at the front and no B frames, so that players which ignore edit
-/// lists show the right times. Matroska and WebM know times in milliseconds, WebP likewise, GIF in
-/// hundredths of a second: each frame is shown at the nearest. A GIF has one table of colours for
-/// all frames, found from all of them, and ordered dither; its frames wait in a file
+/// lists show the right times. Matroska, WebM and WebP store times in milliseconds, GIF in
+/// hundredths of a second; each frame is shown at the nearest such time. A GIF has one palette,
+/// computed from all frames, and ordered dither; its frames are kept in a temporary file
 /// "<path>.frames.mkv" until finish().
 ///
 /// A writer destroyed before finish() leaves an unusable file behind.
 class VideoWriter {
  public:
-  /// Throws Error: a size that the kind cannot have, an encoder that this FFmpeg lacks, the file
-  /// cannot be made.
+  /// Throws Error when the kind does not support the size, this FFmpeg lacks the encoder, or the
+  /// file cannot be created.
   VideoWriter(const std::filesystem::path& path, const VideoFormat& format);
   ~VideoWriter();
   VideoWriter(VideoWriter&&) noexcept;
   VideoWriter& operator=(VideoWriter&&) noexcept;
 
-  /// Appends a frame of the format's size. Throws Error: wrong size, encoder or disk failed.
+  /// Appends a frame of the format's size. Throws Error when the size is wrong, or the encoder or
+  /// the disk fails.
   void write(const Image8& frame);
 
-  /// Completes the file. Throws Error: no frame was written, encoder or disk failed.
+  /// Completes the file. Throws Error when no frame was written, or the encoder or the disk fails.
   void finish();
 
-  /// The receipt of what went into the file; complete after finish().
+  /// The receipt of the frames written to the file; complete after finish().
   const VideoReceipt& receipt() const;
 
  private:
   std::unique_ptr<class VideoEncoder> encoder_;
 };
 
-/// What a video holds, found by decoding all of it.
+/// The properties of a video, found by decoding all of it.
 struct VideoSummary {
   std::string container;     ///< "mov,mp4,m4a,3gp,3g2,mj2"
   std::string codec;         ///< "h264"
@@ -82,8 +84,8 @@ struct VideoSummary {
   int width = 0;
   int height = 0;
   FrameRate rate;
-  int frames = 0;                            ///< that decode
-  std::vector<std::uint64_t> packet_hashes;  ///< packet_hash each packet, in the file's order
+  int frames = 0;                            ///< number of decoded frames
+  std::vector<std::uint64_t> packet_hashes;  ///< packet_hash of each packet, in the file's order
   std::vector<double> times;                 ///< when each frame is shown, seconds
   double tick_seconds = 0.0;                 ///< the container's unit of time
   double duration_seconds = 0.0;       ///< from the first frame's time to the last frame's end
@@ -100,26 +102,27 @@ struct VideoSummary {
 struct TimedPicture {
   int index = 0;
   double seconds = 0.0;   ///< from the start of the file
-  double duration = 0.0;  ///< as the container has it, seconds
+  double duration = 0.0;  ///< as stored in the container, seconds
   const Image8& picture;
 };
 
-/// Decodes every frame, handing each one on when asked to. Throws Error when the file cannot be
-/// opened or a frame does not decode. Pictures that repeat the one before have no frame of their
-/// own in a WebP: the one before is shown longer.
+/// Decodes every frame and passes each to `on_frame`, if given. Throws Error when the file cannot
+/// be opened or a frame does not decode. In a WebP, pictures that repeat the previous one have no
+/// frame of their own: the previous one is shown longer.
 VideoSummary probe(const std::filesystem::path& path,
                    const std::function<void(int index, const Image8& frame)>& on_frame = {});
 
-/// As `probe`, with the times of the pictures. With a step, pictures consist of the rows 0, step, 2
-/// · step … only; not for WebP.
+/// As `probe`, with the times of the pictures. With a `row_step` above 1, pictures consist of the
+/// rows 0, row_step, 2 · row_step … only; not for WebP.
 VideoSummary probe_timed(const std::filesystem::path& path,
                          const std::function<void(const TimedPicture&)>& on_picture,
                          int row_step = 1);
 
 /// As probe_timed with several threads, which decode from key frame to key frame in parallel:
-/// `on_picture` is called concurrently, and of several errors, also of `on_picture`, that of the
-/// earliest frame is thrown. The video has a packet per frame (has_packet_per_frame); throws Error
-/// where a packet is not a frame. A WebP is decoded as by probe_timed.
+/// `on_picture` is called concurrently, and of several errors, including those of `on_picture`,
+/// that of the earliest frame is thrown. The video must have a packet per frame
+/// (has_packet_per_frame); throws Error if a packet is not a frame. A WebP is decoded as by
+/// probe_timed.
 VideoSummary probe_in_parallel(const std::filesystem::path& path,
                                const std::function<void(const TimedPicture&)>& on_picture,
                                int row_step, int threads);
@@ -128,7 +131,8 @@ VideoSummary probe_in_parallel(const std::filesystem::path& path,
 /// Error when that fails.
 Image8 decode_first_picture(const std::filesystem::path& path);
 
-/// For the provenance: "libavcodec 59.37.100, libavformat 59.27.100, libswscale 6.7.100".
+/// Library versions for provenance records: "libavcodec 59.37.100, libavformat 59.27.100,
+/// libswscale 6.7.100".
 std::string video_libraries();
 
 }  // namespace mien::render

@@ -8,43 +8,43 @@
 
 namespace mien::render {
 
-/// What the check of a written video found.
+/// The result of checking a written video.
 struct VideoCheck {
   VideoSummary summary;
-  int frames = 0;              ///< that it shows
-  bool identical = true;       ///< every decoded frame is the frame written
+  int frames = 0;              ///< number of frames that are shown
+  bool identical = true;       ///< every decoded frame equals the frame written
   double worst_psnr_db = 0.0;  ///< of all frames; infinite when identical (video_sketch.h)
   int worst_psnr_frame = 0;
   double worst_ssim = 1.0;
   int worst_ssim_frame = 0;
 };
 
-/// Decodes a video and throws Error, with the worst frame, unless it is what was written:
+/// Decodes a video and throws Error, naming the worst frame, unless it matches what was written:
 ///
 /// - size, codec and colour tags are those of the kind, MP4 has its index at the front;
-/// - as many frames as were written, each shown at its time and the last to the film's end, as
-///   nearly as the container can say; a WebP may show a picture for several frames, or
-///   for all of a film without movement;
+/// - as many frames as were written, each shown at its time and the last until the film's end, to
+///   the container's time resolution; a WebP may show a picture for several frames, or for all of a
+///   film without movement;
 /// - the first frame decodes from its own bytes alone;
-/// - no part of a frame (a tile of video_sketch.h) is lighter or darker by more than 12 of 255;
+/// - no tile of a frame (video_sketch.h) is lighter or darker by more than 12 of 255;
 /// - lossless kinds: each frame is the frame written; others: the worst frame's PSNR and SSIM reach
 ///   the kind's least values (video_kind.h); 6 dB and 0.15 less for pictures below 100,000 pixels,
 ///   and less still where they have few tiles to estimate them from;
-/// - no frame's parts are twice as near to those of the one before or after it as to its own,
-///   unless all are within 1 of 255;
-/// - with a receipt: the frames that the encoder was given are those of the film, every one once
-///   and in its place, and the file contains exactly the bytes that the encoder made of each.
+/// - no decoded frame's tiles are twice as close to those of the previous or next written frame as
+///   to those of its own, unless all are within 1 of 255;
+/// - with a receipt: the encoder was given exactly the frames of the film, each once and in order,
+///   and the file contains exactly the bytes that the encoder produced for each.
 ///
-/// The receipt finds every frame that is lost, doubled, swapped or damaged, however little they
-/// differ; similarity only has to tell whether the encoder worked, for which a sketch of some rows
-/// is enough. Throws std::invalid_argument for a sketch of some rows without a receipt. What it
-/// finds does not depend on the number of threads.
+/// The receipt reveals every frame that is lost, duplicated, swapped or damaged, however little
+/// frames differ; similarity only has to show that the encoder worked, for which a sketch of some
+/// rows suffices. Throws std::invalid_argument for a sketch of some rows without a receipt. The
+/// result does not depend on the number of threads.
 VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
                        const VideoSketch& written, const VideoReceipt* receipt = nullptr,
                        int threads = 2);
 
-/// Step between the rows that the check of a draft looks at: every fourth row of videos that are
-/// coded in blocks of four rows or more; every row of others and of small ones.
+/// Returns the step between the rows that the check of a draft compares: every fourth row of videos
+/// that are coded in blocks of four rows or more; every row of others and of small ones.
 int checked_row_step(const VideoFormat& format);
 
 /// "identical to the frames", or "worst PSNR 44.1 dB (frame 3), worst SSIM 0.995 (frame 7)".

@@ -9,9 +9,10 @@
 
 namespace mien::render {
 
-// The files of videos, as FFmpeg reads and writes them. Its libraries take 0.02 s to load, more
-// than all else that mien is linked to: they lie in a part of the program that is loaded when the
-// first video is read or written. These types and those of video.h are all that both sides know.
+// Reading and writing of video files by FFmpeg. Its libraries take 0.02 s to load, more than all
+// others that mien is linked to, so they are linked to a plug-in that is loaded when the first
+// video is read or written. The types below and those of video.h are the whole interface between
+// the program and the plug-in.
 
 /// Implementation of VideoWriter.
 class VideoEncoder {
@@ -22,7 +23,7 @@ class VideoEncoder {
   virtual const VideoReceipt& receipt() const = 0;
 };
 
-/// Implementation of the functions of video.h; its readers take all kinds but WebP.
+/// Implementation of the functions of video.h; its readers support all kinds except WebP.
 class VideoFiles {
  public:
   virtual ~VideoFiles() = default;

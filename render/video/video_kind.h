@@ -10,8 +10,8 @@ namespace mien::render {
 /// Containers and codecs that a film can be written as.
 enum class VideoKind { mp4, mp4_lossless, webm, webm_av1, mkv, webp, gif, apng };
 
-/// Properties of a kind. Similarity is that of the worst decoded frame to the frame that was
-/// written.
+/// Properties of a kind. Least similarities apply to the worst decoded frame, compared with the
+/// frame that was written.
 struct VideoTraits {
   VideoKind kind;
   std::string_view name;         ///< in manifests: "mp4-lossless"
@@ -20,9 +20,9 @@ struct VideoTraits {
   std::string_view codec;        ///< as FFmpeg names it: "h264"
   bool even_size = false;        ///< width and height must be even
   bool lossless = false;         ///< decodes to exactly the frames written
-  bool picture = false;          ///< an animated picture: it has a number of repetitions
-  /// Frames a second that players show at their true speed: browsers show pictures of animations
-  /// that should last 10 ms or less for 100.
+  bool picture = false;          ///< an animated image, which stores a number of repetitions
+  /// Highest frame rate that players show at true speed, frames per second: browsers show pictures
+  /// of an animation that should last 10 ms or less for 100 ms.
   double most_fps = 240.0;
   double least_psnr_db = 0.0;  ///< of the worst frame that passes the check; lossy kinds
   double least_ssim = 0.0;     ///< of the worst frame that passes the check; lossy kinds
@@ -33,8 +33,8 @@ std::span<const VideoTraits> video_kinds();
 
 const VideoTraits& traits_of(VideoKind kind);
 
-/// The kind of a file by the ending of its name, the longest that fits: "x.lossless.mp4" is
-/// mp4_lossless, "x.mp4" is mp4; "x.png" is none.
+/// The kind of a file by the longest matching ending of its name: "x.lossless.mp4" is mp4_lossless,
+/// "x.mp4" is mp4; "x.png" is none.
 std::optional<VideoKind> video_kind_of(const std::filesystem::path& file);
 
 /// A path with the extension of a kind.

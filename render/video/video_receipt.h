@@ -10,26 +10,29 @@
 
 namespace mien::render {
 
-/// Hashes of what went into a video while it was written, to check the file against. Similarity
-/// only estimates, and fails for movements so slow that coding changes a frame by more than the
-/// next frame differs from it; these hashes tell exactly (but for a chance of 2⁻⁶⁴) which frames
-/// the encoder was given and which bytes of the file it made of each.
+/// Hashes of a video's frames and packets, recorded while it is written, to check the file against.
+/// Similarity is only an estimate and fails for movements so slow that lossy coding changes a frame
+/// by more than it differs from the next one; these hashes identify exactly (except with
+/// probability 2⁻⁶⁴) which frames the encoder was given and which bytes of the file it produced for
+/// each.
 struct VideoReceipt {
-  std::vector<std::uint64_t> frames;         ///< hash_of each frame that was written, in order
-  std::vector<std::uint64_t> packet_hashes;  ///< of each frame; empty: no packet per frame
+  std::vector<std::uint64_t> frames;  ///< hash_of each written frame, in order
+  /// The packet_hash of each frame; empty for kinds without a packet per frame.
+  std::vector<std::uint64_t> packet_hashes;
 };
 
-/// Whether files of that kind store each frame as one packet as the encoder made it: MP4, WebM and
-/// Matroska do, animated pictures do not.
+/// Whether files of this kind store each frame as one packet, as the encoder produced it: MP4, WebM
+/// and Matroska do, animated pictures do not.
 bool has_packet_per_frame(VideoKind kind);
 
 /// Hash of all channels of a picture.
 std::uint64_t hash_of(const Image8& picture);
 
-/// Hash of the coded bytes of a frame (a packet) of a codec ("h264"), the same for what the encoder
-/// made and for what the file holds: H.264 has marks between its units where MP4 has their lengths
-/// (ISO/IEC 14496-15, of four bytes), and WebM leaves out the marks between AV1's frames.
-/// `has_lengths`: as MP4 has it.
+/// Returns the hash of a frame's coded bytes (a packet) for a codec ("h264"). It is the same for
+/// the encoder's packet and the file's: H.264 NAL units are hashed without their separators, which
+/// are start codes (Annex B) in the encoder's output and length prefixes of four bytes in MP4
+/// (ISO/IEC 14496-15); AV1 frames are hashed without temporal delimiters, which WebM omits.
+/// `has_lengths`: whether `bytes` has length prefixes.
 std::uint64_t packet_hash(std::string_view codec, std::span<const std::uint8_t> bytes,
                           bool has_lengths);
 

@@ -11,43 +11,43 @@
 
 namespace mien::render {
 
-/// What is kept of a frame to compare a decoded one with it: four kilobytes, so that no frame has
-/// to be held or drawn again, and ten thousand take some 40 MB.
+/// A summary of a frame, about 4 KB, for comparison with the decoded frame. With it no frame has to
+/// be kept or rendered again; the sketches of ten thousand frames take about 40 MB.
 struct FrameSketch {
   /// Statistics of one square of the picture. Projections are sums of its values with fixed random
-  /// signs: the square of the difference of two frames' projections is, in the mean over all signs,
-  /// the sum of squares of their differences (Alon, Matias and Szegedy 1996). They are divided by
-  /// the root of the number of values.
+  /// signs: the square of the difference of two frames' projections has, over random signs, the sum
+  /// of squares of their differences as its expectation (Alon, Matias and Szegedy 1996).
+  /// Projections are divided by the square root of the number of values.
   struct Tile {
-    std::uint16_t mean = 0;          ///< of luma, in 256ths of a code
+    std::uint16_t mean = 0;          ///< of luma, in 256ths of a code value
     std::uint16_t deviation = 0;     ///< of luma, in 512ths
     Eigen::half luma_projection{};   ///< of luma
     Eigen::half color_projection{};  ///< of all three channels
   };
 
-  std::uint64_t hash = 0;  ///< of every channel
+  std::uint64_t hash = 0;  ///< of all channels
   std::vector<Tile> tiles;
 };
 
 /// Similarity of two frames.
 struct FrameSimilarity {
-  bool identical = false;     ///< by hash
-  double psnr_db = 0.0;       ///< over the three channels of 8 bits; infinite when identical
-  double ssim = 0.0;          ///< of luma (Wang et al. 2004), uniform windows without overlap
-  double worst_part = 0.0;    ///< largest difference of a tile's mean luma, 0 … 255; to 1/256
+  bool identical = false;  ///< by hash
+  double psnr_db = 0.0;    ///< over the three channels of 8 bits; infinite when identical
+  double ssim = 0.0;       ///< of luma (Wang et al. 2004), uniform windows without overlap
+  double worst_part = 0.0;  ///< largest difference of a tile's mean luma, 0 … 255; resolution 1/256
   double parts_square = 0.0;  ///< sum over the tiles of the squares of those differences
 };
 
 /// Makes and compares sketches of frames of one size.
 ///
-/// `identical` is exact but for a chance of 2⁻⁶⁴. PSNR and SSIM are estimates without bias in which
-/// every pixel counts, but for the rounding of projections, which shows above 60 dB: with n tiles
-/// the relative standard error of the mean squared error is at most √(2/n) where errors are spread
-/// evenly, 0.35 dB for the 300 to 512 tiles of usual frames.
-/// What is wrong in one part alone shows in `worst_part`.
+/// `identical` is exact except with probability 2⁻⁶⁴. PSNR and SSIM are unbiased estimates to which
+/// every pixel contributes, except for the rounding of projections, which is noticeable above 60
+/// dB. With n tiles the relative standard error of the mean squared error is at most √(2/n) where
+/// errors are spread evenly, 0.35 dB for the 300 to 512 tiles of usual frames. An error confined to
+/// one part shows in `worst_part`.
 class FrameSketcher {
  public:
-  /// With a step, only the rows 0, step, 2 · step … are sampled.
+  /// With a `row_step` above 1, only the rows 0, row_step, 2 · row_step … are sampled.
   FrameSketcher(int width, int height, int row_step = 1);
 
   /// Throws std::invalid_argument for a frame of another size.
@@ -69,7 +69,7 @@ class FrameSketcher {
   FrameSketch sketch_from(const std::uint8_t* rows, std::ptrdiff_t row_bytes) const;
 
   int width_;
-  int height_;  // rows that are looked at
+  int height_;  // sampled rows
   int whole_height_;
   int row_step_;
   int edge_;
@@ -83,7 +83,7 @@ class FrameSketcher {
 struct VideoSketch {
   FrameSketcher sketcher;
   std::vector<FrameSketch> frames;
-  std::vector<std::uint64_t> hashes;  ///< hash_of each frame, whatever the sketches look at
+  std::vector<std::uint64_t> hashes;  ///< hash_of each whole frame
 
   VideoSketch(int width, int height, int row_step = 1) : sketcher(width, height, row_step) {}
   void add(const Image8& frame) {

@@ -8,9 +8,9 @@
 
 namespace mien::scenes {
 
-/// The position and target of a camera path at a time: a cubic Hermite spline through the keys
-/// (Catmull & Rom 1974, tangents for uneven times), constant before the first and after the last.
-/// The keys ascend in time; there is at least one.
+/// The position and target of a camera path at a time in seconds: a cubic Hermite spline through
+/// the keys (Catmull & Rom 1974, tangents for uneven times), constant before the first and after
+/// the last. The keys must ascend in time; at least one is required.
 CameraKey camera_on_path(const std::vector<CameraKey>& path, double seconds);
 
 /// The left and the right eye of a camera: parallel axes, `separation_m` metres apart, and pictures

@@ -10,22 +10,22 @@
 
 namespace mien::scenes {
 
-/// Names that `look: {camera: …}` takes: front, side, three-quarter, follow, orbit.
+/// Names that `look: {camera: …}` accepts: front, side, three-quarter, follow, orbit.
 std::vector<std::string> camera_names();
 
-/// One camera a frame of a clip.
+/// The cameras for the frames of a clip.
 struct CameraRig {
-  std::vector<render::Camera> cameras;  ///< one a frame; a single one for a fixed camera
+  std::vector<render::Camera> cameras;  ///< one per frame; a single one for a fixed camera
   double stereo_separation_m = 0.0;     ///< 0: no stereo; else a left and a right picture
   double convergence_m = 5.0;           ///< distance of zero parallax
   double figure_height_m = 1.75;        ///< of the standing figure
 
-  /// Where the figure stands for the first camera: in the middle of its path or, if the cameras
-  /// follow it, where it is in the first frame; metres.
+  /// Floor position of the figure for the first camera: the middle of its path or, if the cameras
+  /// follow it, its position in the first frame; world space, metres.
   motion::Vec3 figure_floor = motion::Vec3::Zero();
 
   /// Distance of the figure's centre from the cameras along their axes: constant if they follow it,
-  /// else in the middle of its path. 0 or less: behind.
+  /// otherwise at the middle of its path. 0 or less: behind the camera.
   double figure_distance_m = 5.0;
 
   const render::Camera& at(int frame) const {
@@ -33,7 +33,8 @@ struct CameraRig {
   }
 };
 
-/// What the camera has to frame: joint positions of all frames, and the figure's facing direction.
+/// The motion that the camera frames: joint positions of all frames, and the figure's facing
+/// direction.
 struct Action {
   std::vector<std::vector<motion::Vec3>> points;  ///< world space, metres; frame by frame
   motion::Vec3 forward = motion::Vec3::UnitZ();   ///< unit, horizontal
@@ -64,8 +65,8 @@ CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
 double figure_pixels(const CameraRig& rig);
 double visual_degrees(const CameraRig& rig);
 
-/// Distance from the camera at which a figure of that height has the visual angle that is asked
-/// for.
+/// Distance from the camera, metres, at which a figure of this height has the requested visual
+/// angle.
 double eye_distance_m(const ScreenSettings& screen, double height_m);
 
 }  // namespace mien::scenes

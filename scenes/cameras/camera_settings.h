@@ -28,8 +28,9 @@ struct ScreenSettings {
 
 /// Depth of field: a lens that is in focus at one distance only.
 struct DepthOfField {
-  double aperture_m = 0.02;       ///< diameter of the aperture
-  std::optional<double> focus_m;  ///< along the optical axis; follows the figure if not given
+  double aperture_m = 0.02;  ///< diameter of the aperture
+  /// Focus distance along the optical axis; default: follows the figure.
+  std::optional<double> focus_m;
 
   friend bool operator==(const DepthOfField&, const DepthOfField&) = default;
 };
@@ -40,10 +41,11 @@ struct CameraSettings {
   std::string view = "three-quarter";    ///< one of `camera_names`
   bool orthographic = false;             ///< orthographic projection
   std::optional<double> fov_degrees;     ///< from the top to the bottom edge; 26 unless given
-  std::optional<motion::Vec3> position;  ///< with `target`: fixed by numbers, whatever the view
+  std::optional<motion::Vec3> position;  ///< with `target`: replaces that of the view
   std::optional<motion::Vec3> target;
-  std::vector<CameraKey> path;                ///< at least two, in time; instead of a view
-  std::optional<double> stereo_separation_m;  ///< two pictures side by side, left eye left
+  std::vector<CameraKey> path;  ///< at least two keys, ascending in time; replaces the view
+  /// Two pictures side by side, the left eye's on the left.
+  std::optional<double> stereo_separation_m;
   std::optional<ScreenSettings> screen;
   std::optional<double> figure_px;             ///< height of the standing figure; sets the distance
   std::optional<DepthOfField> depth_of_field;  ///< everything is sharp without it

@@ -20,9 +20,10 @@ struct Lens {
 render::Camera look_at_camera(const motion::Vec3& position, const motion::Vec3& target,
                               const Lens& lens);
 
-/// The camera in the direction `towards` (unit) from which all points, as spheres of `margin`
-/// metres, fill the picture except for a margin of 12 %. Each side plane of the view pyramid
-/// touches the outermost sphere, so distance and shift follow from the extremes without a search.
+/// The camera that is placed in the direction `towards` (unit) so that all points, as spheres with
+/// a radius of `margin` metres, fill the picture except for a margin of 12 %. Each side plane of
+/// the view pyramid touches the outermost sphere, so distance and shift follow from the extremes
+/// without a search.
 render::Camera framing(const std::vector<motion::Vec3>& points, double margin,
                        const motion::Vec3& towards, const Lens& lens);
 

@@ -18,27 +18,27 @@ namespace mien::scenes {
 /// Everything is in its bind pose: +Y up, joint frames parallel to the world's.
 struct Character {
   std::string name;
-  motion::Skeleton rig;             ///< its own joints; joint 0 sits at its offset
+  motion::Skeleton rig;             ///< its own joints; joint 0 is positioned at its offset
   motion::MappedJoints joints;      ///< the rig joints that correspond to each joint of the body
   motion::Skeleton body;            ///< the canonical body with its bone lengths, metres
-  std::vector<SkinnedMesh> meshes;  ///< influences are the rig's joints
+  std::vector<SkinnedMesh> meshes;  ///< influences refer to joints of the rig
   std::vector<render::Material> materials;
   std::vector<render::Texture> textures;
 
   /// Rotation of each joint of the body in the bind pose, world space: a T-pose has none.
   std::array<motion::Quat, motion::body_joint_count> bind_rotations;
 
-  /// How far the mesh's soles lie below those of the body (motion/skeleton/sole.h) when it stands
-  /// at rest.
+  /// Depth of the mesh's soles below those of the body (motion/skeleton/sole.h) in the rest pose,
+  /// metres.
   double sole_depth = 0.0;
 
   std::vector<std::string> warnings;  ///< parts of the file that are not rendered, as sentences
 };
 
-/// Endings of files that `read_character` reads.
+/// File name endings that `read_character` supports.
 inline constexpr std::string_view character_endings[] = {".gltf", ".glb", ".vrm"};
 
-/// Whether a file has one of them.
+/// Whether a path has one of these endings.
 bool is_character_file(const std::filesystem::path& path);
 
 /// Reads a text or binary glTF 2.0 file with its buffers and pictures.
@@ -57,26 +57,26 @@ bool is_character_file(const std::filesystem::path& path);
 /// figure, indices out of range, numbers that are not finite, circles, pictures that are missing.
 Character read_character(const std::filesystem::path& path);
 
-/// As `read_character`, from a file in memory with all buffers and pictures embedded.
+/// As `read_character`, but from a file in memory with all buffers and pictures embedded.
 Character parse_character(std::string_view bytes, const std::string& file_name);
 
-/// The external files of a glTF file, buffers and pictures, in its order, whether they exist or
-/// not. Throws mien::Error when it cannot be read.
+/// The external files of a glTF file, buffers and pictures, in the order of the file, whether or
+/// not they exist. Throws mien::Error when it cannot be read.
 std::vector<std::filesystem::path> files_of_character(const std::filesystem::path& path);
 
 /// The character, scaled uniformly to the leg length of `body`, so that steps keep their length.
 Character scaled_to_body(Character character, const motion::Skeleton& body);
 
-/// The motion retargeted to the character's body: same rotations, soles on the floor.
+/// The motion retargeted to the character's body: with the same rotations, and soles on the floor.
 motion::Clip retargeted_to(const Character& character, const motion::Clip& clip);
 
 /// World transforms of the rig's joints in a pose of the character's body; rotations are relative
-/// to the bind pose. Rig joints that correspond to a joint of the body turn with it, all others
+/// to the bind pose. Rig joints that correspond to a joint of the body rotate with it; all others
 /// follow their parent.
 motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose);
 
-/// World transforms of the rig's joints in the bind pose, as `rig_pose` has them: identity
-/// rotations.
+/// World transforms of the rig's joints in the bind pose; as relative rotations, all are the
+/// identity.
 motion::JointTransforms rig_bind_pose(const Character& character);
 
 /// The joint of the body that each joint of the rig follows: its own, or that of its nearest

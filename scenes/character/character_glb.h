@@ -6,8 +6,8 @@
 
 namespace mien::scenes {
 
-/// The character as a GLB file (skinned_glb.h); `rig_pose` has the transforms of its joints. Throws
-/// Error.
+/// The character as a GLB file (skinned_glb.h); `rig_pose` returns the transforms of its joints.
+/// Throws Error.
 std::string to_glb(const Character& character);
 
 }  // namespace mien::scenes

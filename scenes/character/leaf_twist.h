@@ -5,8 +5,8 @@
 
 namespace mien::scenes {
 
-/// Limit of the twist of the body's end joints about their bones, radians: small for toes, about
-/// the range of neck and forearm for head and hands. Infinite for other joints.
+/// Limit of the twist of the body's end joints about their bones, radians: small for toes; for head
+/// and hands about the anatomical range of neck and forearm; infinite for other joints.
 ///
 /// Recordings and rigs do not determine the twist of an end joint, and linear blend skinning
 /// collapses at half a turn (the candy-wrapper artefact).

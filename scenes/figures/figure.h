@@ -13,18 +13,18 @@
 
 namespace mien::scenes {
 
-/// Height at which the figure is drawn, metres: the body's stature; of another skeleton its extent
-/// from the root in the first frame, at least 0.2.
+/// Height of the drawn figure, metres: the stature of a canonical body; for any other skeleton its
+/// extent from the root in the first frame, at least 0.2.
 double figure_height(const motion::Clip& clip);
 
-/// What is declared of a kind of figure beside its options, of which it is the member `kind`.
-/// Whatever reads, checks, lists or describes figures goes by it.
+/// The properties of a kind of figure, declared as the member `kind` of its options. All code that
+/// reads, checks, lists or describes figures is based on them.
 struct FigureKind {
   const char* name;            ///< in manifests, options and tables: "point-light"
-  const char* set = "studio";  ///< where it is shown unless a set is named
+  const char* set = "studio";  ///< default set
 
-  /// Drawn as dots (Actor::dots) of exactly the colours that are given, without motion blur. What
-  /// is random about them depends on the stimulus, and a table lists their positions.
+  /// Whether it is drawn as dots (Actor::dots) in exactly the given colours, without motion blur.
+  /// Their random properties depend on the stimulus, and a table lists their positions.
   bool has_dots = false;
 
   const char* not_in_overlays = "";  ///< why an overlay cannot show it; empty: it can
@@ -70,14 +70,14 @@ struct PointLightOptions {
   std::string joint_set = "standard";
   std::vector<std::string> joints;  ///< names of the skeleton's joints, and "HeadTop"
 
-  double size_px = 8.0;          ///< diameter, the same near and far
+  double size_px = 8.0;          ///< diameter in pixels, independent of distance
   std::optional<double> size_m;  ///< diameter in metres instead: nearer dots are larger
 
   bool dark_on_light = false;  ///< dots darker than the background
   /// Michelson contrast of dots and background, 0 … 1; the lighter of the two is white.
   double contrast = 1.0;
   std::string colour;      ///< "#rrggbb" of the dots; empty: by polarity and contrast
-  std::string background;  ///< of the background; empty: by polarity and contrast
+  std::string background;  ///< "#rrggbb" of the background; empty: by polarity and contrast
 
   /// Limited lifetime: frames that a dot keeps its position on the body before it moves to a random
   /// position on any limb (Beintema & Lappe 2002); dots change asynchronously. 0: unlimited, on the
@@ -85,13 +85,13 @@ struct PointLightOptions {
   int lifetime = 0;
 
   bool inverted = false;         ///< upside down
-  bool mirrored = false;         ///< left and right exchanged, as seen by the camera
+  bool mirrored = false;         ///< left and right swapped, as seen by the camera
   double rotated_degrees = 0.0;  ///< about the vertical, counter-clockwise seen from above
-  bool scrambled = false;        ///< each dot's motion at a random position in the extent
+  bool scrambled = false;  ///< each dot's motion at a random position within the figure's extent
 
   bool reversed = false;         ///< last frame first
   bool constant_speed = false;   ///< each dot follows its own path at constant speed
-  bool phase_scrambled = false;  ///< each dot's motion starts at a random moment of it
+  bool phase_scrambled = false;  ///< each dot's motion starts at a random phase
 
   /// Number of noise dots, which move in straight lines in the picture plane, as fast as the
   /// figure's dots, and reverse at the ends of the figure's extent.
@@ -100,7 +100,7 @@ struct PointLightOptions {
   /// with another phase.
   int mask = 0;
 
-  std::optional<std::uint64_t> seed;  ///< default: derived from the production's
+  std::optional<std::uint64_t> seed;  ///< default: derived from the production's seed
 
   friend bool operator==(const PointLightOptions&, const PointLightOptions&) = default;
 };
@@ -115,25 +115,25 @@ struct TrailOptions {
 
   BodyFigure figure;
 
-  /// Number of poses left behind, evenly spread over the clip, each visible from its time on; the
+  /// Number of poses that stay visible, evenly spread over the clip, each from its own time on; the
   /// last picture shows them all.
   int poses = 6;
 
   int before = 0;                   ///< onion skin: number of poses before the present one
-  int after = 0;                    ///< and after it
-  double every_s = 0.2;             ///< seconds from one to the next
+  int after = 0;                    ///< onion skin: number of poses after the present one
+  double every_s = 0.2;             ///< interval between the onion skin's poses, seconds
   double min_opacity = 0.15;        ///< opacity of the pose farthest from the present, 0 … 1
-  double trace_width_m = 0.018;     ///< of the lines that joints leave behind
+  double trace_width_m = 0.018;     ///< width of the traces of joints
   std::vector<std::string> traces;  ///< "feet", "hands", "head", "pelvis", or names of joints
 
   friend bool operator==(const TrailOptions&, const TrailOptions&) = default;
 };
 
-/// What represents the moving body, with its options.
+/// The representation of the moving body, with its options.
 using Figure =
     std::variant<StickOptions, MannequinOptions, CharacterOptions, PointLightOptions, TrailOptions>;
 
-/// Options of a kind that is read from a file, and so is nothing by its name alone.
+/// Options of a kind that is read from a file, so that its name alone does not specify it.
 template <class Options>
 concept FromFile = requires(const Options& options) {
   options.file;

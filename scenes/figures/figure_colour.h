@@ -6,13 +6,13 @@
 
 namespace mien::scenes {
 
-/// Whether a text is # and six hexadecimal digits.
+/// Whether a text consists of "#" and six hexadecimal digits.
 bool is_hex_colour(std::string_view text);
 
 /// The linear colour of "#rrggbb" (sRGB).
 render::Color colour_from_hex(std::string_view hex);
 
-/// The role of a figure, which its hue shows in all pictures and sheets.
+/// The role of a figure, which determines its hue in all pictures and sheets.
 enum class Role { target, created, reference, neutral };
 
 /// A figure's colours, linear Rec.709 albedo. Left limbs are lighter than right ones, so that

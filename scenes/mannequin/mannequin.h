@@ -22,15 +22,15 @@ struct Mannequin {
   render::Texture paint;
 };
 
-/// Makes a mannequin for the canonical body (`is_body`) with its own bone lengths; takes long, so
-/// do it once for a shot.
+/// Makes a mannequin for the canonical body (`is_body`) with its own bone lengths; expensive, so
+/// call it once per shot.
 ///
 /// Its colours are those of the stick figure, with less difference between left and right limbs;
 /// the face contrasts, so that its direction can be seen.
 Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
                          const FigureColours& colours);
 
-/// The material of its surface; `texture` is the index of its paint among the scene's textures.
+/// The material of a mannequin's surface; `texture` is the index of its paint in Scene::textures.
 render::Material mannequin_skin(int texture);
 
 /// Appends the mannequin in a pose of the body that it was made for (dual quaternion skinning), its
@@ -43,7 +43,7 @@ void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motio
 render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose);
 
-/// A mannequin that was made for that body as a GLB file (skinned_glb.h); its joints are the
+/// A mannequin that was made for this body as a GLB file (skinned_glb.h); its joints are the
 /// body's. glTF viewers use linear blend skinning, so twisting wrists and shoulders are a little
 /// thinner than in films. Throws Error.
 std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body);

@@ -28,12 +28,13 @@ LimbDistances limb_distances(const Flesh& flesh, const motion::Vec3& point);
 double signed_distance(const Flesh& flesh, const motion::Vec3& point);
 
 /// The bind pose of a mannequin (an A-pose): arms 50° below the horizontal and legs slightly apart,
-/// so that limbs do not touch and both walking and raised arms are near. Clavicles are raised by
-/// `collar_lift`. The soles touch y = 0.
+/// so that limbs do not touch and the pose is close both to walking and to raised arms. Clavicles
+/// are raised by `collar_lift`. The soles touch y = 0.
 motion::Pose modelling_pose(const motion::Skeleton& body);
 
-/// The implicit surface of a body in that pose: widths and shapes of an adult, modelled by eye,
-/// scaled to the body's stature and bones. The soles are those of motion/skeleton/sole.h.
+/// The implicit surface of a body in its `modelling_pose`, of which `pose` has the transforms:
+/// widths and shapes of an adult, modelled by eye, scaled to the body's stature and bones. The
+/// soles are those of motion/skeleton/sole.h.
 Flesh flesh_of(const motion::Skeleton& body, const motion::JointTransforms& pose,
                const MannequinOptions& options);
 

@@ -19,11 +19,11 @@ struct Trunk {
   double half_hips;        ///< from the middle to a hip joint
   double half_shoulders;   ///< from the middle to a shoulder joint
 
-  double stretch() const;  ///< height of the trunk relative to the standard body's
-  double breadth()
-      const;  ///< breadth of the chest relative to the standard body's, clamped to the human range
-  double waist()
-      const;  ///< breadth of the waist relative to the standard body's: between chest and hips
+  double stretch() const;  ///< ratio of the trunk's height to the standard body's
+  /// Breadth of the chest relative to the standard body's, clamped to the human range.
+  double breadth() const;
+  /// Breadth of the waist relative to the standard body's: between chest and hips.
+  double waist() const;
 
   /// World position of (left, level, forward).
   motion::Vec3 at(const motion::Vec3& place) const;
@@ -35,8 +35,9 @@ Trunk trunk_of(const motion::Skeleton& body, const motion::JointTransforms& pose
 /// Size and position of the head. Rigs place the head joint anywhere from the nape to the eyes, and
 /// some end the head below the crown; real heads differ little.
 struct HeadShape {
-  double size;         ///< relative to the standard body's head
-  motion::Vec3 raise;  ///< from the joint to where the standard head has it, in the joint's frame
+  double size;  ///< relative to the standard body's head
+  /// From the joint to its position in the standard head, in the joint's frame, metres.
+  motion::Vec3 raise;
 };
 
 HeadShape head_shape(const motion::Skeleton& body);

@@ -7,7 +7,8 @@
 
 namespace mien::scenes {
 
-/// A half-space: the side of `point` that the unit vector `inward` points to.
+/// A half-space: the side, towards the unit vector `inward`, of the plane through `point` normal to
+/// it.
 struct HalfSpace {
   motion::Vec3 point = motion::Vec3::Zero();
   motion::Vec3 inward = motion::Vec3::UnitY();
@@ -22,12 +23,12 @@ struct SdfPrimitive {
   Shape shape = Shape::ellipsoid;
 
   motion::Vec3 start = motion::Vec3::Zero();  ///< centre of the ellipsoid or of the first sphere
-  motion::Vec3 end = motion::Vec3::Zero();    ///< of the second sphere; round cone only
+  motion::Vec3 end = motion::Vec3::Zero();    ///< centre of the second sphere; round cone only
   double start_radius = 0.0;
   double end_radius = 0.0;
 
   motion::Mat3 axes = motion::Mat3::Identity();  ///< columns: the ellipsoid's axes
-  motion::Vec3 radii = motion::Vec3::Ones();     ///< along them
+  motion::Vec3 radii = motion::Vec3::Ones();     ///< the ellipsoid's semi-axes along `axes`
 
   double blend = 0.03;  ///< radius of the smooth union with the primitives before it, metres
   std::optional<HalfSpace> within;
@@ -38,8 +39,8 @@ struct SdfPrimitive {
 /// that contains the ellipsoid.
 double signed_distance(const SdfPrimitive& primitive, const motion::Vec3& point);
 
-/// The polynomial smooth minimum (Quilez, "Smooth minimum"): min(a, b) where they differ by `blend`
-/// or more, up to a quarter of `blend` less where they are equal.
+/// The polynomial smooth minimum (Quilez, "Smooth minimum"): min(a, b) where a and b differ by
+/// `blend` or more, and less by up to a quarter of `blend` (at a = b) elsewhere.
 double smooth_minimum(double a, double b, double blend);
 
 /// Approximate signed distance to the smooth union of the primitives, in order. Very large when

@@ -23,14 +23,14 @@ struct Surface {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
-/// A signed distance field, negative inside; its values may exceed the true distance by half at
-/// most.
+/// A signed distance field, negative inside; its values may exceed the true distance by at most 50
+/// %.
 using SignedDistance = std::function<double(const motion::Vec3&)>;
 
 /// The surface where `field` is zero, by the dual of marching cubes (Nielson 2004): one vertex for
-/// each sheet in a cell, among the points where the sheet crosses the cell's edges (surface nets,
-/// Gibson 1998), then moved onto the surface along the field's gradient. On ambiguous faces the
-/// insides are separated.
+/// each sheet in a cell, at the mean of the points where the sheet crosses the cell's edges
+/// (surface nets, Gibson 1998), then moved onto the surface along the field's gradient. On
+/// ambiguous faces the inside regions are kept separate.
 ///
 /// Watertight if the surface does not touch the boundary of the grid. Blocks of the grid that are
 /// farther from the surface than their size are skipped.

@@ -14,12 +14,12 @@ struct DotColours {
   render::Color background;
 };
 
-/// The colours that the options give, or those of polarity and contrast.
+/// The colours stated in the options or, by default, derived from polarity and contrast.
 DotColours dot_colours(const PointLightOptions& options);
 
-/// Appends the dots at a frame, in exactly their colour whatever the light: discs that face the
-/// image plane and have the stated diameter there, or balls where a diameter in metres is given.
-/// Dots behind the camera are left out.
+/// Appends the dots at a frame, in exactly their colour under any lighting: discs that are parallel
+/// to the image plane and have the stated diameter in it, or spheres if the diameter is given in
+/// metres. Dots behind the camera are omitted.
 void add_dots(render::Scene& scene, const std::vector<Dot>& dots, int frame,
               const PointLightOptions& options, const render::Camera& camera);
 

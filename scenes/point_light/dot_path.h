@@ -6,34 +6,35 @@
 
 namespace mien::scenes {
 
-/// Where a dot is, frame by frame; metres.
+/// The positions of a dot, one per frame; world space, metres.
 using DotPath = std::vector<motion::Vec3>;
 
 // Manipulations of the motion of single dots.
 
-/// Last frame first.
+/// The path in reverse order: last frame first.
 DotPath reversed(const DotPath& path);
 
-/// The same path at constant speed: equal arc length from frame to frame. The ends stay.
+/// The same path at constant speed: equal arc length from frame to frame. Both ends stay in place.
 DotPath at_constant_speed(const DotPath& path);
 
-/// Shifted cyclically: begins `frames` later, and the beginning follows the end.
+/// The path shifted cyclically: it begins `frames` later, and its original beginning follows its
+/// end.
 DotPath delayed(const DotPath& path, int frames);
 
-/// Removes, or adds, a translation of `step` metres a frame.
+/// The path without, or with an added, translation of `step` metres per frame.
 DotPath without_travel(const DotPath& path, const motion::Vec3& step);
 DotPath with_travel(const DotPath& path, const motion::Vec3& step);
 
-/// Translated as a whole.
+/// The path translated as a whole by `shift`, metres.
 DotPath shifted(const DotPath& path, const motion::Vec3& shift);
 
-/// Mirrored in the vertical plane through `centre` with the unit normal `across`.
+/// The path mirrored in the vertical plane through `centre` with the unit normal `across`.
 DotPath mirrored(const DotPath& path, const motion::Vec3& centre, const motion::Vec3& across);
 
-/// Inverted (upside down) about the horizontal plane at `height`.
+/// The path inverted (upside down) about the horizontal plane at `height`, metres.
 DotPath inverted(const DotPath& path, double height);
 
-/// Rotated about the vertical axis through `centre`, counter-clockwise seen from above.
+/// The path rotated about the vertical axis through `centre`, counter-clockwise seen from above.
 DotPath rotated(const DotPath& path, const motion::Vec3& centre, double degrees);
 
 /// Arc length of the path, metres.

@@ -13,14 +13,14 @@ namespace mien::scenes {
 /// One dot of a point-light display.
 struct Dot {
   std::string kind;  ///< the joint's name, "noise" or "mask"
-  DotPath path;      ///< world space, one point a frame
+  DotPath path;      ///< world space, metres; one point per frame
 };
 
-/// What the dots depend on besides the clip.
+/// The properties of the stage that the dots depend on in addition to the clip.
 struct DotStage {
   motion::Vec3 centre = motion::Vec3::Zero();   ///< of the action, on the floor
-  motion::Vec3 across = motion::Vec3::UnitX();  ///< unit, level: to the right in the picture
-  motion::Vec3 step = motion::Vec3::Zero();     ///< mean travel a frame (mean_step)
+  motion::Vec3 across = motion::Vec3::UnitX();  ///< unit, horizontal; to the right in the picture
+  motion::Vec3 step = motion::Vec3::Zero();     ///< mean travel per frame, metres (mean_step)
   std::uint64_t seed = 0;                       ///< used unless the options have a seed
 };
 

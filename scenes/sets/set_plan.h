@@ -15,8 +15,8 @@ struct KeyLight {
   double azimuth_degrees = -28.0;  ///< from the figure's front, positive to its right
   double elevation_degrees = 52.0;
   double distance_m = 40.0;
-  double side_m = 8.5;  ///< the larger, the softer the shadows
-  /// Radiance of a white floor under this light alone; 1 is the white of the display.
+  double side_m = 8.5;  ///< edge length; larger lights cast softer shadows
+  /// Radiance of a white floor lit by this light alone; 1 is display white.
   double strength = 0.58;
   render::Color colour{1.0f, 1.0f, 1.0f};
 };
@@ -28,7 +28,7 @@ enum class Side { left, right, front, back };
 /// behind it.
 struct Wall {
   Side side = Side::left;
-  double distance_m = 1.4;  ///< from the middle of the action
+  double distance_m = 1.4;  ///< from the centre of the action
   double height_m = 2.6;
   double length_m = 80.0;
   render::Color albedo{0.6f, 0.6f, 0.6f};
@@ -56,7 +56,7 @@ struct Belt {
 /// A set as described in its file, before it is placed around an action.
 struct SetPlan {
   std::string name;
-  std::optional<render::Ground> ground;  ///< nothing but the backdrop without it
+  std::optional<render::Ground> ground;  ///< if absent, only the backdrop is shown
   render::Sky sky;
   std::vector<KeyLight> lights;
   std::vector<Wall> walls;
@@ -84,8 +84,9 @@ void add_walls(render::Scene& scene, const SetPlan& plan, const Place& place,
                const motion::Vec3& eye);
 
 /// Moves the ground under the figure by `way`, metres in world space: the lines of the ground, and
-/// the belt, whose stripes are added. The number and order of the stripes depend on `counted_at`
-/// alone, a displacement near `way`, so that shapes correspond between the two.
+/// the belt, whose stripes are added. The number and order of the stripes depend only on
+/// `counted_at`, a displacement close to `way`, so that the shapes of scenes with the same
+/// `counted_at` correspond.
 void add_moving_ground(render::Scene& scene, const SetPlan& plan, const Place& place,
                        const motion::Vec3& way, const motion::Vec3& counted_at);
 

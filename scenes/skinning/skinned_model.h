@@ -11,8 +11,8 @@ namespace mien::scenes {
 
 /// A rigid motion as a dual quaternion, real + ε·dual (Kavan, Collins, Žára and O'Sullivan 2008).
 ///
-/// Unit: |real| = 1 and real · dual = 0. Sums of weighted unit dual quaternions become unit again
-/// by `normalized`.
+/// Unit: |real| = 1 and real · dual = 0. `normalized` makes a weighted sum of unit dual quaternions
+/// unit again.
 struct DualQuaternion {
   Eigen::Vector4d real{0.0, 0.0, 0.0, 1.0};  ///< x, y, z, w
   Eigen::Vector4d dual = Eigen::Vector4d::Zero();
@@ -22,7 +22,7 @@ struct DualQuaternion {
 /// `translation`.
 DualQuaternion dual_quaternion(const motion::Quat& rotation, const motion::Vec3& translation);
 
-/// The unit dual quaternion nearest in direction; `real` must not be zero.
+/// The sum scaled to a unit dual quaternion; its `real` part must not be zero.
 DualQuaternion normalized(const DualQuaternion& sum);
 
 /// Rotation and translation of a unit dual quaternion.
@@ -40,11 +40,11 @@ struct Influence {
 /// A skinned mesh in its bind pose; world space, metres.
 struct SkinnedMesh {
   std::vector<motion::Vec3> positions;
-  std::vector<motion::Vec3> normals;               ///< unit, one a vertex
-  std::vector<std::array<float, 2>> uv;            ///< one a vertex, or empty
+  std::vector<motion::Vec3> normals;               ///< unit, one per vertex
+  std::vector<std::array<float, 2>> uv;            ///< one per vertex, or empty
   std::vector<std::array<int, 3>> triangles;       ///< counter-clockwise seen from outside
-  std::vector<int> triangle_parts;                 ///< one a triangle (a joint's index), or empty
-  std::vector<std::vector<Influence>> influences;  ///< 1 … 8 a vertex; weights sum to 1
+  std::vector<int> triangle_parts;                 ///< one per triangle (a joint's index), or empty
+  std::vector<std::vector<Influence>> influences;  ///< 1 … 8 per vertex; weights sum to 1
   int material = 0;                                ///< index into the model's own list of materials
 };
 
@@ -55,7 +55,7 @@ using JointMotions = std::vector<Eigen::Affine3d>;
 JointMotions joint_motions(const motion::JointTransforms& bind, const motion::JointTransforms& now);
 
 /// Linear blend skinning: every vertex is transformed by the weighted mean of its joints' matrices,
-/// its normal by the cofactor matrix. Takes any affine transforms. Twisting limbs lose volume.
+/// its normal by the cofactor matrix. Accepts any affine transforms. Twisting limbs lose volume.
 render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions);
 
 /// Dual quaternion skinning (Kavan et al. 2008): every vertex is transformed by the normalised
@@ -64,7 +64,7 @@ render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& m
 render::Mesh dual_quaternion_skinned(const SkinnedMesh& mesh, const JointMotions& motions);
 
 /// Makes weights sum to 1 and keeps the eight largest, larger ones first. Negative ones and those
-/// below a thousandth of the largest are removed. There must be a positive one.
+/// below a thousandth of the largest are removed. At least one weight must be positive.
 void normalize(std::vector<Influence>& influences);
 
 /// Throws std::invalid_argument, naming the member, when lists do not match, an index is not below

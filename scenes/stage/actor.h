@@ -14,37 +14,37 @@
 
 namespace mien::scenes {
 
-/// Lets `draw` append solids to a scene and makes a separate figure of them, with that name and
-/// opacity: solids of part 0 get a part "body" of the figure, and parts that `draw` appends are the
-/// figure's. In a scene without solids the figure takes the place of the scene's first one.
+/// Calls `draw`, which appends solids to a scene, and makes them a separate figure with this name
+/// and opacity: solids of part 0 get a part "body" of the figure, and parts that `draw` appends
+/// belong to the figure. In a scene without solids the figure replaces the scene's first one.
 void draw_as_figure(render::Scene& scene, const std::string& name, float opacity,
                     const std::function<void()>& draw);
 
 /// One figure on the stage.
 struct Actor {
-  std::string name = "figure";  ///< in the id layers of a picture
+  std::string name = "figure";  ///< as in the id layers of a picture
   motion::Clip clip;            ///< at the video's frame rate, not looping; metres
   FigureColours colours;
   double height_m = 1.75;
   float opacity = 1.0f;               ///< 0 … 1
   std::vector<Dot> dots;              ///< of a point-light figure
   std::optional<TrailOptions> trail;  ///< for figures that are shown in several poses
-  std::vector<Dot> traces;            ///< whose paths a trail shows
+  std::vector<Dot> traces;            ///< dots whose paths a trail shows
   std::vector<std::string> warnings;  ///< parts of the figure that are not rendered, as sentences
 
-  /// Appends the figure's materials and solids at a frame of its clip, as seen from that camera.
-  /// Deterministic for each frame; expensive preparations are done once for all frames.
+  /// Appends the figure's materials and solids at a frame of its clip, as seen from a camera. The
+  /// result depends only on the arguments; expensive preparations are done once for all frames.
   std::function<void(render::Scene& scene, const Actor& actor, int frame,
                      const render::Camera& camera)>
       draw;
 };
 
 /// Makes the actor of a clip; the dots of a point-light figure are placed when the stage is known
-/// (point_light). Throws Error when the figure cannot be made of it.
+/// (point_light). Throws Error when the figure cannot be made for the clip.
 Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role);
 
-/// Appends an actor to a scene as a separate figure. After the end of its clip it stands still. A
-/// trail has its length at frame `made_at`.
+/// Appends an actor to a scene as a separate figure. After the end of its clip the actor stands
+/// still. A trail is drawn with its length at frame `made_at`.
 void add_actor(render::Scene& scene, const Actor& actor, int frame, int made_at,
                const render::Camera& camera);
 

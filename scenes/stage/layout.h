@@ -4,7 +4,7 @@
 
 namespace mien::scenes {
 
-/// How clips of several actors stand on one stage.
+/// The arrangement of several actors on one stage.
 enum class Layout { superimposed, side_by_side };
 
 /// Whether the camera looks along the lanes, so that figures side by side occlude each other.

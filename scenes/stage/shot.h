@@ -19,11 +19,12 @@
 
 namespace mien::scenes {
 
-/// Mean horizontal displacement of a clip per frame, metres. Zero if it is slower than 0.05 m/s or
-/// has a single frame.
+/// Mean horizontal displacement of a clip per frame, metres. Zero if the clip is slower than 0.05
+/// m/s or has a single frame.
 motion::Vec3 mean_step(const motion::Clip& clip);
 
-/// The clip with that displacement removed: it walks in place where it began.
+/// The clip with the displacement `step`, metres per frame, removed: the figure walks in place at
+/// its first position.
 motion::Clip on_the_spot(motion::Clip clip, const motion::Vec3& step);
 
 /// How clips are shown.
@@ -32,13 +33,14 @@ struct Look {
   Figure figure;
   CameraSettings camera;
   Role role = Role::neutral;
-  std::array<int, 2> size{960, 540};                  ///< pixels that the camera frames
-  std::optional<render::Window> window;               ///< the part that is rendered; no stereo
-  double pixel_scale = 1.0;                           ///< factor of sizes in pixels
-  std::optional<std::array<double, 2>> figure_place;  ///< in the picture, pixels
-  bool in_place = false;                              ///< walk in place, whatever the set
+  std::array<int, 2> size{960, 540};     ///< size of the picture that the camera frames, pixels
+  std::optional<render::Window> window;  ///< the part that is rendered; not with stereo
+  double pixel_scale = 1.0;              ///< factor applied to sizes that are given in pixels
+  /// Position of the figure in the picture, pixels.
+  std::optional<std::array<double, 2>> figure_place;
+  bool in_place = false;  ///< walk in place, whatever the set
   Layout layout = Layout::superimposed;
-  std::uint64_t seed = 0;  ///< of what is random about a figure
+  std::uint64_t seed = 0;  ///< for the random properties of a figure
 };
 
 /// A clip and its role.
@@ -60,22 +62,22 @@ struct Shot {
   Action action;                      ///< what the cameras frame
   std::array<int, 2> size{960, 540};  ///< pixels of a whole picture
 
-  /// Tone curve of the shot; point-light displays have exactly the colours that were asked for.
+  /// Tone curve of the shot; point-light displays have exactly the requested colours.
   render::Tone tone;
 
   /// Frames of the longest clip; actors stand still after the end of theirs.
   int frame_count() const;
 };
 
-/// Stages a clip that does not loop (`repeated` makes one of a loop). One that begins farther than
-/// 100 m from the origin is moved there, where single precision suffices. Throws Error when a
-/// figure or camera cannot be made.
+/// Stages a clip that does not loop (`repeated` converts a loop). A clip that begins farther than
+/// 100 m from the origin is moved to the origin, where single precision suffices. Throws Error when
+/// a figure or camera cannot be made.
 Shot stage(const motion::Clip& clip, const Look& look);
 
-/// Stages several clips together, by `layout` and with their roles. Superimposed ones
-/// begin in the same place, facing the same way; those side by side have a lane each, the first at
-/// the left of the picture as the front sees it. The set and the cameras go by all of them. Throws
-/// Error also for figures side by side before a camera at their side, and for point lights.
+/// Stages several clips together, by `layout` and with their roles. Superimposed clips begin at the
+/// same position, facing the same direction. Clips side by side have a lane each, the first on the
+/// left in the front view. The set and the cameras are fitted to all clips. Also throws Error for
+/// point-light figures, and for figures side by side if the camera looks along the lanes.
 Shot stage(const std::vector<Performance>& performances, const Look& look);
 
 /// The scene at a frame.
@@ -85,8 +87,8 @@ render::Scene scene_at(const Shot& shot, int frame);
 /// motion blur can pair them.
 render::Scene scene_at(const Shot& shot, int frame, int made_at);
 
-/// The cameras at a frame: one, or the left eye's and the right eye's of a stereo pair, each for
-/// half of the picture.
+/// The cameras at a frame: one, or those of the left and the right eye of a stereo pair, each for
+/// one half of the picture.
 std::vector<render::Camera> cameras_at(const Shot& shot, int frame);
 
 /// The camera at a frame; of a stereo pair the one between the eyes.

@@ -16,8 +16,8 @@ struct Ghost {
   friend bool operator==(const Ghost&, const Ghost&) = default;
 };
 
-/// The poses that a trail shows besides the present one, the farthest from it first: those left
-/// behind up to now, then onion skin. The farther, the fainter.
+/// The poses that a trail shows besides the present one, the farthest from it first: those that
+/// have stayed visible so far, then the onion skin. Poses farther away are fainter.
 std::vector<Ghost> ghosts_at(const TrailOptions& options, int frame, int frame_count,
                              double frames_per_second);
 

@@ -7,10 +7,10 @@
 
 namespace mien::pipeline {
 
-/// What an option affects, and so which artifacts have it in their keys: a bitwise or of the flags
-/// below.
+/// What an option affects, which determines the artifacts whose keys include it: a bitwise OR of
+/// the flags below.
 ///
-/// Each struct that a document fills has one list of its options, `fields_of`, beside it:
+/// Each struct that a document fills is declared with one list of its options, `fields_of`:
 ///
 ///     template <class Field, MaybeConst<Output> O>
 ///     void fields_of(Field&& field, O& output) {
@@ -21,7 +21,7 @@ namespace mien::pipeline {
 /// All processing of options visits that list: reading (field_reader.h), writing (field_writer.h),
 /// keys of artifacts (determinants.h), options of the command line (render_options.h), settings in
 /// regressions (settings.h), and the test that compares the list with the schema (field_names.h).
-/// Beside plain values a `field` takes
+/// In addition to plain values, a `field` accepts
 ///
 /// - `group(key, [&](auto& inner) { … })`: a nested map of members of the same struct;
 /// - `whole(key, value, concerns)`: a map that replaces the value instead of being merged into it;
@@ -37,7 +37,7 @@ enum : unsigned {
   repertoire = 1U << 0,  ///< the examples and their ratings
   motion = 1U << 1,      ///< a stimulus's motion
   picture = 1U << 2,     ///< the frames of its film
-  stored = 1U << 3,      ///< how frames are kept
+  stored = 1U << 3,      ///< how frames are stored
   shown = 1U << 4,       ///< what a video shows in addition to the film
   files = 1U << 5,       ///< which files are written, but not their contents
   page = 1U << 6,        ///< sheets, tables and the report
@@ -45,7 +45,7 @@ enum : unsigned {
 
   // Not artifacts, but how the option is written:
   required = 1U << 16,  ///< required by the schema, so it is always written
-  alone = 1U << 17,     ///< as the first member of its map it may replace the map
+  alone = 1U << 17,     ///< the value may be written in place of a map with this member
 
   everything = ~0U,  ///< all options, including those that affect nothing
 };

@@ -20,26 +20,27 @@ struct CsvField {
 
 /// A table with a header, RFC 4180: comma separated, quotes doubled, CRLF or LF, UTF-8 with or
 /// without byte order mark. Every row has as many fields as the header. Empty lines are skipped.
-/// Fields are without the mark of with_formula_mark.
+/// Fields are stored without the mark of with_formula_mark.
 struct CsvTable {
   std::string file;
   std::vector<CsvField> header;
   std::vector<std::vector<CsvField>> rows;
 };
 
-/// Throws Error with line and column: unclosed quote, text after a quote, a row of another length,
-/// a column name that occurs twice, no header.
+/// Throws Error with line and column: unclosed quote, text after a quote, a row with a different
+/// number of fields, a column name that occurs twice, no header.
 CsvTable read_csv(const std::filesystem::path& file);
 CsvTable parse_csv(std::string_view text, const std::string& file);
 
 /// Index of a column, or −1.
 int find_column(const CsvTable& table, std::string_view name);
 
-/// Index of a column. Throws Error that lists the columns there are.
+/// Index of a column. If there is none, throws Error, which lists the existing columns.
 int require_column(const CsvTable& table, std::string_view name);
 
-/// Gives a column its present name where it has its former one, of tables written before it was
-/// renamed. Returns a warning then. Where there is a column of the present name, nothing is done.
+/// Renames a column from its former to its present name, in tables written before the change, and
+/// returns a warning. Does nothing if there is no column with the former name, or one with the
+/// present name.
 std::optional<Fault> rename_column(CsvTable& table, std::string_view former, std::string_view now);
 
 /// Position of a field, for messages.
@@ -58,11 +59,11 @@ std::map<std::string, double> stimulus_numbers(const std::filesystem::path& file
 std::string shortest(double value);
 
 /// Like `shortest`, for measured or computed values in metres or proportions of a scale: magnitudes
-/// below 1e-12 are rounding errors and give "0".
+/// below 1e-12 are rounding errors and are written as "0".
 std::string shortest_measured(double value);
 
 /// Collects rows and writes them with LF line ends, quoting where necessary and marking texts that
-/// a spreadsheet would run (with_formula_mark).
+/// a spreadsheet would evaluate (with_formula_mark).
 class CsvWriter {
  public:
   explicit CsvWriter(std::vector<std::string> header);

@@ -25,9 +25,9 @@ class FaultList {
 
   std::vector<Fault> take() { return std::move(faults_); }
 
-  /// Adds a fault at a value's place, or at that of its nearest enclosing value in the document.
+  /// Adds a fault at a value's location, or at that of its nearest enclosing value in the document.
   void add(const std::string& path, std::string wrong, std::string remedy);
-  /// Adds a fault at the place of a member's name.
+  /// Adds a fault at the location of a member's name.
   void add_at_key(const std::string& path, std::string wrong, std::string remedy);
 
   bool was_given(const std::string& path) const { return places_.values.contains(path); }

@@ -21,10 +21,10 @@ std::string member_path(const std::string& path, std::string_view key);
 /// "stimuli" + 2 = "stimuli[2]".
 std::string element_path(const std::string& path, std::size_t index);
 
-/// The place of a value, or of its nearest enclosing value in the document.
+/// The location of a value, or of its nearest enclosing value in the document.
 Place place_of(const Places& places, std::string path);
 
-/// The place of a member's key, or that of its value if there is none.
+/// The location of a member's key, or that of its value if the key has none.
 Place key_place_of(const Places& places, const std::string& path);
 
 }  // namespace mien::pipeline

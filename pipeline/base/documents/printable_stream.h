@@ -17,7 +17,7 @@ enum class StreamReader {
 /// kept. Fails if the other stream fails. Thread-safe.
 class PrintableStream : public std::ostream {
  public:
-  /// `target` outlives it.
+  /// `target` must outlive the stream.
   PrintableStream(std::ostream& target, StreamReader reader);
   ~PrintableStream() override;
 

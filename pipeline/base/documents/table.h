@@ -19,7 +19,7 @@ namespace mien::pipeline {
 struct Column {
   std::string_view name;
   std::string_view unit;     ///< "m", "0–1"; empty for names, texts and plain counts
-  std::string_view meaning;  ///< a sentence without its full stop; how signs are to be read
+  std::string_view meaning;  ///< a sentence without its full stop, with the meaning of signs
 };
 
 /// Description of a table of results, as listed in codebooks.
@@ -29,7 +29,8 @@ struct TableForm {
   std::span<const Column> columns;
 };
 
-/// Ends the name of a column that is repeated for each of several names, as `<prefix><name>`.
+/// Suffix of the declared name of a column that is repeated for each of several names: `<prefix>*`
+/// becomes the columns `<prefix><name>`.
 inline constexpr std::string_view column_of_each = "*";
 
 /// The columns' names. A column `factor_*` stands for one of each of `names`.
@@ -104,7 +105,8 @@ struct ColumnOf : Column {
   }
 };
 
-/// A result, and whether the ratings or answers behind it are simulated; a row of result tables.
+/// A result, and whether the ratings or answers that it is based on are simulated; a row of result
+/// tables.
 template <class Result>
 struct WithOrigin {
   bool simulated;
@@ -128,7 +130,7 @@ struct Table {
     }
   }
 
-  /// The description of this table, to which it refers; the table must be in static storage.
+  /// The description of this table. It refers to the table, which must be in static storage.
   constexpr TableForm form() const { return {path, rows, columns}; }
 
   std::vector<std::string> fields_of(const Row& row) const {

@@ -12,8 +12,8 @@ struct TextPosition {
   int column = 1;
 };
 
-/// The first place at which the text is not UTF-8 (overlong forms, surrogates and zero bytes
-/// included).
+/// The position of the first byte that is not valid UTF-8; overlong forms, surrogates and zero
+/// bytes count as invalid.
 std::optional<TextPosition> first_invalid_utf8(std::string_view text);
 
 /// Number of characters in valid UTF-8.

@@ -15,7 +15,7 @@ struct Bar {
   double low = 0.0;  ///< ends of the whisker; NaN for none
   double high = 0.0;
   std::string note;              ///< under the name: "n = 13"
-  std::optional<Colour> colour;  ///< default: by the chart
+  std::optional<Colour> colour;  ///< default: chosen by the chart
   std::string second_note;       ///< under the note
   /// Consecutive bars with the same group are drawn together above its name. All groups use the
   /// same colours in the same order.

@@ -48,17 +48,17 @@ struct LineStyle {
   bool dashed = false;
 };
 
-/// Text that was drawn, and the box of its ink.
+/// Drawn text and its ink bounding box.
 struct DrawnText {
   std::string text;
   Box box;
 };
 
 /// A page to draw on, as PDF (vector, text stays text), as SVG (vector, text as outlines, so that
-/// it looks the same without our fonts) or as pixels. Lines and corners are round.
+/// it looks the same without our fonts) or as pixels. Line ends and corners are round.
 ///
-/// Text is set in Noto Sans CJK JP; glyphs it lacks come from the fonts that the system offers. The
-/// same drawing gives the same bytes on every run: no dates, no names of the machine.
+/// Text is set in Noto Sans CJK JP; glyphs that it lacks are taken from other system fonts. The
+/// same drawing gives the same bytes on every run: no dates or machine names are written.
 class Canvas {
  public:
   /// A PDF page. Throws mien::Error when the system's fonts have no Japanese and render::Error
@@ -79,10 +79,11 @@ class Canvas {
   virtual void disc(Point centre, double radius, const Colour& colour) = 0;
   virtual void ring(Point centre, double radius, const LineStyle& style) = 0;
 
-  /// A picture that fills the box. Pixels stay pixels where one falls on one.
+  /// Draws a picture that fills the box. It is not resampled if its pixels coincide with those of
+  /// the page.
   virtual void picture(const Box& box, const render::Image8& image) = 0;
 
-  /// Sets text with its baseline at `baseline` and returns the box of its ink.
+  /// Draws text with its baseline at `baseline` and returns its ink bounding box.
   Box text(Point baseline, std::string_view utf8, const TextStyle& style) {
     texts_.push_back({std::string(utf8), draw_text(baseline, utf8, style)});
     return texts_.back().box;
@@ -94,10 +95,10 @@ class Canvas {
   /// All text drawn so far.
   const std::vector<DrawnText>& texts() const { return texts_; }
 
-  /// Ends the page and returns the file's bytes. The canvas is used up.
+  /// Ends the page and returns the file's bytes. The canvas cannot be used afterwards.
   virtual std::string finish() = 0;
 
-  /// Ends a page of pixels and returns them instead. The canvas is used up.
+  /// Ends a page of pixels and returns them as an image. The canvas cannot be used afterwards.
   virtual render::Image8 finish_picture() = 0;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace mien::pipeline {
 
-// Interface to Pango and Cairo, which canvases draw with. They depend on forty libraries that take
+// Interface to Pango and Cairo, with which canvases draw. They depend on forty libraries that take
 // longer to load than all others together, so they are linked to a module that is loaded when the
 // first page is drawn. Program and module share only this type and those of canvas.h.
 

@@ -40,7 +40,7 @@ Figure figure_of(const motion::Skeleton& body, const motion::Pose& pose);
 
 struct FigureStyle {
   MotionColours colours;
-  double thickness = 1.0;  ///< relative
+  double thickness = 1.0;  ///< factor of the limbs' width
   bool halo = true;        ///< a paper-coloured outline where one limb passes in front of another
 };
 

@@ -8,8 +8,8 @@ namespace mien::pipeline {
 std::string cairo_library();
 std::string pango_library();
 
-/// "1.16.0" of "2.11600.0", the version in the name of Cairo's file, and "1.50.12" of "0.5000.12",
-/// that of Pango's; empty for what is none of theirs.
+/// The release of Cairo, or Pango, for the version in the name of its library file: "1.16.0" for
+/// Cairo's "2.11600.0", "1.50.12" for Pango's "0.5000.12"; empty for other forms.
 std::string cairo_release(const std::string& file_version);
 std::string pango_release(const std::string& file_version);
 

@@ -28,7 +28,7 @@ inline constexpr MotionColours target_colours = {from_hex(0x007a59), from_hex(0x
 inline constexpr MotionColours created_colours = {from_hex(0x0a58a6), from_hex(0x74b2e8)};  // blue
 inline constexpr MotionColours reference_colours = {from_hex(0xb8420e), from_hex(0xeda077)};  // red
 
-/// The target behind another motion.
+/// Pale colours of a target that is drawn behind another motion.
 inline constexpr MotionColours target_pale = {from_hex(0x8fd0b8), from_hex(0xc4e8db)};
 
 inline constexpr Colour ink = from_hex(0x1b1f24);
@@ -39,11 +39,11 @@ inline constexpr Colour paper = from_hex(0xffffff);
 inline constexpr Colour caution = from_hex(0xffe2a8);
 inline constexpr Colour caution_ink = from_hex(0x7a4a00);
 
-/// A colour scale for amounts, light for none to dark for much: t in [0, 1], clamped.
+/// A sequential colormap from light (t = 0) to dark (t = 1); t is clamped to [0, 1].
 ///
-/// Perceptually uniform: a path of even steps through OKLab (Ottosson 2020), lightness falling
-/// linearly while the hue turns from yellow through green and blue to violet. It stays ordered in
-/// greyscale and for any colour vision.
+/// It is perceptually uniform, with equal steps in OKLab (Ottosson 2020): lightness decreases
+/// linearly while the hue changes from yellow through green and blue to violet. The order is
+/// preserved in greyscale and for any colour vision.
 Colour amount_colour(double t);
 
 /// OKLab coordinates (lightness, a, b) of an sRGB colour.

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 
 /// A drawing of one page, independent of the output format.
 struct Plot {
-  std::string title;   ///< of the PDF
+  std::string title;   ///< title of the PDF
   double width = 0.0;  ///< points
   double height = 0.0;
   std::function<void(Canvas&)> draw;
@@ -22,20 +22,20 @@ std::string as_pdf(const Plot& plot);
 std::string as_svg(const Plot& plot);
 std::string as_png(const Plot& plot, double dots_per_inch = 200.0);
 
-/// Writes name.pdf, name.svg and name.png, the latter of 200 dots an inch or, for very large
-/// plots, of 3 million pixels. Throws Error when no font has Japanese letters, std::system_error
-/// when a file cannot be written.
+/// Writes name.pdf, name.svg and name.png, the latter with 200 dots per inch or, for very large
+/// plots, 3 million pixels. Throws Error when no font has Japanese letters, std::system_error when
+/// a file cannot be written.
 void write_plot(const Plot& plot, const std::filesystem::path& folder, const std::string& name);
 
 inline constexpr std::string_view simulated_ratings_mark = "Simulated ratings  模擬評定";
 
-/// Draws the label of pages based on simulated data: a pill with its top right corner at `corner`
-/// and text of `size` points. Returns its box.
+/// Draws the label of pages based on simulated data: a box with rounded ends, its top right corner
+/// at `corner`, and text of `size` points. Returns its box.
 Box draw_simulated_mark(Canvas& canvas, Point corner,
                         std::string_view words = simulated_ratings_mark, double size = 8.5);
 
-/// Round numbers from 0 up to `most`, a step of 1, 2 or 5 times a power of ten, at most `count`
-/// steps. Just 0 when `most` is not above 0.
+/// Tick values from 0 up to `most`, in at most `count` steps of 1, 2 or 5 times a power of ten.
+/// Only 0 when `most` is not above 0.
 std::vector<double> axis_ticks(double most, int count);
 
 }  // namespace mien::pipeline

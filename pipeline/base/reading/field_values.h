@@ -21,8 +21,8 @@ using OrderedJson = nlohmann::ordered_json;
 /// What is needed for reading a document besides its values.
 struct ReadingContext {
   const Places& places;  ///< define the order of a map's members
-  std::function<std::filesystem::path(const std::string&)>
-      resolve;  ///< path relative to the document's folder
+  /// Path relative to the document's folder.
+  std::function<std::filesystem::path(const std::string&)> resolve;
 };
 
 /// A value of a document that has been checked against the schema.

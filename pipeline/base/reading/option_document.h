@@ -11,7 +11,8 @@
 
 namespace mien::pipeline {
 
-// Command-line options that correspond to a document's options: a key and its YAML text each.
+// Command-line options that correspond to a document's options: each consists of a key and its YAML
+// text.
 
 /// The document formed by these options, checked against the schema. Throws Faults, worded as by
 /// `as_option_faults`.

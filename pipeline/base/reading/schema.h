@@ -13,8 +13,8 @@
 namespace mien::pipeline {
 
 /// The text of manifests/mien.schema.json, scales.schema.json and recipes.schema.json, and of
-/// scenes/set.schema.json at build time. Definitions of the manifest's schema to which that of
-/// recipes refers are included in it.
+/// scenes/set.schema.json at build time. The schema of recipes includes the definitions of the
+/// manifest's schema that it refers to.
 std::string_view manifest_schema_text();
 std::string_view scales_schema_text();
 std::string_view recipes_schema_text();
@@ -43,11 +43,11 @@ SchemaNode resolved_schema(SchemaNode node, const nlohmann::json& value);
 SchemaNode member_schema(SchemaNode node, const std::string& key);
 SchemaNode element_schema(SchemaNode node);
 
-/// The present name of a member whose schema states it for its former name:
-/// "faintest": {"deprecated": true, "x-now": "min_opacity"}. `node` must be resolved_schema.
+/// The present name of a member, given a former name for which the schema states it: "faintest":
+/// {"deprecated": true, "x-now": "min_opacity"}. `node` must be resolved_schema.
 std::optional<std::string> name_now(SchemaNode node, const std::string& former);
 
-/// Whether the schema accepts a text.
+/// Whether the schema accepts a string.
 bool accepts_text(SchemaNode node);
 
 /// Validates a document (valijson) and returns faults that state what is wrong and how to fix it.

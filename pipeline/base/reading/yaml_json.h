@@ -13,18 +13,18 @@
 namespace mien::pipeline {
 
 /// A YAML document as JSON, by the core schema of YAML 1.2: plain scalars become null, booleans
-/// (true, false), numbers or text. Variables of the environment are expanded first; an expanded
-/// scalar becomes text where the schema takes text, even if it looks like a number. Members have
-/// the names that they have now, whatever they are called in the text.
+/// (true, false), numbers or text. Environment variables are expanded first; an expanded scalar
+/// becomes text where the schema accepts text, even if it looks like a number. Members that are
+/// written with a former name have their present name.
 struct JsonReading {
   nlohmann::json document;
   Places places;
-  std::vector<Fault> renamed;  ///< warnings of former names
+  std::vector<Fault> renamed;  ///< warnings about former names
 };
 
 /// Reads a document. `schema` is used for expanding variables and for former names; the document is
 /// not checked against it. Adds faults of read_yaml, of infinities and NaN, of unset variables, and
-/// of a former name beside its new one to `faults`.
+/// of members given under both a former and their present name to `faults`.
 JsonReading read_json(std::string_view yaml, const std::string& file, const nlohmann::json& schema,
                       const Environment& environment, std::vector<Fault>& faults);
 

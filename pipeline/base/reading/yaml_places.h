@@ -12,14 +12,14 @@
 namespace mien::pipeline {
 
 /// Turns the YAML parser's marks, whose columns count bytes, into places, whose columns count
-/// characters. Text and file name outlive it. For one thread.
+/// characters. Text and file name must outlive it. Not thread-safe.
 class YamlPlaces {
  public:
   YamlPlaces(std::string_view text, const std::string& file);
 
   Place at(const YAML::Mark& mark) const;
 
-  /// A line with its end, counted from 1; empty when there is no such line.
+  /// A line, counted from 1, including its line end; empty when there is no such line.
   std::string_view line(int number) const;
 
   /// The text from the mark on.

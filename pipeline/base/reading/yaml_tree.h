@@ -16,8 +16,9 @@ struct YamlNode {
   std::string text;     ///< of a scalar
   bool quoted = false;  ///< a quoted scalar, which is always text
   Place place;
-  std::vector<YamlNode> keys;      ///< of a map: scalars, each once
-  std::vector<YamlNode> children;  ///< elements of a sequence, or a map's values beside its keys
+  std::vector<YamlNode> keys;  ///< of a map: scalars, each once
+  /// Elements of a sequence, or values of a map, in the order of `keys`.
+  std::vector<YamlNode> children;
 };
 
 /// Reads one YAML document. Faults of the text are added to `faults`: not UTF-8, syntax, a tab in

@@ -4,30 +4,32 @@
 
 namespace mien::pipeline {
 
-/// Reliability of ratings of stimuli (Shrout and Fleiss 1979), also if each rater saw only part of
-/// the stimuli. NaN where undefined. Estimates may be negative; they are not truncated at 0.
+/// Reliability of ratings of stimuli (Shrout and Fleiss 1979), also for raters who each saw only
+/// part of the stimuli. NaN where undefined. Estimates may be negative; they are not truncated at
+/// 0.
 struct Intraclass {
   int stimuli = 0;
   int raters = 0;
   int answers = 0;
-  double answers_per_stimulus = 0.0;  ///< k₀ = (N − Σn²/N)/(stimuli − 1) of unequal numbers n
+  /// K₀ = (N − Σn²/N)/(stimuli − 1) for n answers per stimulus, N in total.
+  double answers_per_stimulus = 0.0;
   bool is_connected = false;  ///< whether all raters can be compared, through common stimuli
-  double one = 0.0;           ///< ICC(1): of one answer, each stimulus by other raters
+  double one = 0.0;           ///< ICC(1): of one answer, with different raters for each stimulus
   double one_k = 0.0;         ///< ICC(1,k): of a mean of k₀ answers
-  double two = 0.0;           ///< ICC(2,1): raters a random sample, agreement
+  double two = 0.0;           ///< ICC(2,1): raters as a random sample, absolute agreement
   double two_k = 0.0;         ///< ICC(2,k)
-  double three = 0.0;         ///< ICC(3,1): these raters, consistency
-  double three_k = 0.0;       ///< ICC(3,k): Cronbach's alpha of a full table
+  double three = 0.0;         ///< ICC(3,1): fixed raters, consistency
+  double three_k = 0.0;       ///< ICC(3,k): Cronbach's alpha if the table is complete
 };
 
 /// Intraclass correlations of a table, stimuli × raters, with NaN for missing answers.
 ///
-/// The rule for missing cells: every answer counts and nothing is filled in. ICC(1) are of the
-/// one-way analysis of variance of all answers. ICC(2) and ICC(3) come from variance components by
-/// the method of fitting constants (Henderson 1953, method 3): stimuli after raters, raters after
-/// stimuli, and what is left. In a full table these are the mean squares of Shrout and Fleiss, and
-/// so are the results. Stimuli without answers and raters without any do not count; where the
-/// table falls apart into groups without common raters, ICC(2) and ICC(3) are NaN.
+/// Missing cells: all answers are used, and none are imputed. ICC(1) is that of the one-way
+/// analysis of variance of all answers. ICC(2) and ICC(3) use variance components estimated by the
+/// method of fitting constants (Henderson 1953, method 3): stimuli after raters, raters after
+/// stimuli, and the residual. For a complete table these reduce to the mean squares of Shrout and
+/// Fleiss, with the same results. Stimuli and raters without answers are ignored; if the table
+/// consists of groups without common raters or stimuli, ICC(2) and ICC(3) are NaN.
 Intraclass intraclass(const Eigen::MatrixXd& answers);
 
 /// Agreement of raters about the stimuli on one scale. NaN where undefined: fewer than two raters
@@ -35,15 +37,15 @@ Intraclass intraclass(const Eigen::MatrixXd& answers);
 struct Agreement {
   int complete_raters = 0;  ///< raters who rated every stimulus; alpha and icc_2_k are of these
   double alpha = 0.0;       ///< Cronbach 1951, raters as items; equals ICC(3,k)
-  double icc_2_k = 0.0;     ///< mean of the raters, raters a random sample
-  Intraclass all;           ///< of all answers, also of raters who saw a part of the stimuli
+  double icc_2_k = 0.0;     ///< ICC(2,k) of the mean of these raters
+  Intraclass all;           ///< from all answers, including those of incomplete raters
 };
 
-/// Cronbach's alpha k/(k − 1)·(1 − Σ variance of a rater / variance of the raters' sums) of a full
-/// table, stimuli × raters.
+/// Cronbach's alpha of a complete table, stimuli × raters: k/(k − 1)·(1 − Σ variance of a rater /
+/// variance of the sums over raters).
 double cronbach_alpha(const Eigen::MatrixXd& answers);
 
-/// Computes all of these from a table, stimuli × raters, with NaN for missing answers.
+/// Computes the agreement from a table, stimuli × raters, with NaN for missing answers.
 Agreement agreement_of(const Eigen::MatrixXd& answers);
 
 }  // namespace mien::pipeline

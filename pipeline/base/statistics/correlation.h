@@ -10,7 +10,7 @@ struct Correlation {
   double r = 0.0;     ///< NaN if one variable is constant
   double t = 0.0;     ///< with pairs − 2 degrees of freedom
   double p = 1.0;     ///< two-sided
-  double low = -1.0;  ///< interval by Fisher's z (1921); NaN below four pairs
+  double low = -1.0;  ///< confidence interval by Fisher's z (1921); NaN below four pairs
   double high = 1.0;
 };
 

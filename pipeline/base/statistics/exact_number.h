@@ -12,7 +12,7 @@ namespace mien::pipeline {
 /// and differences of 0 are detected exactly.
 ///
 /// A value that is not such a fraction (a measured distance with all its digits), or that exceeds
-/// 64 bits, continues as a double.
+/// 64 bits, is kept as a double.
 class ExactNumber {
  public:
   ExactNumber() = default;

@@ -11,7 +11,7 @@ namespace mien::pipeline {
 /// standardised predictors.
 struct RidgeModel {
   Eigen::RowVectorXd mean;          ///< of each predictor over the observations
-  Eigen::RowVectorXd spread;        ///< standard deviation (n); 0: constant, not used
+  Eigen::RowVectorXd spread;        ///< standard deviation (divisor n); 0: constant, not used
   Eigen::RowVectorXd coefficients;  ///< of the standardised predictors
   double intercept = 0.0;           ///< mean of the observed values
   double penalty = 0.0;
@@ -19,7 +19,8 @@ struct RidgeModel {
   Eigen::MatrixXd inverse;  ///< (ZᵀZ + penalty·I)⁻¹ of the standardised predictors Z
 };
 
-/// Fits to observations: one row of predictors and one value each, n ≥ 2, penalty > 0.
+/// Fits to observations: a row of predictors and a value for each of n ≥ 2 observations; penalty >
+/// 0.
 RidgeModel fit_ridge(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& values,
                      double penalty);
 
@@ -29,7 +30,7 @@ double predicted(const RidgeModel& model, const Eigen::RowVectorXd& predictors);
 /// an observation it is its weight in its own prediction, below 1.
 double leverage(const RidgeModel& model, const Eigen::RowVectorXd& predictors);
 
-/// Penalties from n/1000 to 1000·n, evenly on a logarithmic scale.
+/// Penalties from n/1000 to 1000·n for n observations, evenly spaced on a logarithmic scale.
 std::vector<double> penalty_choices(int observations);
 
 /// The largest penalty whose cross-validated sum of squared errors exceeds the least by at most one

@@ -130,6 +130,13 @@ void check_stereo(const WrittenFilm& written) {
   }
 }
 
+void check_samples(const WrittenFilm& written) {
+  const std::string path = written.output_at("samples");
+  if (written.film.output.quality == Quality::reference || !written.list.was_given(path)) return;
+  written.list.add(path, "applies to quality reference only",
+                   "omit it, or set quality: reference");
+}
+
 void check_shutter(const WrittenFilm& written) {
   if (written.film.output.shutter == 0.0) return;
   const std::string path = written.output_at("shutter");
@@ -166,6 +173,7 @@ std::vector<Fault> check_film(const Stimulus& film, const FilmPaths& paths, cons
   const WrittenFilm written{film, paths, list};
   check_figure_size(written);
   check_stereo(written);
+  check_samples(written);
   check_shutter(written);
   return list.take();
 }

@@ -136,13 +136,21 @@ class FramesInFlight {
   std::size_t taken_ = 0;
 };
 
+render::Quality quality_named(Quality quality) {
+  switch (quality) {
+    case Quality::draft: return render::draft_quality();
+    case Quality::standard: return render::standard_quality();
+    case Quality::final: return render::final_quality();
+    case Quality::reference: return render::reference_quality();
+  }
+  return render::standard_quality();
+}
+
 }  // namespace
 
 render::Quality quality_of(const FilmSettings& settings) {
-  render::Quality quality = settings.output.quality == Quality::draft ? render::draft_quality()
-                            : settings.output.quality == Quality::final
-                                ? render::final_quality()
-                                : render::standard_quality();
+  render::Quality quality = quality_named(settings.output.quality);
+  if (quality.reference) quality.samples_per_pixel = settings.output.samples;
   quality.seed = settings.seed;
   quality.shutter = static_cast<float>(settings.output.shutter / 360.0);
   return quality;

@@ -26,6 +26,7 @@ constexpr OptionWords option_words[] = {
     {"output.scale", "images rendered at {} times the size"},
     {"output.crop", "images cropped to {} (left, top, width, height in pixels)"},
     {"output.quality", "quality {}"},
+    {"output.samples", "{} samples per pixel"},
     {"output.shutter", "motion blur with a shutter angle of {}°"},
     {"output.frames", "frames kept as {}"},
     {"output.clips", "motion files written as {}"},

@@ -11,15 +11,18 @@
 
 #include <gtest/gtest.h>
 
+#include "render/block_means.h"
 #include "render/patch.h"
 #include "render/refusal.h"
 
 namespace mien::render {
 namespace {
 
+using test::BlockMeans;
 using test::camera_on;
 using test::even_sky;
 using test::expect_mean;
+using test::mean_of_pictures;
 using test::radiance_at;
 
 const Color sky_light{0.2f, 0.5f, 1.5f};
@@ -180,37 +183,6 @@ TEST(Tracer, LosesNoShadowOfThinLimbsToItsShortcuts) {
   }
 }
 
-/// Mean luminance of blocks of 10 × 10 pixels.
-Eigen::ArrayXd block_means(const Framebuffer& framebuffer) {
-  const int across = framebuffer.width / 10, down = framebuffer.height / 10;
-  Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(across * down);
-  for (int y = 0; y < framebuffer.height; ++y)
-    for (int x = 0; x < framebuffer.width; ++x)
-      sums[y / 10 * across + x / 10] += static_cast<double>(framebuffer.at(x, y)[1]);
-  return sums / 100.0;
-}
-
-struct BlockMeans {
-  Eigen::ArrayXd mean;
-  Eigen::ArrayXd error;  // its standard error
-};
-
-/// Over so many seeds, from one on: what a pixel far from the figure finds of the sky is in few.
-BlockMeans mean_of_pictures(const Scene& scene, const Camera& camera, Quality quality,
-                            std::uint64_t seed, int pictures) {
-  Tracer tracer;
-  Eigen::ArrayXd sum, squares;
-  for (int k = 0; k < pictures; ++k) {
-    quality.seed = seed + static_cast<std::uint64_t>(k);
-    const Eigen::ArrayXd means = block_means(tracer.trace(scene, camera, quality));
-    if (k == 0) sum = squares = Eigen::ArrayXd::Zero(means.size());
-    sum += means;
-    squares += means.square();
-  }
-  const Eigen::ArrayXd mean = sum / pictures;
-  return {mean, ((squares / pictures - mean.square()).max(0.0) / (pictures - 1)).sqrt()};
-}
-
 // Under a light that is broad one way, and both ways: the wider the half shadow the more pixels
 // share what they ask.
 class FewSamples : public testing::TestWithParam<unsigned> {};
@@ -227,12 +199,12 @@ TEST_P(FewSamples, DrawInTheMeanWhatManyShow) {
                       .height = 80};
   Quality many = final_quality();
   many.floor_sky_tolerance = 0.0f;
-  const BlockMeans expected = mean_of_pictures(scene, camera, many, 1000, 80);
+  const BlockMeans expected = mean_of_pictures({scene, camera, many, {}, {}}, 1000, 80);
   for (const int samples : {1, 2}) {
     Quality few = draft_quality();
     few.samples_per_pixel = samples;
     few.floor_sky_tolerance = 0.0f;
-    const BlockMeans found = mean_of_pictures(scene, camera, few, 0, 300);
+    const BlockMeans found = mean_of_pictures({scene, camera, few, {}, {}}, 0, 300);
     const Eigen::ArrayXd error = (found.error.square() + expected.error.square()).sqrt();
     EXPECT_LT(((found.mean - expected.mean).abs() - 4.5 * error).maxCoeff(), 5e-5)
         << samples << " samples";
