@@ -17,12 +17,13 @@ struct WorkerRecord {
   std::string boot;           ///< boot id of the machine, new after each boot
   std::string process_space;  ///< PID namespace (containers have their own)
   std::int64_t pid = 0;
-  std::string process_start;    ///< ticks after the boot, since PIDs are reused
-  std::string job;              ///< number of the Slurm job it runs in: "17"; empty if none
-  std::string instruction_set;  ///< of the processor, as used by the renderer: "avx2"
-  std::string started;          ///< UTC, for display
-  std::uint64_t beats = 0;      ///< incremented with each write
-  bool exclusive = false;       ///< requires exclusive access to the folder
+  std::string process_start;  ///< ticks after the boot, since PIDs are reused
+  std::string job;            ///< number of the Slurm job it runs in: "17"; empty if none
+  /// Instruction set of the processor, as used by the renderer: "avx2".
+  std::string instruction_set;
+  std::string started;      ///< UTC, for display
+  std::uint64_t beats = 0;  ///< incremented with each write
+  bool exclusive = false;   ///< requires exclusive access to the folder
   bool ended = false;
   std::map<std::string, double> tasks;  ///< running tasks → share done, 0 … 1
   std::int64_t frames = 0;              ///< number drawn so far

@@ -13,7 +13,7 @@ namespace mien::render {
 /// whose slope at s is 1.
 struct Tone {
   float exposure_stops = 0.0f;  ///< light is multiplied by 2^stops first
-  float shoulder = 0.8f;        ///< where the roll-off starts, 0 … 1; 1 clips
+  float shoulder = 0.8f;        ///< value at which the roll-off starts, 0 … 1; 1 clips
   bool dither = false;          ///< 8-bit output: ordered dither (Bayer 8 × 8) of one code value
 };
 

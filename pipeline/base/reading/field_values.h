@@ -37,7 +37,7 @@ struct DocumentValue {
 struct WritingOptions {
   bool for_key = false;
   std::vector<std::filesystem::path>* files = nullptr;
-  std::filesystem::path folder = {};          ///< of the document; paths are written relative to it
+  std::filesystem::path folder = {};  ///< folder of the document; paths are written relative to it
   unsigned concerned = concerns::everything;  ///< options with none of these concerns are omitted
 };
 

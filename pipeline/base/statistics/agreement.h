@@ -38,7 +38,7 @@ struct Agreement {
   int complete_raters = 0;  ///< raters who rated every stimulus; alpha and icc_2_k are of these
   double alpha = 0.0;       ///< Cronbach 1951, raters as items; equals ICC(3,k)
   double icc_2_k = 0.0;     ///< ICC(2,k) of the mean of these raters
-  Intraclass all;           ///< from all answers, including those of incomplete raters
+  Intraclass all;           ///< based on all answers, including those of incomplete raters
 };
 
 /// Cronbach's alpha of a complete table, stimuli × raters: k/(k − 1)·(1 − Σ variance of a rater /

@@ -10,9 +10,9 @@ namespace mien::pipeline {
 /// Ridge regression (Hoerl and Kennard 1970): minimises Σ (y − ŷ)² + penalty · Σ b² over
 /// standardised predictors.
 struct RidgeModel {
-  Eigen::RowVectorXd mean;          ///< of each predictor over the observations
+  Eigen::RowVectorXd mean;          ///< mean of each predictor over the observations
   Eigen::RowVectorXd spread;        ///< standard deviation (divisor n); 0: constant, not used
-  Eigen::RowVectorXd coefficients;  ///< of the standardised predictors
+  Eigen::RowVectorXd coefficients;  ///< coefficients of the standardised predictors
   double intercept = 0.0;           ///< mean of the observed values
   double penalty = 0.0;
   int observations = 0;
