@@ -50,8 +50,7 @@ std::optional<WorkerRecord> read_worker_record(const std::filesystem::path& fold
 std::vector<WorkerRecord> read_worker_records(const std::filesystem::path& folder);
 
 /// Whether the process is proven to have ended: its record states this, or it ran on this machine
-/// and no longer exists. Always false for processes of other machines whose record does not state
-/// it.
+/// and no longer exists. For a process of another machine, true only if its record states this.
 bool is_gone(const WorkerRecord& record);
 
 /// Whether a process is working now, judged by the age of its record. `now`: as below.

@@ -7,8 +7,7 @@
 namespace mien::render {
 
 /// The mapping from scene-referred light to display values. It is neutral: values up to `shoulder`
-/// are unchanged, so 0.18 stays 0.18; above, each channel rolls off towards 1 without ever reaching
-/// it:
+/// are unchanged, so 0.18 stays 0.18; above, each channel rolls off towards 1 without reaching it:
 ///   s + (1 − s)·u / (1 + u), u = (x − s) / (1 − s),
 /// whose slope at s is 1.
 struct Tone {

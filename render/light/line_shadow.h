@@ -31,8 +31,8 @@ struct LightLines {
 /// plane, and all of the light lies above the floor. Solids behind the light occlude nothing.
 bool has_line_shadows(const AreaLight& light, std::span<const PreparedCone> solids);
 
-/// Returns lines along `half_u` at positions along `half_v` given by the random numbers `v` in [0,
-/// 1).
+/// Returns lines along `half_u`; random numbers `v`, from 0 to below 1, give their positions along
+/// `half_v`.
 LightLines lines_across(const AreaLight& light, const LaneVectors& points, const LaneFloats& v);
 
 /// An interval of a line, as fractions from start to end in [0, 1].

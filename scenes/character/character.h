@@ -66,7 +66,8 @@ std::vector<std::filesystem::path> files_of_character(const std::filesystem::pat
 /// The character, scaled uniformly to the leg length of `body`, so that steps keep their length.
 Character scaled_to_body(Character character, const motion::Skeleton& body);
 
-/// The motion retargeted to the character's body: with the same rotations, and soles on the floor.
+/// The motion retargeted to the character's body, with the same rotations and with soles on the
+/// floor.
 motion::Clip retargeted_to(const Character& character, const motion::Clip& clip);
 
 /// World transforms of the rig's joints in a pose of the character's body; rotations are relative
@@ -74,7 +75,7 @@ motion::Clip retargeted_to(const Character& character, const motion::Clip& clip)
 /// follow their parent.
 motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose);
 
-/// World transforms of the rig's joints in the bind pose; as relative rotations, all are the
+/// World transforms of the rig's joints in the bind pose, as by `rig_pose`: all rotations are the
 /// identity.
 motion::JointTransforms rig_bind_pose(const Character& character);
 

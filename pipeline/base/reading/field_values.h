@@ -21,7 +21,7 @@ using OrderedJson = nlohmann::ordered_json;
 /// What is needed for reading a document besides its values.
 struct ReadingContext {
   const Places& places;  ///< define the order of a map's members
-  /// Path relative to the document's folder.
+  /// Resolves a path that is relative to the document's folder.
   std::function<std::filesystem::path(const std::string&)> resolve;
 };
 

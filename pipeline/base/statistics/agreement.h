@@ -11,7 +11,7 @@ struct Intraclass {
   int stimuli = 0;
   int raters = 0;
   int answers = 0;
-  /// K₀ = (N − Σn²/N)/(stimuli − 1) for n answers per stimulus, N in total.
+  /// The number k₀ = (N − Σn²/N)/(stimuli − 1) for n answers per stimulus and N in total.
   double answers_per_stimulus = 0.0;
   bool is_connected = false;  ///< whether all raters can be compared, through common stimuli
   double one = 0.0;           ///< ICC(1): of one answer, with different raters for each stimulus

@@ -19,8 +19,7 @@ struct RidgeModel {
   Eigen::MatrixXd inverse;  ///< (ZᵀZ + penalty·I)⁻¹ of the standardised predictors Z
 };
 
-/// Fits to observations: a row of predictors and a value for each of n ≥ 2 observations; penalty >
-/// 0.
+/// Fits a model to n ≥ 2 observations, each with a row of predictors and a value; penalty > 0.
 RidgeModel fit_ridge(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& values,
                      double penalty);
 
