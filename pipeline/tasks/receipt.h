@@ -31,9 +31,9 @@ struct Maker {
 struct Receipt {
   Hash key;
   std::string path;  ///< relative to the study's folder, with '/'
-  Hash hash;         ///< of the bytes, or of a frame sequence's names and hashes
+  Hash hash;         ///< hash of the bytes, or of a frame sequence's names and hashes
   std::uint64_t size = 0;
-  std::vector<FrameReceipt> frames;  ///< of a frame sequence, in order
+  std::vector<FrameReceipt> frames;  ///< frames of a frame sequence, in order
   Maker maker = {};
 };
 

@@ -157,10 +157,10 @@ class FrameStore {
   Store::State* store_;
   std::string path_;
   Hash key_;
-  std::filesystem::path folder_;                ///< of the unpublished sequence: frames/ and notes/
-  std::mutex mutex_;                            ///< guards the members below
+  std::filesystem::path folder_;  ///< folder of the unpublished sequence, with frames/ and notes/
+  std::mutex mutex_;              ///< guards the members below
   std::map<std::string, std::uintmax_t> read_;  ///< notes' file → size when it was last read
-  std::multimap<std::string, Note> notes_;      ///< by frame
+  std::multimap<std::string, Note> notes_;      ///< notes by the name of their frame
   std::map<std::string, Found> found_;
 };
 

@@ -47,7 +47,7 @@ struct Store::State {
 
   std::filesystem::path folder;
   WorkerHeartbeat heartbeat;
-  const std::uint64_t disk;  ///< that holds the folder, as the system numbers it
+  const std::uint64_t disk;  ///< device number of the disk that holds the folder
   WorkerWatch watch;
   std::atomic<int> attempts = 0;
   mutable std::mutex mutex;

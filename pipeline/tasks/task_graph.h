@@ -18,7 +18,7 @@ namespace mien::pipeline {
 /// An artifact produced by a task. Its key is built from the task's key and the determinants of
 /// this product alone, so that frames are not drawn again when a video setting changes.
 struct Product {
-  std::string path;  ///< in the store
+  std::string path;  ///< path in the store
   KeyBuilder own;    ///< determinants beyond the task's
 };
 
@@ -28,7 +28,7 @@ struct Task;
 struct TaskRun {
   Store& store;
   const Task& task;
-  Hash task_key;                         ///< of the determinants common to all products
+  Hash task_key;                         ///< key of the determinants common to all products
   std::vector<Hash> keys;                ///< one per product
   std::stop_token stop;                  ///< throw Interrupted soon after it is requested
   std::function<void(double)> progress;  ///< share done, 0 … 1
@@ -87,11 +87,11 @@ struct TaskGraph {
 enum class TaskState {
   cached,  ///< all products existed
   made,
-  failed,   ///< for the reason in `error`
+  failed,   ///< the reason is in `error`
   skipped,  ///< an input failed or was interrupted
   interrupted,
-  waiting,  ///< in a plan: its inputs have to be produced first
-  due,      ///< in a plan: has to be run
+  waiting,  ///< only in a plan: its inputs have to be produced first
+  due,      ///< only in a plan: it has to be run
 };
 
 struct TaskOutcome {
@@ -100,7 +100,7 @@ struct TaskOutcome {
   bool is_bad_input = false;      ///< failed because of the user's files
   bool is_transient = false;      ///< failed because of the machine; may succeed next time
   bool is_disk_fault = false;     ///< failed because the disk is full, read-only or unavailable
-  std::vector<Receipt> products;  ///< when cached or made, in the task's order
+  std::vector<Receipt> products;  ///< receipts, if cached or made, in the task's order
 };
 
 /// Key of a whole graph: a hash of all determinants known before anything is run. The same for the

@@ -17,12 +17,13 @@ struct WorkerRecord {
   std::string boot;           ///< boot id of the machine, new after each boot
   std::string process_space;  ///< PID namespace (containers have their own)
   std::int64_t pid = 0;
-  std::string process_start;    ///< ticks after the boot, since PIDs are reused
-  std::string job;              ///< number of the Slurm job it runs in: "17"; empty if none
-  std::string instruction_set;  ///< of the processor, as used by the renderer: "avx2"
-  std::string started;          ///< UTC, for display
-  std::uint64_t beats = 0;      ///< incremented with each write
-  bool exclusive = false;       ///< requires exclusive access to the folder
+  std::string process_start;  ///< ticks after the boot, since PIDs are reused
+  std::string job;            ///< number of the Slurm job it runs in: "17"; empty if none
+  /// Instruction set of the processor, as used by the renderer: "avx2".
+  std::string instruction_set;
+  std::string started;      ///< UTC, for display
+  std::uint64_t beats = 0;  ///< incremented with each write
+  bool exclusive = false;   ///< requires exclusive access to the folder
   bool ended = false;
   std::map<std::string, double> tasks;  ///< running tasks → share done, 0 … 1
   std::int64_t frames = 0;              ///< number drawn so far
@@ -49,8 +50,7 @@ std::optional<WorkerRecord> read_worker_record(const std::filesystem::path& fold
 std::vector<WorkerRecord> read_worker_records(const std::filesystem::path& folder);
 
 /// Whether the process is proven to have ended: its record states this, or it ran on this machine
-/// and no longer exists. Always false for processes of other machines whose record does not state
-/// it.
+/// and no longer exists. For a process of another machine, true only if its record states this.
 bool is_gone(const WorkerRecord& record);
 
 /// Whether a process is working now, judged by the age of its record. `now`: as below.

@@ -30,8 +30,8 @@ struct PictureDifference {
   double mean = 0.0;                  ///< mean absolute difference over all channels
   double rms = 0.0;                   ///< root-mean-square difference over all channels
   double psnr_db = 0.0;               ///< for a peak value of 1; infinite for equal pictures
-  std::int64_t differing_pixels = 0;  ///< pixels that differ in any channel
-  /// Pixels with a channel that differs by more than the limit.
+  std::int64_t differing_pixels = 0;  ///< number of pixels that differ in any channel
+  /// Number of pixels with a channel that differs by more than the limit.
   std::int64_t pixels_over_limit = 0;
   double differing_share = 0.0;  ///< fraction of all pixels
   double over_limit_share = 0.0;
@@ -51,7 +51,8 @@ struct LibraryDifference {
   int x = 0;
   int y = 0;
   int channel = 0;
-  std::int64_t failing_pixels = 0;  ///< with a channel that differs by more than the limit
+  /// Number of pixels with a channel that differs by more than the limit.
+  std::int64_t failing_pixels = 0;
 };
 LibraryDifference library_difference(const Image8& a, const Image8& b, double limit = 0.0);
 

@@ -25,7 +25,7 @@ struct Shapes {
   std::vector<PreparedCone> closing_cones;
   std::vector<Triangle> triangles;
   std::vector<Triangle> closing_triangles;
-  std::vector<TriangleSource> sources;  ///< of each triangle
+  std::vector<TriangleSource> sources;  ///< source of each triangle
   std::vector<std::uint8_t> figures;    ///< per shape: index into Scene::figures
   bool all_present = true;              ///< whether no figure has an opacity below 1
 

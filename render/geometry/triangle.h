@@ -14,9 +14,9 @@ struct Triangle {
 /// Writes the distance along each of `count` ≤ max_lanes rays at which its line crosses the
 /// triangle; infinity when it misses. Results are bit-identical on every machine.
 ///
-/// The test is watertight: the sign of a product of the line and an edge alone decides on which
-/// side of the edge the line passes, and this sign changes exactly when the edge is reversed. A
-/// line through an edge that two triangles share thus hits at least one of them (Plücker
+/// The test is watertight: the side on which the line passes an edge is the sign of a product that
+/// depends on the line and this edge alone and changes sign exactly when the edge is reversed. A
+/// line through an edge that two triangles share therefore hits at least one of them (Plücker
 /// coordinates; Shoemake 1998).
 void intersect_triangle(const Triangle& triangle, const RayLanes& rays, unsigned count,
                         float* distance);

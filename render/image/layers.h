@@ -18,7 +18,7 @@ inline constexpr std::size_t covered_ranks = 6;
 
 /// The objects that cover each pixel, by descending share.
 struct CoverageLayer {
-  std::vector<std::string> names;  ///< of all objects, in the scene's order
+  std::vector<std::string> names;  ///< names of all objects, in the scene's order
   std::vector<Coverage> ranks;     ///< covered_ranks per pixel
 };
 
@@ -34,7 +34,7 @@ struct Layers {
   std::vector<float> depth;     ///< along the optical axis, metres
   std::vector<float> motion;    ///< two per pixel: displacement to the next picture, pixels
   std::vector<float> samples;   ///< number of primary rays; 0: known in closed form
-  std::vector<float> variance;  ///< of the pixel's luminance over noise patterns
+  std::vector<float> variance;  ///< variance of the pixel's luminance over noise patterns
   CoverageLayer figures;
   CoverageLayer parts;  ///< "figure/part"
 };

@@ -31,7 +31,7 @@ double mean_luminance(const Framebuffer& framebuffer, const Tone& tone);
 /// Luminance of the frames of a clip.
 struct ClipLuminance {
   int frames = 0;
-  double mean = 0.0;          ///< of the frames' means
+  double mean = 0.0;          ///< mean of the frames' means
   double deviation = 0.0;     ///< mean of the frames' deviations
   double rms_contrast = 0.0;  ///< mean of the frames' RMS contrasts
   double darkest = 0.0;       ///< smallest mean of a frame

@@ -7,13 +7,12 @@
 namespace mien::render {
 
 /// The mapping from scene-referred light to display values. It is neutral: values up to `shoulder`
-/// are unchanged, so 0.18 stays 0.18; above, each channel rolls off towards 1 without ever reaching
-/// it:
+/// are unchanged, so 0.18 stays 0.18; above, each channel rolls off towards 1 without reaching it:
 ///   s + (1 − s)·u / (1 + u), u = (x − s) / (1 − s),
 /// whose slope at s is 1.
 struct Tone {
   float exposure_stops = 0.0f;  ///< light is multiplied by 2^stops first
-  float shoulder = 0.8f;        ///< where the roll-off starts, 0 … 1; 1 clips
+  float shoulder = 0.8f;        ///< value at which the roll-off starts, 0 … 1; 1 clips
   bool dither = false;          ///< 8-bit output: ordered dither (Bayer 8 × 8) of one code value
 };
 

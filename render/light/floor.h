@@ -17,7 +17,7 @@ struct BackgroundPixel {
   Color radiance = Color::Zero();
   bool shows_floor = false;
   Vec3 point = Vec3::Zero();             ///< on the floor, world space, metres
-  Color visible_albedo = Color::Zero();  ///< of the floor, times its share that has not faded
+  Color visible_albedo = Color::Zero();  ///< albedo of the floor times its share that has not faded
 };
 BackgroundPixel background_pixel(const Scene& scene, const CameraFrame& camera,
                                  const CameraRay& ray);

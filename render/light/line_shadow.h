@@ -15,9 +15,10 @@ namespace mien::render {
 
 /// Lines across a light, one per lane, each seen from its own point of the floor (y = 0).
 struct LightLines {
-  LaneVectors start;           ///< from the point to the line's start
-  Vec3 along = Vec3::Zero();   ///< from the line's start to its end
-  Vec3 normal = Vec3::Zero();  ///< of the light, where it shines; its length is the area, m²
+  LaneVectors start;          ///< from the point to the line's start
+  Vec3 along = Vec3::Zero();  ///< from the line's start to its end
+  /// The light's normal, on the side that emits; its length is the area of the light, m².
+  Vec3 normal = Vec3::Zero();
 
   /// Unit normals of the triangle that the point and the line span: of its plane, and, pointing
   /// inwards, of its sides from the point to the line's start and end.
@@ -27,11 +28,11 @@ struct LightLines {
 };
 
 /// Whether line sampling is exact for this light and these solids: no solid intersects the light's
-/// plane, and all of the light lies above the floor. Solids behind the light hide nothing.
+/// plane, and all of the light lies above the floor. Solids behind the light occlude nothing.
 bool has_line_shadows(const AreaLight& light, std::span<const PreparedCone> solids);
 
-/// Returns lines along `half_u` at positions along `half_v` given by the random numbers `v` in [0,
-/// 1).
+/// Returns lines along `half_u`; random numbers `v`, from 0 to below 1, give their positions along
+/// `half_v`.
 LightLines lines_across(const AreaLight& light, const LaneVectors& points, const LaneFloats& v);
 
 /// An interval of a line, as fractions from start to end in [0, 1].
@@ -40,7 +41,7 @@ struct LineInterval {
   float last;
 };
 
-/// Eight intervals, one a lane; empty where first ≥ last.
+/// Eight intervals, one per lane; empty where first ≥ last.
 struct LineIntervals {
   LaneFloats first;
   LaneFloats last;

@@ -10,8 +10,8 @@ struct Surface {
   Vec3 point;
   Vec3 normal;       ///< unit, on the side that is seen
   Vec3 towards_eye;  ///< unit
-  Vec3 origin;   ///< of rays that leave the surface: offset from it by more than the rounding error
-  Color albedo;  ///< of the material, times its texture
+  Vec3 origin;   ///< start of rays that leave the surface, offset by more than the rounding error
+  Color albedo;  ///< albedo of the material times its texture
   const Material* material;
   int part = 0;  ///< index into Scene::parts
 };

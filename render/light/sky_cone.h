@@ -13,7 +13,7 @@ namespace mien::render {
 /// A cone of directions from a point that contains the whole figure.
 struct Cone {
   Vec3 axis;     ///< unit
-  float cosine;  ///< of the half angle
+  float cosine;  ///< cosine of the half angle
 
   float solid_angle() const;
 };

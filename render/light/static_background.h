@@ -24,7 +24,7 @@ struct StaticBackground {
   /// The floor's albedo, multiplied by the share that has not faded. For rows of uniform albedo it
   /// is stored in `uniform_albedo` only, which is faster to read.
   std::vector<std::optional<Color>> uniform_albedo;  ///< one per row
-  Framebuffer albedo;                                ///< of the other rows
+  Framebuffer albedo;                                ///< albedo of the other rows
 
   bool shows_floor(int x, int y) const { return floor[place_of(x, y)] != 0; }
   bool may_show_solid(int x, int y) const { return !solid.empty() && solid[place_of(x, y)] != 0; }

@@ -20,8 +20,8 @@ struct LaneColors {
 struct LaneBackgroundPixels {
   LaneColors radiance;
   LaneColors visible_albedo;
-  LaneVectors point;   ///< of the floor
-  LaneFloats share;    ///< of the floor that has not faded; 0: no floor is shown
+  LaneVectors point;   ///< point of the floor
+  LaneFloats share;    ///< share of the floor that has not faded; 0: no floor is shown
   bool plain = false;  ///< whether all pixels show unfaded floor without grid lines
 };
 
@@ -36,7 +36,7 @@ class UnshadowedBackground {
   const Scene& scene_;
   CameraFrame camera_;
   std::vector<FloorLight> lights_;
-  std::vector<float> heights_;  // of the lights' lowest points above the floor, metres
+  std::vector<float> heights_;  // heights of the lights' lowest points above the floor, metres
 };
 
 /// A row of an UnshadowedBackground, eight pixels at a time. A light's irradiance is interpolated
@@ -57,7 +57,7 @@ class UnshadowedRow {
 
   const UnshadowedBackground& set_;
   FloorRow row_;
-  float down_;       // from the optical axis, pixels
+  float down_;       // distance of the row below the optical axis, pixels
   bool is_unfaded_;  // whether all pixels show unfaded floor
   // Per light: irradiance at pixels −8, 0, 8, …, if interpolated.
   std::vector<std::vector<float>> nodes_;

@@ -24,7 +24,8 @@ class Filter {
 
  private:
   static constexpr int intervals = 1024;
-  std::array<float, intervals + 1> offsets_;  // at equal steps of the filter's area, pixels
+  // Offsets in pixels that divide the filter's area into equal parts.
+  std::array<float, intervals + 1> offsets_;
 };
 
 }  // namespace mien::render

@@ -95,7 +95,7 @@ constexpr std::uint32_t spread_bits(std::uint32_t x) {
   return (x | (x << 1)) & 0x55555555u;
 }
 
-/// The random numbers of a pixel, a pure function of the seed, pixel, dimension and index.
+/// The random numbers of a pixel: a pure function of the seed, pixel, dimension and index.
 class PixelSampler {
  public:
   PixelSampler() = default;

@@ -12,7 +12,7 @@ namespace mien::render {
 struct Material {
   Color albedo{0.5f, 0.5f, 0.5f};  ///< diffuse reflectance, 0…1
   float specular_f0 = 0.0f;  ///< reflectance at normal incidence (F0) of a GGX lobe, 0 (none) … 0.1
-  float roughness = 0.5f;    ///< of that lobe, 0.2 … 1 (alpha = roughness²)
+  float roughness = 0.5f;    ///< roughness of that lobe, 0.2 … 1 (alpha = roughness²)
 
   /// Radiance emitted towards the camera in all directions; it lights nothing else. With a black
   /// albedo the surface shows exactly this colour.
@@ -53,7 +53,7 @@ struct RoundCone {
 
 /// A surface of triangles, lit on both sides.
 struct Mesh {
-  std::vector<Vec3> positions;                ///< of the vertices, metres
+  std::vector<Vec3> positions;                ///< positions of the vertices, metres
   std::vector<Vec3> normals;                  ///< unit, one per vertex
   std::vector<std::array<float, 2>> uv;       ///< one per vertex; empty: no texture
   std::vector<std::array<int, 3>> triangles;  ///< indices of vertices

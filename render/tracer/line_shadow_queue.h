@@ -97,13 +97,13 @@ class LineShadowQueue {
 
  private:
   struct Query {
-    int x = 0;  // of the pixel, or of one of those that share the line
+    int x = 0;  // position of the pixel, or of one of those that share the line
     int y = 0;
-    std::uint32_t lights = 0;     // that may be occluded
-    int group = 0;                // of the pixel's samples
-    int samples = 0;              // of the pixel
-    FloorPixel* pixel = nullptr;  // receives the result,
-    Color* block = nullptr;       // or this does
+    std::uint32_t lights = 0;     // lights that may be occluded
+    int group = 0;                // index of the group of the pixel's samples
+    int samples = 0;              // number of the pixel's samples that share the line
+    FloorPixel* pixel = nullptr;  // receives the result; null: `block` does
+    Color* block = nullptr;       // receives the result of a block
   };
 
   void add(const Query& query);
@@ -114,8 +114,8 @@ class LineShadowQueue {
   const TileLineShadows& tile_;
   std::array<Query, lanes> queries_;
   int count_ = 0;
-  LaneVectors points_;  // of the floor
-  LaneWords index_;     // of the random numbers
+  LaneVectors points_;  // points of the floor
+  LaneWords index_;     // indices of the random numbers
   LaneFloats across_;   // position on the first light, in [0, 1)
   std::array<bool, lanes> meets_floor_{};
   std::array<Color, lanes> occluded_;  // per sample

@@ -23,11 +23,12 @@ struct FloorPixel {
   int x = 0;
   int y = 0;
   std::uint32_t shadow_lights = 0;  ///< bit i: the figure may occlude light i
-  Color radiance = Color::Zero();   ///< of the background
+  Color radiance = Color::Zero();   ///< radiance of the background
   Color floor_albedo = Color::Zero();
-  Color known_occluded = Color::Zero();  ///< light of the background that the figure occludes,
-                                         ///< known without rays, summed over the samples; negative
-  int block_samples = 0;                 ///< number of samples waiting for their block's line
+  /// Light of the background that the figure occludes, as far as it is known without rays; summed
+  /// over the samples, negative.
+  Color known_occluded = Color::Zero();
+  int block_samples = 0;  ///< number of samples waiting for their block's line
 };
 
 /// Subtracts from a number of samples of a pixel the light that is occluded: `hidden` (irradiance
@@ -67,8 +68,8 @@ struct Sample {
   float time = 0.0f;
   std::uint32_t present = ~0u;  ///< bit f: figure f is present
   float weight = 1.0f;          ///< number of samples that it represents
-  Pixel* partner = nullptr;     ///< another pixel, some of whose samples it represents,
-  float partner_weight = 0.0f;  ///< and their number
+  Pixel* partner = nullptr;     ///< another pixel, some of whose samples it represents
+  float partner_weight = 0.0f;  ///< number of the partner's samples that it represents
 };
 
 /// Adds a sample's light to one of the sums of its pixel, and of its partner.

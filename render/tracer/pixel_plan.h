@@ -61,7 +61,7 @@ class PixelPlanner {
   /// A run of pixels in a row that show no figure and can only be shadowed from the given lights.
   struct UniformRun {
     int end;
-    std::uint32_t lights;  ///< that may be occluded; if not 0, all pixels of the run show the floor
+    std::uint32_t lights;  ///< lights that may be occluded; if not 0, the whole run shows the floor
   };
   std::optional<UniformRun> uniform_run_from(int x, int y);
 
@@ -84,18 +84,18 @@ class PixelPlanner {
 
   const PreparedScene& prepared_;
   const bool per_sample_;
-  const FloorSky::Cell* cell_;      // cell of the floor that was used last
+  const FloorSky::Cell* cell_;      // last cell of the floor that was used
   std::uint32_t tile_lights_ = 0;   // bit i: the figure may occlude light i somewhere in the tile
   bool shaded_everywhere_ = false;  // every pixel may be shadowed from all of tile_lights_
-  int end_ = 0;                     // of the tile's columns
+  int end_ = 0;                     // end of the tile's columns
   // Of the tile if it has tile_lights_; none at the horizon.
   std::optional<FloorReach> floor_reach_;
   std::uint32_t figure_rows_ = 0;  // bit i: row i of the tile may show the figure
-  int first_row_ = 0;              // of the tile
+  int first_row_ = 0;              // first row of the tile
   bool shows_background_only_ = false;
 
-  PixelSpan span_;  // last one used in the tile
-  FloorRow row_;    // last one used
+  PixelSpan span_;  // last span used in the tile
+  FloorRow row_;    // last row used
   int row_number_ = -1;
   TileLineShadows lines_;
 };

@@ -20,26 +20,26 @@ namespace mien::render {
 /// bounds and masks of where its figure may be hit or cast shadows. The scenes and the background
 /// must outlive it.
 struct PreparedScene {
-  const Scene& scene;            ///< when the shutter opens
+  const Scene& scene;            ///< at shutter open
   const Solids& solids;          ///< the figure's, in `scene`
-  const Solids* closing_solids;  ///< when the shutter closes; null: nothing moves
+  const Solids* closing_solids;  ///< at shutter close; null: nothing moves
   Quality quality;
-  PixelSampler sampler;  ///< of one pixel; for others use for_pixel
+  PixelSampler sampler;  ///< sampler of one pixel; for others use for_pixel
   CameraFrame camera;
   std::optional<CameraFrame> closing_camera;  ///< none: the camera does not move
   const Filter& filter;
   EmbreeScene figure;
   const StaticBackground& background;
   const EmbreeScene* static_solids;  ///< null if there are none
-  BoundingSphere bounds;             ///< of the figure
+  BoundingSphere bounds;             ///< bounds of the figure
   PixelMask pixel_mask;              ///< where primary rays may hit the figure
   /// Per light: where the figure may occlude it from the floor.
   std::vector<ShadowMask> shadow_masks;
   std::uint32_t line_lights;  ///< bit i: shadows of light i on the floor are line-sampled
   std::vector<std::vector<int>> casters;  ///< per light: the round cones that are not behind it
   FloorSky floor_sky;                     ///< the figure's occlusion of the sky on the floor
-  std::vector<float> opacities;           ///< of the figures
-  const Shapes* next_shapes = nullptr;    ///< in the next picture, for motion vectors
+  std::vector<float> opacities;           ///< opacities of the figures
+  const Shapes* next_shapes = nullptr;    ///< shapes in the next picture, for motion vectors
 
   /// Whether every sample renders its own background, because the rays of a pixel differ in origin
   /// or time.

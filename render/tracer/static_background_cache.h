@@ -32,7 +32,7 @@ class StaticBackgroundCache {
   void erase_expired();
 
   std::mutex mutex_;
-  std::condition_variable ended_;  // notified when a background is done
+  std::condition_variable ended_;  // notified when a background is finished
   std::map<std::string, Entry> entries_;
 };
 

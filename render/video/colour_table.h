@@ -14,7 +14,7 @@ class ColourHistogram {
  public:
   struct Cell {
     std::uint64_t count = 0;
-    std::array<std::uint64_t, 3> sum{};  ///< of the channels, 0 … 255 each
+    std::array<std::uint64_t, 3> sum{};  ///< sums of the channels, 0 … 255 per pixel
   };
 
   ColourHistogram() : cells_(std::size_t{1} << 18) {}
@@ -48,7 +48,7 @@ class ColourTable {
   std::uint8_t nearest(int red, int green, int blue);
 
   std::vector<std::array<double, 3>> colours_;
-  std::array<std::array<int, 8>, 8> offsets_{};  ///< of the dither
+  std::array<std::array<int, 8>, 8> offsets_{};  ///< offsets of the dither
   std::vector<std::uint8_t> nearest_;            ///< cache by the channels' upper 7 bits
 };
 

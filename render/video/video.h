@@ -88,12 +88,12 @@ struct VideoSummary {
   std::vector<std::uint64_t> packet_hashes;  ///< packet_hash of each packet, in the file's order
   std::vector<double> times;                 ///< when each frame is shown, seconds
   double tick_seconds = 0.0;                 ///< the container's unit of time
-  double duration_seconds = 0.0;       ///< from the first frame's time to the last frame's end
-  std::string primaries;               ///< "bt709"
-  std::string transfer;                ///< "bt709"
-  std::string matrix;                  ///< "bt709"
-  std::string range;                   ///< "tv"
-  bool steady_timestamps = false;      ///< frame n is shown at the tick nearest to n / rate
+  double duration_seconds = 0.0;   ///< from the first frame's time to the last frame's end, seconds
+  std::string primaries;           ///< "bt709"
+  std::string transfer;            ///< "bt709"
+  std::string matrix;              ///< "bt709"
+  std::string range;               ///< "tv"
+  bool steady_timestamps = false;  ///< frame n is shown at the tick nearest to n / rate
   bool starts_with_key_frame = false;  ///< the first frame decodes alone
   bool index_at_front = false;         ///< MP4: "moov" before "mdat"
 };

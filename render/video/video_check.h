@@ -13,7 +13,7 @@ struct VideoCheck {
   VideoSummary summary;
   int frames = 0;              ///< number of frames that are shown
   bool identical = true;       ///< every decoded frame equals the frame written
-  double worst_psnr_db = 0.0;  ///< of all frames; infinite when identical (video_sketch.h)
+  double worst_psnr_db = 0.0;  ///< smallest of all frames; infinite when identical (video_sketch.h)
   int worst_psnr_frame = 0;
   double worst_ssim = 1.0;
   int worst_ssim_frame = 0;

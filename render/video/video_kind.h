@@ -14,8 +14,8 @@ enum class VideoKind { mp4, mp4_lossless, webm, webm_av1, mkv, webp, gif, apng }
 /// frame that was written.
 struct VideoTraits {
   VideoKind kind;
-  std::string_view name;         ///< in manifests: "mp4-lossless"
-  std::string_view ending;       ///< of file names: ".lossless.mp4"; no two kinds share one
+  std::string_view name;         ///< name in manifests: "mp4-lossless"
+  std::string_view ending;       ///< ending of file names: ".lossless.mp4"; differs for each kind
   std::string_view description;  ///< "H.264, lossless RGB"
   std::string_view codec;        ///< as FFmpeg names it: "h264"
   bool even_size = false;        ///< width and height must be even
@@ -24,8 +24,8 @@ struct VideoTraits {
   /// Highest frame rate that players show at true speed, frames per second: browsers show pictures
   /// of an animation that should last 10 ms or less for 100 ms.
   double most_fps = 240.0;
-  double least_psnr_db = 0.0;  ///< of the worst frame that passes the check; lossy kinds
-  double least_ssim = 0.0;     ///< of the worst frame that passes the check; lossy kinds
+  double least_psnr_db = 0.0;  ///< least value of the worst frame to pass the check; lossy kinds
+  double least_ssim = 0.0;     ///< least value of the worst frame to pass the check; lossy kinds
 };
 
 /// All kinds, in the order of the enumeration.

@@ -19,19 +19,19 @@ struct FrameSketch {
   /// of squares of their differences as its expectation (Alon, Matias and Szegedy 1996).
   /// Projections are divided by the square root of the number of values.
   struct Tile {
-    std::uint16_t mean = 0;          ///< of luma, in 256ths of a code value
-    std::uint16_t deviation = 0;     ///< of luma, in 512ths
-    Eigen::half luma_projection{};   ///< of luma
-    Eigen::half color_projection{};  ///< of all three channels
+    std::uint16_t mean = 0;          ///< mean luma, in 256ths of a code value
+    std::uint16_t deviation = 0;     ///< standard deviation of luma, in 512ths of a code value
+    Eigen::half luma_projection{};   ///< projection of luma
+    Eigen::half color_projection{};  ///< projection of all three channels
   };
 
-  std::uint64_t hash = 0;  ///< of all channels
+  std::uint64_t hash = 0;  ///< hash of all channels of the frame
   std::vector<Tile> tiles;
 };
 
 /// Similarity of two frames.
 struct FrameSimilarity {
-  bool identical = false;  ///< by hash
+  bool identical = false;  ///< whether the hashes are equal
   double psnr_db = 0.0;    ///< over the three channels of 8 bits; infinite when identical
   double ssim = 0.0;       ///< of luma (Wang et al. 2004), uniform windows without overlap
   double worst_part = 0.0;  ///< largest difference of a tile's mean luma, 0 … 255; resolution 1/256
@@ -75,7 +75,7 @@ class FrameSketcher {
   int edge_;
   int across_;
   int down_;
-  std::vector<std::int8_t> color_signs_;  ///< of one row of tiles: edge × 3 · width
+  std::vector<std::int8_t> color_signs_;  ///< signs for one row of tiles: edge × 3 · width
   std::vector<std::int8_t> luma_signs_;   ///< edge × width
 };
 

@@ -18,7 +18,7 @@ struct CameraRig {
   std::vector<render::Camera> cameras;  ///< one per frame; a single one for a fixed camera
   double stereo_separation_m = 0.0;     ///< 0: no stereo; else a left and a right picture
   double convergence_m = 5.0;           ///< distance of zero parallax
-  double figure_height_m = 1.75;        ///< of the standing figure
+  double figure_height_m = 1.75;        ///< height of the standing figure
 
   /// Floor position of the figure for the first camera: the middle of its path or, if the cameras
   /// follow it, its position in the first frame; world space, metres.
@@ -38,9 +38,9 @@ struct CameraRig {
 struct Action {
   std::vector<std::vector<motion::Vec3>> points;  ///< world space, metres; frame by frame
   motion::Vec3 forward = motion::Vec3::UnitZ();   ///< unit, horizontal
-  motion::Vec3 centre = motion::Vec3::Zero();     ///< of the whole action, on the floor
-  double margin_m = 0.1;                          ///< thickness of the body around the points
-  double height_m = 1.75;                         ///< of the standing figure
+  motion::Vec3 centre = motion::Vec3::Zero();  ///< centre of the whole action, on the floor, metres
+  double margin_m = 0.1;                       ///< thickness of the body around the points
+  double height_m = 1.75;                      ///< height of the standing figure
   double frames_per_second = 30.0;
 };
 

@@ -19,8 +19,8 @@ struct CameraKey {
 
 /// The display on which the video will be watched; the picture fills its width.
 struct ScreenSettings {
-  double distance_cm = 60.0;      ///< from the eye
-  double width_cm = 52.0;         ///< of the picture
+  double distance_cm = 60.0;      ///< distance from the eye
+  double width_cm = 52.0;         ///< width of the picture
   std::optional<double> degrees;  ///< visual angle of the standing figure; life-size without it
 
   friend bool operator==(const ScreenSettings&, const ScreenSettings&) = default;
@@ -40,7 +40,7 @@ struct DepthOfField {
 struct CameraSettings {
   std::string view = "three-quarter";    ///< one of `camera_names`
   bool orthographic = false;             ///< orthographic projection
-  std::optional<double> fov_degrees;     ///< from the top to the bottom edge; 26 unless given
+  std::optional<double> fov_degrees;     ///< vertical field of view; default: 26
   std::optional<motion::Vec3> position;  ///< with `target`: replaces that of the view
   std::optional<motion::Vec3> target;
   std::vector<CameraKey> path;  ///< at least two keys, ascending in time; replaces the view

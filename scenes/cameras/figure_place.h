@@ -19,8 +19,8 @@ std::optional<std::array<double, 2>> figure_place(const CameraRig& rig);
 Eigen::AlignedBox2d action_bounds(const CameraRig& rig, const Action& action);
 
 /// Shifts the pictures so that the figure, which must be in front of the camera, is at this
-/// position (as of figure_place). The perspective is unchanged: only the image plane moves, as with
-/// a shift lens.
+/// position (in the coordinates of figure_place). The perspective is unchanged: only the image
+/// plane moves, as with a shift lens.
 void place_figure_at(CameraRig& rig, std::array<double, 2> place);
 
 }  // namespace mien::scenes

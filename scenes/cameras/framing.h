@@ -10,7 +10,7 @@ namespace mien::scenes {
 
 /// Projection and size of a camera.
 struct Lens {
-  double fov_radians = 26.0 * motion::radians_per_degree;  ///< from the top to the bottom edge
+  double fov_radians = 26.0 * motion::radians_per_degree;  ///< vertical field of view
   bool orthographic = false;
   std::array<int, 2> size{960, 540};  ///< pixels
 };

@@ -43,18 +43,17 @@ bool is_character_file(const std::filesystem::path& path);
 
 /// Reads a text or binary glTF 2.0 file with its buffers and pictures.
 ///
-/// - All primitives of triangles of skinned meshes, and meshes that hang on a joint without a skin.
-///   Base colour factors and textures, and normal maps (PNG, JPEG, WebP). Vertex colours, morph
-///   targets and transparency are left out with a warning.
-/// - Joints are known by the names of common rigs (motion/rig/rig_names.h), by the humanoid bones
-/// of
-///   VRM 0 and 1, or else by the shape of their tree. The bind pose, T-pose or A-pose, tells how
-///   the joints lie on the bones.
-/// - The bind pose is that of the inverse bind matrices; it does not matter how the file's nodes
-///   are posed.
+/// - All triangle primitives are read, of skinned meshes and of meshes without a skin that are
+///   attached to a joint, with base colour factors, textures and normal maps (PNG, JPEG, WebP).
+///   Vertex colours, morph targets and transparency are omitted with a warning.
+/// - Joints are identified by the names of common rigs (motion/rig/rig_names.h), by the humanoid
+///   bones of VRM 0 and 1, or else by the shape of their tree. The bind pose, a T-pose or an
+///   A-pose, determines the orientation of the joints relative to the bones.
+/// - The bind pose is that of the inverse bind matrices; the pose of the file's nodes has
+///   no effect.
 ///
-/// Throws mien::Error naming the file for everything that is no such figure: no skin, no human
-/// figure, indices out of range, numbers that are not finite, circles, pictures that are missing.
+/// Throws mien::Error, naming the file, if it does not contain such a character: no skin, no human
+/// figure, indices out of range, numbers that are not finite, cycles, missing pictures.
 Character read_character(const std::filesystem::path& path);
 
 /// As `read_character`, but from a file in memory with all buffers and pictures embedded.
@@ -67,7 +66,8 @@ std::vector<std::filesystem::path> files_of_character(const std::filesystem::pat
 /// The character, scaled uniformly to the leg length of `body`, so that steps keep their length.
 Character scaled_to_body(Character character, const motion::Skeleton& body);
 
-/// The motion retargeted to the character's body: with the same rotations, and soles on the floor.
+/// The motion retargeted to the character's body, with the same rotations and with soles on the
+/// floor.
 motion::Clip retargeted_to(const Character& character, const motion::Clip& clip);
 
 /// World transforms of the rig's joints in a pose of the character's body; rotations are relative
@@ -75,7 +75,7 @@ motion::Clip retargeted_to(const Character& character, const motion::Clip& clip)
 /// follow their parent.
 motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose);
 
-/// World transforms of the rig's joints in the bind pose; as relative rotations, all are the
+/// World transforms of the rig's joints in the bind pose, as by `rig_pose`: all rotations are the
 /// identity.
 motion::JointTransforms rig_bind_pose(const Character& character);
 

@@ -20,7 +20,7 @@ double figure_height(const motion::Clip& clip);
 /// The properties of a kind of figure, declared as the member `kind` of its options. All code that
 /// reads, checks, lists or describes figures is based on them.
 struct FigureKind {
-  const char* name;            ///< in manifests, options and tables: "point-light"
+  const char* name;            ///< name in manifests, options and tables: "point-light"
   const char* set = "studio";  ///< default set
 
   /// Whether it is drawn as dots (Actor::dots) in exactly the given colours, without motion blur.

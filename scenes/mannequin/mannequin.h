@@ -52,7 +52,7 @@ std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body);
 /// grid, its end may become a separate component.
 Surface largest_component(Surface surface);
 
-/// The texture of a mannequin. u is the side of the body (0 right … 0.5 middle … 1 left), v the
+/// The texture of a mannequin. u is the side of the body (0 right … 0.5 midline … 1 left), v the
 /// depth inside the face (above 0.5) or outside (below). Both change smoothly over the surface, and
 /// the texture has sharp borders across them: the borders on the body are clean curves however
 /// large its triangles are.

@@ -13,7 +13,7 @@ namespace mien::scenes {
 /// The implicit surface of a body as SDF primitives, limb by limb. Limbs blend with the trunk, not
 /// with each other.
 struct Flesh {
-  std::vector<SdfPrimitive> trunk;  ///< with the head
+  std::vector<SdfPrimitive> trunk;  ///< including the head
   std::vector<SdfPrimitive> left_arm;
   std::vector<SdfPrimitive> right_arm;
   std::vector<SdfPrimitive> left_leg;

@@ -13,11 +13,11 @@ namespace mien::scenes {
 struct Trunk {
   static constexpr double shoulder_level = 0.49;
 
-  motion::Vec3 hips;       ///< between the hips, world space
-  motion::Vec3 shoulders;  ///< between the shoulders, world space
+  motion::Vec3 hips;       ///< midpoint of the hips, world space
+  motion::Vec3 shoulders;  ///< midpoint of the shoulders, world space
   double scale;            ///< the body's relative stature
-  double half_hips;        ///< from the middle to a hip joint
-  double half_shoulders;   ///< from the middle to a shoulder joint
+  double half_hips;        ///< distance from the midline to a hip joint
+  double half_shoulders;   ///< distance from the midline to a shoulder joint
 
   double stretch() const;  ///< ratio of the trunk's height to the standard body's
   /// Breadth of the chest relative to the standard body's, clamped to the human range.

@@ -7,8 +7,8 @@
 
 namespace mien::scenes {
 
-/// A half-space: the side, towards the unit vector `inward`, of the plane through `point` normal to
-/// it.
+/// The half-space bounded by the plane through `point` with the unit normal `inward`, which points
+/// into it.
 struct HalfSpace {
   motion::Vec3 point = motion::Vec3::Zero();
   motion::Vec3 inward = motion::Vec3::UnitY();

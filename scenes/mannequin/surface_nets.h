@@ -23,8 +23,7 @@ struct Surface {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
-/// A signed distance field, negative inside; its values may exceed the true distance by at most 50
-/// %.
+/// A signed distance field, negative inside; its values may be up to 1.5 times the true distance.
 using SignedDistance = std::function<double(const motion::Vec3&)>;
 
 /// The surface where `field` is zero, by the dual of marching cubes (Nielson 2004): one vertex for

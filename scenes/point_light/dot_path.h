@@ -21,7 +21,8 @@ DotPath at_constant_speed(const DotPath& path);
 /// end.
 DotPath delayed(const DotPath& path, int frames);
 
-/// The path without, or with an added, translation of `step` metres per frame.
+/// The path with a translation of `step` metres per frame removed (without_travel) or added
+/// (with_travel).
 DotPath without_travel(const DotPath& path, const motion::Vec3& step);
 DotPath with_travel(const DotPath& path, const motion::Vec3& step);
 

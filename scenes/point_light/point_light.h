@@ -18,7 +18,7 @@ struct Dot {
 
 /// The properties of the stage that the dots depend on in addition to the clip.
 struct DotStage {
-  motion::Vec3 centre = motion::Vec3::Zero();   ///< of the action, on the floor
+  motion::Vec3 centre = motion::Vec3::Zero();   ///< centre of the action, on the floor, metres
   motion::Vec3 across = motion::Vec3::UnitX();  ///< unit, horizontal; to the right in the picture
   motion::Vec3 step = motion::Vec3::Zero();     ///< mean travel per frame, metres (mean_step)
   std::uint64_t seed = 0;                       ///< used unless the options have a seed

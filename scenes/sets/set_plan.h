@@ -35,7 +35,7 @@ struct Wall {
 };
 
 /// A box with level and upright edges. x goes to the figure's left, y up, z to its front; the
-/// origin is on the floor in the middle of the action.
+/// origin is on the floor at the centre of the action.
 struct Box {
   motion::Vec3 centre = motion::Vec3::Zero();  ///< metres
   motion::Vec3 size = motion::Vec3::Ones();    ///< metres
@@ -62,8 +62,8 @@ struct SetPlan {
   std::vector<Wall> walls;
   std::vector<Box> boxes;
   std::optional<Belt> belt;
-  /// The figure walks in place, and the lines of the ground and the belt move under it at its
-  /// walking speed.
+  /// Whether the figure walks in place while the lines of the ground and the belt move under it at
+  /// its walking speed.
   bool in_place = false;
 };
 

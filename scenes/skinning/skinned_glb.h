@@ -11,12 +11,13 @@ namespace mien::scenes {
 
 /// A skinned figure for export. References must outlive the call.
 struct SkinnedFigure {
-  std::vector<std::string> joints;  ///< names, in the order of the influences' indices
-  motion::JointTransforms bind;     ///< of these joints, world space, metres
-  std::vector<int> body_joints;     ///< the joint of the body that each one follows
+  /// Names of the joints, in the order of the influences' indices.
+  std::vector<std::string> joints;
+  motion::JointTransforms bind;  ///< bind transforms of these joints, world space, metres
+  std::vector<int> body_joints;  ///< the joint of the body that each one follows
   const std::vector<SkinnedMesh>& meshes;
   const std::vector<render::Material>& materials;
-  std::vector<const render::Texture*> textures;  ///< of the materials
+  std::vector<const render::Texture*> textures;  ///< textures of the materials
 };
 
 /// The figure in its bind pose as a GLB file (glTF 2.0): +Y up, metres.

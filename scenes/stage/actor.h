@@ -27,7 +27,7 @@ struct Actor {
   FigureColours colours;
   double height_m = 1.75;
   float opacity = 1.0f;               ///< 0 … 1
-  std::vector<Dot> dots;              ///< of a point-light figure
+  std::vector<Dot> dots;              ///< dots of a point-light figure
   std::optional<TrailOptions> trail;  ///< for figures that are shown in several poses
   std::vector<Dot> traces;            ///< dots whose paths a trail shows
   std::vector<std::string> warnings;  ///< parts of the figure that are not rendered, as sentences

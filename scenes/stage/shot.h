@@ -38,7 +38,7 @@ struct Look {
   double pixel_scale = 1.0;              ///< factor applied to sizes that are given in pixels
   /// Position of the figure in the picture, pixels.
   std::optional<std::array<double, 2>> figure_place;
-  bool in_place = false;  ///< walk in place, whatever the set
+  bool in_place = false;  ///< whether the figure walks in place, regardless of the set
   Layout layout = Layout::superimposed;
   std::uint64_t seed = 0;  ///< for the random properties of a figure
 };
@@ -59,7 +59,7 @@ struct Shot {
   render::Scene static_scene;                ///< the static part of the set
   motion::Vec3 step = motion::Vec3::Zero();  ///< removed travel per frame, metres
   CameraRig cameras;
-  Action action;                      ///< what the cameras frame
+  Action action;                      ///< motion that the cameras frame
   std::array<int, 2> size{960, 540};  ///< pixels of a whole picture
 
   /// Tone curve of the shot; point-light displays have exactly the requested colours.

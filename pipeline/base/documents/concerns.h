@@ -45,7 +45,7 @@ enum : unsigned {
 
   // Not artifacts, but how the option is written:
   required = 1U << 16,  ///< required by the schema, so it is always written
-  alone = 1U << 17,     ///< the value may be written in place of a map with this member
+  alone = 1U << 17,     ///< its value may be written in place of the whole map
 
   everything = ~0U,  ///< all options, including those that affect nothing
 };

@@ -25,8 +25,8 @@ std::string to_string(const Fault& fault);
 /// Maximum number of faults that are listed individually.
 inline constexpr std::size_t most_listed_faults = 20;
 
-/// A line for each of the first most_listed_faults, prefixed with `beginning`, followed by "and 3
-/// more" if there are more. No line end after the last.
+/// A line for each of the first most_listed_faults faults, prefixed with `beginning`, followed by a
+/// line such as "and 3 more" if there are more. There is no line end after the last line.
 std::string fault_lines(const std::vector<Fault>& faults, std::string_view beginning = "");
 
 /// Sorts faults by position in the file and drops repetitions.

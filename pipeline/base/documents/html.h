@@ -15,8 +15,8 @@ std::string html_escaped(std::string_view text);
 /// An HTML list of plain texts; empty for no texts.
 std::string html_list(std::string_view css_class, const std::vector<std::string>& texts);
 
-/// A table from its column headings and the HTML of its rows. A heading that begins with ">" marks
-/// a column of numbers: the heading and its cells get the class "number", so that style sheets can
+/// A table from the HTML of its column headings and rows. A heading that begins with ">" marks a
+/// column of numbers: the heading and its cells get the class "number", so that style sheets can
 /// align them.
 std::string html_table(std::initializer_list<std::string_view> heads, const std::string& rows);
 

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 /// Source locations of a document's values by path: "stimuli[2].adjectives.quickness".
 struct Places {
   std::map<std::string, Place> values;
-  std::map<std::string, Place> keys;  ///< of the keys of map members
+  std::map<std::string, Place> keys;  ///< locations of the keys of map members
 };
 
 /// "stimuli[2]" + "look" = "stimuli[2].look"; "" + "look" = "look".

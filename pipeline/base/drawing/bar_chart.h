@@ -29,7 +29,7 @@ struct BarChart {
   std::vector<Bar> bars;
   std::optional<double> line;  ///< a value to mark
   std::string line_name;
-  int decimals = 1;         ///< of the values printed at the bars
+  int decimals = 1;         ///< number of decimals of the values printed at the bars
   bool percent = false;     ///< values are shares; the axis goes to 100 %
   bool one_colour = false;  ///< whether all bars have the same colour
   bool simulated = false;

@@ -11,9 +11,8 @@
 
 namespace mien::pipeline {
 
-/// Collects the paths of all options of a list and their concerns. Elements of arrays are written
-/// as
-/// "[]": "stimuli[].output.presentation.card.text".
+/// Collects the paths of all options of a list and their concerns. Elements of arrays are denoted
+/// by "[]": "stimuli[].output.presentation.card.text".
 class FieldNames {
  public:
   explicit FieldNames(std::string prefix = "", unsigned inherited = concerns::nothing)

@@ -21,7 +21,7 @@ using OrderedJson = nlohmann::ordered_json;
 /// What is needed for reading a document besides its values.
 struct ReadingContext {
   const Places& places;  ///< define the order of a map's members
-  /// Path relative to the document's folder.
+  /// Resolves a path that is relative to the document's folder.
   std::function<std::filesystem::path(const std::string&)> resolve;
 };
 
@@ -37,7 +37,7 @@ struct DocumentValue {
 struct WritingOptions {
   bool for_key = false;
   std::vector<std::filesystem::path>* files = nullptr;
-  std::filesystem::path folder = {};          ///< of the document; paths are written relative to it
+  std::filesystem::path folder = {};  ///< folder of the document; paths are written relative to it
   unsigned concerned = concerns::everything;  ///< options with none of these concerns are omitted
 };
 

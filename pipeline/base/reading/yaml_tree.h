@@ -13,10 +13,10 @@ struct YamlNode {
   enum class Kind { null, scalar, sequence, map };
 
   Kind kind = Kind::null;
-  std::string text;     ///< of a scalar
+  std::string text;     ///< text of a scalar
   bool quoted = false;  ///< a quoted scalar, which is always text
   Place place;
-  std::vector<YamlNode> keys;  ///< of a map: scalars, each once
+  std::vector<YamlNode> keys;  ///< keys of a map: scalars, each occurring once
   /// Elements of a sequence, or values of a map, in the order of `keys`.
   std::vector<YamlNode> children;
 };

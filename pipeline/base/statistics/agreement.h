@@ -11,7 +11,7 @@ struct Intraclass {
   int stimuli = 0;
   int raters = 0;
   int answers = 0;
-  /// K₀ = (N − Σn²/N)/(stimuli − 1) for n answers per stimulus, N in total.
+  /// The number k₀ = (N − Σn²/N)/(stimuli − 1) for n answers per stimulus and N in total.
   double answers_per_stimulus = 0.0;
   bool is_connected = false;  ///< whether all raters can be compared, through common stimuli
   double one = 0.0;           ///< ICC(1): of one answer, with different raters for each stimulus
@@ -38,7 +38,7 @@ struct Agreement {
   int complete_raters = 0;  ///< raters who rated every stimulus; alpha and icc_2_k are of these
   double alpha = 0.0;       ///< Cronbach 1951, raters as items; equals ICC(3,k)
   double icc_2_k = 0.0;     ///< ICC(2,k) of the mean of these raters
-  Intraclass all;           ///< from all answers, including those of incomplete raters
+  Intraclass all;           ///< based on all answers, including those of incomplete raters
 };
 
 /// Cronbach's alpha of a complete table, stimuli × raters: k/(k − 1)·(1 − Σ variance of a rater /

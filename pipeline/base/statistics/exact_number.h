@@ -17,8 +17,8 @@ class ExactNumber {
  public:
   ExactNumber() = default;
 
-  /// The unique fraction with the least denominator, at most 1,000,000, within 4 rounding errors of
-  /// `value`: 2/3 for 0.6666666666666666, 1/10 for 0.1.
+  /// The unique fraction with the smallest denominator, at most 1,000,000, within 4 rounding errors
+  /// of `value`: 2/3 for 0.6666666666666666, 1/10 for 0.1.
   static ExactNumber of(double value);
 
   /// Nearest double; identical for equal numbers.
@@ -56,7 +56,7 @@ struct ExactSum {
     sum += value;
     ++count;
   }
-  /// Mean of at least one value.
+  /// The mean; requires at least one value.
   ExactNumber mean() const { return sum / count; }
 };
 

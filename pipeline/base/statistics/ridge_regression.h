@@ -10,17 +10,16 @@ namespace mien::pipeline {
 /// Ridge regression (Hoerl and Kennard 1970): minimises Σ (y − ŷ)² + penalty · Σ b² over
 /// standardised predictors.
 struct RidgeModel {
-  Eigen::RowVectorXd mean;          ///< of each predictor over the observations
+  Eigen::RowVectorXd mean;          ///< mean of each predictor over the observations
   Eigen::RowVectorXd spread;        ///< standard deviation (divisor n); 0: constant, not used
-  Eigen::RowVectorXd coefficients;  ///< of the standardised predictors
+  Eigen::RowVectorXd coefficients;  ///< coefficients of the standardised predictors
   double intercept = 0.0;           ///< mean of the observed values
   double penalty = 0.0;
   int observations = 0;
   Eigen::MatrixXd inverse;  ///< (ZᵀZ + penalty·I)⁻¹ of the standardised predictors Z
 };
 
-/// Fits to observations: a row of predictors and a value for each of n ≥ 2 observations; penalty >
-/// 0.
+/// Fits a model to n ≥ 2 observations, each with a row of predictors and a value; penalty > 0.
 RidgeModel fit_ridge(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& values,
                      double penalty);
 

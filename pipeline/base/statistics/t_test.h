@@ -6,9 +6,9 @@ namespace mien::pipeline {
 
 /// A t test, two-sided.
 struct TTest {
-  double mean = 0.0;            ///< of the differences, or difference of the means
-  double standard_error = 0.0;  ///< of the mean
-  double degrees = 0.0;         ///< of freedom
+  double mean = 0.0;            ///< mean of the differences, or difference of the means
+  double standard_error = 0.0;  ///< standard error of `mean`
+  double degrees = 0.0;         ///< degrees of freedom
   double t = 0.0;
   double p = 1.0;
 

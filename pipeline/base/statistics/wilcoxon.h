@@ -8,15 +8,14 @@ namespace mien::pipeline {
 enum class WilcoxonMode {
   exact,      ///< the distribution of W+ over all signs of the observed ranks, including ties
   published,  ///< normal approximation without continuity correction, as in the adjective paper
-  corrected,  ///< normal approximation with continuity correction, as in R's wilcox.test(exact =
-              ///< FALSE)
+  corrected,  ///< as `published`, with continuity correction, as in R's wilcox.test(exact = FALSE)
 };
 
 /// Treatment of differences of 0.
 enum class WilcoxonZeros {
   wilcox,  ///< dropped before ranking (Wilcoxon 1945)
   pratt,   ///< ranked with the others, then dropped (Pratt 1959)
-  zsplit,  ///< ranked with the others; half of their ranks counts for each sign
+  zsplit,  ///< ranked with the others; half of each rank counts for either sign
 };
 
 /// The signed-rank test of paired differences.
@@ -54,7 +53,7 @@ struct HodgesLehmann {
 };
 
 /// Differences of 0 count like any others. The ends of the interval are Walsh averages whose ranks
-/// are determined by the exact distribution of W+ without ties or, above 300 differences, from its
+/// are determined by the exact distribution of W+ without ties or, above 300 differences, by its
 /// normal approximation; ties make the interval conservative. With too few differences for the
 /// confidence, it spans all Walsh averages. NaN without differences.
 HodgesLehmann hodges_lehmann(const std::vector<double>& differences, double confidence = 0.95);
