@@ -105,8 +105,8 @@ constexpr auto feature_changes_columns = table_of<ComparedFeature>(
      {"moved", "0/1", "1: the target differs measurably from the reference",
       [](auto& r) { return r.change.moved(); }},
      {"agrees", "0/1",
-      "1: the created motion differs measurably in the same direction; empty if the target does "
-      "not differ",
+      "1: the created motion changed in the same direction, by at least a tenth of the target's "
+      "change; empty if the target did not change measurably",
       [](auto& r) { return r.change.moved() ? std::optional(r.change.agrees()) : std::nullopt; }}});
 
 /// The ratings behind a pair: simulated if either motion is based on simulated ratings.
