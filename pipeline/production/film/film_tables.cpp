@@ -83,7 +83,8 @@ constexpr auto videos_columns = table_of<MadeVideo>(
      {"worst_psnr_frame", "", "that frame; empty where identical",
       [](auto& r) { return r.unless_identical(std::to_string(r.video.worst_psnr_frame)); }},
      {"worst_ssim", "0–1",
-      "lowest structural similarity of a frame, 1 for the same; empty where identical",
+      "lowest structural similarity (SSIM) between a frame and its decoded version; empty where "
+      "identical",
       [](auto& r) { return r.unless_identical(fmt::format("{:.4f}", r.video.worst_ssim)); }},
      {"worst_ssim_frame", "", "that frame; empty where identical",
       [](auto& r) { return r.unless_identical(std::to_string(r.video.worst_ssim_frame)); }},

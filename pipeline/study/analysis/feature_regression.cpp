@@ -115,7 +115,7 @@ constexpr auto checks_columns = table_of<CheckRow>(
      {"mean_rmse", "0–1",
       "the same error when the mean of the examples not left out is the prediction",
       [](auto& r) { return r.check.mean_rmse; }},
-     {"r_squared", "", "Q² = 1 − (rmse / mean_rmse)²; below 0: worse than the mean",
+     {"r_squared", "", "cross-validated R² = 1 − (rmse / mean_rmse)²; below 0: worse than the mean",
       [](auto& r) { return r.check.r_squared; }},
      {"name", "", "English name", [](auto& r) { return english_text(r.label); }},
      {"name_ja", "", "Japanese name", [](auto& r) { return japanese_text(r.label); }}});

@@ -12,26 +12,27 @@ struct MatchedChange {
 };
 
 constexpr auto trials_columns = table_of<MatchedTrial>(
-    "trials.csv", "trial without practice",
+    "trials.csv", "trial, practice trials omitted",
     {{"participant", "", "participant id: position in the design, not a name",
       [](auto& r) { return r.participant; }},
      {"target", "", "id of the target", [](auto& r) { return r.trial.stimuli.front(); }},
      {"interface", "", "adjectives, features, weights …",
       [](auto& r) { return r.trial.items.front().item; }},
-     {"first_guess_d", "m", "D of the blind guess", [](auto& r) { return r.match.first_guess_d; }},
-     {"time_s", "s", "time from the blind guess to the match; without a match, the time limit",
+     {"first_guess_d", "m", "D of the first guess, made without feedback",
+      [](auto& r) { return r.match.first_guess_d; }},
+     {"time_s", "s", "time from the first guess to the match; without a match, the time limit",
       [](auto& r) { return r.match.time_s; }},
      {"success", "0/1", "1: matched within the limit", [](auto& r) { return r.match.success; }},
      {"simulated", "0/1", "1: simulated trial", [](auto& r) { return r.simulated; }},
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.trial.number; }},
      {"d", "m", "D of the last setting", [](auto& r) { return r.match.d; }},
-     {"guess_s", "s", "time from the start of the trial to the blind guess",
+     {"guess_s", "s", "time from the start of the trial to the first guess",
       [](auto& r) { return r.match.guess_s; }},
      {"attempt", "", "attempt at the trial, from 1; above 1 after a reload",
       [](auto& r) { return r.match.attempt; }},
      {"session", "", "random id of the browser session", [](auto& r) { return r.session; }},
      {"design", "", "hash of the experiment", [](auto& r) { return r.design; }},
-     {"limit_s", "s", "time limit for a match, from the blind guess",
+     {"limit_s", "s", "time limit for a match, from the first guess",
       [](auto& r) { return r.limit_s; }},
      {"threshold_m", "m", "D below which motions match", [](auto& r) { return r.threshold_m; }}});
 
