@@ -33,7 +33,7 @@ def manifest(options, films, cycles):
 
 
 def run(options, threads, films, cycles):
-    """Frames, seconds, processor seconds and megabytes of a run."""
+    """Frames, seconds, CPU seconds and megabytes of a run."""
     with tempfile.TemporaryDirectory() as folder:
         study = pathlib.Path(folder, "cores.yaml")
         study.write_text(manifest(options, films, cycles), encoding="utf-8")
@@ -69,7 +69,7 @@ def main():
               else [n for n in (1, 2, 4, 8, 16) if n <= here])
     print(f"{options.size}, {options.quality}, {here} processors")
     for name, films, cycles in (("one long film", 1, options.films), ("short films", options.films, 1)):
-        print(f"{name:14}  threads  frames/s  times  serial  processor ms/frame    MB")
+        print(f"{name:14}  threads  frames/s  times  serial        CPU ms/frame    MB")
         alone = None
         for threads in counts:
             frames, seconds, spent, memory = run(options, threads, films, cycles)

@@ -115,7 +115,7 @@ constexpr auto results_columns = table_of<InterfaceResult>(
      {"first_d_m", "m", "D of the nearest setting of the grid, or of the first guess",
       [](auto& r) { return r.first_distance; }},
      {"d_m", "m", "D of the last setting", [](auto& r) { return r.distance; }},
-     {"looks", "", "number of motions made", [](auto& r) { return r.views; }},
+     {"looks", "", "number of motions viewed", [](auto& r) { return r.views; }},
      {"matched", "0/1", "1: D of the last setting is below the threshold",
       [](auto& r) { return r.matches; }},
      nobody_column});
@@ -137,7 +137,7 @@ constexpr auto summary_columns = table_of<InterfaceSummary>(
      {"mean_d_m", "m", "mean of d_m in interface_trials.csv", [](auto& r) { return r.mean_last; }},
      {"sd_d_m", "m", "standard deviation of these (n − 1)", [](auto& r) { return r.sd_last; }},
      {"failure", "0–1", "proportion without a match", [](auto& r) { return r.failure; }},
-     {"mean_looks", "", "mean number of motions made", [](auto& r) { return r.mean_views; }},
+     {"mean_looks", "", "mean number of motions viewed", [](auto& r) { return r.mean_views; }},
      nobody_column});
 
 }  // namespace
