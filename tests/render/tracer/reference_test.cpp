@@ -33,7 +33,7 @@ Scene ball_on_floor() {
 }
 
 // In a furnace all directions bring the same light, whatever of them the sphere itself hides.
-TEST(Reference, ShowsASphereInAFurnaceAsItsAlbedo) {
+TEST(ReferenceRenderer, ShowsASphereInAFurnaceAsItsAlbedo) {
   Scene scene = ball_on_floor();
   scene.has_ground = false;
   scene.solids.spheres = {{.centre = {0.0f, 1.0f, 0.0f}, .radius = 1.0f}};
@@ -43,7 +43,7 @@ TEST(Reference, ShowsASphereInAFurnaceAsItsAlbedo) {
 }
 
 // A sphere wholly above the horizon hides (R/d)² cos θ of an even sky.
-TEST(Reference, BesideASphereLacksTheSpheresFormFactor) {
+TEST(ReferenceRenderer, BesideASphereLacksTheSpheresFormFactor) {
   Scene scene = ball_on_floor();
   scene.solids.spheres = {{.centre = {0.0f, 0.6f, 0.0f}, .radius = 0.6f}};
   for (const float x : {0.3f, 1.0f, 2.0f}) {
@@ -56,7 +56,7 @@ TEST(Reference, BesideASphereLacksTheSpheresFormFactor) {
 }
 
 // The form factor of a square right above a surface element (Howell B-3, four corners).
-TEST(Reference, LightsFloorAndSphereFromARectangle) {
+TEST(ReferenceRenderer, LightsFloorAndSphereFromARectangle) {
   Scene scene = ball_on_floor();
   scene.sky = even_sky(Color::Zero());
   scene.lights = {{.centre = {0.0f, 4.0f, 0.0f}, .radiance = Color::Constant(7.0f)}};
@@ -74,7 +74,7 @@ TEST(Reference, LightsFloorAndSphereFromARectangle) {
       on_top, 1e-3 * on_top, 3e-4 * on_top);
 }
 
-TEST(Reference, GivesTheSameBytesWithAnyNumberOfThreads) {
+TEST(ReferenceRenderer, GivesTheSameBytesWithAnyNumberOfThreads) {
   Scene scene = ball_on_floor();
   scene.solids.spheres = {{.centre = {0.0f, 0.6f, 0.0f}, .radius = 0.6f}};
   const Camera camera{.position = {2.0f, 1.5f, 3.0f}, .width = 70, .height = 50};
@@ -83,7 +83,7 @@ TEST(Reference, GivesTheSameBytesWithAnyNumberOfThreads) {
 }
 
 // What a ball hides of the light is the alpha of its shadow; the ball itself is opaque.
-TEST(Reference, LeavesAShadowAsAlpha) {
+TEST(ReferenceRenderer, LeavesAShadowAsAlpha) {
   Scene scene = ball_on_floor();
   scene.solids.spheres = {{.centre = {0.0f, 0.6f, 0.0f}, .radius = 0.6f}};
   View view{scene, camera_on({1.0f, 0.0f, 0.0f}, {4.0f, 3.0f, 0.0f}), reference_of(64), {}, {}};
