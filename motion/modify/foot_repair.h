@@ -7,8 +7,9 @@
 
 namespace mien::motion {
 
-/// The clip with its feet locked (foot_lock.h) until they drift by less than 0.5 mm, or until the
-/// drift no longer falls, so that a capture's foot skate is not carried into its modification.
+/// The clip with its feet locked (foot_lock.h) repeatedly: until they drift by less than 0.5 mm, or
+/// six times, of which the result with the least drift is returned. A capture's foot skate is thus
+/// not carried into its modification.
 Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants);
 
 /// The clip with the foot plants of `still`, the original with locked feet. After a smooth hip

@@ -47,10 +47,11 @@ std::optional<BodyJoint> next_present(const RigMotion& motion, BodyJoint joint);
 /// none.
 Vec3 far_end(const RigMotion& motion, BodyJoint joint);
 
-/// The axis (±X, ±Y, ±Z) that points from feet to chest, averaged over the frames.
+/// The axis (±X, ±Y, ±Z) nearest to the mean, over the frames, of the unit vector from the ankles'
+/// midpoint to the chest (or the left shoulder).
 struct UpAxis {
   Vec3 axis = Vec3::UnitY();
-  double clearness = 1.0;  ///< mean component of the unit vectors along it; 1: always upright
+  double clearness = 1.0;  ///< length of the mean's component along `axis`; 1: always upright
 };
 UpAxis up_axis(const std::vector<JointTransforms>& world, const MappedJoints& joints);
 

@@ -111,7 +111,8 @@ struct AreaLight {
   Color radiance{10.0f, 10.0f, 10.0f};
 };
 
-/// Returns an upright light of this size, metres, whose axis points from `centre` to `target`.
+/// Returns a rectangular light of this width and height, metres, that faces from `centre` to
+/// `target`. Its width is horizontal.
 AreaLight softbox(const Vec3& centre, const Vec3& target, float width, float height,
                   const Color& radiance);
 

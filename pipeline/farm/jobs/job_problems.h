@@ -23,7 +23,7 @@ struct JobProblem {
   std::string element;     ///< "2-frames.3"; "6-rest.1" for the job that completes a submission
   std::string job;         ///< the job's name in Slurm: "17_3"
   std::string reason;      ///< Slurm's reason: "JobHeldUser"; empty if no longer known
-  std::string cause;       ///< "wrong set-up (exit code 78)"
+  std::string cause;       ///< "failed (exit code 70)"
   std::string remedy;      ///< the command that continues, and what to do first
 };
 
