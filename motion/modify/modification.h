@@ -12,8 +12,8 @@ namespace mien::motion {
 
 /// Representation of rotations while their frequency bands are weighted.
 enum class RotationSignal {
-  direction_vectors,  ///< two columns of the rotation matrix (as in the thesis; swings saturate
-                      ///< towards 90°)
+  direction_vectors,  ///< two columns of the rotation matrix (as in the emotion thesis; swings
+                      ///< saturate towards 90°)
   quaternions,  ///< the logarithm of the quaternion about the joint's mean rotation (angles scale
                 ///< exactly)
 };

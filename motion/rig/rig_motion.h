@@ -43,8 +43,8 @@ double leg_length(const RigMotion& motion);
 std::optional<BodyJoint> next_present(const RigMotion& motion, BodyJoint joint);
 
 /// Position of the farthest descendant or tip (fingers, crown) of the rig joint that `joint`
-/// follows, in that rig joint's frame; mean over the frames, in the rig's unit. Zero if there is
-/// none.
+/// follows, in that rig joint's coordinates and in the rig's unit; averaged over all frames of the
+/// motion. Zero if there is none.
 Vec3 far_end(const RigMotion& motion, BodyJoint joint);
 
 /// The axis (±X, ±Y, ±Z) nearest to the mean, over the frames, of the unit vector from the ankles'

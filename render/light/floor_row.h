@@ -22,10 +22,10 @@ struct FloorRow {
   float from_z = 0.0f;
   float step_x = 0.0f;  ///< change of this offset per pixel to the right
   float step_z = 0.0f;
-  float height = 1.0f;
-  float drop = 1.0f;
-  float drop_step = 0.0f;
-  float centre = 0.0f;  ///< image x of the optical axis
+  float height = 1.0f;     ///< of the camera above the floor, metres; 1 for an orthographic one
+  float drop = 1.0f;       ///< descent of the ray at u = 0 per unit of depth
+  float drop_step = 0.0f;  ///< change of `drop` per pixel to the right
+  float centre = 0.0f;     ///< image x of the optical axis
 
   FloorRow() = default;
   FloorRow(const CameraFrame& camera, int y) : centre(camera.centre_x) {

@@ -32,9 +32,9 @@ struct Distance {
   bool matches() const { return mean < distance_threshold_m; }
 };
 
-/// Compares the motions at corresponding times. If both have the same number of keytimes, the
-/// normalized time t/T is mapped through the keytimes of each motion, relative to keytimes halfway
-/// between the two; otherwise it is linear in each duration. D is symmetric; `mpjpe` is not,
+/// Compares the motions at corresponding times. If both have the same number of keytimes, both are
+/// warped to common keytimes, the means of their normalized ones, and compared at the normalized
+/// times t/T; otherwise t/T is a fraction of each duration. D is symmetric; `mpjpe` is not,
 /// because it uses the target's frames. Bone lengths are not changed or scaled.
 Distance distance(const Example& target, const Example& created,
                   Alignment alignment = Alignment::pelvis);

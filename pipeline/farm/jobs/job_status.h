@@ -36,11 +36,11 @@ std::vector<JobStatus> job_statuses(const JournalContent& journal,
                                     const std::vector<QueueRow>& queue,
                                     const std::filesystem::path& folder);
 
-/// Names of all live jobs and elements, as scancel accepts them: "17_3", or "17".
+/// Slurm's IDs of all live jobs and elements, as scancel accepts them: "17_3", or "17".
 std::vector<std::string> live_jobs(const std::vector<JobStatus>& statuses);
 
-/// Names of pending and running jobs of the study with this graph key (submission.h), including
-/// jobs that its journal does not record.
+/// Slurm's IDs of pending and running jobs of the study with this graph key (submission.h),
+/// including jobs that its journal does not record.
 std::vector<std::string> live_jobs_of_graph(const std::vector<QueueRow>& queue,
                                             const std::string& graph_key);
 
@@ -48,7 +48,7 @@ std::vector<std::string> live_jobs_of_graph(const std::vector<QueueRow>& queue,
 /// if there are none.
 std::vector<std::string> lost_job_messages(const std::vector<JobStatus>& statuses);
 
-/// The name of a row's job in Slurm's commands: "17_3".
+/// The ID of a row's job in Slurm's commands: "17_3".
 std::string name_of(const QueueRow& row);
 
 /// How the last attempt at an element failed.
