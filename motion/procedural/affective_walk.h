@@ -24,7 +24,7 @@ std::vector<Emotion> circumplex_emotions();
 /// Arousal raises speed and cadence, widens the arm swing and flexes the elbows. Valence lifts
 /// chest and head, and adds bounce, arm swing and trunk rotation. Two interaction terms apply to
 /// unpleasant states: tension = max(arousal, 0)·(1 − valence)/2 raises the shoulders, flexes elbows
-/// and knees, and makes the limbs swing more abruptly (WalkStyle::sharpness); weariness =
+/// and knees, and makes arms and trunk swing more abruptly (WalkStyle::sharpness); weariness =
 /// max(−arousal, 0)·(1 − valence)/2 slumps the trunk, lowers foot clearance and adds sway. (0, 0)
 /// is the ordinary walk. Signs after Montepare et al. 1987, Roether et al. 2009, Michalak et al.
 /// 2009, Barliya et al. 2013.

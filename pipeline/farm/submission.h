@@ -81,7 +81,7 @@ void withdraw(const Submission& submission, const SubmissionJournal& journal,
 /// A job that Slurm has accepted.
 struct SubmittedJob {
   std::string name;  ///< "2-frames"
-  std::string job;   ///< Slurm's number
+  std::string job;   ///< Slurm's job ID
   int elements = 0;
 };
 
