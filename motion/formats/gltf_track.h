@@ -18,7 +18,7 @@ struct GltfTrack {
   Interpolation interpolation = Interpolation::linear;
   std::vector<double> times;  ///< seconds, increasing, at least one
 
-  /// For each key time, 3 numbers, or 4 for a quaternion (x, y, z, w); for cubic splines three
+  /// For each keyframe, 3 numbers, or 4 for a quaternion (x, y, z, w); for cubic splines three
   /// times as many: in-tangent, value, out-tangent.
   std::vector<double> numbers;
 };
