@@ -88,7 +88,7 @@ struct SubmittedJob {
 /// The accepted jobs of a submission.
 struct Submitted {
   std::vector<SubmittedJob> jobs;
-  std::string unrecorded;  ///< why a job's number is missing from the journal; empty if none is
+  std::string unrecorded;  ///< why a job's ID is missing from the journal; empty if none is
 };
 
 /// Submits a written submission to Slurm. Films and later stages also wait for the jobs `live` of
