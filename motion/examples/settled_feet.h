@@ -11,7 +11,7 @@ namespace mien::motion {
 ///
 /// Foot contacts are detected anew in each iteration. The iteration ends when the joints move by
 /// less than 1 µm on average (distance.h), or after 40 iterations: walks need 3 to 15, captured
-/// limps up to 36. The clip must travel.
+/// limps up to 36. The clip must not walk in place.
 Clip with_settled_feet(const Clip& clip, const FootLockOptions& options = {});
 
 /// Applies `with_settled_feet` to all examples of a set.

@@ -33,8 +33,8 @@ std::size_t add(GlbBuffer& buffer, const std::vector<std::uint16_t>& numbers, Gl
 std::size_t add(GlbBuffer& buffer, const std::vector<std::uint32_t>& numbers, GlbElement element,
                 GlbUse use = GlbUse::none);
 
-/// As `add`, with the minimum and maximum of each component, which glTF requires for key times and
-/// positions. There must be at least one element.
+/// As `add`, with the minimum and maximum of each component, which glTF requires for keyframe times
+/// and positions. There must be at least one element.
 std::size_t add_bounded(GlbBuffer& buffer, const std::vector<float>& numbers, GlbElement element,
                         GlbUse use = GlbUse::none);
 

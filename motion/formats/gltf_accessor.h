@@ -10,7 +10,7 @@
 namespace mien::motion {
 
 /// Number of elements of an accessor. Throws mien::Error if the accessor does not exist; `use`
-/// states its purpose in error messages: "key times".
+/// states its purpose in error messages: "keys".
 size_t accessor_count(const GltfFile& file, int accessor, std::string_view use);
 
 /// The numbers of an accessor with `components` numbers per element (1, 2, 3, 4 or 16). Floats and

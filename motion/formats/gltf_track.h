@@ -18,13 +18,13 @@ struct GltfTrack {
   Interpolation interpolation = Interpolation::linear;
   std::vector<double> times;  ///< seconds, increasing, at least one
 
-  /// For each key time, 3 numbers, or 4 for a quaternion (x, y, z, w); for cubic splines three
+  /// For each keyframe, 3 numbers, or 4 for a quaternion (x, y, z, w); for cubic splines three
   /// times as many: in-tangent, value, out-tangent.
   std::vector<double> numbers;
 };
 
 /// Key in the `extras` of an animation in which the GLB writer states a frame rate below 10 frames
-/// per second, because the key times alone do not determine it.
+/// per second, because the keyframe times alone do not determine it.
 inline constexpr const char* gltf_rate_key = "framesPerSecond";
 
 /// An animation of a file that moves any node.
@@ -37,9 +37,9 @@ struct GltfTake {
 std::vector<GltfTake> gltf_takes(const GltfFile& file);
 
 /// The tracks of an animation of the file.
-/// Throws mien::Error for key times that are negative or do not increase, more or fewer values than
-/// keys, two tracks for the same component of a node, rotations of length zero, and for the reasons
-/// of `accessor_numbers`.
+/// Throws mien::Error for keyframe times that are negative or do not increase, more or fewer values
+/// than keys, two tracks for the same component of a node, rotations of length zero, and for the
+/// reasons of `accessor_numbers`.
 std::vector<GltfTrack> parse_tracks(const GltfFile& file, int animation);
 
 /// The frame rate stated by the GLB writer for an animation; 0 if there is none.

@@ -33,7 +33,7 @@ FootContact foot_contact(const Clip& clip, bool left, const ContactOptions& opti
 std::vector<FootPlant> foot_plants(const Clip& clip, const ContactOptions& options = {});
 
 /// Velocity of the floor under a looping clip that walks in place, m/s, world space: the common
-/// velocity of the planted feet. Zero for clips that travel or do not loop.
+/// velocity of the planted feet. Zero for clips that are not in place or do not loop.
 Vec3 floor_velocity(const Clip& loop);
 
 }  // namespace mien::motion

@@ -23,7 +23,7 @@ struct FootLockOptions {
 /// captures one foot is often higher than the other. Toes raised above a standing heel are lowered.
 /// Corrections fade out during the swing. The pelvis is lowered smoothly where a leg would have to
 /// stretch; knees stay in their planes and bones keep their lengths (after Kovar, Schreiner and
-/// Gleicher 2002). The clip must travel, not walk in place.
+/// Gleicher 2002). The clip must not walk in place.
 Clip foot_locked(const Clip& clip, const std::vector<FootPlant>& plants,
                  const FootLockOptions& options = {});
 

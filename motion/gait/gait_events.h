@@ -47,7 +47,7 @@ FootProgress foot_progress(const Clip& clip);
 
 /// Heel strikes and toe offs in order of time (Zeni et al. 2008): a heel strike is where the heel
 /// is farthest in front of the pelvis, a toe off where the toe is farthest behind it. Works for
-/// clips that travel and clips in place. Events of a looping clip lie in [0, frames).
+/// clips in place too. Events of a looping clip lie in [0, frames).
 std::vector<GaitEvent> gait_events(const Clip& clip);
 
 }  // namespace mien::motion

@@ -7,8 +7,8 @@
 
 namespace mien::motion {
 
-// Binary messages from the motion core to pages, sent by a server or by the module in the browser;
-// little endian.
+// Binary messages from the live core (live_core.h) to pages, sent by a server or by the module in
+// the browser; little endian.
 
 /// The message for a motion. u32: "MOVE", number of frames, number of joints, whether it loops,
 /// number of keytimes, number of weights. f64: frames per second, displacement per cycle (3,

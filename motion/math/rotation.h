@@ -18,7 +18,7 @@ double angle_between(const Quat& from, const Quat& to);
 /// Shortest-arc spherical interpolation; t = 0 gives `from`, t = 1 gives `to` (up to sign).
 Quat slerp(const Quat& from, const Quat& to, double t);
 
-/// `rotation` or its negative, whichever lies in the hemisphere of `reference`.
+/// `rotation` or its negative, whichever has a non-negative dot product with `reference`.
 Quat in_hemisphere_of(const Quat& reference, const Quat& rotation);
 
 /// The shortest rotation that takes the direction of `from` to that of `to`. Neither is zero; the

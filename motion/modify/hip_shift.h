@@ -9,7 +9,8 @@ namespace mien::motion {
 
 /// How the root follows the planted feet.
 enum class HipPath {
-  exact,   ///< frame by frame: planted feet stand still, but the root may jerk (as in the thesis)
+  exact,   ///< frame by frame: planted feet stand still, but the root may jerk (as in the emotion
+           ///< thesis)
   smooth,  ///< low-pass filtered at 4 Hz; the remaining slide must be removed by foot locking
            ///< (foot_lock.h)
 };
@@ -21,7 +22,8 @@ enum class HipPath {
 /// planted feet are as high as in the original.
 ///
 /// The cycle displacement of a loop follows from its feet; drift sideways from its line of travel
-/// is removed evenly over the cycle. Both clips travel and have the same frames.
+/// is removed evenly over the cycle. Neither clip walks in place; both have the same number of
+/// frames and frame rate.
 Clip with_hip_shift(const Clip& clip, const Clip& original, const std::vector<FootPlant>& plants,
                     HipPath path);
 

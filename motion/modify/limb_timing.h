@@ -34,8 +34,9 @@ std::vector<double> limb_speeds(const Clip& clip, Limb limb);
 /// or a tenth of the top speed) keep the duration 1.
 std::vector<double> constant_speed_durations(std::span<const double> speeds);
 
-/// Factor by which a pause is stretched at full acceleration. The thesis uses 10, which makes the
-/// rest of a segment 2.5 times as fast and looks jerky at 30 frames per second.
+/// Factor by which a pause is stretched at full acceleration. The emotion thesis uses 10, which
+/// makes the remaining part of a segment (0.9 s) 2.5 times as fast and looks jerky at 30 frames per
+/// second.
 inline constexpr double max_pause_factor = 5.5;
 
 /// Relative durations of the intervals that slow the end down where it is slow: groups of intervals

@@ -12,8 +12,8 @@ namespace mien::motion {
 
 /// Representation of rotations while their frequency bands are weighted.
 enum class RotationSignal {
-  direction_vectors,  ///< two columns of the rotation matrix (as in the thesis; swings saturate
-                      ///< towards 90°)
+  direction_vectors,  ///< two columns of the rotation matrix (as in the emotion thesis; swings
+                      ///< saturate towards 90°)
   quaternions,  ///< the logarithm of the quaternion about the joint's mean rotation (angles scale
                 ///< exactly)
 };
@@ -101,7 +101,7 @@ void check(const Modification& modification);
 /// The modified clip of the canonical body. Steps in the order of the emotion thesis: path lengths,
 /// hip shift, limb timing, and bilinear interpolation on the grid of nine motions (nine_grid.h);
 /// then variation, tempo, posture, joint limits and foot repair. Bone lengths never change; a loop
-/// stays a loop. Clips may travel or walk in place. Throws mien::Error as `check` does, and for a
+/// stays a loop. Clips may walk in place. Throws mien::Error as `check` does, and for a
 /// skeleton other than the canonical body.
 ModifiedClip modify(const Clip& clip, const Modification& modification);
 

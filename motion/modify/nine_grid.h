@@ -19,11 +19,12 @@ Pose mean_pose(std::span<const Pose* const> poses, std::span<const double> weigh
 /// returned unchanged.
 Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights);
 
-/// The motion at the modification's position (paths, acceleration) on the grid of the thesis, the
-/// nine motions {short, as is, long} × {constant speed, as is, accelerated}. `original` travels.
-/// Path lengths are changed first, then the hips are shifted, then the limbs are retimed, and the
-/// (at most four) neighbouring grid motions are interpolated bilinearly. Explicit gains replace the
-/// interpolation of path lengths.
+/// The motion at the modification's position (paths, acceleration) on the grid of the emotion
+/// thesis, the nine motions {short, as is, long} × {constant speed, as is, accelerated}. `original`
+/// must not walk in place. Path lengths are changed first, then the hips are shifted, then the
+/// limbs are retimed, and the (at most four) neighbouring grid motions are interpolated bilinearly.
+/// If the modification has explicit path gains, they are used instead of interpolating path
+/// lengths.
 Clip grid_motion(const Clip& original, const std::vector<FootPlant>& plants,
                  const Modification& modification);
 

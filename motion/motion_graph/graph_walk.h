@@ -13,7 +13,8 @@ struct GraphWalkOptions {
   Vec3 place = Vec3::Zero();  ///< floor position of the pelvis in the first frame, metres
   double heading = 0.0;       ///< of the pelvis in the first frame, radians about +Y from +Z
   /// Whether to lock feet (gait/foot_lock.h) in plants that overlap a transition, so that a foot
-  /// planted on both sides stands still throughout and other feet do not slide after landing.
+  /// planted before and after the transition stands still throughout and other feet do not slide
+  /// after landing.
   bool lock_feet = true;
   /// Additional heading of each frame, radians to the left; it bends the path too. Empty: none. If
   /// given, all planted feet are locked, so that they stand still while the body turns above them.

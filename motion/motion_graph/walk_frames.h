@@ -24,8 +24,9 @@ struct WalkFrame {
   int frame = 0;
   int to_clip = -1;  ///< the clip that is entered; −1 outside of transitions
   int to_frame = 0;
-  double share = 1.0;  ///< of the first clip: 2p³ − 3p² + 1 over the window (Kovar 2002, eq. 6)
-  double turn = 0.0;   ///< rotation that aligns the second clip with the first, radians
+  double share = 1.0;  ///< of the first clip: 2p³ − 3p² + 1 (Kovar et al. 2002, section 3.3), where
+                       ///< p rises from 0 to 1 over the window
+  double turn = 0.0;  ///< rotation that aligns the second clip with the first, radians
 };
 
 /// WalkFrame::share at a frame of a transition's window.

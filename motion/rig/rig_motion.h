@@ -43,14 +43,15 @@ double leg_length(const RigMotion& motion);
 std::optional<BodyJoint> next_present(const RigMotion& motion, BodyJoint joint);
 
 /// Position of the farthest descendant or tip (fingers, crown) of the rig joint that `joint`
-/// follows, in that rig joint's frame; mean over the frames, in the rig's unit. Zero if there is
-/// none.
+/// follows, in that rig joint's coordinates and in the rig's unit; averaged over all frames of the
+/// motion. Zero if there is none.
 Vec3 far_end(const RigMotion& motion, BodyJoint joint);
 
-/// The axis (±X, ±Y, ±Z) that points from feet to chest, averaged over the frames.
+/// The axis (±X, ±Y, ±Z) nearest to the mean, over the frames, of the unit vector from the ankles'
+/// midpoint to the chest (or the left shoulder).
 struct UpAxis {
   Vec3 axis = Vec3::UnitY();
-  double clearness = 1.0;  ///< mean component of the unit vectors along it; 1: always upright
+  double clearness = 1.0;  ///< length of the mean's component along `axis`; 1: always upright
 };
 UpAxis up_axis(const std::vector<JointTransforms>& world, const MappedJoints& joints);
 

@@ -35,7 +35,7 @@ std::string flag_of(std::string key) {
   return "--" + key;
 }
 
-/// "(1 to 240)", "(draft, standard, final)", or nothing.
+/// "(1 to 240)", "(draft, standard, final, reference)", or nothing.
 std::string limits_of(const json& schema) {
   if (schema.contains("enum")) {
     std::string words;

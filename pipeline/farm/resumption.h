@@ -14,8 +14,8 @@ namespace mien::pipeline {
 std::set<std::string> covered_items(const std::vector<JobStatus>& statuses,
                                     const std::filesystem::path& folder);
 
-/// Names of live jobs that a new submission replaces: held ones, and the final jobs of earlier
-/// submissions.
+/// Slurm's IDs of live jobs that a new submission replaces: held ones, and the final jobs of
+/// earlier submissions.
 std::vector<std::string> obsolete_jobs(const std::vector<JobStatus>& statuses);
 
 /// Tasks whose jobs ran out of memory, and the memory to request for them next.

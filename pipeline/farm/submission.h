@@ -81,14 +81,14 @@ void withdraw(const Submission& submission, const SubmissionJournal& journal,
 /// A job that Slurm has accepted.
 struct SubmittedJob {
   std::string name;  ///< "2-frames"
-  std::string job;   ///< Slurm's number
+  std::string job;   ///< Slurm's job ID
   int elements = 0;
 };
 
 /// The accepted jobs of a submission.
 struct Submitted {
   std::vector<SubmittedJob> jobs;
-  std::string unrecorded;  ///< why a job's number is missing from the journal; empty if none is
+  std::string unrecorded;  ///< why a job's ID is missing from the journal; empty if none is
 };
 
 /// Submits a written submission to Slurm. Films and later stages also wait for the jobs `live` of

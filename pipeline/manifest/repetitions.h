@@ -24,7 +24,7 @@ std::vector<Repetition> repetitions_in(const Manifest& manifest);
 /// Returns a warning about the repeated stimulus, without its id.
 std::string to_sentence(const Repetition& repetition);
 
-/// Returns a warning for each repetition, with its id: "b: a rater sees the same as of …".
+/// Returns a warning for each repetition, with its id: `b: looks identical to "a"; …`.
 std::vector<std::string> repetition_warnings(const Manifest& manifest);
 
 /// Returns the repetition as a fault with its position in the manifest. It is only a warning,

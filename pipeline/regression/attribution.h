@@ -23,7 +23,7 @@ struct StimulusStates {
 
 /// Returns the changed settings of one aspect: "weights.sad 0.4 → 0.41; …". If there are none,
 /// returns all changed settings, because a seed may also change a motion through simulated ratings.
-/// If nothing has changed, returns a sentence that the change comes from other stimuli.
+/// If nothing has changed, returns "equalization across the study's stimuli".
 std::string requested_changes(const StimulusStates& states, Aspect aspect);
 
 /// Returns the causes of a changed motion, without shares; empty if the motion is unchanged.

@@ -74,7 +74,7 @@ std::vector<ValueChange> value_changes(const NamedValues& before, const NamedVal
 /// A changed video.
 struct VideoChange {
   std::string format;
-  /// Descriptions of the changes: "114 frames → 113", "other bytes".
+  /// Descriptions of the changes: "114 frames → 113", "different content".
   std::vector<std::string> what;
   bool same_frames = true;    ///< same number of frames at the same times
   double psnr_lost_db = 0.0;  ///< loss of PSNR relative to its frames, dB

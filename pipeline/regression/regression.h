@@ -15,7 +15,7 @@ struct Gate {
   std::string id;             ///< id of the copied stimulus; empty if there was none
   std::string motion_defect;  ///< "left forearm turned by 1°"
   bool motion_caught = true;
-  std::string picture_defect;  ///< "a block of 8 x 8 pixels lighter by half"
+  std::string picture_defect;  ///< "a block of 8 x 8 pixels 50 % brighter"
   bool picture_caught = true;
 
   /// Whether both defects were detected.

@@ -20,7 +20,7 @@ OrderedJson files_in(const std::string& value) {
   return json.is_object() ? json : OrderedJson::object();
 }
 
-/// "clip content: walk.bvh is another (0123abcd → 4567cdef)"
+/// "clip content: walk.bvh has changed (0123abcd → 4567cdef)"
 std::string content_text(const SettingChange& change) {
   constexpr std::size_t most_listed = 8;
   const OrderedJson before = files_in(change.before), now = files_in(change.now);

@@ -60,7 +60,7 @@ std::vector<SettingChange> changes_between(const std::vector<Setting>& before,
                                            const std::vector<Setting>& now);
 
 /// Returns a change as readable text, with colours as "#c08040": "adjectives.quickness 0.6 → 0.61",
-/// "examples content: sad.bvh is another (01… → 23…)".
+/// "examples content: sad.bvh has changed (01… → 23…)".
 std::string change_text(const SettingChange& change);
 
 }  // namespace mien::pipeline

@@ -18,7 +18,7 @@ struct WorkerRecord {
   std::string process_space;  ///< PID namespace (containers have their own)
   std::int64_t pid = 0;
   std::string process_start;  ///< ticks after the boot, since PIDs are reused
-  std::string job;            ///< number of the Slurm job it runs in: "17"; empty if none
+  std::string job;            ///< ID of the Slurm job it runs in: "17"; empty if none
   /// Instruction set of the processor, as used by the renderer: "avx2".
   std::string instruction_set;
   std::string started;      ///< UTC, for display

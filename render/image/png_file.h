@@ -7,7 +7,7 @@
 namespace mien::render {
 
 // Reading and writing of opaque PNG files by libpng, which is loaded in any case. OpenImageIO would
-// load 100 MB of libraries, although most runs read and write no pictures but a study's frames.
+// load 100 MB of libraries, and most runs read and write no other pictures than a study's frames.
 
 /// Interleaved RGB pixels of 8 or 16 bits per channel, row by row, in native byte order.
 struct PngPixels {

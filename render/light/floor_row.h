@@ -13,19 +13,19 @@ struct FloorPlace {
 
 /// The points of the floor seen at the centres of a row of pixels; they lie on a straight line. The
 /// pixel u columns to the right of the optical axis shows the point (x, z) + s · (from + u · step),
-/// where from + u · step is the offset at distance 1 from the camera and s = height / (drop + u ·
-/// drop_step).
+/// where from + u · step is the offset at depth 1 along the optical axis and s = height / (drop + u
+/// · drop_step).
 struct FloorRow {
   float x = 0.0f;  ///< below the camera; 0 for an orthographic camera
   float z = 0.0f;
-  float from_x = 0.0f;  ///< offset from (x, z) at distance 1 and u = 0
+  float from_x = 0.0f;  ///< offset from (x, z) at depth 1 and u = 0
   float from_z = 0.0f;
   float step_x = 0.0f;  ///< change of this offset per pixel to the right
   float step_z = 0.0f;
-  float height = 1.0f;
-  float drop = 1.0f;
-  float drop_step = 0.0f;
-  float centre = 0.0f;  ///< image x of the optical axis
+  float height = 1.0f;     ///< of the camera above the floor, metres; 1 for an orthographic one
+  float drop = 1.0f;       ///< descent of the ray at u = 0 per unit of depth
+  float drop_step = 0.0f;  ///< change of `drop` per pixel to the right
+  float centre = 0.0f;     ///< image x of the optical axis
 
   FloorRow() = default;
   FloorRow(const CameraFrame& camera, int y) : centre(camera.centre_x) {

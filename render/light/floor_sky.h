@@ -42,7 +42,7 @@ class FloorSky {
       return inverse_side > 0.0f && u >= 0.0f && u < 1.0f && v >= 0.0f && v < 1.0f;
     }
 
-    /// Returns the occluded light (irradiance over π) at a point of a known cell.
+    /// Returns the occluded light (irradiance divided by π) at a point of a known cell.
     Color hidden(float px, float pz) const {
       const float u = (px - x) * inverse_side, v = (pz - z) * inverse_side;
       return at_corner + u * along_x + v * (along_z + u * along_both);
@@ -74,7 +74,7 @@ class FloorSky {
   struct Corner {
     float x;
     float z;
-    float even = 0.0f;    // occluded irradiance over π of a sky of radiance 1
+    float even = 0.0f;    // occluded irradiance, divided by π, of a sky of radiance 1
     float rising = 0.0f;  // the same for a sky whose radiance is the sine of the elevation
   };
   struct Square {

@@ -60,8 +60,8 @@ LaneVectors cosine_directions(const LaneVectors& normal, const LanePoints& u);
 /// `cone_direction` (directions.h) about one axis, for eight random points.
 LaneVectors cone_directions(const Vec3& axis, float cosine_of_half_angle, const LanePoints& u);
 
-/// `sample` (light.h) of one light from eight points; `share` times the light's radiance is
-/// LightSample::perpendicular.
+/// `sample` (light.h) of one light from eight points; `share`, steradians, times the light's
+/// radiance is LightSample::perpendicular.
 struct LaneLights {
   LaneVectors towards;
   LaneFloats distance;

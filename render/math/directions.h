@@ -12,7 +12,7 @@ namespace mien::render {
 float arc_sine(float x);
 
 /// A point of the unit disc, uniformly distributed by the concentric mapping (Shirley & Chiu 1997),
-/// which maps squares to rings and keeps strata compact.
+/// which maps concentric squares to concentric circles and keeps strata compact.
 struct DiscPoint {
   float x;
   float y;

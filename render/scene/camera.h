@@ -42,8 +42,8 @@ struct CameraRay {
 struct CameraFrame {
   Vec3 position;
   Vec3 forward;     ///< unit
-  Vec3 step_right;  ///< one pixel to the right, metres; perspective: at distance 1
-  Vec3 step_down;   ///< one pixel down, metres; perspective: at distance 1
+  Vec3 step_right;  ///< one pixel to the right, metres; perspective: at depth 1
+  Vec3 step_down;   ///< one pixel down, metres; perspective: at depth 1
   float centre_x;   ///< pixels; where the optical axis meets the image plane
   float centre_y;
   bool parallel;

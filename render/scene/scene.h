@@ -19,9 +19,9 @@ struct Material {
   Color emission{0.0f, 0.0f, 0.0f};
   int texture = -1;  ///< index into Scene::textures that multiplies the albedo of meshes; −1: none
 
-  /// Index into Scene::textures of normals of meshes (Blinn 1978), as in glTF: 2 · texel − 1 are
-  /// the normal's components along increasing u, along decreasing v, and out of the surface. −1:
-  /// none.
+  /// Index of the tangent-space normal map in Scene::textures (meshes only; Blinn 1978, as in
+  /// glTF): 2 · texel − 1 are the normal's components along increasing u, along decreasing v, and
+  /// out of the surface. −1: none.
   int normal_map = -1;
   float normal_scale = 1.0f;  ///< factor of the first two components
 };
@@ -111,7 +111,8 @@ struct AreaLight {
   Color radiance{10.0f, 10.0f, 10.0f};
 };
 
-/// Returns an upright light of this size, metres, whose axis points from `centre` to `target`.
+/// Returns a rectangular light of this width and height, metres, that faces from `centre` to
+/// `target`. Its width is horizontal.
 AreaLight softbox(const Vec3& centre, const Vec3& target, float width, float height,
                   const Color& radiance);
 
@@ -149,7 +150,7 @@ struct Scene {
 /// Radiance of the sky's light that arrives from the unit direction `towards`.
 Color sky_radiance(const Sky& sky, const Vec3& towards);
 
-/// Irradiance over π on a surface of this unit normal under the whole, unoccluded sky.
+/// Irradiance divided by π on a surface with this unit normal under the whole, unoccluded sky.
 Color unoccluded_sky_light(const Sky& sky, const Vec3& normal);
 
 /// Radiance of the backdrop in the unit direction `towards`.

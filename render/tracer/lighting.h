@@ -25,8 +25,8 @@ class ShadowRayQueue {
  public:
   explicit ShadowRayQueue(const PreparedScene& prepared) : prepared_(prepared) {}
 
-  /// Queues a shadow ray. `light` is the radiance that the ray contributes for each sample that
-  /// this one represents.
+  /// Queues a shadow ray. `light` is the radiance that the ray contributes for each of the
+  /// samples that `sample` represents.
   void enqueue(const Sample& sample, const Vec3& origin, const Vec3& direction, float distance,
                const Color& light, Contribution contribution) {
     if ((light == 0.0f).all()) return;

@@ -49,7 +49,7 @@ class FloorBlocks {
   /// Requests the occlusion of these lights for the block of a pixel.
   void add(int x, int y, std::uint32_t lights) { blocks_[number(x, y)].lights |= lights; }
 
-  /// Occluded irradiance over π of each sample of a pixel whose block was requested.
+  /// Occluded irradiance, divided by π, of each sample of a pixel whose block was requested.
   const Color& occluded(int x, int y) const { return blocks_[number(x, y)].occluded; }
 
   const PixelBlock& size() const { return size_; }

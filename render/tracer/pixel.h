@@ -32,7 +32,7 @@ struct FloorPixel {
 };
 
 /// Subtracts from a number of samples of a pixel the light that is occluded: `hidden` (irradiance
-/// over π) for each.
+/// divided by π) for each.
 inline void subtract_light(FloorPixel& pixel, int samples, const Color& hidden) {
   pixel.known_occluded -= (static_cast<float>(samples) * hidden) * pixel.floor_albedo;
 }

@@ -89,8 +89,9 @@ struct FrameCallbacks {
   std::function<void(std::size_t frame)> end;
 };
 
-/// Draws scenes with Embree: Lambert surfaces under area lights and a sky, direct light only, soft
-/// shadows, filtered by a Blackman–Harris filter.
+/// Renders scenes with Embree: diffuse surfaces with an optional specular lobe under area lights
+/// and a sky, with direct light and soft shadows only. Pixels are reconstructed with a
+/// Blackman–Harris filter.
 ///
 /// A picture depends on the scene, camera and quality alone: not on the threads, previous pictures
 /// or the machine. A Tracer may render several prepared views at a time while another is being

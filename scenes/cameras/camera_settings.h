@@ -21,7 +21,7 @@ struct CameraKey {
 struct ScreenSettings {
   double distance_cm = 60.0;      ///< distance from the eye
   double width_cm = 52.0;         ///< width of the picture
-  std::optional<double> degrees;  ///< visual angle of the standing figure; life-size without it
+  std::optional<double> degrees;  ///< visual angle of the standing figure; empty: it is life-size
 
   friend bool operator==(const ScreenSettings&, const ScreenSettings&) = default;
 };

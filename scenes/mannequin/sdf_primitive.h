@@ -40,7 +40,7 @@ struct SdfPrimitive {
 double signed_distance(const SdfPrimitive& primitive, const motion::Vec3& point);
 
 /// The polynomial smooth minimum (Quilez, "Smooth minimum"): min(a, b) where a and b differ by
-/// `blend` or more, and less by up to a quarter of `blend` (at a = b) elsewhere.
+/// `blend` or more; elsewhere smaller than that, by at most `blend` / 4 (at a = b).
 double smooth_minimum(double a, double b, double blend);
 
 /// Approximate signed distance to the smooth union of the primitives, in order. Very large when

@@ -59,8 +59,9 @@ JointMotions joint_motions(const motion::JointTransforms& bind, const motion::Jo
 render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions);
 
 /// Dual quaternion skinning (Kavan et al. 2008): every vertex is transformed by the normalised
-/// weighted sum of its joints' dual quaternions, each taken in the hemisphere of that with the
-/// largest weight. Rigid transforms only. Twisting limbs keep their volume.
+/// weighted sum of its joints' dual quaternions, each negated if its real part has a negative dot
+/// product with that of the largest weight. Rigid transforms only. Twisting limbs keep their
+/// volume.
 render::Mesh dual_quaternion_skinned(const SkinnedMesh& mesh, const JointMotions& motions);
 
 /// Makes weights sum to 1 and keeps the eight largest, larger ones first. Negative ones and those

@@ -21,7 +21,7 @@ inline constexpr double distance_threshold_m = 0.06;  ///< "the same motion" in 
 /// Distance between two motions, eq. (8) of the adjective paper. Metres.
 struct Distance {
   double mean = 0.0;   ///< D: the sum divided by its (T+1)·J terms
-  double sum = 0.0;    ///< D_sum: as printed
+  double sum = 0.0;    ///< D_sum: the sum itself, as eq. (8) is printed
   double mpjpe = 0.0;  ///< mean per-joint position error over all frames of the target
   Alignment alignment = Alignment::pelvis;
   /// Row j−1 is BodyJoint j, column t is time t/10 of the keytime-normalised duration.
@@ -32,15 +32,15 @@ struct Distance {
   bool matches() const { return mean < distance_threshold_m; }
 };
 
-/// Compares the motions at corresponding times. If both have the same number of keytimes, the
-/// normalized time t/T is mapped through the keytimes of each motion, relative to keytimes halfway
-/// between the two; otherwise it is linear in each duration. D is symmetric; `mpjpe` is not,
+/// Compares the motions at corresponding times. If both have the same number of keytimes, both are
+/// warped to common keytimes, the means of their normalized ones, and compared at the normalized
+/// times t/T; otherwise t/T is a fraction of each duration. D is symmetric; `mpjpe` is not,
 /// because it uses the target's frames. Bone lengths are not changed or scaled.
 Distance distance(const Example& target, const Example& created,
                   Alignment alignment = Alignment::pelvis);
 
-/// The pose at a time, aligned for the comparison: horizontal position and heading removed, bones
-/// and height kept.
+/// The pose at a time without the horizontal pelvis position and heading of that pose
+/// (Alignment::pelvis) or of the clip's first frame (Alignment::world).
 Pose aligned_pose_at(const Clip& clip, double seconds, Alignment alignment);
 
 /// Time in `motion`, seconds, that corresponds to the normalized time `share` ∈ [0, 1] of `timing`.

@@ -11,8 +11,8 @@
 
 namespace mien::pipeline {
 
-/// Collects the paths of all options of a list and their concerns. Elements of arrays are denoted
-/// by "[]": "stimuli[].output.presentation.card.text".
+/// Collects the paths and concerns of all options that a struct declares in its `fields_of`.
+/// Elements of arrays are denoted by "[]": "stimuli[].output.presentation.card.text".
 class FieldNames {
  public:
   explicit FieldNames(std::string prefix = "", unsigned inherited = concerns::nothing)

@@ -7,7 +7,7 @@
 
 namespace mien::pipeline {
 
-/// The cause of a stopped job ("held by hand") and its remedy.
+/// The cause of a stopped job ("held by the user") and its remedy.
 struct Diagnosis {
   std::string cause;
   std::string remedy;

@@ -15,15 +15,15 @@ struct JobProblem {
     held,      ///< held by Slurm; it will not run by itself
     outdated,  ///< live, but submitted for an earlier state of the study, so it produces nothing
     unresponsive,  ///< running according to Slurm, but its node or worker does not respond
-    ended,         ///< ended without completing its items
-    cancelled      ///< cancelled before completing its items
+    ended,         ///< ended without completing its work items
+    cancelled      ///< cancelled before completing its work items
   };
   Kind kind = Kind::ended;
   std::string submission;  ///< "0001"
   std::string element;     ///< "2-frames.3"; "6-rest.1" for the job that completes a submission
-  std::string job;         ///< the job's name in Slurm: "17_3"
+  std::string job;         ///< Slurm's job ID: "17_3"
   std::string reason;      ///< Slurm's reason: "JobHeldUser"; empty if no longer known
-  std::string cause;       ///< "wrong set-up (exit code 78)"
+  std::string cause;       ///< "failed (exit code 70)"
   std::string remedy;      ///< the command that continues, and what to do first
 };
 
@@ -37,8 +37,8 @@ struct StudyState {
 };
 
 /// Problems of the jobs of all submissions, in order of submission. A failed job is listed as long
-/// as one of its items is missing and has not been submitted again. Based on squeue and on the exit
-/// codes that jobs record in ends/.
+/// as one of its work items (work_item.h) is unfinished and has not been submitted again. Based on
+/// squeue and on the exit codes that jobs record in ends/.
 std::vector<JobProblem> job_problems(const std::vector<JobStatus>& statuses,
                                      const StudyState& study);
 

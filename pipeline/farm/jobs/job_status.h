@@ -15,15 +15,15 @@ namespace mien::pipeline {
 /// Status of a job that the journal records.
 struct JobStatus {
   enum class Kind {
-    live,   ///< at least one element is pending or running
-    ended,  ///< all elements have ended, successfully or not
-    lost,   ///< unknown to Slurm although no element has written a log; its number may be reused
+    live,        ///< at least one element is pending or running
+    ended,       ///< all elements have ended, successfully or not
+    lost,        ///< unknown to Slurm although no element has written a log; its ID may be reused
     unconfirmed  ///< the client stopped before Slurm's answer was recorded, and the job is
                  ///< unknown to Slurm
   };
   Kind kind = Kind::ended;
-  JournalJob journal;          ///< with Slurm's job number, even if the journal lacks it
-  bool is_adopted = false;     ///< the number was found by the job's comment, not in the journal
+  JournalJob journal;          ///< with Slurm's job ID, even if the journal lacks it
+  bool is_adopted = false;     ///< the ID was found by the job's comment, not in the journal
   std::vector<QueueRow> rows;  ///< its rows in the output of squeue
 
   /// Rows of elements that are pending or running, including held ones.
@@ -31,16 +31,16 @@ struct JobStatus {
 };
 
 /// Status of each of a study's jobs according to squeue. Jobs are matched by their comments, since
-/// Slurm may reuse numbers. `folder`: the study's; a log in it shows that a job had started.
+/// Slurm may reuse IDs. `folder`: the study's; a log in it shows that a job had started.
 std::vector<JobStatus> job_statuses(const JournalContent& journal,
                                     const std::vector<QueueRow>& queue,
                                     const std::filesystem::path& folder);
 
-/// Names of all live jobs and elements, as scancel accepts them: "17_3", or "17".
+/// Slurm's IDs of all live jobs and elements, as scancel accepts them: "17_3", or "17".
 std::vector<std::string> live_jobs(const std::vector<JobStatus>& statuses);
 
-/// Names of pending and running jobs of the study with this graph key (submission.h), including
-/// jobs that its journal does not record.
+/// Slurm's IDs of pending and running jobs of the study with this graph key (submission.h),
+/// including jobs that its journal does not record.
 std::vector<std::string> live_jobs_of_graph(const std::vector<QueueRow>& queue,
                                             const std::string& graph_key);
 
@@ -48,7 +48,7 @@ std::vector<std::string> live_jobs_of_graph(const std::vector<QueueRow>& queue,
 /// if there are none.
 std::vector<std::string> lost_job_messages(const std::vector<JobStatus>& statuses);
 
-/// The name of a row's job in Slurm's commands: "17_3".
+/// The ID of a row's job in Slurm's commands: "17_3".
 std::string name_of(const QueueRow& row);
 
 /// How the last attempt at an element failed.

@@ -15,7 +15,7 @@ struct JournalJob {
   std::string comment;     ///< identifies the job among all of Slurm's jobs
   int elements = 0;        ///< size of its array; 0: not an array
   std::string memory;      ///< requested memory: "4G"
-  std::string job;         ///< Slurm's number; empty if it is unknown whether it was accepted
+  std::string job;         ///< Slurm's job ID; empty if it is unknown whether it was accepted
   std::string when;        ///< time at which the intent was recorded, UTC: "2026-11-23T09:30:00Z"
   bool was_refused = false;
   bool was_cancelled = false;
@@ -37,9 +37,9 @@ struct JournalContent {
 };
 
 /// The file farm/journal.jsonl of a study, a write-ahead log of submissions: the intended jobs are
-/// flushed to disk before Slurm is called, and the job numbers it returns are added afterwards.
+/// flushed to disk before Slurm is called, and the job IDs it returns are added afterwards.
 /// This makes it possible to detect a client that was killed in between, and a controller that lost
-/// a job or reused its number.
+/// a job or reused its ID.
 ///
 /// The file is only appended to; truncated or damaged lines are ignored.
 class SubmissionJournal {

@@ -43,7 +43,7 @@ struct BatchJob {
 /// that failed.
 ///
 /// The job forwards SIGTERM. It is requeued after worker_transient, at most most_restarts times,
-/// and held after a wrong set-up. It waits while the study's folder is full, read-only or
+/// and held after worker_wrong_setup. It waits while the study's folder is full, read-only or
 /// unavailable (job_attempts.h), is requeued if the folder does not become usable, and is finally
 /// held.
 std::string batch_script(const BatchJob& job, const std::filesystem::path& folder,

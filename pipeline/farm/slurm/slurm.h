@@ -51,7 +51,7 @@ class Slurm {
   std::optional<std::vector<QueueRow>> queue_if_any(std::string& why) const;
 
   /// Submits a batch file to run after all of these jobs have ended, successfully or not, and
-  /// returns its job number. `more`: additional options of sbatch. Throws SlurmQueueFull if Slurm
+  /// returns its job ID. `more`: additional options of sbatch. Throws SlurmQueueFull if Slurm
   /// kept refusing it, and SlurmTimeout if it is unknown whether it was submitted.
   std::string submit(const std::filesystem::path& script, const std::vector<std::string>& after,
                      const std::vector<std::string>& more = {}) const;

@@ -10,8 +10,8 @@ namespace mien::pipeline {
 
 /// One job, or one element of a job array, as listed by squeue.
 struct QueueRow {
-  std::string job;           ///< "17": the number that scancel accepts
-  std::string array;         ///< "12": number of the array's job, or of the job itself
+  std::string job;           ///< Slurm's job ID: "17"
+  std::string array;         ///< ID of the array's job, or of the job itself: "12"
   std::optional<int> index;  ///< index within the array; empty if there is none
   std::string state;         ///< "RUNNING"
   std::string reason;        ///< why the job is pending or how it failed: "Priority"

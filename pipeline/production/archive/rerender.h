@@ -42,7 +42,8 @@ struct RerenderedFrame {
   int frame = 0;
   std::string against;  ///< "frames/a/00003.png", or "videos/a.mp4"
   bool agrees = false;
-  std::string how;  ///< "the same bytes"; "a PSNR of 44.1 dB, in the film at least 43.7"
+  std::string how;  ///< "identical"; "PSNR 44.10 dB and SSIM 0.9953; worst frame of the film 43.70
+                    ///< and 0.9950"
 };
 
 /// Renders the frames as the manifest describes them and compares each

@@ -4,8 +4,8 @@
 
 namespace mien::pipeline {
 
-/// Makes file names UTF-8 in the calling thread during the object's lifetime, whatever the user's
-/// locale.
+/// Sets the character set of the calling thread's locale to UTF-8 during the object's lifetime, so
+/// that libarchive reads and writes file names as UTF-8 whatever the user's locale.
 class Utf8Names {
  public:
   Utf8Names() : names_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {

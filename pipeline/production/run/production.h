@@ -25,21 +25,23 @@ struct ProductionOptions {
 
 /// The tasks of a run of the manifest:
 ///
-///   motion  examples, weights → motion      (its digest)
-///   clip    motion → file                   clips/<id>.bvh, …
-///   film    motions → shot → frames, video   frames/<id>/, videos/<id>.mp4,
-///                                           sheets/contact/<id>.png
-///                                           metrics/films/<id>.json
-///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
-///           motions → shots → stills → page
-///   durations motions → numbers             metrics/durations.csv: for equalized duration
-///   sizes     motions → shots → numbers     metrics/sizes.csv: for equalized size
-///   places    motions → shots → numbers     metrics/places.csv: for equalized place
-///   exposure  motions → shots → numbers     metrics/exposure.csv: for equalized luminance
-///   tables  motions → numbers               metrics/*.csv
-///   films   films → numbers                 metrics/luminance.csv, videos.csv, views.csv
-///   design  all films → factors, files   metrics/stimuli.csv, warnings.csv, codebook.json
-///   report  all of it → page, methods       report.html, methods.md, references.bib
+///   task       inputs → result                   files
+///   motion     examples, weights → motion        .mien/motions/<id>.json (a digest)
+///   clip       motion → file                     clips/<id>.bvh, …
+///   dots       motion → points                   clips/<id>.dots.csv
+///   film       motions → shot → frames, video    frames/<id>/, videos/<id>.mp4,
+///                                                sheets/contact/<id>.png,
+///                                                metrics/films/<id>.json
+///   sheet      two motions → distance → page     sheets/<id>.pdf, .png
+///              motions → shots → stills → page
+///   durations  motions → durations               metrics/durations.csv: for equalized duration
+///   sizes      motions → shots → sizes           metrics/sizes.csv: for equalized size
+///   places     motions → shots → positions       metrics/places.csv: for equalized place
+///   exposure   motions → shots → exposures       metrics/exposure.csv: for equalized luminance
+///   tables     motions → measures                metrics/*.csv
+///   films      films → measures                  metrics/luminance.csv, videos.csv, views.csv
+///   design     motions, clips, films → factors   metrics/stimuli.csv, warnings.csv, codebook.json
+///   report     all tasks → page, methods         report.html, methods.md, references.bib
 ///
 /// With `only`, artifacts that cover the whole study (tables, report, provenance) are not made.
 class Production {

@@ -42,8 +42,8 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
               Sharing sharing = Sharing::shared);
 
 /// Returns one line per warning, with the names of the stimuli that it concerns: "sad-walk,
-/// happy-walk and 41 more: the left foot slides". `said` holds pairs of a name and a warning; lines
-/// are in the order of the warnings' first occurrence.
+/// happy-walk, … and 41 more: the left foot slides". `said` holds pairs of a name and a warning;
+/// lines are in the order of the warnings' first occurrence.
 std::vector<std::string> grouped_warnings(
     const std::vector<std::pair<std::string, std::string>>& said);
 

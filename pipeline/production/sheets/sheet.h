@@ -53,8 +53,8 @@ struct SheetContent {
 /// Numbers have as many digits as the printed comparison needs to be true.
 std::string verdict(const motion::Distance& distance);
 
-/// Returns details that the mean distance may hide: "most: left wrist, 0.132 m · 1.40 s against
-/// 2.07 s (+0.67 s)".
+/// Returns details that the mean distance may hide: "largest: left wrist, 0.132 m  ·  2.07 s vs.
+/// 1.40 s (+0.67 s)", the durations being those of the created motion and of the target.
 std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
                            const motion::Example& created);
 

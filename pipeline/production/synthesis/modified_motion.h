@@ -38,7 +38,8 @@ ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& st
 /// head-flexion 12°".
 std::string described(const ModificationStep& step);
 
-/// Returns the applied share of a modification as text, " at 40 % of that"; empty for all of it.
+/// Returns the applied share of a modification as text, " at 40 % of that strength"; empty for all
+/// of it.
 std::string share_text(double share);
 
 /// Returns the description of all steps of a stimulus, in order; empty if there are none.

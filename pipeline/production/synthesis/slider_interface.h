@@ -18,9 +18,9 @@ using motion::SliderInterface;
 const motion::ExampleSet& examples_for(const Interpolation& interpolation,
                                        const Repertoire& repertoire);
 
-/// Fits an interface. The last `held` sliders are not requested, but held at their settings
-/// (interpolation.h). Throws Error if the examples lack a slider's parameter, or the method cannot
-/// handle that many.
+/// Fits an interface. The settings of the last `held` sliders are held rather than requested
+/// (interpolation.h). Throws Error if the examples lack a slider's parameter, or the method does
+/// not support so many sliders.
 FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
                               const Repertoire& repertoire, Eigen::Index held = 0);
 
@@ -37,7 +37,7 @@ motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVect
 Eigen::RowVectorXd ideal_settings(const SliderInterface& interface, const motion::Example& target,
                                   const Eigen::VectorXd& weights, const Repertoire& repertoire);
 
-/// Returns the settings rounded to the nearest multiple of `step` (or to 1).
+/// Returns the settings, each rounded to the nearest multiple of `step`.
 Eigen::RowVectorXd rounded(const Eigen::RowVectorXd& settings, double step);
 
 }  // namespace mien::pipeline

@@ -9,8 +9,8 @@
 
 namespace mien::pipeline {
 
-/// A motion after style transfer. If wanted, its feet are locked at the plants of the original,
-/// transferred by normalized time.
+/// A motion after style transfer. If foot locking is enabled, its feet are locked at the plants of
+/// the original, transferred by normalized time.
 struct RestyledMotion {
   motion::Example motion;
   /// Largest drift of a transferred plant, metres; 0 without foot locking.

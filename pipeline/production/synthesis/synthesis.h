@@ -20,7 +20,7 @@ struct Synthesis {
   /// One weight per example; empty for a motion file. They may be negative for a statistical model
   /// (interpolation.h).
   Eigen::VectorXd weights;
-  /// Error of joint positions predicted by kriging, metres.
+  /// Expected error of the joint positions as estimated by kriging, metres.
   std::optional<double> expected_error_m;
   NamedValues requested;  ///< the parameters that the stimulus sets
   /// The values reached for the same parameters. Adjectives: Σ weight · value over the blend;

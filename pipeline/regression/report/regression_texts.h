@@ -20,7 +20,7 @@ std::string junit_text(const Regression& regression);
 /// Returns everything as JSON. Lengths are in metres, angles in radians, times in seconds.
 nlohmann::ordered_json as_json(const Regression& regression);
 
-/// Returns a summary, "3 differ, 1 alike, 12 same"; it also says if a planted defect was not
+/// Returns a summary, "12 same, 1 alike, 3 differ"; it also says if a planted defect was not
 /// detected.
 std::string summary_text(const Regression& regression);
 
@@ -33,7 +33,7 @@ std::string gate_text(const Gate& gate);
 /// Returns a line about the differences between repetitions; empty if nothing was repeated.
 std::string repetitions_text(const Repetitions& repetitions);
 
-/// Returns one group: "adjectives.quickness 0.6 → 0.61 (motion): 3 stimuli".
+/// Returns one group: "adjectives.quickness 0.6 → 0.61 (motion): 3 stimuli: a, b, c".
 std::string group_text(const CauseGroup& group);
 
 /// Returns a sentence about the change of a stimulus's motion; empty if it is unchanged.
@@ -46,10 +46,11 @@ std::string first_words(const StimulusComparison& comparison);
 /// Returns a line about the stimuli with videos of which none is approved; empty if there are none.
 std::string unapproved_text(const Regression& regression);
 
-/// Returns "NOT COMPARED, …: 2 of 3: blend, file" with a line break; empty if all were compared.
+/// Returns "NOT COMPARED (excluded by --only): 2 of 3: blend, file" with a line break; empty if all
+/// were compared.
 std::string not_compared_text(const Regression& regression);
 
-/// Returns "72 % left forearm, 20 % left hand, 8 % where nothing moved (camera, light, noise)".
+/// Returns "72 % left forearm, 20 % left hand, 8 % without motion (camera, light, noise)".
 std::string shares_text(const std::vector<BodyShare>& shares);
 
 }  // namespace mien::pipeline

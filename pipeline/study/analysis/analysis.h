@@ -27,7 +27,8 @@ struct ScaleCluster {
   std::string japanese;             ///< may be empty
   std::vector<int> members;         ///< rows of A, nearest to the centroid first
   std::vector<double> to_centroid;  ///< Euclidean distance of each member from `mean`, scale points
-  Eigen::RowVectorXd mean;          ///< centroid: mean of the members' rows, a row of A′
+  Eigen::RowVectorXd mean;  ///< centroid: mean of the members' rows; a row of the matrix of primary
+                            ///< parameters × examples
 };
 
 /// The analysis of answers from impressions to primary parameters (adjective paper, sections 3.1 to

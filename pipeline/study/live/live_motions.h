@@ -20,7 +20,7 @@ namespace mien::pipeline {
 /// Routes, relative to the path at which the server mounts them:
 ///
 ///     GET  info        JSON: the options of the page (live_info)
-///     GET  bundle      the bundle (motion/live/live_bundle.h), for the motion core in the browser
+///     GET  bundle      the bundle (motion/live/live_bundle.h), for the live core in the browser
 ///     POST make        {"kind": "adjectives", "sliders": ["quickness"], "values": [0.7]}
 ///     POST distance    as for make, and "target": "t1": D between the two motions
 ///     POST example     {"name": "normal"}

@@ -13,11 +13,11 @@ namespace mien::pipeline {
 /// - the numbers of blocks shared by two treatments are as equal over all pairs of treatments as a
 ///   search by exchanges achieves.
 ///
-/// If treatments are of several kinds, the kinds are balanced within each block as far as these
-/// conditions allow. `kinds` has the kinds of each treatment (its actor, its emotion), numbered
-/// from 0; empty: no kinds.
+/// If treatments have several factor levels, these are balanced within each block as far as these
+/// conditions allow. `kinds` holds the factor levels of each treatment (its actor, its emotion),
+/// numbered from 0 over all factors; empty: none.
 ///
-/// Block i depends on seed and i alone: further blocks do not change earlier ones. Treatments
+/// Block i does not depend on `blocks`: further blocks do not change earlier ones. Treatments
 /// within a block are in increasing order.
 std::vector<std::vector<std::size_t>> incomplete_blocks(
     std::size_t treatments, std::size_t size, std::size_t blocks, std::uint64_t seed,

@@ -119,7 +119,7 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
 /// A count with its noun in singular or plural: "1 person", "2 people".
 std::string counted_noun(std::size_t count, const std::string& one, const std::string& several);
 
-/// A sentence on included participants: "5 of 6 people count".
+/// A sentence on included participants: "5 of 6 participants analysed".
 std::string people_sentence(const AnswerSet& answer_set);
 
 /// A sentence for each participant who did not finish, which states whether the answers are

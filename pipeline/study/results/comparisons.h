@@ -94,17 +94,18 @@ struct Comparison {
 };
 
 /// All comparisons that the stimuli's factors allow, sorted by family. Comparisons with fewer than
-/// two answers on either side are omitted.
+/// two answers about either stimulus are omitted.
 std::vector<Comparison> compare(const AnswerSet& answer_set);
 
 /// A comparison of two levels of the factor `made` over all settings, by ratings towards the
 /// intended emotion (positive, in scale points). Each participant contributes the mean over the
-/// cells (settings and emotions) in which both sides were rated; other cells are excluded.
+/// cells (settings and emotions) in which motions of both levels were rated; other cells are
+/// excluded.
 struct OverallComparison {
   ComparisonFamily family = ComparisonFamily::modified_acted;
   std::string emotion;  ///< empty: all emotions
-  int matched = 0;      ///< number of cells of all participants with both sides rated
-  int unmatched = 0;    ///< participants who rated both sides, but never in the same cell
+  int matched = 0;      ///< number of cells of all participants with both levels rated
+  int unmatched = 0;    ///< participants who rated both levels, but never in the same cell
   double mean = 0.0;    ///< mean of the participants' means
   double mean_against = 0.0;
   WithinParticipants within;

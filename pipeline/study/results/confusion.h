@@ -67,7 +67,7 @@ struct EndCorrelation {
   double adjusted = 1.0;  ///< p adjusted over the pairs of ends of different scales
 };
 
-/// Correlations of all pairs of ends. The thesis marks |r| above 0.3 and above 0.5.
+/// Correlations of all pairs of ends. The emotion thesis marks |r| above 0.3 and above 0.5.
 std::vector<EndCorrelation> end_correlations(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

@@ -23,7 +23,7 @@ inline constexpr char walker_page[] = "walk.html";
 /// Handles the requests to the studio, whose link is secret:
 ///
 ///     GET  /<link>/                the page and its files
-///     GET  /<link>/walk.html       the walker's page, if the motion core is compiled for browsers
+///     GET  /<link>/walk.html       the walker's page, if the live core is compiled for browsers
 ///     GET  /<link>/studio.json     the manifest and the available options (studio_options)
 ///     POST /<link>/choices         {"document"}: its examples and sliders
 ///     POST /<link>/motion          {"document", "show", "against"}: a motion (studio_motions.h)

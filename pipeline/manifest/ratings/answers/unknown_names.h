@@ -11,8 +11,8 @@
 
 namespace mien::pipeline {
 
-/// Collects unknown names in a table. Each is reported once, with the number of rows that use it;
-/// of more than five, only the first five are reported, and the number of the others.
+/// Collects unknown names in a table. Each is reported once, with the number of rows that use it.
+/// If there are more than five, only the first five are reported, and how many others there are.
 class UnknownNames {
  public:
   /// `what` and `what_many` name the expected kind: "stimulus", "stimuli".

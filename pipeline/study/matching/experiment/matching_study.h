@@ -47,18 +47,18 @@ ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pa
 /// function of (manifest, index).
 std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count = 0);
 
-/// A matching experiment that runs without a server, with the motion core in the browser: files by
+/// A matching experiment that runs without a server: the browser synthesizes the motions. Files by
 /// their paths, for write_export (questionnaire/experiment/export.h).
 ///
 ///     index.html, matching.js, …        the page for participants, on disk or on any web server
 ///     experiment.js, experiment.json    all sessions, for the page and for other programs
-///     live_core.js                      the motion core (WebAssembly) and the live bundle
+///     live_core.js                      the live core (WebAssembly) and the live bundle
 ///     <study>.jzip                      the same for JATOS
 ///     plans.csv                         every trial of every participant
 ///     answers/data/README.md            instructions: participants' files are collected here
 ///     README.txt                        instructions for the experimenter
 ///
-/// `pages` is the folder of the built page, `module` the motion core (live_module()). The same
+/// `pages` is the folder of the built page, `module` the live core (live_module()). The same
 /// study results in the same bytes.
 ZipFiles exported_matching(const Manifest& manifest, const MatchingStudy& study,
                            const std::filesystem::path& pages, const std::filesystem::path& module);
