@@ -87,7 +87,7 @@ double longest(const SubmissionJob& job) {
 std::vector<CommandOption> submission_options(SubmissionOptions& options) {
   return {
       option("--chunk", &options.chunk,
-             "Maximum number of frames per element of a job array: auto (about five minutes of "
+             "Maximum number of frames per array task of a job array: auto (about five minutes of "
              "work), or a number"),
       option("--partition", &options.partition, "Slurm partition"),
       option("--time", &options.time, "Time limit per element: minutes, HH:MM:SS or D-HH:MM:SS"),

@@ -170,13 +170,14 @@ Command farm_worker_command() {
   const auto arguments = std::make_shared<WorkerArguments>();
   return {
       .name = "worker",
-      .summary = "Make items of a study as one of many processes; this is what farm jobs run",
+      .summary =
+          "Run tasks of a study in one of many cooperating processes; this is what farm jobs run",
       .options = all_of(
           manifest_options(arguments->production),
           option("--tasks", &arguments->tasks,
-                 "Items: tasks of mien plan (film:walk-1), or chunks of a film's frames "
+                 "Tasks of mien plan (film:walk-1), or chunks of a film's frames "
                  "(film:walk-1[3/12])"),
-          option("--list", &arguments->list, "File with one line of items per job").needs("--line"),
+          option("--list", &arguments->list, "File with one line of tasks per job").needs("--line"),
           option("--line", &arguments->line, "Line of the list to make, from 1")
               .between(1, 100000000)
               .needs("--list"),
@@ -184,7 +185,7 @@ Command farm_worker_command() {
                  "Key of the submitted study; a study with another key is refused")),
       .notes =
           "Any number of workers can work on a study at once, on machines that share its folder; "
-          "each makes whatever it needs that is missing.\n"
+          "each also makes missing inputs of its tasks.\n"
           "Exit codes: 0 done, 65 bad input, 70 failed, 74 disk full, read-only or unavailable, 75 "
           "interrupted or temporary failure, 78 wrong configuration.\n\n"
           "Examples:\n"

@@ -20,7 +20,8 @@ CommandOption quality_option(std::string& quality) {
 std::vector<CommandOption> manifest_options(ProductionArguments& arguments) {
   return {
       argument("manifest", &arguments.manifest,
-               "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json"),
+               "Manifest (YAML), the name of an installed manifest (listed by mien manifests), or "
+               "a study's provenance.json"),
       option("--out,-o", &arguments.out, "Folder of all studies; results go to <out>/<study>")
           .with_default(),
       quality_option(arguments.quality),

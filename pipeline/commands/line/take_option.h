@@ -23,8 +23,8 @@ inline CommandOption take_option(std::string& take) {
 
 using motion::read_take;
 
-/// Reads the motion of a file and prints the reader's notes as warnings, such as the chosen take,
-/// if `take` is empty, and the chosen figure. Throws Error.
+/// Reads the motion of a file and prints the reader's notes as warnings, such as which figure
+/// was chosen and, if `take` is empty, which take. Throws Error.
 inline motion::Recording read_with_warnings(const std::string& file, const std::string& take,
                                             const Console& console) {
   motion::Recording recording = motion::read_take(file, take);

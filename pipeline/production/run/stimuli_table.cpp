@@ -149,7 +149,7 @@ constexpr auto stimuli_columns = table_of<MadeStimulus>(
       [](auto& r) { return name_of(r.output().quality); }},
      {"samples_per_pixel", "", "samples per pixel at that quality",
       [](auto& r) { return quality_of(FilmSettings{.output = r.output()}).samples_per_pixel; }},
-     {"shutter_deg", "°", "shutter angle; 360° is the whole frame time",
+     {"shutter_deg", "°", "shutter angle; 360° is the whole frame interval",
       [](auto& r) { return r.output().shutter; }},
      {"cycle_s", "s", "duration of one cycle; empty for motions that do not loop",
       [](auto& r) { return r.loops() ? r.made->motion.clip.duration_seconds() : NAN; }},
