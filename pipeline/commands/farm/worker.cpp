@@ -52,7 +52,7 @@ std::vector<std::string> split_words(const std::string& text) {
 
 std::vector<std::string> items_in_line(const std::string& file, int line) {
   if (!std::ifstream(file))
-    throw WrongSetup(file + ": cannot be read", "give a list of items written by mien farm submit");
+    throw WrongSetup(file + ": cannot be read", "give a list of tasks written by mien farm submit");
   const std::vector<std::vector<std::string>> lines = lines_of_list(file);
   if (lines.size() < static_cast<std::size_t>(line))
     throw WrongSetup(
@@ -66,7 +66,7 @@ std::vector<std::string> items_of(const WorkerArguments& arguments, const Consol
   for (const std::string& text : arguments.tasks)
     for (std::string& word : split_words(text)) items.push_back(std::move(word));
   if (arguments.list.empty() && items.empty())
-    throw WrongSetup("no items were given", "name items with --tasks, or --list and --line");
+    throw WrongSetup("no tasks were given", "name tasks with --tasks, or --list and --line");
   if (arguments.list.empty()) return items;
   const std::vector<std::string> listed = items_in_line(arguments.list, arguments.line);
   items.insert(items.end(), listed.begin(), listed.end());

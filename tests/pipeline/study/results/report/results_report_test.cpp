@@ -318,7 +318,7 @@ TEST(ResultsReport, ExplainsChoicesAsChoices) {
   EXPECT_NE(page.find("Each presentation is one choice out of 3"), std::string::npos);
   EXPECT_NE(page.find("one of the 3)."), std::string::npos);
   EXPECT_EQ(page.find("Ratings are converted to points"), std::string::npos);
-  EXPECT_EQ(page.find("one of the ends"), std::string::npos);
+  EXPECT_EQ(page.find("number of ends"), std::string::npos);
   EXPECT_EQ(page.find("lme4"), std::string::npos);
 }
 
