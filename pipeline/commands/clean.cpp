@@ -115,9 +115,10 @@ ordered_json as_json(const Cleaning& cleaning, const fs::path& folder,
 
 int clean(const CleanOptions& options, const Console& console) {
   if (!options.stale && options.keep.empty())
-    throw Error("nothing to remove was specified",
-                "use --stale to remove what the manifest no longer makes, or --keep videos,sheets "
-                "to remove all other kinds");
+    throw Error(
+        "nothing to remove was specified",
+        "use --stale to remove what the manifest no longer specifies, or --keep videos,sheets "
+        "to remove all other kinds");
   const fs::path folder = study_folder(options, console);
   const Cleaning cleaning = cleaned(options, folder, console);
   if (options.json) {
@@ -137,10 +138,11 @@ Command clean_command() {
       .summary = "Remove artifacts that are no longer needed",
       .options =
           {argument("study", &options->study,
-                    "Manifest (YAML), or the name of one of mien manifests; with --keep also the "
+                    "Manifest (YAML), or the name of an installed manifest (listed by mien "
+                    "manifests); with --keep also the "
                     "folder of a study, or its provenance.json"),
            flag("--stale", &options->stale,
-                "Remove what the manifest no longer makes (listed by mien plan)"),
+                "Remove artifacts that the manifest no longer specifies (listed by mien plan)"),
            choice("--keep", options->keep, kinds_by_name(),
                   "Remove all kinds of artifacts except these, separated by commas")
                .excludes("--stale"),

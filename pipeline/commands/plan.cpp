@@ -66,7 +66,7 @@ void show_table(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
     console.out << fmt::format("{:8}{:>9}  {}\n", word_for(planned[i].state),
                                as_duration(task.cost_seconds), task.id);
   }
-  console.out << fmt::format("estimated time on one processor: {}\n",
+  console.out << fmt::format("estimated time on one processor ([h:]min:s): {}\n",
                              as_duration(cost_of(graph, planned)));
   console.out << feasibility_table(requested_parameters(manifest));
 }

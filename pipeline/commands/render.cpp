@@ -199,10 +199,12 @@ std::vector<CommandOption> file_options(RenderOptions& options) {
       option("--layout", &options.layout, "How two or three motions are shown in one scene")
           .one_of({"superimposed", "side-by-side"})
           .with_default(),
-      option("-o,--output", &options.out,
-             "Video (" + video_endings() +
-                 ") or contact sheet (.png) to write; its folder is created if necessary (default: "
-                 "<file>.mp4 in the current folder)"),
+      option(
+          "-o,--output", &options.out,
+          "Video (" + video_endings() +
+              "), contact sheet (.png) or, with --still, still (.png, or .exr with all layers) to "
+              "write; its folder is created if necessary (default: <file>.mp4 in the current "
+              "folder)"),
       flag("--repeat", &options.repeat,
            "Animated images (webp, gif, apng): loop forever instead of playing once")};
 }
@@ -227,8 +229,8 @@ std::vector<CommandOption> look_options(LookOptions& look) {
 std::vector<CommandOption> picture_options(RenderOptions& options) {
   return {
       option("--still", &options.still,
-             "A still (.png) instead of a contact sheet, at that time in seconds (default: the "
-             "middle, or the end of a trail)")
+             "A still (.png or .exr) instead of a contact sheet, at that time in seconds (default: "
+             "the middle, or the end of a trail)")
           .values(0, 1)
           .with_default("middle"),
       option("--dots", &options.dots, "Also write the positions of the point lights (CSV)"),
@@ -246,24 +248,23 @@ std::vector<CommandOption> picture_options(RenderOptions& options) {
 
 Command render_command() {
   const auto options = std::make_shared<RenderOptions>();
-  return {
-      .name = "render",
-      .summary = "Make a video of a motion file",
-      .options = all_of(file_options(*options), options->output.options(),
-                        look_options(options->look), picture_options(*options)),
-      .notes =
-          "Units, up axis, floor and camera are determined automatically.\n\n"
-          "Examples:\n"
-          "  mien render walk.bvh\n"
-          "  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080\n"
-          "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
-          "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
-          "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"
-          "Endings: .mp4 is H.264, .lossless.mp4 H.264 in lossless RGB, .webm VP9, .av1.webm AV1, "
-          ".mkv\n"
-          "FFV1 (lossless); .webp, .gif and .apng are animated images. Each file is decoded and\n"
-          "compared with the rendered frames.",
-      .run = [options](const Console& console) { return render_file(*options, console); }};
+  return {.name = "render",
+          .summary = "Make a video of a motion file",
+          .options = all_of(file_options(*options), options->output.options(),
+                            look_options(options->look), picture_options(*options)),
+          .notes =
+              "Units, up axis, floor and camera are determined automatically.\n\n"
+              "Examples:\n"
+              "  mien render walk.bvh\n"
+              "  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080\n"
+              "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
+              "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
+              "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"
+              "File extensions: .mp4 is H.264, .lossless.mp4 H.264 in lossless RGB, .webm VP9,\n"
+              ".av1.webm AV1, .mkv FFV1 (lossless); .webp, .gif and .apng are animated images. "
+              "Each file is decoded and\n"
+              "compared with the rendered frames.",
+          .run = [options](const Console& console) { return render_file(*options, console); }};
 }
 
 }  // namespace mien::pipeline

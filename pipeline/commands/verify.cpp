@@ -111,7 +111,7 @@ Command verify_command() {
       .options = {argument("study", &options->study,
                            "Folder of a study, its provenance.json, or an unpacked archive of it"),
                   option("--rerender", &options->rerender,
-                         "Render so many randomly chosen frames again and compare them")
+                         "Number of randomly chosen frames to render again and compare")
                       .between(1, 1'000'000),
                   option("--seed", &options->seed,
                          "Random seed for --rerender (default: that of the study)"),

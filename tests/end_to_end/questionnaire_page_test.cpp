@@ -256,7 +256,7 @@ TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {
   for (const char* who : {"mouse", "keys", "joined"})
     EXPECT_TRUE(says(who, "have been saved")) << who;
   for (const char* who : {"early", "late"}) EXPECT_TRUE(says(who, "open elsewhere")) << who;
-  EXPECT_TRUE(says("phone", "larger screen"));
+  EXPECT_TRUE(says("phone", "screen larger than"));
   EXPECT_TRUE(says("refusing", "nothing has been recorded"));
   // Neither the phone nor who refused has taken a plan.
   EXPECT_EQ(run.at("participants"), (json{3, 3, 4}));
@@ -309,7 +309,7 @@ TEST_F(QuestionnairePage, HasNoFaultOfAccessibilityAsNarrowAsAPhone) {
 TEST_F(QuestionnairePage, SendsPhonesAwayAndKeepsNothingOfWhoRefuses) {
   const json phone = played("refused_phone");
   EXPECT_EQ(phone.at("trials"), 0);
-  EXPECT_NE(phone.at("text").get<std::string>().find("larger screen"), std::string::npos);
+  EXPECT_NE(phone.at("text").get<std::string>().find("screen larger than"), std::string::npos);
   EXPECT_EQ(played("refusal").at("kept"), 0);
 }
 

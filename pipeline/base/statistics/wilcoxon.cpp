@@ -127,6 +127,8 @@ double median_of_sorted(const std::vector<double>& sorted) {
 Wilcoxon wilcoxon(const std::vector<double>& differences, WilcoxonMode mode, WilcoxonZeros zeros) {
   Wilcoxon result;
   result.pairs = static_cast<int>(differences.size());
+  if (differences.empty())
+    result.p = result.rank_biserial = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> considered = differences;
   if (zeros == WilcoxonZeros::wilcox) std::erase(considered, 0.0);
   std::vector<Ranked> ranks = ranked(considered);

@@ -25,10 +25,11 @@ struct Wilcoxon {
   int zeros = 0;        ///< number of differences of 0
   int tied = 0;         ///< number of ranked differences whose absolute value occurs more than once
   double w_plus = 0.0;  ///< sum of the mid-ranks of the positive differences: the V of R
-  double w_minus = 0.0;        ///< sum of the mid-ranks of the negative differences
-  double z = 0.0;              ///< z statistic of the normal approximations; 0 for the exact mode
-  double p = 1.0;              ///< two-sided; 1 when every difference is 0
-  double rank_biserial = 0.0;  ///< (W+ − W−)/(W+ + W−), matched pairs (Kerby 2014): −1 … 1
+  double w_minus = 0.0;  ///< sum of the mid-ranks of the negative differences
+  double z = 0.0;        ///< z statistic of the normal approximations; 0 for the exact mode
+  double p = 1.0;        ///< two-sided; 1 when every difference is 0, NaN without differences
+  /// (W+ − W−)/(W+ + W−), matched pairs (Kerby 2014): −1 … 1; NaN without differences.
+  double rank_biserial = 0.0;
 };
 
 /// Tests whether the differences are distributed symmetrically about 0. Ties get mid-ranks. The

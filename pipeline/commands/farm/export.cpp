@@ -43,21 +43,22 @@ Command farm_export_command() {
   return {
       .name = "export",
       .summary = "Export a study as a job for other render farms",
-      .options =
-          {argument(
-               "manifest", &options->study.manifest,
-               "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json"),
-           option("--format", &options->format, "openjd: a job template of Open Job Description")
-               .one_of({"openjd"})
-               .required(),
-           option("-o,--output", &options->file,
-                  "File to write (.json, .yaml); standard output without it"),
-           option("--out", &options->study.out, "Folder of all studies, which all machines share")
-               .with_default(),
-           quality_option(options->study.quality),
-           option("--chunk", &options->chunk,
-                  "Maximum number of frames per task: auto, or a number"),
-           option("--jobs,-j", &options->jobs, "Processors per task (1)").between(1, 1024)},
+      .options = {argument("manifest", &options->study.manifest,
+                           "Manifest (YAML), the name of an installed manifest (listed by mien "
+                           "manifests), or a study's provenance.json"),
+                  option("--format", &options->format,
+                         "openjd: a job template of Open Job Description")
+                      .one_of({"openjd"})
+                      .required(),
+                  option("-o,--output", &options->file,
+                         "File to write (.json, .yaml); standard output without it"),
+                  option("--out", &options->study.out,
+                         "Folder of all studies, which all machines share")
+                      .with_default(),
+                  quality_option(options->study.quality),
+                  option("--chunk", &options->chunk,
+                         "Maximum number of frames per task: auto, or a number"),
+                  option("--jobs,-j", &options->jobs, "Processors per task (1)").between(1, 1024)},
       .notes =
           "The job covers the whole study; tasks skip what exists already.\n\n"
           "Example:\n"

@@ -27,13 +27,13 @@ ProductionOptions production_options(const FarmArguments& arguments) {
 }  // namespace
 
 std::vector<CommandOption> farm_options(FarmArguments& arguments) {
-  return {
-      argument("manifest", &arguments.manifest,
-               "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json"),
-      option("--out,-o", &arguments.out,
-             "Folder of all studies, which all machines share; results go to <out>/<study>")
-          .with_default(),
-      quality_option(arguments.quality)};
+  return {argument("manifest", &arguments.manifest,
+                   "Manifest (YAML), the name of an installed manifest (listed by mien manifests), "
+                   "or a study's provenance.json"),
+          option("--out,-o", &arguments.out,
+                 "Folder of all studies, which all machines share; results go to <out>/<study>")
+              .with_default(),
+          quality_option(arguments.quality)};
 }
 
 FarmStudy::FarmStudy(const FarmArguments& arguments, const Console& console)

@@ -107,7 +107,7 @@ Command farm_logs_command() {
       .summary = "Show the last log lines of failed jobs",
       .options = all_of(farm_options(options->study),
                         argument("item", &options->item,
-                                 "Show the log of this item instead: film:walk, or film:walk[3/12]")
+                                 "Show the log of this task instead: film:walk, or film:walk[3/12]")
                             .optional(),
                         option("--lines,-n", &options->lines, "Number of lines per log")
                             .between(1, 10000)

@@ -87,16 +87,15 @@ double longest(const SubmissionJob& job) {
 std::vector<CommandOption> submission_options(SubmissionOptions& options) {
   return {
       option("--chunk", &options.chunk,
-             "Maximum number of frames per element of a job array: auto (about five minutes of "
-             "work), or a number"),
+             "Maximum number of frames per array task: auto (about five minutes of work), or a "
+             "number"),
       option("--partition", &options.partition, "Slurm partition"),
-      option("--time", &options.time, "Time limit per element: minutes, HH:MM:SS or D-HH:MM:SS"),
-      option("--mem", &options.memory, "Memory per element: 2G"),
+      option("--time", &options.time, "Time limit per array task: minutes, HH:MM:SS or D-HH:MM:SS"),
+      option("--mem", &options.memory, "Memory per array task: 2G"),
       option("--account", &options.account, "Slurm account"),
-      option("--array-limit", &options.array_limit,
-             "Maximum number of array elements running at once")
+      option("--array-limit", &options.array_limit, "Maximum number of array tasks running at once")
           .between(1, 1'000'000),
-      option("--jobs,-j", &options.jobs, "Processors per element (1)").between(1, 1024)};
+      option("--jobs,-j", &options.jobs, "Processors per array task (1)").between(1, 1024)};
 }
 
 const JournalSubmission* last_accepted(const JournalContent& journal) {

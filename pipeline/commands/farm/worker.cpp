@@ -52,7 +52,7 @@ std::vector<std::string> split_words(const std::string& text) {
 
 std::vector<std::string> items_in_line(const std::string& file, int line) {
   if (!std::ifstream(file))
-    throw WrongSetup(file + ": cannot be read", "give a list of items written by mien farm submit");
+    throw WrongSetup(file + ": cannot be read", "give a list of tasks written by mien farm submit");
   const std::vector<std::vector<std::string>> lines = lines_of_list(file);
   if (lines.size() < static_cast<std::size_t>(line))
     throw WrongSetup(
@@ -66,7 +66,7 @@ std::vector<std::string> items_of(const WorkerArguments& arguments, const Consol
   for (const std::string& text : arguments.tasks)
     for (std::string& word : split_words(text)) items.push_back(std::move(word));
   if (arguments.list.empty() && items.empty())
-    throw WrongSetup("no items were given", "name items with --tasks, or --list and --line");
+    throw WrongSetup("no tasks were given", "name tasks with --tasks, or --list and --line");
   if (arguments.list.empty()) return items;
   const std::vector<std::string> listed = items_in_line(arguments.list, arguments.line);
   items.insert(items.end(), listed.begin(), listed.end());
@@ -170,13 +170,14 @@ Command farm_worker_command() {
   const auto arguments = std::make_shared<WorkerArguments>();
   return {
       .name = "worker",
-      .summary = "Make items of a study as one of many processes; this is what farm jobs run",
+      .summary =
+          "Run tasks of a study in one of many cooperating processes; this is what farm jobs run",
       .options = all_of(
           manifest_options(arguments->production),
           option("--tasks", &arguments->tasks,
-                 "Items: tasks of mien plan (film:walk-1), or chunks of a film's frames "
+                 "Tasks of mien plan (film:walk-1), or chunks of a film's frames "
                  "(film:walk-1[3/12])"),
-          option("--list", &arguments->list, "File with one line of items per job").needs("--line"),
+          option("--list", &arguments->list, "File with one line of tasks per job").needs("--line"),
           option("--line", &arguments->line, "Line of the list to make, from 1")
               .between(1, 100000000)
               .needs("--list"),
@@ -184,7 +185,7 @@ Command farm_worker_command() {
                  "Key of the submitted study; a study with another key is refused")),
       .notes =
           "Any number of workers can work on a study at once, on machines that share its folder; "
-          "each makes whatever it needs that is missing.\n"
+          "each also makes missing inputs of its tasks.\n"
           "Exit codes: 0 done, 65 bad input, 70 failed, 74 disk full, read-only or unavailable, 75 "
           "interrupted or temporary failure, 78 wrong configuration.\n\n"
           "Examples:\n"

@@ -14,13 +14,14 @@ namespace mien::pipeline {
 
 CommandOption quality_option(std::string& quality) {
   return option("--quality", &quality, "Quality to use instead of the manifest's")
-      .one_of({"draft", "standard", "final"});
+      .one_of(names_of(quality_words));
 }
 
 std::vector<CommandOption> manifest_options(ProductionArguments& arguments) {
   return {
       argument("manifest", &arguments.manifest,
-               "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json"),
+               "Manifest (YAML), the name of an installed manifest (listed by mien manifests), or "
+               "a study's provenance.json"),
       option("--out,-o", &arguments.out, "Folder of all studies; results go to <out>/<study>")
           .with_default(),
       quality_option(arguments.quality),

@@ -243,9 +243,10 @@ Command motion_lint_command() {
       .options = all_of(
           argument("files", &options->files, "Motion files"), take_option(options->take),
           option("--original", &options->original,
-                 "The unmodified motion; faults that it already has weigh less, and timing is "
-                 "compared"),
-          option("--original-take", &options->original_take, "The same for the original")
+                 "The unmodified motion; faults that it already has are reported only where they "
+                 "have grown, and timing is compared"),
+          option("--original-take", &options->original_take,
+                 "Motion to use from the --original file, if it has several")
               .needs("--original"),
           option("--mass", &options->mass_kg,
                  "Body mass in kg; heavier bodies are allowed larger joint torques")

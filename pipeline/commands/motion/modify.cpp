@@ -81,7 +81,8 @@ Command motion_modify_command() {
                    "An emotion, or the value of `modify:` in a manifest"),
           argument("out", &options->out, "File to write: " + motion::formats_written()),
           take_option(options->take),
-          option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
+          option("--recipes", &options->recipes,
+                 "builtin, fig29 (figure 29 of the emotion thesis), or a file of recipes")
               .with_default(),
           option("--on-fault", &options->on_fault,
                  "What to do if the change makes the motion faulty")
@@ -107,19 +108,21 @@ Command motion_emotions_command() {
     bool posture = false;
   };
   const auto options = std::make_shared<Options>();
-  return {.name = "emotions",
-          .summary = "List the emotions that can be applied to motions",
-          .options = {option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
-                          .with_default(),
-                      flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
-                      flag("--posture", &options->posture,
-                           "List the rotations that posture: may name")},
-          .notes =
-              "To start your own file of recipes:\n"
-              "  mien motion emotions --yaml > my.recipes.yaml",
-          .run = [options](const Console& console) {
-            return emotions(options->recipes, options->yaml, options->posture, console);
-          }};
+  return {
+      .name = "emotions",
+      .summary = "List the emotions that can be applied to motions",
+      .options = {option("--recipes", &options->recipes,
+                         "builtin, fig29 (figure 29 of the emotion thesis), or a file of recipes")
+                      .with_default(),
+                  flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
+                  flag("--posture", &options->posture,
+                       "List the rotations that posture: may name")},
+      .notes =
+          "To start your own file of recipes:\n"
+          "  mien motion emotions --yaml > my.recipes.yaml",
+      .run = [options](const Console& console) {
+        return emotions(options->recipes, options->yaml, options->posture, console);
+      }};
 }
 
 }  // namespace mien::pipeline

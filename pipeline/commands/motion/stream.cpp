@@ -215,8 +215,8 @@ Command motion_stream_command() {
            option("-o,--out", &options->out, "BVH file to write (default: standard output)"),
            flag("--lines", &options->lines, "Write frame lines only, without the hierarchy"),
            option("--delay", &options->delay_ms,
-                  "Latency in milliseconds (default: the least that keeps path lengths within 1 "
-                  "cm; none for posture and acceleration)")
+                  "Latency in milliseconds (default: the shortest that keeps joints within 1 cm "
+                  "of the result of mien motion modify; none for posture and acceleration)")
                .between(0.0, 10000.0),
            option("--leave-out", &options->leave_out,
                   "Parts of the change to leave out: tempo, variation, acceleration, paths")
@@ -225,11 +225,12 @@ Command motion_stream_command() {
                 "Change path lengths of trunk, head and arms only, so that feet do not slide"),
            option("--calibration", &options->calibration,
                   "A recording of the same rig from which its proportions and floor are measured"),
-           option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
+           option("--recipes", &options->recipes,
+                  "builtin, fig29 (figure 29 of the emotion thesis), or a file of recipes")
                .with_default(),
            flag("--measure", &options->measure,
-                "Keep all frames, and report at the end how far they are from modifying the whole "
-                "motion"),
+                "Keep all frames, and report at the end how far they deviate from those of mien "
+                "motion modify"),
            flag("--paced", &options->paced, "Read frames no faster than they were captured"),
            option("--json", &options->json, "File for latency and measurements, as JSON")},
       .notes =

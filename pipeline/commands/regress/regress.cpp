@@ -33,7 +33,7 @@ struct RegressOptions {
   std::vector<std::string> given;  ///< options that are of files alone
 };
 
-constexpr char study_group[] = "Of a study";
+constexpr char study_group[] = "Options for a study";
 constexpr char files_group[] = "Tolerances for two files";
 
 /// Refuses options that have no effect.
@@ -181,9 +181,10 @@ std::vector<CommandOption> file_options(RegressOptions& options) {
 constexpr char footer[] =
     "Motions are compared as they are, without foot locking, alignment or rotation. Joints are "
     "paired by name; if the rigs differ, both are retargeted to one body. The report gives the "
-    "largest change in a sentence (the joint that causes it, not those it carries along; a shift "
-    "in frames, exchanged sides, another path), distances with and without alignment, velocities, "
-    "foot contacts, faults that appeared or disappeared, and motion features.\n\n"
+    "largest change in a sentence, which names the joint that causes the change, not those that "
+    "move with it, and recognizes shifted frames, exchanged sides and a different path. It also "
+    "gives distances with and without alignment, velocities, foot contacts, faults that appeared "
+    "or disappeared, and motion features.\n\n"
     "The tolerances of a study are in its manifest (regression:).\n\n"
     "Identical motions always pass. Exit code: 0 no difference beyond tolerance, 1 differences, 2 "
     "comparison failed (bad input, a damaged baseline, no space for the report).\n\n"
@@ -200,15 +201,15 @@ constexpr char approve_footer[] =
     "  mien regress approve study.yaml --reason \"first version\"\n"
     "  mien regress approve study.yaml --only sad-walk --reason \"arms swing less, as asked\"";
 
-std::vector<CommandOption> study_options(StudyArguments& arguments, const char* baseline) {
+std::vector<CommandOption> study_options(StudyArguments& arguments, const char* baseline,
+                                         const char* without_videos) {
   return {option("--baseline", &arguments.baseline,
                  std::string(baseline) + " (default: baselines/<study> beside the manifest)"),
           option("--out", &arguments.production.out, "Folder of all studies").with_default(),
           option("--jobs,-j", &arguments.production.jobs,
                  "Number of threads (default: one per processor)")
               .between(1, 1024),
-          flag("--without-videos", &arguments.without_videos,
-               "Make and compare motions and key frames only")};
+          flag("--without-videos", &arguments.without_videos, without_videos)};
 }
 
 Command approve_command() {
@@ -232,7 +233,9 @@ Command approve_command() {
                "grows by their size"),
           in_group(study_group, arguments->given,
                    study_options(*arguments,
-                                 "Folder of the baseline, new or an existing one of the study"))),
+                                 "Folder of the baseline, new or an existing one of the study",
+                                 "Approve motions and key frames only; videos are then not "
+                                 "compared either"))),
       .notes = approve_footer,
       .run = [arguments](const Console& console) { return approve_study(*arguments, console); }};
 }
@@ -253,20 +256,20 @@ Command regress_command() {
           in_group(
               study_group, study->given,
               all_of(
-                  study_options(*study,
-                                "Folder of the baseline, or a branch, tag or commit of "
-                                "git"),
+                  study_options(*study, "Folder of the baseline, or a branch, tag or commit of git",
+                                "Make and compare motions and key frames only"),
                   option("--report,-o", &study->report,
                          "Folder of the report (default: <out>/<study>-regression)"),
                   option("--only", &study->production.only, "Make and compare these stimuli only")
                       .with_commas(),
-                  option("--repeat", &study->repeat,
-                         "Make motions and key frames so many times, and report differences "
-                         "between repetitions")
+                  option(
+                      "--repeat", &study->repeat,
+                      "Number of times that motions and key frames are made; differences between "
+                      "repetitions are reported")
                       .between(1, 100),
                   option(
                       "--audits", &study->audits,
-                      "Proportion of unchanged stimuli that are rendered and compared all the same")
+                      "Proportion of unchanged stimuli that are nevertheless rendered and compared")
                       .between(0.0, 1.0)
                       .with_default())),
           takes_option(options->takes),

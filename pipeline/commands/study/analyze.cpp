@@ -264,7 +264,10 @@ Command study_analyze_command() {
           choice("--sd", options->analysis.deviation,
                  {{"population", Deviation::population}, {"sample", Deviation::sample}},
                  "Divisor of the variance of an example's answers: n or n - 1"),
-          option("--clusters", &options->clusters, "Number of clusters, or gap").with_default(),
+          option("--clusters", &options->clusters,
+                 "Number of clusters, or gap: cut at the largest gap between merge heights (not "
+                 "the gap statistic)")
+              .with_default(),
           option("--names", &options->analysis.names,
                  "Names of the clusters in the order of clusters.csv")
               .with_commas(),

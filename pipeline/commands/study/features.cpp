@@ -64,7 +64,7 @@ Command study_features_command() {
           .options = {option("--examples", &options->subject.examples,
                              std::string("Examples: a manifest, ") + examples_help)
                           .required(),
-                      option("--clusters", &options->clusters, "How many clusters")
+                      option("--clusters", &options->clusters, "Number of clusters")
                           .between(1, motion::motion_feature_count)
                           .with_default(),
                       choice("--scaling", options->scaling,

@@ -80,38 +80,43 @@ int evaluate(InterfacesCommand command, const Console& console) {
 
 Command study_interfaces_command() {
   const auto options = std::make_shared<InterfacesCommand>();
-  return {.name = "interfaces",
-          .summary = "Compare sliders for adjectives, features and weights with simulated users",
-          .options = all_of(
-              subject_options(options->subject),
-              option("--targets", &options->targets, "Targets").between(1, 100).with_default(),
-              option("--users", &options->evaluation.users,
-                     "Number of simulated users per target and interface")
-                  .between(0, 1000)
-                  .with_default(),
-              option("--steps", &options->evaluation.steps,
-                     "Slider grids whose nearest settings are evaluated, separated by commas")
-                  .with_commas()
-                  .between(0.01, 1.0)
-                  .with_default(),
-              option("--threshold", &options->evaluation.threshold,
-                     "Distance D in metres below which motions match")
-                  .positive()
-                  .with_default(),
-              methods_option(options->evaluation.methods, "default: as in the manifest"),
-              option("--seed", &options->seed, "Seed; default: as in the manifest"),
-              option("-o,--output", &options->out, "Folder for the tables and the figure")),
-          .notes =
-              "For every target (sampled as by mien study targets) and interface: the distance D "
-              "of the nearest slider setting, and of simulated users. A simulated user estimates "
-              "the settings of the target with an error of 0.15 (SD), then moves one slider at a "
-              "time up and down by 0.2, later by less, keeping what looks closer with an error of "
-              "10 % in perceived distances, over at most 100 motions. This shows what the "
-              "interfaces allow, not what people achieve with them: people do not estimate example "
-              "weights from a motion as well as its quickness.\n\n"
-              "Example:\n"
-              "  mien study interfaces --examples builtin:walks-27 -o out/interfaces",
-          .run = [options](const Console& console) { return evaluate(*options, console); }};
+  return {
+      .name = "interfaces",
+      .summary = "Compare sliders for adjectives, features and weights with simulated users",
+      .options = all_of(
+          subject_options(options->subject),
+          option("--targets", &options->targets, "Number of targets")
+              .between(1, 100)
+              .with_default(),
+          option("--users", &options->evaluation.users,
+                 "Number of simulated users per target and interface")
+              .between(0, 1000)
+              .with_default(),
+          option(
+              "--steps", &options->evaluation.steps,
+              "Step widths of slider grids, separated by commas; for each, the setting nearest to "
+              "the target is evaluated")
+              .with_commas()
+              .between(0.01, 1.0)
+              .with_default(),
+          option("--threshold", &options->evaluation.threshold,
+                 "Distance D in metres below which motions match")
+              .positive()
+              .with_default(),
+          methods_option(options->evaluation.methods, "default: as in the manifest"),
+          option("--seed", &options->seed, "Seed; default: as in the manifest"),
+          option("-o,--output", &options->out, "Folder for the tables and the figure")),
+      .notes =
+          "For every target (sampled as by mien study targets) and interface: the distance D "
+          "of the nearest slider setting, and of simulated users. A simulated user estimates "
+          "the settings of the target with an error of 0.15 (SD), then moves one slider at a "
+          "time up and down by 0.2, later by less, keeping whichever looks closer (perceived "
+          "distances have an error of 10 %), over at most 100 motions. This shows what the "
+          "interfaces allow, not what people achieve with them: people do not estimate example "
+          "weights from a motion as well as its quickness.\n\n"
+          "Example:\n"
+          "  mien study interfaces --examples builtin:walks-27 -o out/interfaces",
+      .run = [options](const Console& console) { return evaluate(*options, console); }};
 }
 
 }  // namespace mien::pipeline

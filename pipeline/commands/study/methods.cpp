@@ -28,10 +28,11 @@ struct MethodsCommand {
 
 void show(const std::vector<MethodResult>& trials, bool simulated, const Console& console) {
   if (simulated) console.out << "Simulated ratings.\n\n";
-  console.out << fmt::format("{:17} {:>10} {:>11} {:>7} {:>9} {:>8} {:>10}\n", "method",
-                             "mean error", "worst error", "jump", "examples", "D (m)", "time (ms)");
+  console.out << fmt::format("{:17} {:>10} {:>13} {:>7} {:>18} {:>8} {:>10}\n", "method",
+                             "mean error", "largest error", "jump", "effective examples", "D (m)",
+                             "time (ms)");
   for (const MethodResult& t : trials)
-    console.out << fmt::format("{:17} {:10.4f} {:11.4f} {:7.3f} {:9.1f} {:8.4f} {:10.3f}\n",
+    console.out << fmt::format("{:17} {:10.4f} {:13.4f} {:7.3f} {:18.1f} {:8.4f} {:10.3f}\n",
                                motion::name_of(t.method), t.mean_error, t.worst_error, t.jump,
                                t.mean_examples, t.mean_distance, 1000.0 * t.seconds);
 }
@@ -73,10 +74,10 @@ Command study_methods_command() {
               option("-o,--output", &options->out, "Folder for methods.csv")),
           .notes =
               "Requests are the parameters of random blends of three examples, so each is "
-              "feasible. mean error and worst error: deviation of the parameter missed most; jump: "
-              "largest change of an example's weight within a hundredth of the way from one "
-              "request to the next; examples: 1/sum of squared weights; D: distance to the blend "
-              "from which the request was taken; time: to compute the weights.\n\n"
+              "feasible. mean error and largest error: deviation of the parameter missed most; "
+              "jump: the largest change of any weight over 1 % of the straight line between two "
+              "successive requests; effective examples: 1/sum of squared weights; D: distance to "
+              "the blend from which the request was taken; time: to compute the weights.\n\n"
               "Example:\n"
               "  mien study methods --examples builtin:walks-27",
           .run = [options](const Console& console) { return compare(*options, console); }};

@@ -30,7 +30,7 @@ std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments)
   return {
       argument("manifest", &arguments.manifest,
                "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
-               "one of mien manifests"),
+               "an installed manifest (listed by mien manifests)"),
       option("--out", &arguments.out, "Folder of all studies").with_default(),
       quality_option(arguments.quality),
       option("--jobs,-j", &arguments.jobs, "Number of parallel tasks (default: one per processor)")

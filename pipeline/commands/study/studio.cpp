@@ -132,8 +132,9 @@ Command studio_command() {
   return {.name = studio_program.command,
           .summary = studio_program.summary,
           .options = {argument("manifest", &options->manifest,
-                               "Manifest (YAML) to open, or the name of one of mien manifests "
-                               "(default: studio.yaml in the current folder)")
+                               "Manifest (YAML) to open, or the name of an installed manifest "
+                               "(listed by mien manifests); default: studio.yaml in the current "
+                               "folder")
                           .optional(),
                       option("--out", &options->out, "Folder of all studies").with_default(),
                       option("--port", &options->port, "Port to listen on; 0: any free port")

@@ -91,16 +91,23 @@ Command study_command() {
   return {
       .name = study_program.command,
       .summary = study_program.summary,
-      .commands = {
-          study_analyze_command(), study_design_command(), study_evaluate_command(),
-          study_export_command(), study_features_command(), study_interfaces_command(),
-          study_methods_command(), study_predict_command(), scales_command(), study_serve_command(),
-          study_report_command(), study_simulate_command(), study_targets_command(),
-          version_command("Show the versions of mien, its libraries and those that serve pages",
-                          {{"libarchive", archive_library()},
-                           {"Boost", http_library()},
-                           {"SQLite", database_library()}}),
-          study_words_command()}};
+      .commands =
+          {study_analyze_command(), study_design_command(), study_evaluate_command(),
+           study_export_command(), study_features_command(), study_interfaces_command(),
+           study_methods_command(), study_predict_command(), scales_command(),
+           study_serve_command(), study_report_command(), study_simulate_command(),
+           study_targets_command(),
+           version_command(
+               "Show the versions of mien and its libraries, including those of the web server",
+               {{"libarchive", archive_library()},
+                {"Boost", http_library()},
+                {"SQLite", database_library()}}),
+           study_words_command()},
+      .notes =
+          "Examples:\n"
+          "  mien study design emotion-study -o plans.csv       orders of trials for participants\n"
+          "  mien study export emotion-study -o questionnaire   a questionnaire for a web server\n"
+          "  mien study report answers.csv my.yaml -o results   statistics and figures"};
 }
 
 }  // namespace mien::pipeline

@@ -25,9 +25,8 @@ Manifest questionnaire_manifest(const std::string& name, const Console& console)
 Manifest participants_manifest(const std::string& name, const Console& console);
 
 inline constexpr char study_manifest_help[] =
-    "Manifest (YAML) with a questionnaire or a matching experiment, the name of one of mien "
-    "manifests, or a study's "
-    "provenance.json";
+    "Manifest (YAML) with a questionnaire or a matching experiment, the name of an installed "
+    "manifest (listed by mien manifests), or a study's provenance.json";
 
 struct Console;
 

@@ -106,8 +106,10 @@ Command study_targets_command() {
           option("--parameters", &options->parameters,
                  "Parameters, separated by commas (default: the primary groups)")
               .with_commas(),
-          option("--count", &options->sampling.targets, "Targets").between(1, 100).with_default(),
-          option("--practice", &options->sampling.practice, "Practice targets")
+          option("--count", &options->sampling.targets, "Number of targets")
+              .between(1, 100)
+              .with_default(),
+          option("--practice", &options->sampling.practice, "Number of practice targets")
               .between(0, 100)
               .with_default(),
           option("--max-distance", &options->sampling.max_distance,
@@ -128,8 +130,8 @@ Command study_targets_command() {
           option("-o,--output", &options->out,
                  "Folder for targets.csv and targets.yaml, a manifest of the targets")),
       .notes =
-          "Samples are drawn uniformly; those far from every example or outside the blends are "
-          "rejected, and the most widely spread ones are kept.\n\n"
+          "Samples are drawn uniformly; those far from every example or not reachable by any "
+          "blend are rejected, and the most widely spread ones are kept.\n\n"
           "Examples:\n"
           "  mien study targets --examples builtin:walks-27 --seed 7 -o out/targets\n"
           "  mien run out/targets/targets.yaml",

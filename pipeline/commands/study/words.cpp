@@ -137,9 +137,11 @@ Command study_words_command() {
                          "Value of an answer on scales that it does not mention: neutral (the "
                          "middle) or no-answer")},
       .notes =
-          "A word counts 1 of 2 towards its end of the scale, a strengthened one (\"very\") 2; a "
-          "negated word counts\n"
-          "towards the opposite end. The strongest mention of a scale in an answer counts. "
+          "A word scores 1 of 2 points towards its end of the scale, a strengthened one (\"very\") "
+          "2, a softened\n"
+          "one (\"a little\") 1; a negated word scores towards the opposite end. The strongest "
+          "mention of a scale in an "
+          "answer counts. "
           "Example:\n"
           "  mien study words words.csv --lexicon manifests/walking-words.scales.yaml -o "
           "answers.csv",

@@ -60,8 +60,8 @@ void describe_deviations(MethodsText& out) {
   }
   if (missed.count == 0) return;
   out.say(fmt::format(
-      "Over {} (on scales from 0 to 1), the mean absolute deviation of the motions was "
-      "{:.3f}, the maximum {:.3f}",
+      "The values reached deviated from the {} (on scales from 0 to 1) by {:.3f} on average and by "
+      "at most {:.3f}",
       count_of(static_cast<std::size_t>(missed.count), "requested value", "requested values"),
       missed.mean(), missed.most));
 }
@@ -95,7 +95,7 @@ void describe_holds(MethodsText& out) {
   }
   if (missed.count == 0) return;
   out.say(fmt::format(
-      "Over {}, the mean absolute deviation of the blends was {:.3f}, the maximum {:.3f}",
+      "The values reached deviated from the {} by {:.3f} on average and by at most {:.3f}",
       count_of(static_cast<std::size_t>(missed.count), "held value", "held values"), missed.mean(),
       missed.most));
 }

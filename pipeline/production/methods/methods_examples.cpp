@@ -42,7 +42,7 @@ void describe_repertoire(MethodsText& out) {
         "{} too short for a full cycle, so that one step and its mirror image were used instead",
         count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
   }
-  out.say("They last " + with_mean(seconds, 2, " s"));
+  out.say("They lasted " + with_mean(seconds, 2, " s"));
   describe_example_settings(out);
 }
 
@@ -65,10 +65,10 @@ void describe_ratings(MethodsText& out) {
   const Repertoire& repertoire = out.motions.repertoire();
   if (!repertoire.impressions || stimuli_from(out.manifest, "adjectives").empty()) return;
   const Impressions& impressions = *repertoire.impressions;
-  const std::string scales = count_of(impressions.scales.size(), "scale", "scales") +
-                             (out.manifest.scales.file.empty()
-                                  ? " (the adjective pairs of" + out.cite({"adjectives"}) + ")"
-                                  : "");
+  const std::string scales =
+      count_of(impressions.scales.size(), "scale", "scales") +
+      (out.manifest.scales.file.empty() ? " (published adjective pairs)" + out.cite({"adjectives"})
+                                        : "");
   const std::size_t raters = raters_of(repertoire.answers);
   Range answers;
   answers.add(impressions.count.minCoeff());

@@ -44,8 +44,9 @@ std::string modification_sources(MethodsText& out) {
 
 std::string recipe_book(MethodsText& out) {
   if (!out.manifest.recipes.file.empty()) return out.manifest.recipes.file.filename().string();
-  return out.manifest.recipes.name == "fig29" ? "figure 29 of the thesis, with mien's numbers"
-                                              : "mien's own, after the thesis";
+  return out.manifest.recipes.name == "fig29"
+             ? "figure 29 of the emotion thesis, with mien's numbers"
+             : "mien's own, after the emotion thesis";
 }
 
 void describe_steps(MethodsText& out) {

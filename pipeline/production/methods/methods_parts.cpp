@@ -25,10 +25,10 @@ MethodWords words_of(motion::InterpolationMethod method) {
       {Method::reach,
        "a quadratic program that reaches the requested values exactly or as closely as possible, "
        "with weights as close as possible to those of a cardinal basis of linear and radial "
-       "functions",
+       "basis functions",
        {"rose1998", "sloan2001", "huang2010"}},
       {Method::cardinal,
-       "a cardinal basis of linear and radial functions",
+       "a cardinal basis of linear and radial basis functions",
        {"rose1998", "sloan2001", "adjectives"}},
       {Method::nearest,
        "nearest neighbours among the examples and random blends of them",

@@ -46,9 +46,9 @@ void describe_videos(MethodsText& out) {
   }
   for (const Stimulus* film : films_of(out.manifest)) {
     for (const render::VideoKind kind : film->output.video)
-      add_once(kinds, std::string(render::traits_of(kind).name));
+      add_once(kinds, std::string(render::traits_of(kind).description));
   }
-  out.say("The films last " + with_mean(seconds, 2, " s"));
+  out.say("The films lasted " + with_mean(seconds, 2, " s"));
   if (kinds.empty()) return;
   out.say(fmt::format(
       "They were encoded as {}; every video was decoded and compared with the rendered frames",
@@ -110,11 +110,11 @@ void describe_distances(MethodsText& out) {
         "Before measuring, planted feet of motion files were locked to the floor, as in blends");
   }
   out.say(fmt::format(
-      "For {}, D was {}; {} below {:g} m, the threshold that ends a trial of the matching task and "
-      "that is not a measure of perceptibility",
+      "For {}, D was {}; {} below {:g} m, the threshold that ends a trial of a published matching "
+      "task{} and that is not a measure of perceptibility",
       count_of(static_cast<std::size_t>(distances.count), "compared pair", "compared pairs"),
       with_mean(distances, 4, " m"), matches == 0 ? "none was" : count_of(matches, "was", "were"),
-      motion::distance_threshold_m));
+      motion::distance_threshold_m, out.cite({"adjectives"})));
 }
 
 }  // namespace

@@ -53,14 +53,14 @@ std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
                          clip.cycle_displacement.norm() / clip.duration_seconds());
   }
   if (is_blend(stimulus) && stimulus.weights.empty()) {
-    facts +=
-        fmt::format(", {} interpolation", motion::name_of(stimulus.interpolation.weights.method));
+    facts += fmt::format(", interpolation method: {}",
+                         motion::name_of(stimulus.interpolation.weights.method));
   }
   if (made.expected_error_m) {
     facts += fmt::format(", expected joint error {:.0f} mm", 1000.0 * *made.expected_error_m);
   }
   return facts +
-         fmt::format(", planted feet slide {:.1f} mm at most", 1000.0 * made.planted_drift_m);
+         fmt::format(", planted feet slide by at most {:.1f} mm", 1000.0 * made.planted_drift_m);
 }
 
 std::string folded(const std::string& title, const std::string& html) {

@@ -104,12 +104,12 @@ std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Mo
                     {fmt::format("{:.2f}", value)});
   }
   if (rows.empty()) return rows;
-  return fmt::format(
-      "<details><summary>{} {}</summary>\n{}</details>\n", count,
-      made.requested.empty() && made.held.empty()
-          ? (count == 1 ? "scale without a requested value" : "scales without requested values")
-          : (count == 1 ? "other scale" : "other scales"),
-      html_table({"scale", "", ">value"}, rows));
+  return fmt::format("<details><summary>{} {}</summary>\n{}</details>\n", count,
+                     made.requested.empty() && made.held.empty()
+                         ? (count == 1 ? "parameter without a requested value"
+                                       : "parameters without requested values")
+                         : (count == 1 ? "other parameter" : "other parameters"),
+                     html_table({"parameter", "", ">value"}, rows));
 }
 
 std::string weight_table(const Synthesis& made, Motions& motions) {
@@ -147,10 +147,10 @@ std::string distance_table(std::span<const Sheet* const> sheets, Motions& motion
           html_escaped(beside_verdict(d, wanted, came)));
     }
   }
-  return html_table({"target", "created", ">D (m)", ">sum (m)", ">MPJPE (m)",
-                     "D &lt; 0.06 m (the matching task's threshold)",
-                     "joint with the largest difference; durations"},
-                    rows);
+  return html_table(
+      {"target", "created", ">D (m)", ">sum (m)", ">MPJPE (m)",
+       "D &lt; 0.06 m (the matching threshold)", "joint with the largest difference; durations"},
+      rows);
 }
 
 std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions) {
@@ -165,8 +165,8 @@ std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motion
   }
   if (rows.empty()) return rows;
   return html_table(
-      {"target", "created", ">features in which the target differs from the reference",
-       ">changed in the same direction"},
+      {"target", "created", ">features in which the target differs from the reference motion",
+       ">of these, changed in the same direction in the created motion"},
       rows);
 }
 

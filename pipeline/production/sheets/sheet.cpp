@@ -34,21 +34,29 @@ std::string verdict(const motion::Distance& distance) {
   int digits = 3;
   const auto printed = [&] { return std::stod(fmt::format("{:.{}f}", distance.mean, digits)); };
   while (digits < 12 && (printed() < threshold) != distance.matches()) ++digits;
-  return fmt::format("{} the adjective paper's threshold: D = {:.{}f} m {} {:g} m",
+  return fmt::format("{} the matching threshold: D = {:.{}f} m {} {:g} m",
                      distance.matches() ? "Below" : "Not below", distance.mean, digits,
                      distance.matches() ? "<" : "≥", threshold);
 }
 
-std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
-                           const motion::Example& created) {
+std::string largest_distance_text(const motion::Distance& distance) {
   const auto by_joint = distance.by_joint();
   const auto worst = std::max_element(by_joint.begin(), by_joint.end());
   std::string joint = spoken_name(motion::BodyJoint(worst - by_joint.begin() + 1));
   joint[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(joint[0])));
+  return fmt::format("largest: {}, {:.3f} m", joint, *worst);
+}
+
+std::string durations_text(const motion::Example& target, const motion::Example& created) {
   const double wanted = target.clip.duration_seconds();
   const double came = created.clip.duration_seconds();
-  return fmt::format("largest: {}, {:.3f} m  ·  {:.2f} s vs. {:.2f} s ({:+.2f} s)", joint, *worst,
-                     came, wanted, came - wanted);
+  return fmt::format("durations: target {:.2f} s, created {:.2f} s ({:+.2f} s)", wanted, came,
+                     came - wanted);
+}
+
+std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
+                           const motion::Example& created) {
+  return largest_distance_text(distance) + "  ·  " + durations_text(target, created);
 }
 
 std::string sheet_as_pdf(const SheetContent& content) {

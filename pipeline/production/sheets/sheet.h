@@ -49,12 +49,17 @@ struct SheetContent {
   std::vector<std::pair<std::string, std::string>> provenance;  ///< ("seed", "7"), …
 };
 
-/// Returns "Below the adjective paper's threshold: D = 0.043 m < 0.06 m", or "Not below" with "≥".
+/// Returns "Below the matching threshold: D = 0.043 m < 0.06 m", or "Not below" with "≥".
 /// Numbers have as many digits as the printed comparison needs to be true.
 std::string verdict(const motion::Distance& distance);
 
-/// Returns details that the mean distance may hide: "largest: left wrist, 0.132 m  ·  2.07 s vs.
-/// 1.40 s (+0.67 s)", the durations being those of the created motion and of the target.
+/// Returns the joint with the largest mean distance: "largest: left wrist, 0.132 m".
+std::string largest_distance_text(const motion::Distance& distance);
+
+/// Returns "durations: target 2.07 s, created 1.40 s (-0.67 s)".
+std::string durations_text(const motion::Example& target, const motion::Example& created);
+
+/// Returns details that the mean distance may hide, the two above, with " · " between them.
 std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
                            const motion::Example& created);
 

@@ -99,7 +99,7 @@ void draw_figures(Canvas& canvas, const SheetContent& content, const Box& box) {
   const double scale = std::min((column_width - 8.0) / (extent.right - extent.left),
                                 (row_height - 14.0) / (extent.top - extent.bottom));
 
-  canvas.text({box.x, box.y + 9.0}, "Proportion of the duration",
+  canvas.text({box.x, box.y + 9.0}, "Keytime-normalized time",
               {.size = 8.0, .colour = quiet_ink, .max_width = name_width - 6.0});
   for (int t = 0; t < motion::distance_times; ++t) {
     const Box column = time_column(box, t);

@@ -36,7 +36,9 @@ void draw_bar(Canvas& canvas, const BarScale& scale, const Box& row, double metr
 void draw_joint_bars(Canvas& canvas, const SheetContent& content, const Box& box) {
   const double limit = amount_limit(content.distance);
   const BarScale scale = {box.x, (box.width - 36.0) / limit};
-  draw_heading(canvas, {box.x, box.y + 10.0}, "Mean over time", "bar: mean, tick: maximum; metres");
+  draw_heading(
+      canvas, {box.x, box.y + 10.0}, "Mean over time",
+      fmt::format("bar: mean (black: ≥ {:g} m); tick: maximum", motion::distance_threshold_m));
   draw_threshold(canvas, scale, box);
   const auto means = content.distance.by_joint();
   for (int j = 1; j <= motion::distance_joints; ++j) {

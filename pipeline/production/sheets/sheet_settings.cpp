@@ -57,7 +57,7 @@ void draw_parameter_titles(Canvas& canvas, const Box& box, const ParameterColumn
   canvas.text({columns.created, box.y + 4.0}, "created", number_style(created_colours.line, true));
   const TextStyle small = {.size = 6.5, .colour = quiet_ink, .align = Align::right};
   for (const double x : {columns.target_requested, columns.created_requested})
-    canvas.text({x, box.y + 12.0}, "request", small);
+    canvas.text({x, box.y + 12.0}, "requested", small);
   for (const double x : {columns.target, columns.created})
     canvas.text({x, box.y + 12.0}, "reached", small);
 }

@@ -14,7 +14,7 @@ namespace {
 void draw_unrated_mark(Canvas& canvas, const Box& box) {
   const Box pill = draw_simulated_mark(canvas, {box.right(), box.y}, simulated_ratings_mark, 11.0);
   canvas.text({box.right(), pill.bottom() + 14.0},
-              "simulated ratings; no participants have rated these motions",
+              "simulated ratings; no participants have rated the examples",
               {.size = 8.0, .colour = caution_ink, .align = Align::right});
 }
 
@@ -91,13 +91,13 @@ void draw_verdict(Canvas& canvas, const SheetContent& content, const Box& box) {
               {.size = 17.0, .bold = true, .max_width = room});
   draw_gauge(canvas, content.distance, {left, box.y + 56.0, room, 5.0});
   const TextStyle small = {.size = 8.0, .colour = quiet_ink, .max_width = room};
-  canvas.text({left, box.bottom() - 18.0},
-              beside_verdict(content.distance, content.target.motion, content.created.motion),
-              small);
+  canvas.text(
+      {left, box.bottom() - 18.0},
+      fmt::format("{}; MPJPE {:.3f} m; D_sum {:.2f} m", largest_distance_text(content.distance),
+                  content.distance.mpjpe, content.distance.sum),
+      small);
   canvas.text({left, box.bottom() - 6.5},
-              fmt::format("{:.1f} mm over all frames (MPJPE); sum {:.2f} m",
-                          1000.0 * content.distance.mpjpe, content.distance.sum),
-              small);
+              durations_text(content.target.motion, content.created.motion), small);
 }
 
 void draw_footer(Canvas& canvas, const SheetContent& content, const Box& box) {

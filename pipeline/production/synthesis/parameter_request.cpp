@@ -19,7 +19,7 @@ constexpr double met_tolerance = 0.005;  // what two decimals show
 /// Others that a sentence names before it only counts them.
 constexpr std::size_t named_others = 4;
 
-const std::string held_may_vary = "if held parameters may vary";
+const std::string held_may_vary = "held parameters free";
 
 using TableLine = std::array<std::string, 5>;
 
@@ -123,8 +123,11 @@ std::string table_line(const TableLine& line, const std::array<std::size_t, 4>& 
 /// On what the range of the line depends.
 std::string condition_words(const FeasibleParameter& parameter) {
   std::string text = listed(parameter.others);
-  if (!others_can_be(parameter))
+  if (!others_can_be(parameter)) {
     text = fmt::format("no blend has {} (nearest: {:.2f} off)", text, parameter.range.miss);
+  } else if (!text.empty()) {
+    text = "others as requested: " + text;
+  }
   if (parameter.ignores_held) text += (text.empty() ? "" : "; ") + held_may_vary;
   return text;
 }
@@ -179,7 +182,7 @@ std::string to_sentence(const FeasibleParameter& parameter) {
   } else if (!parameter.others.empty()) {
     text += " with " + listed(parameter.others);
   }
-  if (parameter.ignores_held) text += " " + held_may_vary;
+  if (parameter.ignores_held) text += " with " + held_may_vary;
   return text;
 }
 
@@ -193,7 +196,7 @@ std::string to_sentence(const RequestedParameter& requested) {
 std::string feasibility_table(const std::vector<RequestedParameter>& requested) {
   if (requested.empty()) return "";
   std::vector<TableLine> lines = {
-      {"stimulus", "parameter", "requested", "feasible range", "with the others at"}};
+      {"stimulus", "parameter", "requested", "feasible range", "condition"}};
   for (const auto& [stimulus, parameter] : requested) {
     lines.push_back({stimulus, parameter.name,
                      fmt::format("{}{:.2f}", parameter.holds() ? "" : "! ", parameter.requested),

@@ -37,7 +37,8 @@ constexpr std::array within_columns = std::to_array<ResultColumn<Row>>({
     {"wilcoxon_tied", "",
      "number of nonzero differences that share their absolute value with another",
      [](auto& r) { return r.of.within.wilcoxon.tied; }},
-    {"wilcoxon_p", "", "two-sided p, exact, conditional on ties; zeros excluded",
+    {"wilcoxon_p", "",
+     "two-sided p, exact, conditional on ties; zeros excluded; empty without participants",
      [](auto& r) { return p_field(r.of.within.wilcoxon.p); }},
     {"wilcoxon_p_adjusted", "", "p corrected within the family",
      [](auto& r) { return p_field(r.of.wilcoxon_adjusted); }},
@@ -124,18 +125,19 @@ constexpr auto overall_columns = result_table<OverallRow>(
       [](auto& r) { return word_of(family_words, r.of.family); }},
      {"emotion", "", "intended emotion; empty: all", [](auto& r) { return r.of.emotion; }},
      {"matched", "",
-      "number of settings and emotions, summed over participants, of which both sides were judged; "
-      "only these are compared",
+      "number of settings and emotions, summed over participants, for which both motions "
+      "were rated; only these are compared",
       [](auto& r) { return r.of.matched; }},
      {"unmatched_people", "",
-      "participants who judged both sides, but never for the same setting and emotion; excluded",
+      "participants who rated motions of both kinds, but never of the same setting and emotion; "
+      "excluded",
       [](auto& r) { return r.of.unmatched; }},
      {"mean", "scale points",
       "mean over participants of the rating of the intended emotion, from the middle of its scale",
       [](auto& r) { return r.of.mean; }},
      {"mean_against", "scale points", "the same for the stimuli it is compared with",
       [](auto& r) { return r.of.mean_against; }},
-     {"people", "", "participants who judged both sides of a setting and emotion",
+     {"people", "", "participants who rated both motions of a setting and emotion",
       [](auto& r) { return r.of.within.people; }}},
     within_columns<OverallRow>);
 

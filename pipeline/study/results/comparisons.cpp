@@ -137,11 +137,6 @@ bool is_hypothesis(const Comparison& comparison) {
   return comparison.family != ComparisonFamily::best_seen && comparison.intended_end != 0;
 }
 
-/// p of the signed-rank test; NaN without differences.
-double signed_rank_p(const WithinParticipants& within) {
-  return within.people == 0 ? within.t.p : within.wilcoxon.p;
-}
-
 void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool of_hypothesis,
                     TestCorrection correction) {
   std::vector<Comparison*> members;
@@ -158,7 +153,7 @@ void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool 
           [](Comparison& c, double p) { c.welch_adjusted = p; });
   correct([](const Comparison& c) { return c.within.t.p; },
           [](Comparison& c, double p) { c.paired_adjusted = p; });
-  correct([](const Comparison& c) { return signed_rank_p(c.within); },
+  correct([](const Comparison& c) { return c.within.wilcoxon.p; },
           [](Comparison& c, double p) { c.wilcoxon_adjusted = p; });
 }
 

@@ -73,7 +73,7 @@ constexpr auto catch_columns = result_table<CatchRow>(
      {"equal", "", "1 if both answers are the same", [](auto& r) { return r.of.is_equal(); }}});
 
 constexpr auto catch_summary_columns = result_table<CatchSummaryRow>(
-    "results/catch_summary.csv", "participant with repeated answers, item, or all of them",
+    "results/catch_summary.csv", "participant with repeated answers and item, and per total",
     {{"participant", "", "participant id; empty: all participants analysed",
       [](auto& r) { return r.of.participant; }},
      {"item", "", "scale or question id; empty: all", [](auto& r) { return r.of.item; }},

@@ -112,10 +112,11 @@ void add_overall(const Results& results, ComparisonFamily family, const std::str
     chart.bars.push_back(difference_bar(answer_set, name, 1, c.within, c.paired_adjusted, ""));
   }
   if (chart.bars.empty()) return;
-  figures.push_back({"overall-" + std::string(word_of(family_words, family)), "differences", "", "",
-                     "Mean per participant over the settings and emotions of which the participant "
-                     "judged both sides.",
-                     with_simulated_mark(bar_chart_plot(chart), answer_set.simulated)});
+  figures.push_back(
+      {"overall-" + std::string(word_of(family_words, family)), "differences", "", "",
+       "Mean per participant over the settings and emotions for which the participant "
+       "rated both motions.",
+       with_simulated_mark(bar_chart_plot(chart), answer_set.simulated)});
 }
 
 }  // namespace
@@ -129,7 +130,7 @@ void add_difference_figures(const Results& results, std::vector<ResultFigure>& f
       {ComparisonFamily::modified_neutral, "35", "figure-36-differences-modified-neutral",
        "Modified vs. neutral motions", within},
       {ComparisonFamily::modified_best, "36", "", "Modified motions vs. the highest-rated video",
-       within + " The highest-rated video was selected on the same answers, so its ratings are "
+       within + " The highest-rated video was selected using the same answers, so its ratings are "
                 "biased upwards."},
       {ComparisonFamily::acted_neutral, "", "", "Acted vs. neutral motions", within}};
   for (const DifferenceFigure& one : drawn) {

@@ -75,8 +75,11 @@ void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
   }
 }
 
-constexpr char spread_caption[] =
-    "Distribution of ratings; the line marks the mean. Yellow: intended emotion's scale.";
+/// The caption of histograms of all ratings, or of those " of the acted motions".
+std::string spread_caption(const std::string& of = "") {
+  return "Distribution of ratings" + of +
+         "; the line marks the mean. Yellow: intended emotion's scale.";
+}
 
 /// The videos in which some end of a scale is seen most, each once.
 std::vector<std::size_t> best_videos(const Results& results) {
@@ -107,7 +110,7 @@ void add_histograms_by_level(const Results& results, std::vector<ResultFigure>& 
     const ResultFigure figure{.name = "histograms-by-" + factor,
                               .section = "levels",
                               .thesis = factor == "actor" ? "39" : "",
-                              .caption = spread_caption};
+                              .caption = spread_caption()};
     add_grids(results, stimuli, figure, "Ratings by " + factor, histogram_grid_plot, figures);
   }
 }
@@ -132,7 +135,7 @@ void add_histograms_of_groups(const Results& results, std::vector<ResultFigure>&
           .name = first ? "histograms-by-gender" : "histograms-by-gender-other",
           .section = "groups",
           .thesis = first ? "42" : "43",
-          .caption = spread_caption};
+          .caption = spread_caption()};
       add_grids(own, every, figure, "Ratings by participants who answered: " + answer,
                 histogram_grid_plot, figures);
     }
@@ -140,15 +143,17 @@ void add_histograms_of_groups(const Results& results, std::vector<ResultFigure>&
 }
 
 void add_rating_figures(const Results& results, std::vector<ResultFigure>& figures) {
-  const ResultFigure best{
-      .name = "histograms-best-seen", .section = "best", .thesis = "32", .caption = spread_caption};
+  const ResultFigure best{.name = "histograms-best-seen",
+                          .section = "best",
+                          .thesis = "32",
+                          .caption = spread_caption(" of the highest-rated videos")};
   add_grids(results, best_videos(results), best, "Ratings of the highest-rated videos",
             histogram_grid_plot, figures);
   for (const StimulusGroup& group : stimulus_groups(results.answer_set)) {
     const ResultFigure figure{.name = "histograms-" + group.name,
                               .section = "histograms",
                               .former_name = group.former_name,
-                              .caption = spread_caption};
+                              .caption = spread_caption(" of the " + group.words)};
     add_grids(results, group.stimuli, figure, "Ratings of the " + group.words, histogram_grid_plot,
               figures);
   }

@@ -24,11 +24,16 @@ std::vector<std::string_view> with_within_heads(std::vector<std::string_view> he
 /// Appends the tests within participants.
 HtmlRow& within_cells(HtmlRow& row, const WithinParticipants& w, double paired_adjusted,
                       double wilcoxon_adjusted) {
+  // Without participants there are no ranks.
+  const bool is_empty = w.people == 0;
+  const std::string rank_sum = is_empty ? "–" : fmt::format("{:g}", w.wilcoxon.w_plus);
+  const std::string ranked =
+      is_empty ? "–"
+               : fmt::format("{}, {}, {}", w.wilcoxon.used, w.wilcoxon.zeros, w.wilcoxon.tied);
   return row.number(w.people, w.t.mean, interval_text(w.t.low(0.95), w.t.high(0.95)),
                     w.all_equal ? "all equal" : decimal(w.t.t), p_text(w.t.p),
-                    p_text(paired_adjusted), w.gz, fmt::format("{:g}", w.wilcoxon.w_plus),
-                    fmt::format("{}, {}, {}", w.wilcoxon.used, w.wilcoxon.zeros, w.wilcoxon.tied),
-                    p_text(w.wilcoxon.p), p_text(wilcoxon_adjusted), w.location.estimate,
+                    p_text(paired_adjusted), w.gz, rank_sum, ranked, p_text(w.wilcoxon.p),
+                    p_text(wilcoxon_adjusted), w.location.estimate,
                     interval_text(w.location.low, w.location.high), w.wilcoxon.rank_biserial);
 }
 
@@ -107,7 +112,8 @@ std::string overall_html(const Results& results, ComparisonFamily family) {
     rows += within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
                 .html(c.paired_adjusted < results.answer_set.alpha);
   }
-  return wide_table(with_within_heads({"<emotion", "matched", "mean", "comparison mean"}), rows);
+  return wide_table(with_within_heads({"<emotion", "matched pairs", "mean", "comparison mean"}),
+                    rows);
 }
 
 std::string sessions_html(const Results& results) {

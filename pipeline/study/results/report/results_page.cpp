@@ -34,14 +34,11 @@ class PageParts {
       if (figure.section != section) continue;
       html += "<figure>\n" + embedded_svg(as_svg(figure.plot), figure.plot.title);
       html += fmt::format(
-          "<figcaption>{}{} Files: {}{}</figcaption>\n</figure>\n", html_escaped(figure.caption),
+          "<figcaption>{}{} Files: {}</figcaption>\n</figure>\n", html_escaped(figure.caption),
           figure.thesis.empty()
               ? ""
-              : fmt::format(" Corresponds to figure {} of the thesis.", figure.thesis),
-          links(figure.name),
-          figure.former_name.empty()
-              ? ""
-              : fmt::format(" Formerly named {}.", html_escaped(figure.former_name)));
+              : fmt::format(" Corresponds to figure {} of the emotion thesis.", figure.thesis),
+          links(figure.name));
     }
     return html;
   }
@@ -82,6 +79,13 @@ std::size_t judged_stimuli(const AnswerSet& answer_set) {
   return std::max(judged.size(), in_words.size());
 }
 
+/// Says which thesis is meant, if the page mentions it.
+std::string thesis_html(const std::string& body) {
+  if (body.find("emotion thesis") == std::string::npos) return "";
+  return "<p class=\"quiet\">The emotion thesis: <i>Algorithmic modifications to the emotional "
+         "content of motion capture data</i>, Aalto University, 2010.</p>\n";
+}
+
 std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   const AnswerSet& answer_set = results.answer_set;
   std::string html = "<h1>" + html_escaped(answer_set.title) + "</h1>\n";
@@ -92,8 +96,9 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
                       html_escaped(answer_set.study), counted_noun(answers, "answer", "answers"),
                       counted_noun(answer_set.people.size(), "participant", "participants"),
                       counted_noun(judged_stimuli(answer_set), "video", "videos"));
-  html += answer_set.design.empty() ? ".</p>\n"
-                                    : ", design " + html_escaped(answer_set.design) + ".</p>\n";
+  html += answer_set.design.empty()
+              ? ".</p>\n"
+              : ". Design hash: " + html_escaped(answer_set.design) + ".</p>\n";
   if (!frozen.sentence.empty())
     html += paragraph(frozen.sentence) + html_list("warnings", frozen.differences);
   return html;
@@ -132,11 +137,15 @@ std::string best_html(const Results& results, const PageParts& parts) {
   std::string html =
       method_html(results.answer_set) +
       paragraph(
-          "For each end of each scale, the video rated highest. “Thesis”: Welch’s test of the "
-          "ratings of this video against all ratings of videos of the same setting, itself "
-          "included, treating ratings by the same participant as independent. “Paired”: for each "
+          "For each end of each scale, the video rated highest. “Thesis”: Welch’s test, as in "
+          "the emotion thesis, of the ratings of this video against all ratings of videos of the "
+          "same setting, itself included, treating ratings by the same participant as independent. "
+          "“Paired”: for each "
           "participant, the rating of this video minus the mean of the participant’s ratings of "
-          "the other videos of the setting.") +
+          "the other videos of the setting. g_z: Hedges’ g of these within-participant "
+          "differences. In the tables of all videos, V is the sum of the ranks of the positive "
+          "differences, "
+          "followed by the numbers of nonzero, zero and tied differences.") +
       table + parts.figures("best");
   for (const StimulusGroup& group : stimulus_groups(results.answer_set)) {
     const std::string rows = comparisons_html(results, ComparisonFamily::best_seen,
@@ -144,9 +153,26 @@ std::string best_html(const Results& results, const PageParts& parts) {
     if (rows.empty()) continue;
     html += fmt::format(
         "<details><summary>All {}{}</summary>\n{}</details>\n", html_escaped(group.words),
-        group.name == "acted" || group.name == "all" ? " (as figure 31 of the thesis)" : "", rows);
+        group.name == "acted" || group.name == "all" ? " (as figure 31 of the emotion thesis)" : "",
+        rows);
   }
   return html;
+}
+
+/// "Modified vs. acted motions"
+std::string title_of(ComparisonFamily family) {
+  switch (family) {
+    case ComparisonFamily::modified_acted:
+      return "Modified vs. acted motions";
+    case ComparisonFamily::modified_neutral:
+      return "Modified vs. neutral motions";
+    case ComparisonFamily::modified_best:
+      return "Modified motions vs. the highest-rated video";
+    case ComparisonFamily::acted_neutral:
+      return "Acted vs. neutral motions";
+    default:
+      return std::string(word_of(family_words, family));
+  }
 }
 
 /// A sentence on participants who rated both makings, but never in the same cell.
@@ -155,8 +181,9 @@ std::string unmatched_html(const Results& results) {
   for (const OverallComparison& c : results.overall)
     if (c.emotion.empty() && c.unmatched > 0)
       sentences.push_back(fmt::format(
-          "{}: {} judged both sides, but never for the same setting and emotion, and {} excluded.",
-          word_of(family_words, c.family),
+          "{}: {} rated motions of both kinds, but never of the same setting and emotion, and {} "
+          "excluded.",
+          title_of(c.family),
           counted_noun(static_cast<std::size_t>(c.unmatched), "participant", "participants"),
           c.unmatched == 1 ? "is" : "are"));
   return html_list("", sentences);
@@ -164,30 +191,30 @@ std::string unmatched_html(const Results& results) {
 
 std::string differences_html(const Results& results, const PageParts& parts) {
   std::string html = parts.figures("differences");
-  const auto add = [&](ComparisonFamily family, const std::string& title,
-                       const std::string& thesis) {
+  const auto add = [&](ComparisonFamily family, const std::string& thesis) {
     const std::string videos = comparisons_html(results, family);
     if (videos.empty()) return;
-    html += heading(title) + overall_html(results, family) + "<details" +
+    html += heading(title_of(family)) + overall_html(results, family) + "<details" +
             (results.overall.empty() ? " open" : "") + "><summary>Video by video" + thesis +
             "</summary>\n" + videos + "</details>\n";
   };
-  add(ComparisonFamily::modified_acted, "Modified vs. acted motions",
-      " (as figure 37 of the thesis)");
-  add(ComparisonFamily::modified_neutral, "Modified vs. neutral motions", "");
-  add(ComparisonFamily::modified_best, "Modified motions vs. the highest-rated video", "");
-  add(ComparisonFamily::acted_neutral, "Acted vs. neutral motions", "");
+  add(ComparisonFamily::modified_acted, " (as figure 37 of the emotion thesis)");
+  add(ComparisonFamily::modified_neutral, "");
+  add(ComparisonFamily::modified_best, "");
+  add(ComparisonFamily::acted_neutral, "");
   if (html.empty()) return "";
   return paragraph(
              "How strongly the intended emotion is perceived: scale points from the middle of the "
-             "scale towards the emotion. The first table is over all settings (levels of all "
-             "factors except made, emotion and strength): for each participant, the mean over the "
-             "settings and emotions of which the participant judged both sides. The second is "
-             "video by video, for participants who saw both videos. The highest-rated video is the "
-             "unmodified video of the setting rated farthest towards the emotion; it was selected "
-             "on the same answers, so its ratings are biased upwards. The other scales are in "
-             "results/comparisons.csv. There is no t test where all participants differ by the "
-             "same amount.") +
+             "scale towards the emotion. The first table is over all settings; a setting is a "
+             "combination of levels of all factors except “made”, “emotion” and “strength”. For "
+             "each participant, it takes the mean over the settings and emotions for which the "
+             "participant rated both motions compared (matched pairs: their number, summed over "
+             "participants). The second table is video by video, for participants who saw both "
+             "videos. The highest-rated video is the unmodified video of the setting rated "
+             "farthest towards the emotion; it was selected "
+             "using the same answers, so its ratings are biased upwards. The other scales are in "
+             "results/comparisons.csv. Where all within-participant differences are equal, no t "
+             "test is possible (“all equal”).") +
          unmatched_html(results) + html;
 }
 
@@ -198,7 +225,8 @@ std::string levels_html(const Results& results, const PageParts& parts) {
              "Pairs of videos that differ in the level of one factor only, such as two actors "
              "showing the same emotion: within-participant differences, first minus second.") +
          parts.figures("levels") +
-         "<details><summary>Video by video (actors: as figure 38 of the thesis)</summary>\n" +
+         "<details><summary>Video by video (actors: as figure 38 of the emotion "
+         "thesis)</summary>\n" +
          videos + "</details>\n";
 }
 
@@ -208,7 +236,8 @@ std::string groups_part(const Results& results, const PageParts& parts) {
   return paragraph(
              "Differences between groups of participants: Welch’s test of the participants’ means, "
              "for the two most frequent answers to each demographic question. If gender was asked, "
-             "the ratings of each group are drawn. Figures 41 to 43 of the thesis concern gender, "
+             "the ratings of each group are drawn. Figures 41 to 43 of the emotion thesis concern "
+             "gender, "
              "but our copy does not say whether that of the participants or of the person shown; "
              "for the latter, see the scale masculine – feminine in the other sections.") +
          "<details><summary>All videos and scales</summary>\n" + table + "</details>\n" +
@@ -229,7 +258,7 @@ std::string confusion_html(const Results& results, const PageParts& parts) {
         "one halfway 1, the middle 0; percentages are of a row’s total points. The intervals treat "
         "each rated presentation as one trial. “Top response”: presentations in which the intended "
         "emotion received more points than any other end; the exact binomial test compares their "
-        "number with chance (one of the ends).");
+        "number with chance (1 / number of ends).");
   if (is_of(false))
     html += paragraph(
         fmt::format("Each presentation is one choice out of {}; percentages are of a row’s "
@@ -292,7 +321,7 @@ std::string files_html(const std::vector<WrittenTable>& tables, bool has_scripts
         "href=\"analysis/ordinal.R\">analysis/ordinal.R</a>: mixed models in R</li>\n";
   html +=
       "<li><a href=\"figures.csv\">figures.csv</a>: list of figures, with the corresponding "
-      "figures of the thesis and former file names</li>\n</ul>\n";
+      "figures of the emotion thesis and former file names</li>\n</ul>\n";
   return html;
 }
 
@@ -318,8 +347,9 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("words", "Free-text answers", words_html(results, parts));
   parts.section("files", "Files", files_html(tables, !results.answer_set.ratings.empty()));
   const std::string mark = results.answer_set.simulated ? "Simulated: " : "";
-  return html_page(mark + results.answer_set.title, results_style,
-                   head_html(results, frozen) + parts.nav() + parts.body());
+  return html_page(
+      mark + results.answer_set.title, results_style,
+      head_html(results, frozen) + parts.nav() + thesis_html(parts.body()) + parts.body());
 }
 
 }  // namespace mien::pipeline

@@ -228,12 +228,12 @@ TEST(FeasibilityTable, HasALineAParameterAndMarksWhatIsNotFeasible) {
   beyond.others = {{"size", 0.25}};
   beyond.ignores_held = true;
   EXPECT_EQ(feasibility_table({}), "");
-  EXPECT_EQ(
-      feasibility_table({{"a", fine}, {"long-name", beyond}}),
-      "stimulus   parameter  requested  feasible range  with the others at\n"
-      "a          pace            0.50  0.40 to 0.60\n"
-      "long-name  pace          ! 0.90  0.40 to 0.60    size 0.25; if held parameters may vary\n"
-      "! requested value outside the feasible range\n");
+  EXPECT_EQ(feasibility_table({{"a", fine}, {"long-name", beyond}}),
+            "stimulus   parameter  requested  feasible range  condition\n"
+            "a          pace            0.50  0.40 to 0.60\n"
+            "long-name  pace          ! 0.90  0.40 to 0.60    others as requested: size 0.25; held "
+            "parameters free\n"
+            "! requested value outside the feasible range\n");
 }
 
 TEST(Synthesis, TellsWhenAMotionIsNearlyOneCapture) {

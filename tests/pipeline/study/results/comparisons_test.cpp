@@ -116,6 +116,15 @@ TEST(Comparisons, SayNothingWhereAFewPeopleDifferByTheSame) {
   EXPECT_EQ(equal.wilcoxon.zeros, 3);
 }
 
+TEST(Comparisons, WithoutParticipantsHaveNoStatistics) {
+  const WithinParticipants none = within_participants({});
+  EXPECT_EQ(none.people, 0);
+  for (const double p : {none.t.p, none.wilcoxon.p, none.pratt.p, none.wilcoxon_normal,
+                         none.wilcoxon_normal_corrected, none.wilcoxon_zsplit})
+    EXPECT_TRUE(std::isnan(p));
+  EXPECT_TRUE(std::isnan(none.wilcoxon.rank_biserial));
+}
+
 TEST(Comparisons, OverSettingsTurnEachEmotionToItsEnd) {
   AnswerSet answer_set;
   answer_set.scales = {between("sad", "happy")};

@@ -157,7 +157,7 @@ const instead: Record<"en" | "ja", Partial<Texts>> = {
     lastWords: "Would you like to tell us anything about this experiment?",
     finished: "The experiment is complete, and your data have been saved. You may close this window.",
     finishedFiles: "The experiment is complete. Your data have been saved as files in the download folder of this computer. If one is missing, save it again here.",
-    phone: "This experiment requires a larger screen than that of a phone. Please open it on a computer or a tablet.",
+    phone: "This experiment needs a screen larger than a phone's. Please open it on a computer or a tablet.",
     trouble: "The experiment cannot be displayed",
     elsewhere: "This experiment is open elsewhere",
     goOnThere: "It was started in another window or browser. What you do here is not saved; please continue there. If you cannot, ask the experimenter for another link.",

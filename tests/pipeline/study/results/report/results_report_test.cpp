@@ -1,6 +1,7 @@
 #include "pipeline/study/results/report/results_report.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <regex>
 #include <set>
@@ -17,6 +18,7 @@
 #include "pipeline/plot_texts.h"
 #include "pipeline/study/results/figures/result_figures.h"
 #include "pipeline/study/results/report/dataset.h"
+#include "pipeline/study/results/report/page_tables.h"
 #include "pipeline/study/results/two_emotions.h"
 #include "pipeline/temporary_folder.h"
 
@@ -226,10 +228,28 @@ TEST(ResultsReport, NamesFiguresOfActorsAndGenderWhereThereAreTwo) {
   EXPECT_TRUE(files.contains("figures/differences-actor-woman-man-..-...svg"));
 }
 
+TEST(ResultsReport, PrintsDashesWhereNobodyRatedBothVideos) {
+  Results results = reported_study().results;
+  Comparison unseen;
+  unseen.against = 1;
+  unseen.family = ComparisonFamily::between_levels;
+  unseen.within = within_participants({});
+  unseen.paired_adjusted = unseen.wilcoxon_adjusted = std::numeric_limits<double>::quiet_NaN();
+  results.comparisons = {unseen};
+  const std::string table = comparisons_html(results, ComparisonFamily::between_levels, "");
+  const std::string cells = table.substr(table.find("<td>0</td>"));
+  std::size_t dashes = 0;
+  for (std::size_t at = cells.find("<td>–</td>"); at != std::string::npos;
+       at = cells.find("<td>–</td>", at + 1))
+    ++dashes;
+  EXPECT_EQ(dashes, 13u) << cells;
+  EXPECT_EQ(cells.find("1.000"), std::string::npos) << cells;
+}
+
 TEST(ResultsReport, SaysWhatFilesOfFiguresWereCalledBefore) {
   const auto files = usual_report();
-  EXPECT_NE(files.at("report.html").find("Formerly named figure-33-confusion-acted."),
-            std::string::npos);
+  EXPECT_EQ(files.at("report.html").find("figure-33-confusion-acted"), std::string::npos);
+  EXPECT_NE(files.at("figures.csv").find("figure-33-confusion-acted"), std::string::npos);
   EXPECT_NE(files.at("figures.csv").find("figure-36-differences-modified-neutral"),
             std::string::npos);
 }
@@ -298,7 +318,7 @@ TEST(ResultsReport, ExplainsChoicesAsChoices) {
   EXPECT_NE(page.find("Each presentation is one choice out of 3"), std::string::npos);
   EXPECT_NE(page.find("one of the 3)."), std::string::npos);
   EXPECT_EQ(page.find("Ratings are converted to points"), std::string::npos);
-  EXPECT_EQ(page.find("one of the ends"), std::string::npos);
+  EXPECT_EQ(page.find("number of ends"), std::string::npos);
   EXPECT_EQ(page.find("lme4"), std::string::npos);
 }
 
