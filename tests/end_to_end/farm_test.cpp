@@ -163,8 +163,8 @@ TEST_F(FarmOnSlurm, PassesScancelOnToTheWorker) {
   const fs::path trace = scratch.path() / "trace";
   const std::string job = submit_changed(
       submission() / "2-frames.sbatch",
-      stand_in("trap 'echo stopped >>" + trace.string() + "; exit 75' TERM\necho begun >>" +
-               trace.string() + "\nwhile :; do sleep 0.1; done"),
+      stand_in("trap 'trap \"\" TERM; echo stopped >>" + trace.string() +
+               "; exit 75' TERM\necho begun >>" + trace.string() + "\nwhile :; do sleep 0.1; done"),
       {"--array=1"});
   ASSERT_TRUE(wait_until(30.0, [&] { return text_of(trace) == "begun\n"; }));
   ASSERT_EQ(farm({"cancel"}).code, 0);

@@ -13,8 +13,9 @@
 namespace mien::pipeline {
 
 CommandOption quality_option(std::string& quality) {
-  return option("--quality", &quality, "Quality to use instead of the manifest's")
-      .one_of(names_of(quality_words));
+  std::vector<std::string> names;
+  for (const auto& [name, value] : quality_words) names.emplace_back(name);
+  return option("--quality", &quality, "Quality to use instead of the manifest's").one_of(names);
 }
 
 std::vector<CommandOption> manifest_options(ProductionArguments& arguments) {
