@@ -94,7 +94,7 @@ constexpr auto foils_columns = table_of<FoilAspectRow>(
       [](auto& r) { return r.certified.of_value; }},
      {"foil_value", "see measure", "value of the foil; empty likewise",
       [](auto& r) { return r.certified.foil_value; }},
-     {"difference", "° or share",
+     {"difference", "° or relative",
       "for posture, the largest difference between the mean rotations of a joint, in degrees; "
       "otherwise the ratio of the foil's value to the stimulus's, minus 1",
       [](auto& r) { return r.certified.difference; }},

@@ -54,7 +54,7 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
     {{"is_warmup", "",
       "1 for warm-up trials at the start of the main part, which are not analysed"},
      &Row::is_warmup},
-    {{"is_catch", "", "1 for attention checks and repeated stimuli"}, &Row::is_catch},
+    {{"is_catch", "", "1 for attention checks (see `expected`) and repeated stimuli"}, &Row::is_catch},
     {{"expected", "", "raw answer that passes the check"}, &Row::expected},
     {{"passed", "", "1 if the check was passed, 0 if failed; empty without a check"}, &Row::passed},
     {{"replays", "", "number of replays"}, &Row::replays},
