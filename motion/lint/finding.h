@@ -18,10 +18,11 @@ std::string_view name_of(Severity severity);
 /// A fault of a motion and its location.
 struct Finding {
   std::string check;  ///< identifier of the check: one of `lint_checks()` (lint.h)
-  /// "LeftKnee"; parts at two joints as "LeftWrist/Chest"; empty: the whole body.
+  /// "LeftKnee"; two interpenetrating parts: "LeftWrist/Chest"; empty: the whole body.
   std::string joint;
-  int first = 0;  ///< first frame of the clip
-  int last = 0;  ///< inclusive; in a loop of n frames it may be n or more: frame n is frame 0 again
+  int first = 0;  ///< first frame of the finding, an index into the clip
+  int last = 0;   ///< its last frame, inclusive; in a loop of n frames it may be n or more: frame n
+                  ///< is frame 0 again
   double measured = 0.0;   ///< the worst value in these frames, in `unit`
   double threshold = 0.0;  ///< the exceeded threshold of this severity, in `unit`
   std::string unit;        ///< "m", "m/s", "°", "rad/s", "N·m", "s", …; empty: a ratio

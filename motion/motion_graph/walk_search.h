@@ -12,10 +12,11 @@ namespace mien::motion {
 
 /// Horizontal motion of an edge, in the frame of the clip that it leaves.
 struct EdgeSteps {
-  std::vector<Vec3> steps;      ///< displacement of the pelvis per frame, metres
-  std::vector<double> facings;  ///< of the pelvis after each step, radians about +Y from +Z
-  std::vector<double> seconds;  ///< duration of each step
-  double turn = 0.0;  ///< rotation that aligns the entered clip with the clip that is left, radians
+  std::vector<Vec3> steps;      ///< displacement of the pelvis in each frame, metres
+  std::vector<double> facings;  ///< of the pelvis after each frame, radians about +Y from +Z
+  std::vector<double> seconds;  ///< duration of each frame
+  /// Rotation that aligns the clip that the edge enters with the one that it leaves, radians.
+  double turn = 0.0;
 };
 
 /// The steps of every edge of the graph, as in `motion_of` (graph_walk.h) without foot lock.
@@ -28,9 +29,10 @@ struct WalkState {
   Vec3 place = Vec3::Zero();  ///< of the pelvis on the floor
   double facing = 0.0;        ///< radians
   double seconds = 0.0;       ///< since the start of the walk
-  double played = 0.0;        ///< seconds since the start in the first version's own time
+  double played = 0.0;        ///< seconds since the start, if only the first version were played
   double since = 0.0;         ///< seconds since the last transition, in the same time
-  double way = 0.0;           ///< progress along the goal; updated by the cost
+  /// Progress towards the goal, as the cost measures it: metres along a path, or seconds.
+  double way = 0.0;
 };
 
 /// Cost of one more frame, ≥ 0. `state` is the state after the frame, except for `way`, which the
@@ -40,7 +42,7 @@ using FrameCost = std::function<double(WalkState& state, const Vec3& step)>;
 using GoalReached = std::function<bool(const WalkState& state)>;
 
 /// Versions of one graph (motion_graph.h) and the changes of their weights. The search blends the
-/// versions as `motion_of` (graph_walk.h) does, but without delay.
+/// versions as `motion_of` (graph_walk.h) does, but follows a change of weights at once.
 struct MixedGraph {
   std::span<const MotionGraph> versions;
   std::span<const MoodChange> moods;
@@ -48,8 +50,9 @@ struct MixedGraph {
   const MotionGraph& graph() const { return versions.front(); }
 };
 
-/// The cheapest walk from the best of several starts, searched by branch and bound, stretch by
-/// stretch, until `done`. Throws mien::Error when `way` makes no progress.
+/// The cheapest walk from the best of several starts until `done`, searched by branch and bound
+/// over `ahead_seconds` at a time, of which `kept_seconds` are kept. Throws mien::Error when `way`
+/// makes no progress.
 GraphWalk search_walk(const MixedGraph& mixed, const std::vector<WalkState>& starts,
                       const FrameCost& cost, const GoalReached& done,
                       const GuidedWalkOptions& options);

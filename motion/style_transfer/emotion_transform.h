@@ -41,8 +41,8 @@ struct EmotionTransform {
 EmotionTransform emotion_transform(const Clip& neutral, const Clip& emotional);
 
 /// Applies the transform to a motion: first scales the deviations, then warps time. Ratios are
-/// raised to the power `amount`; timing stays ascending. The method does not change the mean
-/// posture. Foot plants are not restored.
+/// raised to the power `amount`; timing is interpolated between even (0) and the transform's (1),
+/// and stays ascending. The method does not change the mean posture. Foot plants are not restored.
 Clip transformed(const Clip& motion, const EmotionTransform& transform,
                  const EmotionTransformOptions& options = {});
 

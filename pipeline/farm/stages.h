@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-/// The part of a stage that one job does. Its items are done in order; each is a task ("film:walk")
+/// The part of a stage that one job does. The items are run in order; each is a task ("film:walk")
 /// or a chunk of a film's frames ("film:walk[3/12]": the third of twelve).
 struct Element {
   std::vector<std::string> items;
@@ -34,13 +34,14 @@ struct Chunking {
 
 /// Progress of a film that is due.
 struct FilmProgress {
-  std::vector<bool> has_frame;  ///< by frame: stored, or assigned to a live job; may be empty
-  int chunks = 0;               ///< number of chunks used by live jobs; 0 if not split yet
+  /// By frame: stored, or assigned to a queued or running job; may be empty.
+  std::vector<bool> has_frame;
+  int chunks = 0;  ///< number of chunks used by queued or running jobs; 0 if not split yet
 };
 
 /// Divides the tasks that are due (one flag per task) into the stages motions, frames, films,
-/// sheets and study; empty stages are omitted. Each task is in exactly one element. If a film is
-/// rendered in several chunks, these cover it, except chunks whose frames all exist. `frames`:
+/// sheets and study; empty stages are omitted. Each task is in exactly one element. The chunks of a
+/// film together contain all its frames; chunks whose frames all exist are omitted. `frames`:
 /// number of frames of each film by its task; `film_progress`: progress of films that have been
 /// started, by task.
 std::vector<Stage> stages_of(const TaskGraph& graph, const std::vector<bool>& is_due,

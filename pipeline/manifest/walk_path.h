@@ -23,8 +23,8 @@ struct WalkStep {
   std::optional<double> walk_s;    ///< duration in seconds
   std::optional<double> turn_deg;  ///< rotation in degrees, positive to the left; not 0
   std::optional<double> stand_s;   ///< seconds, from when the walker has come to rest
-  std::optional<double> pace;  ///< share of the mood's speed; unset: the pace of the path or, for a
-                               ///< turn, of the preceding step
+  /// Factor on the mood's speed; unset: the pace of the path or, for a turn, of the preceding step.
+  std::optional<double> pace;
   double curve_deg_s = 0.0;  ///< turning rate of a walk in degrees per second, positive to the left
   Mood mood;                 ///< mood from this step on; empty: unchanged
 
@@ -53,7 +53,7 @@ void fields_of(auto&& field, MaybeConst<MoodChange> auto& change) {
   field("mood", change.mood, concerns::motion | concerns::required);
 }
 
-/// A position on the floor in metres: {to the left of the world's +Z axis, along +Z}.
+/// A position on the floor, metres: {x, z}, with +Z ahead and +X to the left.
 using FloorPoint = std::array<double, 2>;
 
 /// A motion of a motion graph.
@@ -69,18 +69,18 @@ void fields_of(auto&& field, MaybeConst<GraphMotion> auto& motion) {
   field("take", motion.take, concerns::motion);
 }
 
-/// A path for a controlled walker (motion/steered_walk/scripted_walk.h), starting and ending in a
+/// A path for the steered walker (motion/steered_walk/scripted_walk.h), starting and ending in a
 /// standing pose, or for a walk assembled from the motions of a graph
-/// (motion/motion_graph/guided_walk.h), which have their own moods and speeds. Exactly one of
-/// script and points is given.
+/// (motion/motion_graph/guided_walk.h); then moods are emotions (see Mood) and speeds those of the
+/// motions. Exactly one of script and points is given.
 struct WalkPath {
   std::string set = "builtin:walks-10";  ///< example set whose walks the moods name
   Mood mood;          ///< initial mood; empty: that of the first step, or the first walk of the set
-  double pace = 1.0;  ///< speed as a share of the mood's own speed
+  double pace = 1.0;  ///< factor on the mood's own speed
   std::vector<WalkStep> script;
   std::vector<FloorPoint> points;  ///< vertices of a polyline path with rounded corners
   std::vector<MoodChange> moods;   ///< changes of mood along the points, by time
-  std::vector<GraphMotion> graph;  ///< motions of the graph; empty: the walker is controlled
+  std::vector<GraphMotion> graph;  ///< motions of the graph; empty: the steered walker
   /// Transition threshold of the graph, metres (motion/motion_graph/motion_graph.h).
   double threshold_m = 0.06;
 
@@ -122,8 +122,8 @@ std::vector<std::string> moods_of(const WalkPath& path);
 /// Returns a short description: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".
 std::string described(const WalkPath& path);
 
-/// Returns all moods of the path with their paths within it: "mood", "script[1].mood",
-/// "moods[0].mood" ("[1].mood" if `path:` is a list of steps).
+/// Returns all moods of the walk, each with its key in the document below `path:`: "mood",
+/// "script[1].mood", "moods[0].mood" ("[1].mood" if `path:` is a list of steps).
 std::vector<std::pair<std::string, Mood>> places_of_moods(const WalkPath& path);
 
 /// Returns the length of the polyline through the points, in metres.

@@ -28,7 +28,8 @@ struct Origin {
 /// Returns the origin of this program on this machine.
 Origin this_origin();
 
-/// The stored facts about one frame.
+/// The stored facts about a key frame, one of the evenly spaced frames that are kept for
+/// comparison.
 struct KeyFrame {
   int frame = 0;
   Hash pixels;
@@ -76,10 +77,11 @@ struct Approval {
   friend bool operator==(const Approval&, const Approval&) = default;
 };
 
-/// The approved state of a study: a folder that can be kept in git or on a shared disk.
+/// The approved state of a study: a folder that can be kept in git or on a shared disk. An edition
+/// is the manifest with its files at one approval, named by their hash.
 ///
-///     baseline.json                  the study, all approvals, hashes of the files below that no
-///                                    stimulus.json contains, and a checksum of the text before it
+///     baseline.json                  the study, all approvals, hashes of those files below that
+///                                    are not in a stimulus.json, and a checksum of the text before
 ///     editions/<hash>/inputs/        manifests and the files that they name, like a study's inputs
 ///     stimuli/<id>/stimulus.json     StimulusFacts
 ///     stimuli/<id>/motion.bvh        the clip shown
@@ -92,7 +94,7 @@ struct Baseline {
   std::vector<Approval> approvals;  ///< oldest first
   std::vector<StimulusFacts> stimuli;
   /// Hashes of every stimulus.json and of all files of the editions, by path relative to the
-  /// folder. Empty in a baseline written by mien 0.2.
+  /// folder. Empty in baselines written before these hashes existed.
   std::map<std::string, Hash> sums = {};
 
   const StimulusFacts* find(const std::string& id) const;

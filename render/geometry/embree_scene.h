@@ -40,7 +40,9 @@ struct RayPacket {
   alignas(32) float direction_z[packet_size] = {};
   alignas(32) float reach[packet_size] = {};  ///< hits beyond this distance are ignored, metres
   alignas(32) float time[packet_size] = {};   ///< 0 when the shutter opens … 1 when it closes
-  alignas(32) std::uint32_t present[packet_size] = {};  ///< bit f: figure f is present for this ray
+  /// Bit f: the ray can hit figure f; semi-transparent figures are present for a random part of the
+  /// rays.
+  alignas(32) std::uint32_t present[packet_size] = {};
   int count = 0;
 
   void push(const Vec3& origin, const Vec3& direction, float distance, float when = 0.0f,

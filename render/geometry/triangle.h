@@ -11,8 +11,9 @@ struct Triangle {
   Vec3 c;
 };
 
-/// Writes the distance along each of `count` ≤ max_lanes rays at which its line crosses the
-/// triangle; infinity when it misses. Results are bit-identical on every machine.
+/// Writes the distance at which each of `count` ≤ max_lanes rays hits the triangle; infinity when
+/// it misses, also if its line crosses the triangle behind the origin. Results are bit-identical on
+/// every machine.
 ///
 /// The test is watertight: the side on which the line passes an edge is the sign of a product that
 /// depends on the line and this edge alone and changes sign exactly when the edge is reversed. A

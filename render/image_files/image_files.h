@@ -11,8 +11,9 @@
 namespace mien::render {
 
 // Reading and writing of picture files by OpenImageIO. The library and its dependencies take a
-// third of a second to load, so they are linked to a plug-in that is loaded when the first picture
-// is read or written. The types below are the whole interface between the program and the plug-in.
+// third of a second to load, so they are linked into a plug-in that is loaded when the first
+// picture is read or written. The types below are the whole interface between the program and the
+// plug-in.
 
 /// The numeric type of a channel's values.
 enum class ChannelKind {
@@ -55,11 +56,12 @@ class ImageFile {
 struct ImagePart {
   int width = 0;
   int height = 0;
-  int count = 3;                      ///< channels
-  std::vector<std::string> channels;  ///< names; empty: R, G, B, A
-  ChannelKind stored = ChannelKind::byte;
+  int count = 3;                           ///< channels
+  std::vector<std::string> channels;       ///< names; empty: R, G, B, A
+  ChannelKind stored = ChannelKind::byte;  ///< type in the file
   std::vector<std::pair<std::string, std::variant<int, std::string>>> attributes;
-  ChannelKind given = ChannelKind::byte;
+  ChannelKind given = ChannelKind::byte;  ///< type of `values`
+  /// Rows from top to bottom, channels interleaved; must outlive the call that writes them.
   const void* values = nullptr;
 };
 

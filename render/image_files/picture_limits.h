@@ -7,7 +7,7 @@
 namespace mien::render {
 
 /// Largest number of values (pixels times channels) of a picture that can be read: 8192 x 8192 with
-/// alpha, 1 GiB in memory. The header of a small file can claim any size.
+/// alpha, 1 GiB as 32-bit floats. The header of a small file can claim any size.
 inline constexpr std::uint64_t max_picture_values = std::uint64_t{1} << 28;
 
 /// Returns why a picture of the size stated in its file's header cannot be read, as text to follow

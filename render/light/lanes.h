@@ -60,12 +60,12 @@ LaneVectors cosine_directions(const LaneVectors& normal, const LanePoints& u);
 /// `cone_direction` (directions.h) about one axis, for eight random points.
 LaneVectors cone_directions(const Vec3& axis, float cosine_of_half_angle, const LanePoints& u);
 
-/// `sample` (light.h) of one light from eight points; `share`, steradians, times the light's
-/// radiance is LightSample::perpendicular.
+/// `sample` (light.h) of one light from eight points.
 struct LaneLights {
   LaneVectors towards;
   LaneFloats distance;
-  LaneFloats share;
+  LaneFloats share;  ///< solid angle that the sample represents, steradians; times the light's
+                     ///< radiance it is LightSample::perpendicular
 };
 LaneLights sample_lights(const AreaLight& light, const LaneVectors& point, const LanePoints& u);
 
@@ -92,9 +92,9 @@ class FloorLight {
 /// `irradiance` (light.h) from a light of radiance 1 on eight points of the floor.
 LaneFloats light_on_floor(const FloorLight& light, const LaneVectors& point);
 
-/// Rays from eight points of the floor that sample the occlusion of the sky within a bounding
-/// sphere: uniform in the cone around it (cone_of), or cosine-distributed where it fills too much
-/// of the sky. `share` is the share of a uniform sky's light that each represents.
+/// Rays from eight points of the floor that sample how the contents of a bounding sphere occlude
+/// the sky: uniform in the cone around it (cone_of), or cosine-distributed where it fills too much
+/// of the sky. `share` is the fraction of a uniform sky's light that each represents.
 struct LaneSkyRays {
   LaneVectors towards;
   LaneFloats share;

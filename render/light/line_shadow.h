@@ -57,9 +57,9 @@ struct LineIntervals {
 std::optional<LineIntervals> hidden_part(const PreparedCone& solid, const LaneVectors& points,
                                          const LightLines& lines);
 
-/// Returns the irradiance divided by π on the floor from an interval of a lane's line, as an
-/// estimator for a light of radiance 1: the expectation of irradiance_of({0, 1}) over `v` is the
-/// irradiance divided by π of the whole light.
+/// Returns 1/π times the irradiance of the floor by an interval of a lane's line, as an estimator
+/// for a light of radiance 1: the expectation of irradiance_of({0, 1}) over `v` is 1/π times the
+/// irradiance by the whole light.
 float irradiance_of(const LightLines& lines, int lane, LineInterval part);
 
 /// As `irradiance_of`, for the union of several intervals; sorts `parts`.

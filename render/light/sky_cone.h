@@ -18,18 +18,17 @@ struct Cone {
   float solid_angle() const;
 };
 
-/// Squared sine of the half angle, about 51°, from which on no Cone is used.
+/// Squared sine of the half angle (about 51°) at and above which no Cone is used.
 inline constexpr float greatest_cone_sine_squared = 0.6f;
 
 /// Returns the cone around a bounding sphere; nothing if the squared sine of its half angle is
 /// greatest_cone_sine_squared or more, which includes points inside the sphere.
 std::optional<Cone> cone_of(const BoundingSphere& bounds, const Vec3& point);
 
-/// The number of a pixel's samples, the first ones, that cast a sky ray, and the number of samples
-/// that each ray represents.
+/// The sky rays of a pixel.
 struct SkyRays {
-  int rays = 0;
-  float samples = 0.0f;
+  int rays = 0;          ///< the first `rays` of its samples cast one each
+  float samples = 0.0f;  ///< number of samples that each of them stands for
 };
 
 /// Returns the sky rays of a pixel of `samples` samples that shows a surface at `point`; their

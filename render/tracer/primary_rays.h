@@ -12,7 +12,7 @@ CameraFrame camera_of(const PreparedScene& prepared, const Sample& sample);
 void primary_rays(const PreparedScene& prepared, const Samples& samples, LaneVectors& origins,
                   LaneVectors& directions);
 
-/// The point of the floor at that distance along a camera ray.
+/// The point of the floor at that distance along a primary ray.
 inline Vec3 floor_point(const CameraRay& ray, float distance) {
   Vec3 point = ray.origin + distance * ray.direction;
   point.y() = 0.0f;

@@ -11,10 +11,10 @@
 namespace mien::render {
 
 /// Hashes of a video's frames and packets, recorded while it is written, to check the file against.
-/// Similarity is only an estimate and fails for movements so slow that lossy coding changes a frame
-/// by more than it differs from the next one; these hashes identify exactly (except with
-/// probability 2⁻⁶⁴) which frames the encoder was given and which bytes of the file it produced for
-/// each.
+/// The similarity of decoded and rendered frames cannot distinguish frames of movements so slow
+/// that lossy coding changes a frame by more than it differs from the next one; these hashes
+/// identify exactly (except with probability 2⁻⁶⁴) which frames the encoder was given and which
+/// bytes of the file it produced for each.
 struct VideoReceipt {
   std::vector<std::uint64_t> frames;  ///< hash_of each written frame, in order
   /// The packet_hash of each frame; empty for kinds without a packet per frame.

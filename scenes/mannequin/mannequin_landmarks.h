@@ -22,7 +22,8 @@ struct Trunk {
   double stretch() const;  ///< ratio of the trunk's height to the standard body's
   /// Breadth of the chest relative to the standard body's, clamped to the human range.
   double breadth() const;
-  /// Breadth of the waist relative to the standard body's: between chest and hips.
+  /// Breadth of the waist relative to the standard body's: the mean of the ratios of chest and
+  /// hips.
   double waist() const;
 
   /// World position of (left, level, forward).
@@ -36,7 +37,8 @@ Trunk trunk_of(const motion::Skeleton& body, const motion::JointTransforms& pose
 /// some end the head below the crown; real heads differ little.
 struct HeadShape {
   double size;  ///< relative to the standard body's head
-  /// From the joint to its position in the standard head, in the joint's frame, metres.
+  /// Offset from the rig's head joint to where the standard head has its joint, in the joint's
+  /// frame, metres.
   motion::Vec3 raise;
 };
 

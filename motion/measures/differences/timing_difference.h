@@ -29,8 +29,8 @@ struct FrameGap {
   double explained = 0.0;  ///< as in TimeShift
 };
 
-/// Timing of two motions. A shift or a gap is reported if it explains 99 % of the squared distances
-/// between the points of all joints; at most one of the two is reported.
+/// Timing of two motions. A shift or a gap is reported if it explains at least 99 % of the squared
+/// distances between the points of all joints; at most one of the two is reported.
 struct TimingDifference {
   MotionLength before, now;
   std::optional<TimeShift> shift;
@@ -46,8 +46,9 @@ struct TimingDifference {
   }
 };
 
-/// Compares the timing. Shifts are searched up to half a second and a quarter of the shorter
-/// motion, gaps up to 3 frames and the difference in frame counts.
+/// Compares the timing. Considered are shifts of up to half a second, but at most a quarter of the
+/// shorter motion; and gaps of 1 to 3 frames or of the difference in frame counts, if that is at
+/// most a quarter of the first motion.
 TimingDifference timing_difference(const Clip& before, const Clip& now, const PairedMotions& pair);
 
 }  // namespace mien::motion

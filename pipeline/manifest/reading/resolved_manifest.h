@@ -12,7 +12,8 @@
 namespace mien::pipeline {
 
 /// A manifest in which all references are resolved: the settings of modifications, the motions of
-/// foils, the references of holds, the sets of looks, the scales and the texts for participants.
+/// foils, the stimuli whose values `hold:` keeps, the sets of `look:`, the scales and the texts for
+/// participants.
 struct ResolvedManifest {
   Manifest manifest;
   std::vector<Fault> faults;  ///< references that could not be resolved and remain unchanged

@@ -17,8 +17,8 @@ struct PresentationFrames {
   int blank_before = 0;
   int film = 0;
   int blank_after = 0;
-  int fade_in = 0;   ///< number of the film's frames
-  int fade_out = 0;  ///< number of the film's frames
+  int fade_in = 0;   ///< how many of the film's frames the fade-in covers
+  int fade_out = 0;  ///< how many of the film's frames the fade-out covers
 
   int before() const { return card + fixation + blank_before; }
   int all() const { return before() + film + blank_after; }
@@ -36,7 +36,7 @@ inline constexpr char fade_remedy[] = "make them shorter, or show more cycles";
 /// Shows a film with the pictures before and after it.
 ///
 /// Fades mix film and background in linear light: frame n (from 0) of the m frames of a fade-in has
-/// the share (n + ½) / m. Neither the card nor the cross fades.
+/// the weight (n + ½) / m, and the background the rest. Neither the card nor the cross fades.
 class Presenter {
  public:
   using Show = std::function<void(const render::Image8& picture)>;
@@ -60,7 +60,7 @@ class Presenter {
   int taken_ = 0;
 };
 
-/// The pictures around a film, on a grey of 8 bits.
+/// The pictures around a film, on an 8-bit grey.
 render::Image8 blank_picture(std::array<int, 2> size, std::uint8_t grey);
 /// Returns a cross with a width and height of `edge` pixels and a thickness of a ninth of that,
 /// black or white, whichever contrasts more with the grey.

@@ -25,7 +25,7 @@ class UnwalkableStep : public Error {
   std::string wrong_, remedy_;
 };
 
-/// Returns the walk along a stimulus's path by a controlled walker on the standard body: a clip
+/// Returns the walk along a stimulus's path by the steered walker on the standard body: a clip
 /// that does not loop, and the plants of its feet. A turn continues at the pace of the preceding
 /// walk, and is made on the spot if there is none. With a graph, the walk is assembled from the
 /// files' motions, on the body of the first; its moods are versions of all motions with an

@@ -11,27 +11,28 @@
 namespace mien::pipeline {
 
 struct MethodComparisonOptions {
-  int settings = 50;  ///< number of random target settings
-  int steps = 100;    ///< interpolation steps between successive targets
+  int settings = 50;  ///< number of random requests
+  int steps = 100;    ///< interpolation steps between successive requests
   std::uint64_t seed = 0;
 };
 
-/// Accuracy and smoothness of an interpolation method at reachable target settings, measured as by
-/// Feng, Huang, Kallmann and Shapiro (2012), and D to the intended motions.
+/// Accuracy and smoothness of an interpolation method for feasible requests, measured as by Feng,
+/// Huang, Kallmann and Shapiro (2012), and D to the intended motions.
 struct MethodResult {
   motion::InterpolationMethod method = motion::InterpolationMethod::reach;
-  int settings = 0;         ///< number of target settings
-  double mean_error = 0.0;  ///< mean over targets of the largest |reached − target| over parameters
+  int settings = 0;  ///< number of requests
+  /// Mean over requests of the largest |reached − requested| of a parameter.
+  double mean_error = 0.0;
   double worst_error = 0.0;    ///< largest of these errors
-  double jump = 0.0;           ///< largest change of a weight in one step between targets
+  double jump = 0.0;           ///< largest change of a weight in one step between requests
   double mean_examples = 0.0;  ///< mean effective number of blended examples, 1 / Σ w²
-  double mean_distance = 0.0;  ///< mean D to the blend that has the target parameters, metres
-  double seconds = 0.0;        ///< mean computing time of the weights of a target
+  double mean_distance = 0.0;  ///< mean D to the blend that has the requested parameters, metres
+  double seconds = 0.0;        ///< mean computing time of the weights of a request
 };
 
-/// Evaluates each method with sliders for `parameters` (rows of the ratings). Targets are the
-/// parameters of random blends of three examples, so that all are reachable; D is measured to the
-/// blend. Throws Error if a method does not support that number of parameters.
+/// Evaluates each method with sliders for `parameters` (names of rated scales or groups). Requests
+/// are the parameters of random blends of three examples, so that all are reachable; D is measured
+/// to the blend. Throws Error if a method does not support that number of parameters.
 std::vector<MethodResult> compare_methods(const Repertoire& repertoire,
                                           const std::vector<std::string>& parameters,
                                           const std::vector<motion::InterpolationMethod>& methods,

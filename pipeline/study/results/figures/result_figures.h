@@ -13,7 +13,8 @@ struct ResultFigure {
   std::string name;  ///< base name of its files, by content: "confusion-acted"
   std::string
       section;  ///< section of the page: "histograms", "means", "differences", "confusion" …
-  std::string thesis;  ///< number of the corresponding figure in the emotion thesis; may be empty
+  std::string thesis;  ///< number of the corresponding figure in the emotion thesis (README.md);
+                       ///< may be empty
   std::string former_name;  ///< earlier base name of its files; may be empty
   std::string caption;      ///< a sentence
   Plot plot;
@@ -26,7 +27,7 @@ std::vector<ResultFigure> result_figures(const Results& results);
 /// Adds a mark to a bar chart if its ratings are simulated.
 Plot with_simulated_mark(Plot plot, bool simulated);
 
-/// A group of stimuli that are shown together.
+/// Stimuli that are plotted in one figure.
 struct StimulusGroup {
   std::string name;   ///< "acted"
   std::string words;  ///< noun in captions: "acted motions"
