@@ -56,7 +56,7 @@ bool holds_words(const CsvTable& table);
 /// Converts words to answers on −2 … 2 (0 neutral), rescaled to each scale's range.
 ///
 /// Columns: participant, language, motion (or stimulus), verb, modifier1, modifier2 …; one row per
-/// answer. Each field is read by read_phrase(); a modifier that consists only of words of degree
+/// answer. Each field is read by read_phrase(); a modifier that consists only of degree modifiers
 /// modifies the verb's meaning. If an answer mentions a scale several times, the strongest mention
 /// counts; equally strong mentions of opposite ends cancel. Answers in languages that are missing
 /// from the lexicon are ignored and counted. With Unmentioned::neutral, each answer covers every
