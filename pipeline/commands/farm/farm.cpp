@@ -70,8 +70,7 @@ Command farm_command() {
           .notes =
               "mien farm submit submits a study to Slurm, status shows its progress, and resume "
               "submits whatever is missing after any failure. Artifacts that are up to date are "
-              "not made again. "
-              "Without Slurm, start workers."};
+              "not made again. Without Slurm, start workers."};
 }
 
 }  // namespace mien::pipeline

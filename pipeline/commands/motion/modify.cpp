@@ -85,10 +85,11 @@ Command motion_modify_command() {
                  "builtin, fig29 (figure 29 of a thesis on emotion in motion capture), or a file "
                  "of recipes")
               .with_default(),
-          option("--on-fault", &options->on_fault,
-                 "If the change makes the motion faulty: warn, and write it; fail, and write "
-                 "nothing; revert: write the unmodified motion; reduce the strength until there "
-                 "is no fault")
+          option(
+              "--on-fault", &options->on_fault,
+              "If the change makes the motion faulty: warn: write it with a warning; fail: stop; "
+              "revert: write the unmodified motion; reduce: reduce the strength until there is "
+              "no fault")
               .one_of({"warn", "fail", "revert", "reduce"})
               .with_default(),
           option("--fps", &options->fps, "Frames per second to write (default: that of the file)")

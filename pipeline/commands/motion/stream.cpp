@@ -223,8 +223,7 @@ Command motion_stream_command() {
                .one_of({"tempo", "variation", "acceleration", "paths"}),
            flag("--still-legs", &options->still_legs,
                 "Change the amplitude of movement (paths) of trunk, head and arms only, so that "
-                "feet "
-                "do not slide"),
+                "feet do not slide"),
            option("--calibration", &options->calibration,
                   "A recording of the same rig from which its proportions and floor are measured"),
            option("--recipes", &options->recipes,

@@ -206,10 +206,9 @@ std::string differences_html(const Results& results, const PageParts& parts) {
   if (html.empty()) return "";
   return paragraph(
              "How strongly the intended emotion is perceived. The first table is over all "
-             "settings; "
-             "its values are scale points from the middle of the scale towards the emotion. A "
-             "setting is a "
-             "combination of levels of all factors except “made”, “emotion” and “strength”. For "
+             "settings; its values are scale points from the middle of the scale towards the "
+             "emotion. A setting is a combination of levels of all factors except “made”, "
+             "“emotion” and “strength”. For "
              "each participant, it takes the mean over the settings and emotions for which the "
              "participant rated both motions compared (matched pairs: their number, summed over "
              "participants). The second table is video by video, for participants who saw both "
