@@ -49,9 +49,7 @@ constexpr auto distances_columns = table_of<ComparedPair>(
      target_column,
      created_column,
      ratings_column,
-     {"alignment", "",
-      "pelvis: horizontal position and heading of the pelvis removed in every frame (height "
-      "kept); world: removed in the first frame only",
+     {"alignment", "", "pelvis: position and heading of the body removed; world: kept",
       [](auto& r) { return r.d.alignment == motion::Alignment::pelvis ? "pelvis" : "world"; }},
      {"d_m", "m",
       "D: mean distance over 20 joints and 11 corresponding moments; planted feet of motion files "
