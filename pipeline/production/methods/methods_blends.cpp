@@ -25,8 +25,9 @@ std::string mean_of(motion::RotationBlend blend, MethodsText& out) {
 }
 
 std::string warp_of(motion::WarpShape shape, MethodsText& out) {
-  return shape == motion::WarpShape::linear ? "piecewise linear"
-                                            : "monotone cubic" + out.cite({"fritsch1980"});
+  return shape == motion::WarpShape::linear
+             ? "piecewise linear time warps"
+             : "monotone cubic time warps" + out.cite({"fritsch1980"});
 }
 
 std::string method_words(motion::InterpolationMethod method, MethodsText& out) {
@@ -131,7 +132,7 @@ void describe_blends(MethodsText& out) {
     locks = locks || stimulus.interpolation.foot_lock;
   }
   out.say("Corresponding moments of the examples were aligned by " + listed(warps) +
-          " time warps, and rotations were averaged as " + listed(rotations));
+          ", and rotations were averaged as " + listed(rotations));
   if (locks) {
     out.say("Planted feet were locked to the floor by inverse kinematics" +
             out.cite({"kovar2002"}));

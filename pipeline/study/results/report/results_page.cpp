@@ -335,7 +335,7 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   PageParts parts(results, figures);
   parts.section("people", "Participants", people_html(results));
   parts.section("means", "Means", parts.figures("means"));
-  parts.section("histograms", "Answers", parts.figures("histograms"));
+  parts.section("histograms", "Distributions of answers", parts.figures("histograms"));
   parts.section("best", "Highest-rated videos", best_html(results, parts));
   parts.section("differences", "Modified, acted and neutral motions",
                 differences_html(results, parts));
