@@ -153,7 +153,7 @@ Command clean_command() {
       .notes =
           "Only files that mien made and that are unchanged are removed. provenance.json, inputs/ "
           "and the report are kept. not-kept.json records what --keep removed, so that mien verify "
-          "does not report it as missing; mien run makes it again.\n\n"
+          "does not report it as missing; mien run makes the removed artifacts again.\n\n"
           "Examples:\n"
           "  mien clean --stale my.yaml\n"
           "  mien clean out/my-study --keep videos,sheets --dry-run",

@@ -94,15 +94,16 @@ int show_plan(const ProductionArguments& arguments, const Console& console) {
 
 Command plan_command() {
   const auto arguments = std::make_shared<ProductionArguments>();
-  return {
-      .name = "plan",
-      .summary = "Show what a run would make and how long it would take",
-      .options = production_options(*arguments),
-      .notes =
-          "cached: up to date; due: will be made; waiting: depends on a task that is due. Files "
-          "are checked by receipt and size only; run also reads their contents. Times are "
-          "estimates.\n\nExample:\n  mien plan quickstart",
-      .run = [arguments](const Console& console) { return show_plan(*arguments, console); }};
+  return {.name = "plan",
+          .summary = "Show what a run would make and how long it would take",
+          .options = production_options(*arguments),
+          .notes =
+              "cached: up to date; due: will be made; waiting: depends on a task that is due. "
+              "The task tables writes measurements of the motions, films those of the films, and "
+              "design stimuli.csv, warnings.csv and the codebook. Files are checked by receipt and "
+              "size only; run also reads their contents. Times are estimates.\n\nExample:\n  mien "
+              "plan quickstart",
+          .run = [arguments](const Console& console) { return show_plan(*arguments, console); }};
 }
 
 }  // namespace mien::pipeline

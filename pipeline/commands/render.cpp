@@ -222,7 +222,7 @@ std::vector<CommandOption> look_options(LookOptions& look) {
               .with_default(),
           option("--scene", &look.scene,
                  "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "
-                 "sets); default: studio, or void for point lights")};
+                 "sets); default: studio, or void for point-light figures")};
 }
 
 /// Options for stills, dots and noise.
@@ -233,8 +233,9 @@ std::vector<CommandOption> picture_options(RenderOptions& options) {
              "the middle, or the end of a trail)")
           .values(0, 1)
           .with_default("middle"),
-      option("--dots", &options.dots, "Also write the positions of the point lights (CSV)"),
-      option("--seed", &options.seed, "Random seed of point lights").with_default(),
+      option("--dots", &options.dots,
+             "Also write the positions of the dots of a point-light figure (CSV)"),
+      option("--seed", &options.seed, "Random seed of point-light figures").with_default(),
       option(
           "--background", &options.background,
           "Background of a still: shown, transparent, or shadow (only the figure and its shadow)")

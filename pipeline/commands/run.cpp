@@ -131,7 +131,7 @@ Command run_command() {
                              "Refuse to run while another process works in the study's folder (by "
                              "default, both share the work)")),
       .notes =
-          "What exists and is unchanged is not made again; an interrupted run continues where it "
+          "Artifacts that are up to date are not made again; an interrupted run continues where it "
           "stopped.\n\n"
           "Examples:\n"
           "  mien run quickstart\n"

@@ -56,13 +56,13 @@ std::string ordinal(int number) {
 std::string describe_whole(const WholeBodyChange& whole) {
   switch (whole.kind) {
     case WholeChange::mirrored:
-      return "the motion is mirrored: left and right are exchanged";
+      return "the motion is mirrored: left and right are swapped";
     case WholeChange::flipped:
       return "the motion is mirrored, but joint names are unchanged";
     case WholeChange::renamed_sides:
-      return "the names of left and right joints are exchanged; the motion is unchanged";
+      return "the names of left and right joints are swapped; the motion is unchanged";
     case WholeChange::swapped_turns:
-      return "the rotations of left and right joints are exchanged";
+      return "the rotations of left and right joints are swapped";
     case WholeChange::scaled:
       return "all lengths are " + formatted("%.4g", whole.scale) +
              " times as long, as with another unit; otherwise the motion is the same";

@@ -69,8 +69,8 @@ Command farm_command() {
                        farm_worker_command()},
           .notes =
               "mien farm submit submits a study to Slurm, status shows its progress, and resume "
-              "submits whatever is missing after any failure. Nothing that exists is made again. "
-              "Without Slurm, start workers."};
+              "submits whatever is missing after any failure. Artifacts that are up to date are "
+              "not made again. Without Slurm, start workers."};
 }
 
 }  // namespace mien::pipeline

@@ -106,7 +106,7 @@ Command farm_logs_command() {
       .name = "logs",
       .summary = "Show the last log lines of failed jobs",
       .options = all_of(farm_options(options->study),
-                        argument("item", &options->item,
+                        argument("task", &options->item,
                                  "Show the log of this task instead: film:walk, or film:walk[3/12]")
                             .optional(),
                         option("--lines,-n", &options->lines, "Number of lines per log")

@@ -178,7 +178,7 @@ Command farm_worker_command() {
                  "Tasks of mien plan (film:walk-1), or chunks of a film's frames "
                  "(film:walk-1[3/12])"),
           option("--list", &arguments->list, "File with one line of tasks per job").needs("--line"),
-          option("--line", &arguments->line, "Line of the list to make, from 1")
+          option("--line", &arguments->line, "Number of the line whose tasks to run, from 1")
               .between(1, 100000000)
               .needs("--list"),
           option("--expect", &arguments->expected,

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -59,6 +60,16 @@ bool is_allowed(const std::string& given, const CommandOption& option) {
   return std::isinf(option.largest) ? *number > option.least
                                     : *number >= option.least && *number <= option.largest;
 }
+
+/// Prints "files..." for an argument that takes several values, whatever CLI11's version.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_usage(const CLI::Option* option) const override {
+    if (option->get_expected_max() <= 1) return CLI::Formatter::make_option_usage(option);
+    const std::string usage = make_option_name(option, true) + "...";
+    return option->get_required() ? usage : "[" + usage + "]";
+  }
+};
 
 /// Checks the limits of an option with a message of its own, since those of CLI11 depend on its
 /// version.
@@ -223,6 +234,7 @@ int run_command_line(const Command& program, int argc, const char* const* argv,
     return exit_done;
   }
   CLI::App app(program.summary, program.name);
+  app.formatter(std::make_shared<HelpFormatter>());
   fill(app, program, console.err);
   const std::optional<int> code = parse(app, program, arguments_of(argc, argv), console);
   return code ? *code : perform(typed_command(app, program), console);

@@ -26,7 +26,7 @@ std::vector<CommandOption> manifest_options(ProductionArguments& arguments) {
       option("--out,-o", &arguments.out, "Folder of all studies; results go to <out>/<study>")
           .with_default(),
       quality_option(arguments.quality),
-      option("--jobs,-j", &arguments.jobs, "Number of parallel tasks (default: one per processor)")
+      option("--jobs,-j", &arguments.jobs, "Number of threads (default: one per processor)")
           .between(1, 1024)};
 }
 

@@ -125,7 +125,8 @@ Command motion_compare_command() {
               argument("created", &options->created, "Motion file to compare with it"),
               takes_option(options->takes),
               option("--align", &options->align,
-                     "pelvis: remove position and heading in every frame; world: at the start only")
+                     "pelvis: remove horizontal position and heading in every frame; world: in the "
+                     "first frame only")
                   .one_of({"pelvis", "world"})
                   .with_default(),
               flag("--as-captured", &options->as_captured,

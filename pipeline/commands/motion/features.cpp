@@ -178,7 +178,7 @@ int show_features(const FeaturesOptions& options, const Console& console) {
 Command motion_features_command() {
   const auto options = std::make_shared<FeaturesOptions>();
   return {.name = "features",
-          .summary = "Measure the 51 motion features from which motions can be specified",
+          .summary = "Measure the 51 motion features by which motions can be specified",
           .options = all_of(
               argument("files", &options->files, "Motion files"), take_option(options->take),
               option("--masses", &options->masses,

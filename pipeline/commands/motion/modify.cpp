@@ -82,10 +82,14 @@ Command motion_modify_command() {
           argument("out", &options->out, "File to write: " + motion::formats_written()),
           take_option(options->take),
           option("--recipes", &options->recipes,
-                 "builtin, fig29 (figure 29 of the emotion thesis), or a file of recipes")
+                 "builtin, fig29 (figure 29 of a thesis on emotion in motion capture), or a file "
+                 "of recipes")
               .with_default(),
-          option("--on-fault", &options->on_fault,
-                 "What to do if the change makes the motion faulty")
+          option(
+              "--on-fault", &options->on_fault,
+              "If the change makes the motion faulty: warn: write it with a warning; fail: stop; "
+              "revert: write the unmodified motion; reduce: reduce the strength until there is "
+              "no fault")
               .one_of({"warn", "fail", "revert", "reduce"})
               .with_default(),
           option("--fps", &options->fps, "Frames per second to write (default: that of the file)")
@@ -93,7 +97,7 @@ Command motion_modify_command() {
       .notes =
           "The result has the canonical body (21 joints, metres, +Y up). Changes that refer to "
           "examples (method:,\n"
-          "pose: of an example) require a manifest. Examples:\n"
+          "pose: of an example) require a manifest.\n\nExamples:\n"
           "  mien motion modify walk.bvh sad sad.bvh\n"
           "  mien motion modify walk.bvh 'emotion: angry, strength: 0.6' angry.glb\n"
           "  mien motion modify walk.bvh '[{emotion: sad}, {tempo: 1.2}]' brisk-sad.bvh\n"
@@ -108,21 +112,21 @@ Command motion_emotions_command() {
     bool posture = false;
   };
   const auto options = std::make_shared<Options>();
-  return {
-      .name = "emotions",
-      .summary = "List the emotions that can be applied to motions",
-      .options = {option("--recipes", &options->recipes,
-                         "builtin, fig29 (figure 29 of the emotion thesis), or a file of recipes")
-                      .with_default(),
-                  flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
-                  flag("--posture", &options->posture,
-                       "List the rotations that posture: may name")},
-      .notes =
-          "To start your own file of recipes:\n"
-          "  mien motion emotions --yaml > my.recipes.yaml",
-      .run = [options](const Console& console) {
-        return emotions(options->recipes, options->yaml, options->posture, console);
-      }};
+  return {.name = "emotions",
+          .summary = "List the emotions that can be applied to motions",
+          .options = {option("--recipes", &options->recipes,
+                             "builtin, fig29 (figure 29 of a thesis on emotion in motion capture), "
+                             "or a file of recipes")
+                          .with_default(),
+                      flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
+                      flag("--posture", &options->posture,
+                           "List the rotations that posture: may name")},
+          .notes =
+              "To start your own file of recipes:\n"
+              "  mien motion emotions --yaml > my.recipes.yaml",
+          .run = [options](const Console& console) {
+            return emotions(options->recipes, options->yaml, options->posture, console);
+          }};
 }
 
 }  // namespace mien::pipeline

@@ -222,11 +222,13 @@ Command motion_stream_command() {
                   "Parts of the change to leave out: tempo, variation, acceleration, paths")
                .one_of({"tempo", "variation", "acceleration", "paths"}),
            flag("--still-legs", &options->still_legs,
-                "Change path lengths of trunk, head and arms only, so that feet do not slide"),
+                "Change the amplitude of movement (paths) of trunk, head and arms only, so that "
+                "feet do not slide"),
            option("--calibration", &options->calibration,
                   "A recording of the same rig from which its proportions and floor are measured"),
            option("--recipes", &options->recipes,
-                  "builtin, fig29 (figure 29 of the emotion thesis), or a file of recipes")
+                  "builtin, fig29 (figure 29 of a thesis on emotion in motion capture), or a file "
+                  "of recipes")
                .with_default(),
            flag("--measure", &options->measure,
                 "Keep all frames, and report at the end how far they deviate from those of mien "
@@ -236,7 +238,7 @@ Command motion_stream_command() {
       .notes =
           "Frames are written as soon as they are available; a summary goes to standard error. "
           "Planted feet are\n"
-          "not locked, and tempo and variation cannot be streamed. Examples:\n"
+          "not locked, and tempo and variation cannot be streamed.\n\nExamples:\n"
           "  capture | mien motion stream - 'emotion: sad' --leave-out tempo > sad.bvh\n"
           "  mien motion stream walk.bvh 'posture: {head-flexion: 20}' --paced | viewer\n"
           "  mien motion stream walk.bvh 'paths: 1.6' --measure -o longer.bvh",

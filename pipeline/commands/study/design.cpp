@@ -213,7 +213,7 @@ std::vector<CommandOption> power_options(DesignCommand& options) {
           .values(3, 3)
           .between(0.0, 1000.0),
       option("--difference", &options.question.difference,
-             "With --power: the true difference, in scale points")
+             "With --power: the difference to be detected, in scale points")
           .needs("--power")
           .positive()
           .with_default(),

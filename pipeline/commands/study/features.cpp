@@ -59,25 +59,27 @@ int cluster(const FeaturesOptions& options, const Console& console) {
 
 Command study_features_command() {
   const auto options = std::make_shared<FeaturesOptions>();
-  return {.name = "features",
-          .summary = "Cluster the motion features of a set of examples",
-          .options = {option("--examples", &options->subject.examples,
-                             std::string("Examples: a manifest, ") + examples_help)
-                          .required(),
-                      option("--clusters", &options->clusters, "Number of clusters")
-                          .between(1, motion::motion_feature_count)
-                          .with_default(),
-                      choice("--scaling", options->scaling,
-                             {{"min-max", motion::FeatureScaling::min_max},
-                              {"z-score", motion::FeatureScaling::z_score}},
-                             "Normalize features over the examples to 0 … 1, or to z-scores"),
-                      option("-o,--output", &options->out, "Folder for the results").required()},
-          .notes =
-              "Writes features.csv, linkage.csv, clusters.csv and dendrogram.pdf, .svg, .png, and "
-              "prints the agreement\n"
-              "of the clusters with the four published groups, which manifests use. Example:\n"
-              "  mien study features --examples builtin:walks-27 -o out/features",
-          .run = [options](const Console& console) { return cluster(*options, console); }};
+  return {
+      .name = "features",
+      .summary = "Cluster the motion features of a set of examples",
+      .options = {option("--examples", &options->subject.examples,
+                         std::string("Examples: a manifest, ") + examples_help)
+                      .required(),
+                  option("--clusters", &options->clusters, "Number of clusters")
+                      .between(1, motion::motion_feature_count)
+                      .with_default(),
+                  choice("--scaling", options->scaling,
+                         {{"min-max", motion::FeatureScaling::min_max},
+                          {"z-score", motion::FeatureScaling::z_score}},
+                         "Normalize features over the examples to 0 … 1, or to z-scores"),
+                  option("-o,--output", &options->out, "Folder for the results").required()},
+      .notes =
+          "Writes features.csv, linkage.csv, clusters.csv and dendrogram.pdf, .svg, .png, and "
+          "prints the agreement\n"
+          "of the clusters with the four published groups, which features: in a manifest uses.\n\n"
+          "Example:\n"
+          "  mien study features --examples builtin:walks-27 -o out/features",
+      .run = [options](const Console& console) { return cluster(*options, console); }};
 }
 
 }  // namespace mien::pipeline

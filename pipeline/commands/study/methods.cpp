@@ -58,29 +58,31 @@ int compare(MethodsCommand command, const Console& console) {
 
 Command study_methods_command() {
   const auto options = std::make_shared<MethodsCommand>();
-  return {.name = "methods",
-          .summary = "Compare the interpolation methods on feasible requests",
-          .options = all_of(
-              subject_options(options->subject),
-              option("--parameters", &options->parameters,
-                     "Parameters, separated by commas (default: the primary groups)")
-                  .with_commas(),
-              methods_option(options->methods, "default: all"),
-              option("--settings", &options->trial.settings, "Number of parameter settings to try")
-                  .formerly("--wishes")
-                  .between(2, 10000)
-                  .with_default(),
-              option("--seed", &options->seed, "Seed; default: as in the manifest"),
-              option("-o,--output", &options->out, "Folder for methods.csv")),
-          .notes =
-              "Requests are the parameters of random blends of three examples, so each is "
-              "feasible. mean error and largest error: deviation of the parameter missed most; "
-              "jump: the largest change of any weight over 1 % of the straight line between two "
-              "successive requests; effective examples: 1/sum of squared weights; D: distance to "
-              "the blend from which the request was taken; time: to compute the weights.\n\n"
-              "Example:\n"
-              "  mien study methods --examples builtin:walks-27",
-          .run = [options](const Console& console) { return compare(*options, console); }};
+  return {
+      .name = "methods",
+      .summary = "Compare the interpolation methods on feasible requests",
+      .options = all_of(
+          subject_options(options->subject),
+          option("--parameters", &options->parameters,
+                 "Parameters, separated by commas (default: the primary groups)")
+              .with_commas(),
+          methods_option(options->methods, "default: all"),
+          option("--settings", &options->trial.settings, "Number of parameter settings to try")
+              .formerly("--wishes")
+              .between(2, 10000)
+              .with_default(),
+          option("--seed", &options->seed, "Seed; default: as in the manifest"),
+          option("-o,--output", &options->out, "Folder for methods.csv")),
+      .notes =
+          "Requests are the parameters of random blends of three examples, so each is "
+          "feasible. The error of a request is the largest deviation of any parameter; mean error "
+          "and largest error: over the requests; jump: the largest change of any weight in "
+          "a step of 1 % of the straight line between two successive requests; effective examples: "
+          "1/sum of squared weights; D: distance to "
+          "the blend from which the request was taken; time: to compute the weights.\n\n"
+          "Example:\n"
+          "  mien study methods --examples builtin:walks-27",
+      .run = [options](const Console& console) { return compare(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -27,14 +27,13 @@ PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& argument
 }
 
 std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments) {
-  return {
-      argument("manifest", &arguments.manifest,
-               "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
-               "an installed manifest (listed by mien manifests)"),
-      option("--out", &arguments.out, "Folder of all studies").with_default(),
-      quality_option(arguments.quality),
-      option("--jobs,-j", &arguments.jobs, "Number of parallel tasks (default: one per processor)")
-          .between(1, 1024)};
+  return {argument("manifest", &arguments.manifest,
+                   "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
+                   "an installed manifest (listed by mien manifests)"),
+          option("--out", &arguments.out, "Folder of all studies").with_default(),
+          quality_option(arguments.quality),
+          option("--jobs,-j", &arguments.jobs, "Number of threads (default: one per processor)")
+              .between(1, 1024)};
 }
 
 }  // namespace mien::pipeline

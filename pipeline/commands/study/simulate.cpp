@@ -152,7 +152,7 @@ Command study_simulate_command() {
           option("--seed", &options->seed, "With --examples: random seed").with_default(),
           option("-o,--output", &options->out, "CSV to write (default: standard output)")),
       .notes =
-          "Every row is marked as simulated. Examples:\n"
+          "Every row is marked as simulated.\n\nExamples:\n"
           "  mien study simulate emotion-study -o answers.csv\n"
           "  mien study simulate study.yaml --truth truth.csv --participants 40 -o answers.csv\n"
           "  mien study simulate matching-experiment -o trials.csv\n"

@@ -36,7 +36,7 @@ void check_crop(const WrittenOutput& written) {
   written.list.add(
       written.at("crop"),
       fmt::format("extends beyond the image of {} × {} pixels", whole_width, whole_height),
-      "write [from the left, from the top, width, height] in pixels of size");
+      "write [from the left, from the top, width, height] in pixels before scaling");
 }
 
 void check_picture_size(const WrittenOutput& written) {
@@ -133,15 +133,14 @@ void check_stereo(const WrittenFilm& written) {
 void check_samples(const WrittenFilm& written) {
   const std::string path = written.output_at("samples");
   if (written.film.output.quality == Quality::reference || !written.list.was_given(path)) return;
-  written.list.add(path, "applies to quality reference only",
-                   "omit it, or set quality: reference");
+  written.list.add(path, "applies to quality reference only", "omit it, or set quality: reference");
 }
 
 void check_shutter(const WrittenFilm& written) {
   if (written.film.output.shutter == 0.0) return;
   const std::string path = written.output_at("shutter");
   if (scenes::kind_of(written.film.look.figure).has_dots) {
-    written.list.add(path, "motion blur is not available for point lights",
+    written.list.add(path, "motion blur is not available for point-light figures",
                      "omit it, or set it to 0");
   } else if (written.film.output.frames == FrameFormat::layers) {
     written.list.add(path, "layers cannot have motion blur",

@@ -25,8 +25,9 @@ std::string mean_of(motion::RotationBlend blend, MethodsText& out) {
 }
 
 std::string warp_of(motion::WarpShape shape, MethodsText& out) {
-  return shape == motion::WarpShape::linear ? "piecewise linear"
-                                            : "monotone cubic" + out.cite({"fritsch1980"});
+  return shape == motion::WarpShape::linear
+             ? "piecewise linear time warps"
+             : "monotone cubic time warps" + out.cite({"fritsch1980"});
 }
 
 std::string method_words(motion::InterpolationMethod method, MethodsText& out) {
@@ -49,6 +50,15 @@ void describe_interpolation(MethodsText& out) {
   }
 }
 
+/// "by 0.012 on average and by at most 0.040", or "by less than 0.0005" where three decimals are 0.
+std::string deviation_text(const Range& missed) {
+  constexpr double visible = 0.0005;
+  if (missed.most < visible) return "by less than 0.0005";
+  return (missed.mean() < visible ? "by less than 0.0005"
+                                  : fmt::format("by {:.3f}", missed.mean())) +
+         fmt::format(" on average and by at most {:.3f}", missed.most);
+}
+
 void describe_deviations(MethodsText& out) {
   Range missed;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
@@ -60,10 +70,9 @@ void describe_deviations(MethodsText& out) {
   }
   if (missed.count == 0) return;
   out.say(fmt::format(
-      "The values reached deviated from the {} (on scales from 0 to 1) by {:.3f} on average and by "
-      "at most {:.3f}",
+      "The values reached deviated from the {} (on scales from 0 to 1) {}",
       count_of(static_cast<std::size_t>(missed.count), "requested value", "requested values"),
-      missed.mean(), missed.most));
+      deviation_text(missed)));
 }
 
 std::string held_at_text(MethodsText& out) {
@@ -94,10 +103,9 @@ void describe_holds(MethodsText& out) {
       missed.add(std::abs(made.held_reached[i].second - made.held[i].second));
   }
   if (missed.count == 0) return;
-  out.say(fmt::format(
-      "The values reached deviated from the {} by {:.3f} on average and by at most {:.3f}",
-      count_of(static_cast<std::size_t>(missed.count), "held value", "held values"), missed.mean(),
-      missed.most));
+  out.say(fmt::format("The values reached deviated from the {} {}",
+                      count_of(static_cast<std::size_t>(missed.count), "held value", "held values"),
+                      deviation_text(missed)));
 }
 
 }  // namespace
@@ -124,7 +132,7 @@ void describe_blends(MethodsText& out) {
     locks = locks || stimulus.interpolation.foot_lock;
   }
   out.say("Corresponding moments of the examples were aligned by " + listed(warps) +
-          " time warps, and rotations were averaged as " + listed(rotations));
+          ", and rotations were averaged as " + listed(rotations));
   if (locks) {
     out.say("Planted feet were locked to the floor by inverse kinematics" +
             out.cite({"kovar2002"}));

@@ -17,8 +17,8 @@ void describe_repertoire(MethodsText& out) {
   const Repertoire& repertoire = out.motions.repertoire();
   const std::size_t count = repertoire.names.size();
   if (repertoire.origins.empty()) {
-    out.say(fmt::format("The examples were {} synthetic motions (mien's built-in set {})", count,
-                        out.manifest.examples.builtin));
+    out.say(fmt::format("The examples were {} synthetic motions (mien's built-in example set {})",
+                        count, out.manifest.examples.builtin));
   } else {
     out.say(fmt::format("The examples were {}",
                         count_of(count, "recorded motion", "recorded motions")));
@@ -42,7 +42,8 @@ void describe_repertoire(MethodsText& out) {
         "{} too short for a full cycle, so that one step and its mirror image were used instead",
         count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
   }
-  out.say("They lasted " + with_mean(seconds, 2, " s"));
+  out.say((loops == seconds.count ? "Each was a single gait cycle; they lasted " : "They lasted ") +
+          with_mean(seconds, 2, " s"));
   describe_example_settings(out);
 }
 

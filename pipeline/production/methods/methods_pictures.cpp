@@ -30,12 +30,12 @@ void describe_looks(MethodsText& out) {
     add_once(qualities,
              std::to_string(quality_of(FilmSettings{.output = output}).samples_per_pixel));
   }
-  out.say(
-      fmt::format("Motions were shown with {} ({}; set: {}; camera: {}), ray-traced{} at {} pixels "
-                  "with {} samples per pixel and {} frames per second",
-                  figures.size() == 1 ? "one figure type" : "several figure types", listed(figures),
-                  listed(scenes), listed(cameras), out.cite({"embree2014"}), listed(sizes),
-                  listed(qualities), listed(rates)));
+  out.say(fmt::format(
+      "Motions were rendered with {} ({}; set: {}; camera: {}), ray-traced{} at {} pixels "
+      "with {} samples per pixel and {} frames per second",
+      figures.size() == 1 ? "one figure type" : "several figure types", listed(figures),
+      listed(scenes), listed(cameras), out.cite({"embree2014"}), listed(sizes), listed(qualities),
+      listed(rates)));
 }
 
 void describe_videos(MethodsText& out) {
@@ -103,7 +103,8 @@ void describe_distances(MethodsText& out) {
   if (distances.count == 0) return;
   out.say(
       fmt::format("The distance D between two motions is the mean distance of {} joints at {} "
-                  "corresponding moments, with position and heading of the body removed{}",
+                  "corresponding moments, with the horizontal position and heading of the pelvis "
+                  "removed at each moment and its height kept{}",
                   motion::distance_joints, motion::distance_times, out.cite({"adjectives"})));
   if (compares_files(out)) {
     out.say(

@@ -59,8 +59,9 @@ std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
   if (made.expected_error_m) {
     facts += fmt::format(", expected joint error {:.0f} mm", 1000.0 * *made.expected_error_m);
   }
-  return facts +
-         fmt::format(", planted feet slide by at most {:.1f} mm", 1000.0 * made.planted_drift_m);
+  const double slide_mm = 1000.0 * made.planted_drift_m;
+  return facts + ", planted feet slide by " +
+         (slide_mm < 0.05 ? "less than 0.05 mm" : fmt::format("at most {:.1f} mm", slide_mm));
 }
 
 std::string folded(const std::string& title, const std::string& html) {

@@ -56,7 +56,8 @@ std::string durations_text(const motion::Example& target, const motion::Example&
 
 std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
                            const motion::Example& created) {
-  return largest_distance_text(distance) + "  ·  " + durations_text(target, created);
+  return "mean joint distance, " + largest_distance_text(distance) + "  ·  " +
+         durations_text(target, created);
 }
 
 std::string sheet_as_pdf(const SheetContent& content) {

@@ -1,3 +1,5 @@
+#include <string>
+
 #include <fmt/format.h>
 
 #include "pipeline/production/sheets/sheet_parts.h"
@@ -23,11 +25,21 @@ void draw_threshold(Canvas& canvas, const BarScale& scale, const Box& box) {
               {.size = 7.5, .colour = quiet_ink, .align = Align::centre});
 }
 
+/// Metres with three decimals, or as many more as show on which side of the threshold they are.
+std::string metres_text(double metres) {
+  const bool far = metres >= motion::distance_threshold_m;
+  int digits = 3;
+  std::string text = fmt::format("{:.{}f}", metres, digits);
+  while (digits < 6 && (std::stod(text) >= motion::distance_threshold_m) != far)
+    text = fmt::format("{:.{}f}", metres, ++digits);
+  return text;
+}
+
 void draw_bar(Canvas& canvas, const BarScale& scale, const Box& row, double metres, bool bold) {
   const bool far = metres >= motion::distance_threshold_m;
   canvas.fill(Box{scale.start, row.y + 1.6, scale.points_per_metre * metres, row.height - 3.2},
               far ? ink : from_hex(0x9aa3ad));
-  canvas.text({row.right(), row.middle() + 2.9}, fmt::format("{:.3f}", metres),
+  canvas.text({row.right(), row.middle() + 2.9}, metres_text(metres),
               {.size = 8.0, .bold = bold, .align = Align::right});
 }
 

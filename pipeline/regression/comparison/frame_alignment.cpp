@@ -187,7 +187,7 @@ void note_rows(std::vector<std::string>& remarks, const std::vector<int>& frames
   }
 }
 
-/// "frames 4 and 5 are exchanged" where a frame that is missing was put in beside its place.
+/// "frames 4 and 5 are swapped" where a frame that is missing was put in beside its place.
 void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
           const std::vector<Thumbnail>& now, const FrameNames& names, double step) {
   std::vector<int> added = alignment.added, missing, fresh;
@@ -201,7 +201,7 @@ void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
       missing.push_back(frame);
     } else {
       const int first = std::min(frame, *same), second = std::max(frame, *same);
-      alignment.remarks.push_back(fmt::format("frames {}{} and {}{} are exchanged", first,
+      alignment.remarks.push_back(fmt::format("frames {}{} and {}{} are swapped", first,
                                               file_name_text(first, names.before), second,
                                               file_name_text(second, names.before)));
       added.erase(same);

@@ -27,7 +27,7 @@ struct FrameAlignment {
   std::vector<Pair> pairs;           ///< ascending in both
   std::vector<int> missing;          ///< frames of the first sequence that the second lacks
   std::vector<int> added;            ///< frames of the second sequence that the first lacks
-  std::vector<std::string> remarks;  ///< "frame 37 is missing", "frames 4 and 5 are exchanged"
+  std::vector<std::string> remarks;  ///< "frame 37 is missing", "frames 4 and 5 are swapped"
 };
 
 /// File names of the frames; empty for videos.
@@ -49,7 +49,7 @@ FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thu
 /// How a picture is mirrored or rotated relative to another.
 enum class Mirroring { none, left_right, upside_down, half_turn };
 
-/// Returns "mirrored: left and right are exchanged"; empty for none.
+/// Returns "mirrored: left and right are swapped"; empty for none.
 std::string_view name_of(Mirroring mirroring);
 
 /// Returns the picture mirrored or rotated. Each operation is its own inverse.

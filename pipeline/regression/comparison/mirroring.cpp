@@ -26,8 +26,8 @@ double distance_when(Mirroring mirroring, const std::vector<Thumbnail>& before,
 }  // namespace
 
 std::string_view name_of(Mirroring mirroring) {
-  constexpr std::string_view names[] = {"", "mirrored: left and right are exchanged",
-                                        "mirrored: top and bottom are exchanged", "turned by 180°"};
+  constexpr std::string_view names[] = {"", "mirrored: left and right are swapped",
+                                        "mirrored: top and bottom are swapped", "turned by 180°"};
   return names[static_cast<std::size_t>(mirroring)];
 }
 

@@ -82,7 +82,7 @@ std::string best_seen_html(const Results& results) {
   }
   return wide_table(
       {"<perceived", "<setting", "<highest-rated video", "difference from the other videos",
-       "95 % interval", "n", "p, thesis", "p, paired", "p, corrected", "g<sub>z</sub>"},
+       "95 % interval", "n", "p, Welch", "p, paired", "p, corrected", "g<sub>z</sub>"},
       rows);
 }
 

@@ -125,9 +125,10 @@ std::string people_html(const Results& results) {
 std::string method_html(const AnswerSet& answer_set) {
   return paragraph(
       fmt::format("All tests are two-sided with α = {:g}. Correction for multiple comparisons: {}, "
-                  "within each family of comparisons. In this section all ends of all scales form "
-                  "one family; elsewhere, comparisons on the intended emotion's scale are a family "
-                  "of their own. Rows marked * are significant after correction.",
+                  "within each family of comparisons. In this section, the comparisons of all "
+                  "videos on all scales form one family. In the other sections there are two: "
+                  "those on the intended emotion's scale, and those on all other scales. Rows "
+                  "marked * are significant by the paired t test after correction.",
                   answer_set.alpha, name_of(answer_set.correction)));
 }
 
@@ -137,14 +138,14 @@ std::string best_html(const Results& results, const PageParts& parts) {
   std::string html =
       method_html(results.answer_set) +
       paragraph(
-          "For each end of each scale, the video rated highest. “Thesis”: Welch’s test, as in "
+          "For each end of each scale, the video rated highest. “Welch”: Welch’s test, as in "
           "the emotion thesis, of the ratings of this video against all ratings of videos of the "
           "same setting, itself included, treating ratings by the same participant as independent. "
           "“Paired”: for each "
           "participant, the rating of this video minus the mean of the participant’s ratings of "
           "the other videos of the setting. g_z: Hedges’ g of these within-participant "
-          "differences. In the tables of all videos, V is the sum of the ranks of the positive "
-          "differences, "
+          "differences. In the tables of all videos, V is the statistic of the "
+          "Wilcoxon signed-rank test, the sum of the ranks of the positive differences, "
           "followed by the numbers of nonzero, zero and tied differences.") +
       table + parts.figures("best");
   for (const StimulusGroup& group : stimulus_groups(results.answer_set)) {
@@ -204,13 +205,15 @@ std::string differences_html(const Results& results, const PageParts& parts) {
   add(ComparisonFamily::acted_neutral, "");
   if (html.empty()) return "";
   return paragraph(
-             "How strongly the intended emotion is perceived: scale points from the middle of the "
-             "scale towards the emotion. The first table is over all settings; a setting is a "
-             "combination of levels of all factors except “made”, “emotion” and “strength”. For "
+             "How strongly the intended emotion is perceived. The first table is over all "
+             "settings; its values are scale points from the middle of the scale towards the "
+             "emotion. A setting is a combination of levels of all factors except “made”, "
+             "“emotion” and “strength”. For "
              "each participant, it takes the mean over the settings and emotions for which the "
              "participant rated both motions compared (matched pairs: their number, summed over "
              "participants). The second table is video by video, for participants who saw both "
-             "videos. The highest-rated video is the unmodified video of the setting rated "
+             "videos; its values are on the scale itself, positive towards its high end. The "
+             "highest-rated video is the unmodified video of the setting rated "
              "farthest towards the emotion; it was selected "
              "using the same answers, so its ratings are biased upwards. The other scales are in "
              "results/comparisons.csv. Where all within-participant differences are equal, no t "
@@ -332,7 +335,7 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   PageParts parts(results, figures);
   parts.section("people", "Participants", people_html(results));
   parts.section("means", "Means", parts.figures("means"));
-  parts.section("histograms", "Answers", parts.figures("histograms"));
+  parts.section("histograms", "Distributions of answers", parts.figures("histograms"));
   parts.section("best", "Highest-rated videos", best_html(results, parts));
   parts.section("differences", "Modified, acted and neutral motions",
                 differences_html(results, parts));

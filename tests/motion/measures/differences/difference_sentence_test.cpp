@@ -44,7 +44,7 @@ TEST(LargestChange, TellsWhatHappenedToTheWholeMotionFirst) {
   const Clip walk = with_turn(changeable_walk(), LeftShoulder, Vec3(0, 0, 1), 0.5);
   EXPECT_EQ(told(walk, walk), "no difference");
   EXPECT_EQ(told(walk, without_first(walk, 1)), "the motion comes 1 frame (0.03 s) earlier");
-  EXPECT_EQ(told(walk, mirrored(walk)), "the motion is mirrored: left and right are exchanged");
+  EXPECT_EQ(told(walk, mirrored(walk)), "the motion is mirrored: left and right are swapped");
   EXPECT_EQ(told(walk, set_elsewhere(walk, Vec3(0.1, 0, 0), 0.0)),
             "the figure is displaced by up to 10.0 cm; its poses are unchanged");
   EXPECT_EQ(told(walk, without_last(walk, 2)), std::to_string(walk.frame_count() - 2) +

@@ -289,7 +289,7 @@ INSTANTIATE_TEST_SUITE_P(
              "m.yaml:4:68: stimuli[0].modify.styled: only a method has this key; omit it\n"},
         Case{"output: {crop: [900, 0, 80, 40]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:16: output.crop: extends beyond the image of 960 × 540 pixels; write [from "
-             "the left, from the top, width, height] in pixels of size\n"},
+             "the left, from the top, width, height] in pixels before scaling\n"},
         Case{"output: {crop: [0, 0, 80, 9], video: []}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:16: output.crop: leaves an image of 80 × 9 pixels; leave at least 16 in "
              "each dimension\n"},

@@ -47,7 +47,9 @@ TEST(Methods, TellTheNumbersOfTheStudy) {
   expect_in(methods, "The 2 stimuli were made with mien ");
   expect_in(methods, "(random seed 7)");
   expect_in(methods, "speed (fast, slow), emotion (tired), strength (0.5) and example (sad)");
-  expect_in(methods, "The examples were 10 synthetic motions (mien's built-in set walks-10)");
+  expect_in(methods,
+            "The examples were 10 synthetic motions (mien's built-in example set walks-10)");
+  expect_in(methods, "Each was a single gait cycle; they lasted from ");
   expect_in(methods, "No participants rated them; 14 simulated raters answered on 41 scales");
   expect_in(
       methods,

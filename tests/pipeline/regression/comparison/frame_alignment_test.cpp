@@ -79,7 +79,7 @@ TEST(FrameAlignment, TellsExchangedFrames) {
   std::vector<int> frames = count_to(40);
   std::swap(frames[10], frames[11]);
   EXPECT_EQ(align(film(count_to(40)), film(frames)).remarks,
-            (Remarks{"frames 10 and 11 are exchanged"}));
+            (Remarks{"frames 10 and 11 are swapped"}));
 }
 
 TEST(FrameAlignment, TellsAFilmThatBeginsLater) {

@@ -1,4 +1,4 @@
-/** What the pages themselves say; what the study says comes with the experiment. */
+/** Fixed texts of the pages; those of the study (consent, instructions, questions) are in experiment.json. */
 const english = {
   welcome: "Welcome",
   agree: "I agree to take part",
@@ -32,8 +32,8 @@ const english = {
   rate: "How does this movement look to you?",
   whichEmotion: "Which of these emotions does the movement show?",
   whichOfTwo: "Which of the two movements fits each description better?",
-  whichIsMore: (word: string) => `Which of the two movements looks more ${word}?`,
-  more: (word: string) => `more ${word}`,
+  whichIsMore: (word: string) => `Which of the two movements does “${word}” describe better?`,
+  more: (word: string) => `“${word}”`,
   left: "left",
   right: "right",
   toRate: "Please rate this one",
@@ -44,7 +44,7 @@ const english = {
   attention: "This is an attention check without a video.",
   pressLeftmost: "Please choose the leftmost answer.",
   pressRightmost: "Please choose the rightmost answer.",
-  pressNumber: (place: number) => `Please choose answer number ${place} from the left.`,
+  pressNumber: (place: number) => `Please choose the answer in position ${place} from the left.`,
   chooseWord: (word: string) => `Please choose “${word}”.`,
   writeWord: (word: string) => `Please type “${word}”.`,
   putLeft: "Please move the slider all the way to the left.",
@@ -106,8 +106,8 @@ const japanese: Texts = {
   rate: "この動きはどのように見えますか。",
   whichEmotion: "この動きはどれを表していますか。",
   whichOfTwo: "それぞれの言葉には、二つの動きのうちどちらがよりあてはまりますか。",
-  whichIsMore: (word) => `二つの動きのうち、どちらがより${word}と感じますか。`,
-  more: (word) => `より${word}`,
+  whichIsMore: (word) => `二つの動きのうち、「${word}」という言葉がよりあてはまるのはどちらですか。`,
+  more: (word) => `「${word}」`,
   left: "左",
   right: "右",
   toRate: "こちらを評価してください",
@@ -147,7 +147,7 @@ const japanese: Texts = {
 
 export const textsOf = (language: string): Texts => (language === "ja" ? japanese : english);
 
-/** How much of its side a point of a scale means: "very"; the middle has a word of its own. */
+/** The degree that a point of a scale stands for: "very"; for the middle, "neither". */
 export function degreeOf(texts: Texts, place: number, points: number): string {
   const middle = (points + 1) / 2;
   const distance = Math.abs(place - middle);
