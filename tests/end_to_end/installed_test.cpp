@@ -360,9 +360,9 @@ TEST(BashCompletion, CompletesCommands) {
 
 TEST(BashCompletion, CompletesOptionsAndTheirChoices) {
   EXPECT_EQ(completions_of("mien run --qual"), "--quality\n");
-  EXPECT_EQ(completions_of("mien run x.yaml --quality ''"), "draft\nstandard\nfinal\n");
+  EXPECT_EQ(completions_of("mien run x.yaml --quality ''"), "draft\nstandard\nfinal\nreference\n");
   EXPECT_EQ(completions_of("mien run --quality = f"), "final\n");
-  EXPECT_EQ(completions_of("mien run --quality ="), "draft\nstandard\nfinal\n");
+  EXPECT_EQ(completions_of("mien run --quality ="), "draft\nstandard\nfinal\nreference\n");
   EXPECT_EQ(completions_of("mien study analyze --repeated l"), "last\n");
   EXPECT_EQ(completions_of("mien completion z"), "zsh\n");
   EXPECT_EQ(completions_of("mien run --jobs ''"), "");
