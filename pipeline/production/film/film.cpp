@@ -138,10 +138,14 @@ class FramesInFlight {
 
 render::Quality quality_named(Quality quality) {
   switch (quality) {
-    case Quality::draft: return render::draft_quality();
-    case Quality::standard: return render::standard_quality();
-    case Quality::final: return render::final_quality();
-    case Quality::reference: return render::reference_quality();
+    case Quality::draft:
+      return render::draft_quality();
+    case Quality::standard:
+      return render::standard_quality();
+    case Quality::final:
+      return render::final_quality();
+    case Quality::reference:
+      return render::reference_quality();
   }
   return render::standard_quality();
 }

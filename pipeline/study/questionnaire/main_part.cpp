@@ -39,8 +39,8 @@ class MainPart {
         index_(index),
         // Where all see the same order, random additions are the same for all too.
         order_seed_(hashed_seed(manifest.seed, questionnaire_.order.kind == TrialOrder::Kind::fixed
-                                                    ? "everybody"
-                                                    : participant_name(index))) {}
+                                                   ? "everybody"
+                                                   : participant_name(index))) {}
 
   std::vector<MainTrial> run() {
     order();
