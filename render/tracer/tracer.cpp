@@ -124,7 +124,10 @@ Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& q
   Camera sharp = camera;
   sharp.aperture_radius = 0.0f;
   Layers layers = empty_layers(scene, camera.width, camera.height);
-  const SceneBackground background = engine_->background_for(scene, sharp, quality);
+  // In any quality, albedo and normals of the set are those of its background.
+  Quality with_background = quality;
+  with_background.reference = false;
+  const SceneBackground background = engine_->background_for(scene, sharp, with_background);
   PreparedScene prepared =
       engine_->prepare(scene, sharp, quality, *background.image, background.solids.get(),
                        figure_shapes(scene), scene.solids);

@@ -56,6 +56,20 @@ TEST(Layers, TellWhatIsSeenAndWhere) {
   EXPECT_GT(layers.samples[middle], 0.0f);
 }
 
+TEST(Layers, OfReferenceQualityDifferInTheirLightAlone) {
+  Quality reference = reference_quality();
+  reference.samples_per_pixel = 16;
+  Scene scene = two_balls();
+  scene.static_solids.spheres = {{{-1.0f, 0.3f, 0.0f}, 0.3f, 1}};
+  const Layers layers = Tracer().layers(scene, camera, reference);
+  const Layers standard = Tracer().layers(scene, camera, {});
+  EXPECT_EQ(layers.beauty, Tracer().trace(scene, camera, reference));
+  EXPECT_NE(layers.beauty, standard.beauty);
+  EXPECT_EQ(layers.albedo, standard.albedo);
+  EXPECT_EQ(layers.normal, standard.normal);
+  EXPECT_EQ(layers.depth, standard.depth);
+}
+
 TEST(Layers, CoverEachPixelAsMuchAsItsAlpha) {
   Quality quality{.samples_per_pixel = 16, .background = Background::transparent};
   Tracer tracer;
