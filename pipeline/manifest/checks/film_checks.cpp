@@ -55,6 +55,12 @@ void check_picture_size(const WrittenOutput& written) {
   }
 }
 
+void check_samples(const WrittenOutput& written) {
+  if (written.output.quality == Quality::reference || !written.says("samples")) return;
+  written.list.add(written.at("samples"), "applies to quality reference only",
+                   "omit it, or set quality: reference");
+}
+
 void check_rates(const WrittenOutput& written) {
   for (const render::VideoKind kind : written.output.video) {
     const render::VideoTraits& traits = render::traits_of(kind);
@@ -130,12 +136,6 @@ void check_stereo(const WrittenFilm& written) {
   }
 }
 
-void check_samples(const WrittenFilm& written) {
-  const std::string path = written.output_at("samples");
-  if (written.film.output.quality == Quality::reference || !written.list.was_given(path)) return;
-  written.list.add(path, "applies to quality reference only", "omit it, or set quality: reference");
-}
-
 void check_shutter(const WrittenFilm& written) {
   if (written.film.output.shutter == 0.0) return;
   const std::string path = written.output_at("shutter");
@@ -159,9 +159,11 @@ std::vector<Fault> check_output(const Output& output, const std::string& path,
   FaultList list(places);
   const WrittenOutput written{output, path, list};
   const auto says = [&](const char* key) { return written.says(key); };
-  if (std::ranges::none_of(std::array{"size", "scale", "crop", "video", "fps"}, says)) return {};
+  if (std::ranges::none_of(std::array{"size", "scale", "crop", "samples", "video", "fps"}, says))
+    return {};
   check_crop(written);
   check_picture_size(written);
+  check_samples(written);
   check_rates(written);
   check_video_size(written);
   return list.take();
@@ -172,7 +174,6 @@ std::vector<Fault> check_film(const Stimulus& film, const FilmPaths& paths, cons
   const WrittenFilm written{film, paths, list};
   check_figure_size(written);
   check_stereo(written);
-  check_samples(written);
   check_shutter(written);
   return list.take();
 }

@@ -30,8 +30,8 @@ struct FilmPaths {
 /// Returns the paths of a stimulus or an overlay in its manifest.
 FilmPaths paths_of(const Stimulus& film);
 
-/// Checks the sizes and frame rates of an output stated at `path`. Returns no faults if the
-/// document states none of them at that path.
+/// Checks the sizes, samples and frame rates of an output stated at `path`. Returns no faults if
+/// the document states none of them at that path.
 std::vector<Fault> check_output(const Output& output, const std::string& path,
                                 const Places& places);
 

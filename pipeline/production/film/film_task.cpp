@@ -38,7 +38,9 @@ bool repeats(const FilmSubject& subject, FinishedMotions& motions) {
 double cost_of(const Output& output) {
   const double frames = 1.1 * output.cycles * output.fps;
   const double pixels = static_cast<double>(output.shown_size()[0]) * output.shown_size()[1];
-  return frames * pixels * (2.4e-8 * quality_of({.output = output}).samples_per_pixel + 5e-9);
+  const render::Quality quality = quality_of({.output = output});
+  const double per_sample = quality.reference ? 2.2e-7 : 2.4e-8;
+  return frames * pixels * (per_sample * quality.samples_per_pixel + 5e-9);
 }
 
 std::string video_path(const std::string& stimulus, render::VideoKind kind) {

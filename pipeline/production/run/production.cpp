@@ -70,12 +70,18 @@ std::string command_of(const Manifest& manifest, const std::optional<Quality>& q
   return command;
 }
 
+/// Replaces the quality. Samples per pixel can be stated for reference quality only.
+void replace_quality(Output& output, Quality quality) {
+  output.quality = quality;
+  if (quality != Quality::reference) output.samples = Output().samples;
+}
+
 Manifest with_quality(Manifest manifest, const std::optional<Quality>& quality) {
   manifest.command = command_of(manifest, quality);
   if (!quality) return manifest;
-  manifest.output.quality = *quality;
-  for (Stimulus& stimulus : manifest.stimuli) stimulus.output.quality = *quality;
-  for (Overlay& overlay : manifest.overlays) overlay.film.output.quality = *quality;
+  replace_quality(manifest.output, *quality);
+  for (Stimulus& stimulus : manifest.stimuli) replace_quality(stimulus.output, *quality);
+  for (Overlay& overlay : manifest.overlays) replace_quality(overlay.film.output, *quality);
   return manifest;
 }
 

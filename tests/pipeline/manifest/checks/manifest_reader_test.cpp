@@ -257,6 +257,16 @@ INSTANTIATE_TEST_SUITE_P(
              "9007199254740991\n"},
         Case{"seed: seven\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:7: seed: must be a whole number but is the text \"seven\"; for example 7\n"},
+        Case{"output: {samples: 4}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:19: output.samples: applies to quality reference only; omit it, or set "
+             "quality: reference\n"},
+        Case{"output: {quality: reference, samples: 4}\n"
+             "stimuli: [{id: a, clip: walk.bvh, output: {quality: draft, samples: 2}}]\n",
+             "m.yaml:5:69: stimuli[0].output.samples: applies to quality reference only; omit it, "
+             "or set quality: reference\n"},
+        Case{"output: {quality: reference, samples: 4097}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:39: output.samples: 4097 is out of range; use a whole number from 1 to "
+             "4096\n"},
         Case{"output: {size: [961, 540]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:16: output.size: mp4 needs an even width and height; use 962 × 540, or no "
              "video\n"},

@@ -236,6 +236,19 @@ TEST_F(StudyFolder, IsMadeAgainFromItsProvenanceToTheLastByte) {
   EXPECT_EQ(files_in(copied), files);
 }
 
+// A number of samples applies to the quality that was replaced.
+TEST_F(StudyFolder, IsMadeAgainWhereItsQualityWasReplaced) {
+  write("r.yaml", R"(mien: 1
+study: tiny
+examples: {set: builtin:walks-10}
+output: {size: [32, 24], fps: 6, cycles: 1, video: [gif], quality: reference, samples: 2}
+stimuli: [{id: a, weights: {sad: 1}}]
+)");
+  const fs::path replaced = made(folder.path() / "r.yaml", "replaced", Quality::draft);
+  const fs::path again = made(replaced / "provenance.json", "again", std::nullopt);
+  EXPECT_EQ(files_in(again), files_in(replaced));
+}
+
 TEST_F(StudyFolder, IsFoundMadeByItsProvenance) {
   Production production(
       load_manifest(out / "provenance.json", [](const std::string&) { return std::nullopt; }),
