@@ -130,7 +130,7 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
 
 void print_result(const Findings& findings, const std::string& file, const Console& console) {
   if (!findings.faults.empty()) console.err << fault_lines(findings.faults) << '\n';
-  tell_warnings(findings.warnings, console);
+  print_warnings(findings.warnings, console);
   if (findings.faults.empty()) console.out << file << ": no faults\n";
   if (const std::string note = sample_note(findings); !note.empty()) console.out << note << '\n';
   console.out << feasibility_table(findings.requested);

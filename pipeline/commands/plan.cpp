@@ -75,7 +75,7 @@ int show_plan(const ProductionArguments& arguments, const Console& console) {
   const Production production(load_manifest(resolve_manifest(arguments.manifest, console),
                                             process_environment(), arguments.out),
                               options_of(arguments));
-  tell_warnings(production.manifest().renamed, console);
+  print_warnings(production.manifest().renamed, console);
   const std::filesystem::path folder = folder_of(arguments, production.manifest());
   const std::vector<TaskOutcome> planned = quick_plan(production.graph(), folder);
   const std::vector<std::string> stale = shown_paths(stale_in(folder, production));

@@ -20,6 +20,7 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/render_options.h"
 #include "pipeline/manifest/look/look_checks.h"
@@ -174,6 +175,7 @@ std::string make_file(const RenderOptions& options, const RenderPlan& plan,
 
 int render_file(const RenderOptions& options, const Console& console) {
   const RenderPlan plan = plan_of(options);
+  print_warnings(plan.warnings, console);
   const scenes::Shot shot = shot_of(options, plan, console);
   if (!options.dots.empty() && shot.actors.front().dots.empty())
     throw Error("--dots: only a point-light figure has dots", "add --figure point-light");

@@ -147,7 +147,9 @@ OutputReading OutputFlags::read() const {
 
 RenderPlan plan_of(const RenderOptions& options) {
   OutputReading reading = options.output.read();
-  RenderPlan plan{file_of(options), look_of(options.look), {}};
+  RenderPlan plan;
+  plan.out = file_of(options);
+  plan.look = look_of(options.look, plan.warnings);
   plan.settings.output = reading.output;
   plan.settings.loops = options.repeat;
   plan.settings.threads = threads_of(options);

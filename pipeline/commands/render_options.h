@@ -62,6 +62,7 @@ struct RenderPlan {
   std::filesystem::path out;  ///< its extension selects the format
   Look look;
   FilmSettings settings;
+  std::vector<Fault> warnings;  ///< about options with former names
 };
 
 /// The plan for these options. Throws Faults or Error if the output file, look and output options

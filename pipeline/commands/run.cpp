@@ -99,7 +99,7 @@ int run_production(const ProductionArguments& arguments, const Console& console)
   const fs::path file = resolve_manifest(arguments.manifest, console);
   Production production(load_manifest(file, process_environment(), arguments.out),
                         options_of(arguments));
-  tell_warnings(production.manifest().renamed, console);
+  print_warnings(production.manifest().renamed, console);
   print_changes(file, production.manifest(), console);
   const fs::path folder = folder_of(arguments, production.manifest());
   RunResult result;

@@ -40,7 +40,9 @@ FarmStudy::FarmStudy(const FarmArguments& arguments, const Console& console)
     : file(absolute_path(resolve_manifest(arguments.manifest, console))),
       production(load_manifest(file, process_environment(), arguments.out),
                  production_options(arguments)),
-      folder(absolute_path(arguments.out) / production.manifest().study) {}
+      folder(absolute_path(arguments.out) / production.manifest().study) {
+  print_warnings(production.manifest().renamed, console);
+}
 
 StudyCall FarmStudy::call(const FarmArguments& arguments) const {
   StudyCall call;

@@ -51,7 +51,7 @@ ProductionOptions options_of(const ProductionArguments& arguments) {
   return options;
 }
 
-void tell_warnings(const std::vector<Fault>& warnings, const Console& console) {
+void print_warnings(const std::vector<Fault>& warnings, const Console& console) {
   if (!warnings.empty()) console.err << fault_lines(warnings, "warning: ") << '\n';
 }
 

@@ -33,7 +33,7 @@ int jobs_of(const ProductionArguments& arguments);
 ProductionOptions options_of(const ProductionArguments& arguments);
 
 /// Prints the warnings of a manifest, one per line.
-void tell_warnings(const std::vector<Fault>& warnings, const Console& console);
+void print_warnings(const std::vector<Fault>& warnings, const Console& console);
 
 /// Lists stale artifacts of earlier runs and how to remove them; prints nothing if there are none.
 void print_stale_artifacts(const std::vector<std::string>& stale,

@@ -173,7 +173,7 @@ int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
   const ScaleSet scales = scales_of_answers(options, console);
   std::vector<Fault> warnings;
   const std::vector<StimulusParameter> made = read_stimulus_parameters(options.stimuli, warnings);
-  tell_warnings(warnings, console);
+  print_warnings(warnings, console);
   AnswerRules rules = options.rules;
   rules.left_out = other_stimuli(options.stimuli, made);
   const StudyAnswers answers = read_study_answers(options.answers, scales, stimuli_of(made), rules);

@@ -184,7 +184,7 @@ int design(const DesignCommand& command, const Console& console) {
   std::ostream& out = command.plans.empty() ? console.err : console.out;
   if (command.plans.empty()) console.out << tables[0].csv;
   print_design(manifest, plans, balance, console, out);
-  tell_warnings(questionnaire_warnings(manifest), console);
+  print_warnings(questionnaire_warnings(manifest), console);
   if (command.power) print_power(command, manifest, console, out);
   if (archive) {
     warn_of_no_plan(manifest, console);

@@ -48,14 +48,14 @@ CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
 Manifest questionnaire_manifest(const std::string& name, const Console& console) {
   Manifest manifest = load_manifest(resolve_manifest(name, console), process_environment());
   questionnaire_of(manifest);
-  tell_warnings(manifest.renamed, console);
+  print_warnings(manifest.renamed, console);
   return manifest;
 }
 
 Manifest participants_manifest(const std::string& name, const Console& console) {
   Manifest manifest = load_manifest(resolve_manifest(name, console), process_environment());
   if (!manifest.matching) questionnaire_of(manifest);
-  tell_warnings(manifest.renamed, console);
+  print_warnings(manifest.renamed, console);
   return manifest;
 }
 
@@ -64,6 +64,7 @@ Manifest manifest_of(const StudySubject& subject, const Console& console) {
   Manifest manifest;
   if (file.extension() == ".yaml" || file.extension() == ".yml") {
     manifest = load_manifest(resolve_input_file(subject.examples, console), process_environment());
+    print_warnings(manifest.renamed, console);
     refuse_unblendable(manifest.examples);
   } else {
     manifest.examples = parse_examples(subject.examples);

@@ -52,7 +52,7 @@ json look_schema() {
 
 }  // namespace
 
-Look look_of(const LookOptions& options) {
+Look look_of(const LookOptions& options, std::vector<Fault>& warnings) {
   const Environment environment = [&](const std::string& name) -> std::optional<std::string> {
     if (name == "MIEN_SCENE") return options.scene;
     if (name == "MIEN_FIGURE") return options.figure;
@@ -67,6 +67,7 @@ Look look_of(const LookOptions& options) {
   std::vector<Fault> faults = resolve_set(look, "", reading.places, sets);
   append(faults, check_look(look, "", reading.places, {}, characters));
   if (!faults.empty()) throw as_option_faults(std::move(faults));
+  if (!reading.renamed.empty()) append(warnings, as_option_faults(reading.renamed).list());
   return look;
 }
 

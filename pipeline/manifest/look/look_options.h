@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/look/look.h"
 
 namespace mien::pipeline {
@@ -15,7 +17,8 @@ struct LookOptions {
   std::string camera = "three-quarter";
 };
 
-/// Returns the look. Throws Faults that list all faults of the options.
-Look look_of(const LookOptions& options);
+/// Returns the look. Adds warnings about options with former names to `warnings`. Throws Faults
+/// that list all faults of the options.
+Look look_of(const LookOptions& options, std::vector<Fault>& warnings);
 
 }  // namespace mien::pipeline

@@ -92,7 +92,7 @@ constexpr auto foils_columns = table_of<FoilAspectRow>(
       [](auto& r) { return r.certified.measure; }},
      {"of_value", "see measure", "value of the stimulus; empty if only the difference is known",
       [](auto& r) { return r.certified.of_value; }},
-     {"foil_value", "see measure", "value of the foil; empty likewise",
+     {"foil_value", "see measure", "value of the foil; empty if only the difference is known",
       [](auto& r) { return r.certified.foil_value; }},
      {"difference", "° or relative",
       "for posture, the largest difference between the mean rotations of a joint, in degrees; "

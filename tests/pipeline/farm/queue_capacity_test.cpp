@@ -47,7 +47,7 @@ std::string refusal_of(const Load& load, const Chunking& requested, const QueueC
 TEST(QueueCapacity, IsOneLessThanSlurmSays) {
   EXPECT_TRUE((QueueCapacity{10, 4}.has_capacity_for(5)));
   EXPECT_FALSE((QueueCapacity{10, 4}.has_capacity_for(6)));
-  EXPECT_TRUE((QueueCapacity{0, 4}.has_capacity_for(1'000'000))) << "nobody told";
+  EXPECT_TRUE((QueueCapacity{0, 4}.has_capacity_for(1'000'000))) << "limits unknown";
 }
 
 TEST(QueueCapacity, IsMadeByLongerElementsUnlessAChunkIsAskedFor) {

@@ -40,7 +40,7 @@ void UnknownNames::report(const CsvTable& table, const std::vector<std::string>&
     if (refuses) {
       faults.push_back({place, "", wrong, remedy});
     } else {
-      warnings.push_back({"unknown-" + what_, place, wrong + " excluded"});
+      warnings.push_back({"unknown-" + singular_, place, wrong + " excluded"});
     }
   };
   // A table of warnings has room for all.
@@ -50,7 +50,7 @@ void UnknownNames::report(const CsvTable& table, const std::vector<std::string>&
     const UnknownName& entry = names_[i];
     report_name(
         entry,
-        fmt::format("unknown {} {} {}", what_, motion::in_quotes(entry.field.text),
+        fmt::format("unknown {} {} {}", singular_, motion::in_quotes(entry.field.text),
                     rows_text(entry.rows)),
         motion::did_you_mean(entry.field.text, known) + " " + exclusion_remedy(rules, "it"));
   }
@@ -60,7 +60,7 @@ void UnknownNames::report(const CsvTable& table, const std::vector<std::string>&
   const std::size_t more = names_.size() - named;
   report_name(
       names_[named],
-      fmt::format("and {} more unknown {} {}", more, more == 1 ? what_ : what_many_,
+      fmt::format("and {} more unknown {} {}", more, more == 1 ? singular_ : plural_,
                   rows_text(rows)),
       "check that the file is about these examples and scales " + exclusion_remedy(rules, "them"));
 }

@@ -15,9 +15,9 @@ namespace mien::pipeline {
 /// If there are more than five, only the first five are reported, and how many others there are.
 class UnknownNames {
  public:
-  /// `what` and `what_many` name the expected kind: "stimulus", "stimuli".
-  UnknownNames(std::string what, std::string what_many)
-      : what_(std::move(what)), what_many_(std::move(what_many)) {}
+  /// `singular` and `plural` name the expected kind: "stimulus", "stimuli".
+  UnknownNames(std::string singular, std::string plural)
+      : singular_(std::move(singular)), plural_(std::move(plural)) {}
 
   void note(const CsvField& field);
 
@@ -32,8 +32,8 @@ class UnknownNames {
     int rows = 0;
   };
 
-  std::string what_;
-  std::string what_many_;
+  std::string singular_;
+  std::string plural_;
   std::vector<UnknownName> names_;  ///< in file order
   std::map<std::string, std::size_t> index_;
 };

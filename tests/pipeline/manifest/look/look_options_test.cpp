@@ -11,6 +11,14 @@
 namespace mien::pipeline {
 namespace {
 
+/// The look of options without former names.
+Look look_of(const LookOptions& options) {
+  std::vector<Fault> warnings;
+  const Look look = pipeline::look_of(options, warnings);
+  EXPECT_TRUE(warnings.empty());
+  return look;
+}
+
 std::string faults_of_options(const LookOptions& options) {
   try {
     look_of(options);
@@ -35,6 +43,14 @@ TEST(LookOptions, TakeNamesAndOptionsWithOrWithoutBraces) {
   EXPECT_EQ(dots.seed, 3u);
   EXPECT_EQ(look.camera.position, motion::Vec3(1, 2, 3));
   EXPECT_EQ(look.camera.fov_degrees, 30.0);
+}
+
+TEST(LookOptions, FormerNamesAreUnderstoodWithAWarning) {
+  std::vector<Fault> warnings;
+  const Look look = pipeline::look_of({.figure = "trail: {faintest: 0.3}"}, warnings);
+  EXPECT_EQ(std::get<scenes::TrailOptions>(look.figure).min_opacity, 0.3);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(to_string(warnings[0]), "--figure.trail.faintest: now called min_opacity; rename it");
 }
 
 TEST(LookOptions, PointLightsStandInTheVoidBeforeTheirOwnBackground) {
