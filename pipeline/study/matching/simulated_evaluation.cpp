@@ -94,8 +94,8 @@ constexpr SharedColumn method_column = {"method", "", "method of interpolation",
                                         [](auto& r) { return motion::name_of(r.method); }};
 constexpr SharedColumn kind_column = {"interface", "", "adjectives, features or weights",
                                       [](auto& r) { return name_of(r.kind); }};
-constexpr SharedColumn way_column = {
-    "way", "",
+constexpr SharedColumn procedure_column = {
+    "procedure", "",
     "nearest: the setting of a slider grid nearest to the target; user: a simulated user",
     [](auto& r) { return r.step > 0.0 ? "nearest" : "user"; }};
 constexpr SharedColumn step_column = {"step", "0–1", "step of the grid; empty for users",
@@ -104,27 +104,27 @@ constexpr SharedColumn nobody_column = {"simulated", "", "always 1: no person is
                                         [](auto&) { return true; }};
 
 constexpr auto results_columns = table_of<InterfaceResult>(
-    "interface_trials.csv", "target, interface and way to it",
+    "interface_trials.csv", "target, interface and procedure",
     {method_column,
      {"target", "", "id of the target", [](auto& r) { return r.target; }},
      kind_column,
-     way_column,
+     procedure_column,
      step_column,
      {"user", "", "number of the simulated user, from 1",
       [](auto& r) { return r.user > 0 ? std::optional(r.user) : std::nullopt; }},
      {"first_d_m", "m", "D of the nearest setting of the grid, or of the first guess",
       [](auto& r) { return r.first_distance; }},
      {"d_m", "m", "D of the last setting", [](auto& r) { return r.distance; }},
-     {"looks", "", "number of motions viewed", [](auto& r) { return r.views; }},
+     {"views", "", "number of motions viewed", [](auto& r) { return r.views; }},
      {"matched", "0/1", "1: D of the last setting is below the threshold",
       [](auto& r) { return r.matches; }},
      nobody_column});
 
 constexpr auto summary_columns = table_of<InterfaceSummary>(
-    "interface_summary.csv", "interface and way",
+    "interface_summary.csv", "interface and procedure",
     {method_column,
      kind_column,
-     way_column,
+     procedure_column,
      step_column,
      {"count", "", "number of targets, or of trials of simulated users",
       [](auto& r) { return r.count; }},
@@ -137,7 +137,7 @@ constexpr auto summary_columns = table_of<InterfaceSummary>(
      {"mean_d_m", "m", "mean of d_m in interface_trials.csv", [](auto& r) { return r.mean_last; }},
      {"sd_d_m", "m", "standard deviation of these (n − 1)", [](auto& r) { return r.sd_last; }},
      {"failure", "0–1", "proportion without a match", [](auto& r) { return r.failure; }},
-     {"mean_looks", "", "mean number of motions viewed", [](auto& r) { return r.mean_views; }},
+     {"mean_views", "", "mean number of motions viewed", [](auto& r) { return r.mean_views; }},
      nobody_column});
 
 }  // namespace
