@@ -129,7 +129,7 @@ struct Questionnaire {
   std::vector<std::string> practice;    ///< stimuli of the practice trials
   int warm_up = 0;  ///< additional trials at the beginning of the main part that are not analysed
   int attention_every = 0;  ///< number of trials between attention checks; 0: no checks
-  int repeated = 0;         ///< number of stimuli that are shown a second time (catch trials)
+  int repeated = 0;         ///< number of stimuli that are shown a second time (test-retest)
   Replays replays;
   Watching watch = Watching::full;
   bool comments = false;
@@ -163,7 +163,7 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field.group("attention", [&](auto& checks) {
     checks("every", questionnaire.attention_every, concerns::nothing);
   });
-  field.group("catch",
+  field.group("retest",
               [&](auto& trials) { trials("repeat", questionnaire.repeated, concerns::nothing); });
   field.by("replays", questionnaire.replays, concerns::nothing, ReplaysForm());
   field("watch", questionnaire.watch, concerns::nothing, watching_words);

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/excerpt.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
@@ -191,6 +192,7 @@ int report(const ReportCommand& options, const Console& console) {
   const ReportInputs inputs = inputs_of(options);
   const Manifest manifest = questionnaire_manifest(inputs.manifest.string(), console);
   const AnswersOfFiles answers = answers_of_files(inputs.answers);
+  print_warnings(answers.warnings, console);
   const std::vector<AnswerRow>& rows = answers.rows;
   std::vector<ParticipantTable> tables;
   for (const fs::path& file : inputs.participants) tables.push_back(read_participants(file));

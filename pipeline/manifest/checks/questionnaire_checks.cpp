@@ -202,7 +202,7 @@ class QuestionnaireCheck {
     };
     at_most(at("per_participant"), questionnaire_.per_participant, all);
     at_most(at("warm_up"), questionnaire_.warm_up, all);
-    at_most(member_path(at("catch"), "repeat"), questionnaire_.repeated, own);
+    at_most(member_path(at("retest"), "repeat"), questionnaire_.repeated, own);
   }
 
   void check_demographics() {

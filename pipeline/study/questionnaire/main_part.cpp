@@ -127,8 +127,8 @@ class MainPart {
     }
     const bool is_one = questionnaire_.repeated == 1;
     throw Error(
-        place_of(manifest_.places, "questionnaire.catch.repeat"),
-        fmt::format("questionnaire.catch.repeat: {} cannot see {} a second time with others "
+        place_of(manifest_.places, "questionnaire.retest.repeat"),
+        fmt::format("questionnaire.retest.repeat: {} cannot see {} a second time with others "
                     "in between",
                     participant_name(index_),
                     is_one ? "a stimulus" : fmt::format("{} stimuli", questionnaire_.repeated)),

@@ -17,7 +17,7 @@ struct MainTrial {
 
 /// The main part for participant `index`: warm-up trials, then the subjects of `share` in order,
 /// with repetitions inserted. Throws Error if no order satisfies `questionnaire.no_repeats` or
-/// `questionnaire.catch.repeat`.
+/// `questionnaire.retest.repeat`.
 std::vector<MainTrial> main_part(const Manifest& manifest, const TrialSubjects& subjects,
                                  const std::vector<std::size_t>& share, int index);
 

@@ -98,7 +98,7 @@ class Planner {
       const MainTrial& one = main[place];
       Trial trial = trial_of(subjects_.stimuli[one.subject], subjects_.blocks[one.subject]);
       trial.warm_up = one.warm_up;
-      trial.is_catch = one.repeated;
+      trial.is_check = one.repeated;
       if (form_.stimuli > 1) turn(trial, turned[one.subject]);
       if (trial.is_analysed()) ++shown_[one.subject];
       plan_.trials.push_back(std::move(trial));
@@ -130,7 +130,7 @@ class Planner {
     Trial check;
     check.block = plan_.trials.back().block;
     check.kind = &kind_;
-    check.is_catch = true;
+    check.is_check = true;
     check.items = {items_[random_choice(items_.size(), plan_.seed, "checked", place)]};
     check.expected = expected_of(check, place);
     plan_.trials.push_back(std::move(check));

@@ -1,6 +1,7 @@
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -99,6 +100,15 @@ class SimulatedSession {
   const ResponseScales& scales_;
 };
 
+/// A questionnaire with the names of keys that its design_hash is made of. They are kept when keys
+/// are renamed, as the column `is_catch` of plans is: studies in progress keep their hash.
+OrderedJson with_former_keys(const OrderedJson& questionnaire) {
+  OrderedJson former = OrderedJson::object();
+  for (const auto& [key, value] : questionnaire.items())
+    former[key == "retest" ? "catch" : key] = value;
+  return former;
+}
+
 }  // namespace
 
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
@@ -125,14 +135,17 @@ std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>
        {&questionnaire.consent, &questionnaire.instructions, &questionnaire.ending})
     text->file.clear();
   questionnaire.scales.file.clear();
-  std::string all =
-      title_of(manifest) + "\n" + written(questionnaire, WritingOptions{}).dump() + "\n";
+  std::string all = title_of(manifest) + "\n" +
+                    with_former_keys(written(questionnaire, WritingOptions{})).dump() + "\n";
   for (const Scale& scale : questionnaire_scales(manifest).scales)
     all +=
         fmt::format("{}|{}|{}|{}|{}|{}|{}\n", scale.id, scale.low, scale.high, scale.japanese_low,
                     scale.japanese_high, shortest(scale.least), shortest(scale.most));
   for (const SessionPlan& plan : plans) all += fmt::format("{}\n", fmt::join(plan.choices, "|"));
-  return hash_of(all + plans_csv(plans));
+  std::string plans_text = plans_csv(plans);
+  constexpr std::string_view check_column = "is_check";
+  plans_text.replace(plans_text.find(check_column), check_column.size(), "is_catch");
+  return hash_of(all + plans_text);
 }
 
 }  // namespace mien::pipeline

@@ -5,8 +5,8 @@ namespace mien::pipeline {
 namespace {
 
 using SessionRow = ResultRow<ParticipantSummary>;
-using CatchRow = ResultRow<CatchAnswer>;
-using CatchSummaryRow = ResultRow<CatchSummary>;
+using RetestRow = ResultRow<RetestAnswer>;
+using RetestSummaryRow = ResultRow<RetestSummary>;
 using DemographicRow = ResultRow<DemographicSummary>;
 using RemarkRow = ResultRow<Remark>;
 using WordRow = ResultRow<WordFrequency>;
@@ -51,8 +51,8 @@ constexpr auto demographics_columns = result_table<DemographicRow>(
      {"people", "", "participants who answered the question",
       [](auto& r) { return r.of.people; }}});
 
-constexpr auto catch_columns = result_table<CatchRow>(
-    "results/catch_trials.csv", "repeated answer",
+constexpr auto retest_columns = result_table<RetestRow>(
+    "results/retest.csv", "repeated answer",
     {{"participant", "", "participant id", [](auto& r) { return r.of.participant; }},
      excluded_column,
      named_stimulus_column,
@@ -72,8 +72,8 @@ constexpr auto catch_columns = result_table<CatchRow>(
       [](auto& r) { return r.of.difference ? number_field(*r.of.difference) : ""; }},
      {"equal", "", "1 if both answers are the same", [](auto& r) { return r.of.is_equal(); }}});
 
-constexpr auto catch_summary_columns = result_table<CatchSummaryRow>(
-    "results/catch_summary.csv", "participant with repeated answers and item, and per total",
+constexpr auto retest_summary_columns = result_table<RetestSummaryRow>(
+    "results/retest_summary.csv", "participant with repeated answers and item, and per total",
     {{"participant", "", "participant id; empty: all participants analysed",
       [](auto& r) { return r.of.participant; }},
      {"item", "", "scale or question id; empty: all", [](auto& r) { return r.of.item; }},
@@ -124,8 +124,8 @@ void add_participants(const Results& results, std::vector<WrittenTable>& tables)
   add_results(session_columns, results.participants, answer_set, tables);
   add_results(demographics_columns, demographics_of(results.demographics, answer_set), answer_set,
               tables);
-  add_results(catch_columns, results.catch_answers, answer_set, tables);
-  add_results(catch_summary_columns, results.catch_summaries, answer_set, tables);
+  add_results(retest_columns, results.retest_answers, answer_set, tables);
+  add_results(retest_summary_columns, results.retest_summaries, answer_set, tables);
   add_results(comment_columns, answer_set.remarks, answer_set, tables);
   add_results(word_columns, answer_set.words, answer_set, tables);
   add_results(word_count_columns, results.words, answer_set, tables);

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "pipeline/study/results/answer_set.h"
-#include "pipeline/study/results/catch_trials.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/confusion.h"
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
 #include "pipeline/study/results/participants.h"
+#include "pipeline/study/results/retest.h"
 #include "pipeline/study/results/summaries.h"
 #include "pipeline/study/results/word_frequencies.h"
 
@@ -27,8 +27,8 @@ struct Results {
   std::vector<PreferenceCount> preferences;
   std::vector<WordFrequency> words;
   std::vector<ParticipantSummary> participants;
-  std::vector<CatchAnswer> catch_answers;  ///< including those of excluded participants
-  std::vector<CatchSummary> catch_summaries;
+  std::vector<RetestAnswer> retest_answers;  ///< including those of excluded participants
+  std::vector<RetestSummary> retest_summaries;
   std::vector<GroupComparison> groups;  ///< comparisons of groups by demographic answers
   ParticipantTable demographics;        ///< empty if no table of participants was given
 };
@@ -47,8 +47,8 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.preferences = preferences_of(results.answer_set);
   results.words = word_frequencies_of(results.answer_set);
   results.participants = participant_summaries(results.answer_set, rows);
-  results.catch_answers = catch_answers_of(results.answer_set, rows);
-  results.catch_summaries = catch_summaries_of(results.catch_answers);
+  results.retest_answers = retest_answers_of(results.answer_set, rows);
+  results.retest_summaries = retest_summaries_of(results.retest_answers);
   results.groups = compare_groups(demographics, results.answer_set);
   results.demographics = std::move(demographics);
   return results;

@@ -32,7 +32,7 @@ void set_trial_columns(const Trial& trial, AnswerRow& row) {
   row.against = trial.against();
   row.is_practice = trial.practice;
   row.is_warmup = trial.warm_up;
-  row.is_catch = trial.is_catch || trial.is_attention_check();
+  row.is_check = trial.is_check || trial.is_attention_check();
   row.expected = trial.expected;
 }
 

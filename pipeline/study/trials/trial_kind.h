@@ -38,14 +38,14 @@ struct Trial {
   std::vector<TrialItem> items;  ///< in page order
   bool practice = false;
   bool warm_up = false;
-  bool is_catch = false;  ///< an attention check, or a stimulus that is shown a second time
+  bool is_check = false;  ///< an attention check, or a stimulus that is shown a second time
   /// In an attention check, the raw answer that passes; otherwise empty.
   std::string expected;
 
   bool is_attention_check() const { return !expected.empty(); }
 
   /// Whether it is neither practice, warm-up, an attention check nor a repetition.
-  bool is_analysed() const { return !practice && !warm_up && !is_catch; }
+  bool is_analysed() const { return !practice && !warm_up && !is_check; }
 
   /// The name of the kind in plans, on pages and in tables of answers.
   std::string_view kind_name() const;

@@ -166,7 +166,7 @@ stimuli:
 overlays: [{target: a, created: b, opacity: 0.5, look: {figure: stick}}]
 sheets: [{compare: {target: a, created: b}}, {id: both, stills: [a, b], columns: 2}]
 questionnaire: {participants: 4, scales: emotions, consent: "yes: no", stimuli: [a, b], order: {blocked: emotion},
-  choices: {x: 悲しい, y: y}, trials: emotion, replays: 3, attention: {every: 2}, catch: {repeat: 1}, answer: {points: 7},
+  choices: {x: 悲しい, y: y}, trials: emotion, replays: 3, attention: {every: 2}, retest: {repeat: 1}, answer: {points: 7},
   demographics: [{id: age, ask: "How old?", answer: number}, {id: sex, ask: Which, answer: [f, m]}], analysis: {correction: bh}}
 )");
   const OrderedJson text = written(manifest, WritingOptions{});

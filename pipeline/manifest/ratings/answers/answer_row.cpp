@@ -54,8 +54,8 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
     {{"is_warmup", "",
       "1 for warm-up trials at the start of the main part, which are not analysed"},
      &Row::is_warmup},
-    {{"is_catch", "", "1 for attention checks (see `expected`) and repeated stimuli"},
-     &Row::is_catch},
+    {{"is_check", "", "1 for attention checks (see `expected`) and repeated stimuli"},
+     &Row::is_check},
     {{"expected", "", "raw answer that passes the check"}, &Row::expected},
     {{"passed", "", "1 if the check was passed, 0 if failed; empty without a check"}, &Row::passed},
     {{"replays", "", "number of replays"}, &Row::replays},
@@ -201,7 +201,7 @@ class AnswerRowReader {
 const TableForm answer_form = {"answers.csv", "answer", answer_row_columns};
 
 bool AnswerRow::counts() const {
-  return !is_practice && !is_warmup && !is_catch && kind != attention_kind && !value.empty() &&
+  return !is_practice && !is_warmup && !is_check && kind != attention_kind && !value.empty() &&
          value != "NA";
 }
 
@@ -240,7 +240,10 @@ std::vector<Fault> duplicate_answer_faults(const std::vector<AnswerRow>& rows) {
   return faults;
 }
 
-std::vector<AnswerRow> answer_rows(const CsvTable& table, DuplicateAnswers duplicates) {
+std::vector<AnswerRow> answer_rows(CsvTable table, DuplicateAnswers duplicates,
+                                   std::vector<Fault>* warnings) {
+  std::optional<Fault> warning = rename_column(table, "is_catch", "is_check");
+  if (warning && warnings != nullptr) warnings->push_back(*std::move(warning));
   AnswerRowReader reader(table);
   if (!reader.faults.empty()) throw Faults(reader.faults);
   std::vector<AnswerRow> rows;

@@ -33,7 +33,7 @@ struct AnswerRow {
   std::optional<double> rt_ms;
   bool is_practice = false;
   bool is_warmup = false;
-  bool is_catch = false;  ///< attention checks and repeated stimuli
+  bool is_check = false;  ///< attention checks and repeated stimuli
   std::string expected;   ///< raw answer that passes an attention check
   std::optional<bool> passed;
   std::optional<int> replays;
@@ -71,14 +71,17 @@ std::vector<std::string> fields_of_row(const AnswerRow& row);
 
 enum class DuplicateAnswers { refused, allowed };
 
-/// Reads the output of to_csv. Columns may be in any order; unknown columns are ignored.
+/// Reads the output of to_csv, also of earlier versions, in which `is_check` was called `is_catch`:
+/// a warning is added to `warnings`, if given. Columns may be in any order; unknown columns are
+/// ignored.
 ///
 /// Throws Faults with every fault at once, at file:line:column: missing columns, no rows, an empty
 /// participant or item, an invalid kind, pole or boolean, numbers that are malformed, negative or
 /// fractional where this is not allowed, and duplicate answers (same participant, session, trial,
 /// stimulus and item).
-std::vector<AnswerRow> answer_rows(const CsvTable& table,
-                                   DuplicateAnswers duplicates = DuplicateAnswers::refused);
+std::vector<AnswerRow> answer_rows(CsvTable table,
+                                   DuplicateAnswers duplicates = DuplicateAnswers::refused,
+                                   std::vector<Fault>* warnings = nullptr);
 
 /// Returns a fault for each duplicate answer.
 std::vector<Fault> duplicate_answer_faults(const std::vector<AnswerRow>& rows);

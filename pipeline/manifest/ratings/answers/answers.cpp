@@ -28,6 +28,16 @@ std::vector<std::string> sentences_of(const std::vector<StudyWarning>& warnings)
   return sentences;
 }
 
+/// The warnings in the same form.
+std::vector<std::string> sentences_of(std::vector<Fault> warnings) {
+  std::vector<std::string> sentences;
+  for (Fault& warning : warnings) {
+    warning.place.file = std::filesystem::path(warning.place.file).filename().string();
+    sentences.push_back(to_string(warning));
+  }
+  return sentences;
+}
+
 /// The rows of a table of words that are about the examples.
 CsvTable rows_about(CsvTable table, const AnswerSubjects& about, const AnswerRules& rules,
                     std::vector<StudyWarning>& warnings) {
@@ -67,7 +77,9 @@ Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSu
   if (holds_answer_rows(table)) {
     CountedAnswers counted = counted_answers(table, scales);
     answers = answers_of(counted.table, scales, about);
-    answers.warnings.insert(answers.warnings.begin(), counted.notes.begin(), counted.notes.end());
+    std::vector<std::string> first = sentences_of(counted.warnings);
+    first.insert(first.end(), counted.notes.begin(), counted.notes.end());
+    answers.warnings.insert(answers.warnings.begin(), first.begin(), first.end());
     return answers;
   }
   if (holds_words(table)) {
@@ -139,10 +151,12 @@ std::string to_csv(const Answers& answers) {
 
 AnswersOfFiles answers_of_files(const std::vector<std::filesystem::path>& files) {
   RowsTakenOnce taken;
+  std::vector<Fault> warnings;
   for (const std::filesystem::path& file : files)
-    for (AnswerRow& row : answer_rows(read_csv(file), DuplicateAnswers::allowed))
+    for (AnswerRow& row : answer_rows(read_csv(file), DuplicateAnswers::allowed, &warnings))
       taken.add(std::move(row));
   AnswersOfFiles all = taken.finished();
+  all.warnings = std::move(warnings);
   const std::vector<Fault> faults = duplicate_answer_faults(all.rows);
   if (!faults.empty()) throw Faults(faults);
   return all;

@@ -23,7 +23,7 @@ struct Answer {
 struct Answers {
   std::vector<Answer> answers;
   bool simulated = false;  ///< not given by people; every output that uses the answers states it
-  std::vector<std::string> warnings = {};  ///< what was ignored, as plain sentences
+  std::vector<std::string> warnings = {};  ///< what was ignored or renamed, as sentences
 };
 
 /// The names under which ratings may refer to an example.
@@ -64,6 +64,7 @@ std::string to_csv(const Answers& answers);
 struct AnswersOfFiles {
   std::vector<AnswerRow> rows;
   std::vector<std::string> notes;  ///< sentences about duplicates
+  std::vector<Fault> warnings;     ///< about former names of columns
 };
 
 /// Reads the answers of a questionnaire, in the order of the files. Identical rows, which occur

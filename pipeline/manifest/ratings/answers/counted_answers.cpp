@@ -101,10 +101,10 @@ bool is_on_scale(const AnswerRow& row) {
 }
 
 CountedAnswers counted_answers(const CsvTable& table, const ScaleSet& scales) {
-  std::vector<AnswerRow> rows = answer_rows(table);
+  CountedAnswers counted;
+  std::vector<AnswerRow> rows = answer_rows(table, DuplicateAnswers::refused, &counted.warnings);
   const std::vector<Fault> faults = contradicted_values(rows, scales);
   if (!faults.empty()) throw Faults(faults);
-  CountedAnswers counted;
   counted.notes = separate_participants(rows);
   const std::set<std::string> excluded = note_excluded(rows, counted.notes);
   counted.table.file = table.file;

@@ -20,6 +20,7 @@ bool is_on_scale(const AnswerRow& row);
 struct CountedAnswers {
   CsvTable table;
   std::vector<std::string> notes;  ///< sentences about ignored answers
+  std::vector<Fault> warnings;     ///< about former names of columns
 };
 
 /// Returns the ratings without practice, warm-up, checks, repeated stimuli, empty answers, choices

@@ -22,6 +22,12 @@ Fault fault_of(const Error& error) {
   return {error.place(), "", std::string(error.what()).substr(place.size() + 2), ""};
 }
 
+/// The fault without its place.
+std::string sentence_of(Fault fault) {
+  fault.place = {};
+  return to_string(fault);
+}
+
 /// Reads the rows one by one; gathers faults and warnings.
 class RowReader {
  public:
@@ -152,6 +158,8 @@ StudyAnswers study_answers(const CsvTable& table, const ScaleSet& scales,
   if (holds_answer_rows(table)) {
     CountedAnswers counted = counted_answers(table, scales);
     StudyAnswers study = study_answers(counted.table, scales, examples, rules);
+    for (const Fault& renamed : counted.warnings)
+      study.warnings.push_back({"former-name", renamed.place, sentence_of(renamed)});
     for (std::string& sentence : counted.notes)
       study.warnings.push_back({"left-out", {}, std::move(sentence)});
     return study;

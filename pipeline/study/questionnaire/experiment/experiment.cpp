@@ -72,7 +72,7 @@ ordered_json trial_json(const Manifest& manifest, const Trial& trial) {
           {"items", items},
           {"practice", trial.practice},
           {"warm_up", trial.warm_up},
-          {"catch", trial.is_catch},
+          {"check", trial.is_check},
           {"expected", trial.expected}};
 }
 

@@ -131,9 +131,9 @@ std::string sessions_html(const Results& results) {
                     rows);
 }
 
-std::string catch_summary_html(const Results& results) {
+std::string retest_summary_html(const Results& results) {
   std::string rows;
-  for (const CatchSummary& s : results.catch_summaries)
+  for (const RetestSummary& s : results.retest_summaries)
     rows +=
         HtmlRow()
             .text(s.participant.empty() ? "all" : s.participant, s.item.empty() ? "all" : s.item)
@@ -147,9 +147,9 @@ std::string catch_summary_html(const Results& results) {
                     rows);
 }
 
-std::string catch_answers_html(const Results& results) {
+std::string retest_answers_html(const Results& results) {
   std::string rows;
-  for (const CatchAnswer& answer : results.catch_answers)
+  for (const RetestAnswer& answer : results.retest_answers)
     rows += HtmlRow()
                 .text(answer.participant, answer.stimulus, answer.against, answer.item)
                 .number(fmt::format("{}, {}", answer.first_trial, answer.second_trial))

@@ -10,8 +10,8 @@ namespace mien::pipeline {
 
 std::string sessions_html(const Results& results);
 /// Summary of repeated trials, and all answers to them.
-std::string catch_summary_html(const Results& results);
-std::string catch_answers_html(const Results& results);
+std::string retest_summary_html(const Results& results);
+std::string retest_answers_html(const Results& results);
 std::string demographics_html(const Results& results);
 std::string best_seen_html(const Results& results);
 /// The comparisons of a family. In best_seen, only videos of the group `made` (result_figures.h)

@@ -56,7 +56,7 @@ stimuli <- read.csv(file.path("..", "{stimuli}"), encoding = "UTF-8")
 # The answers analysed in the report: ratings outside practice, warm-up and checks, by
 # participants who were not excluded.
 counted <- subset(answers, ({on_scale}) &
-                    is_practice == 0 & is_warmup == 0 & is_catch == 0 &
+                    is_practice == 0 & is_warmup == 0 & is_check == 0 &
                     excluded == 0 & !is.na(value) & value != "")
 counted$value <- as.numeric(counted$value)
 counted <- merge(counted, stimuli, by = "stimulus")

@@ -284,8 +284,8 @@ std::string agreement_part(const Results& results) {
          table;
 }
 
-std::string catch_html(const Results& results) {
-  const std::string table = catch_summary_html(results);
+std::string retest_html(const Results& results) {
+  const std::string table = retest_summary_html(results);
   if (table.empty()) return "";
   return paragraph(
              "Consistency of answers to videos shown twice. All other results use the first answer "
@@ -294,7 +294,7 @@ std::string catch_html(const Results& results) {
              "part of “all”. Attention checks, which require a particular answer, are reported "
              "under Participants.") +
          table + "<details><summary>All repeated answers</summary>\n" +
-         catch_answers_html(results) + "</details>\n";
+         retest_answers_html(results) + "</details>\n";
 }
 
 /// The most frequent words, and all texts in a collapsed section.
@@ -344,7 +344,7 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("confusion", "Confusion", confusion_html(results, parts));
   parts.section("correlations", "Correlations", parts.figures("correlations"));
   parts.section("agreement", "Agreement", agreement_part(results));
-  parts.section("catch", "Test–retest", catch_html(results));
+  parts.section("retest", "Test–retest", retest_html(results));
   parts.section("preferences", "Pairs", parts.figures("preferences") + preferences_html(results));
   parts.section("comments", "Comments", remarks_html(results.answer_set.remarks));
   parts.section("words", "Free-text answers", words_html(results, parts));

@@ -57,16 +57,18 @@ const std::string asked =
 TEST_F(ManifestReaderTest, UnderstandsFormerNamesOfKeysAndWarns) {
   const ManifestReading reading =
       parse(head + "look: {figure: {trail: {before: 2, faintest: 0.3}}}\n" + asked +
-            "apart: [actor], analysis: {most_failed: 3}}\n");
+            "apart: [actor], analysis: {most_failed: 3}, catch: {repeat: 1}}\n");
   EXPECT_EQ(told(reading.faults), "");
   EXPECT_EQ(told(reading.manifest.renamed),
             "m.yaml:4:36: look.figure.trail.faintest: now called min_opacity; rename it\n"
             "m.yaml:6:47: questionnaire.apart: now called no_repeats; rename it\n"
             "m.yaml:6:74: questionnaire.analysis.most_failed: now called max_failed_checks; "
-            "rename it\n");
+            "rename it\n"
+            "m.yaml:6:91: questionnaire.catch: now called retest; rename it\n");
   EXPECT_EQ(std::get<scenes::TrailOptions>(reading.manifest.look.figure).min_opacity, 0.3);
   EXPECT_EQ(reading.manifest.questionnaire->no_repeats, std::vector<std::string>{"actor"});
   EXPECT_EQ(reading.manifest.questionnaire->analysis.max_failed_checks, 3);
+  EXPECT_EQ(reading.manifest.questionnaire->repeated, 1);
 }
 
 TEST_F(ManifestReaderTest, RefusesAFormerNameBesideTheNewOne) {
@@ -79,6 +81,8 @@ TEST_F(ManifestReaderTest, ChecksValuesOfFormerNamesAndProposesTheNewOnes) {
   EXPECT_TRUE(
       faults_after_head(asked + "apart: [mood]}\n")
           .starts_with("m.yaml:5:55: questionnaire.no_repeats[0]: unknown factor \"mood\""));
+  EXPECT_TRUE(faults_after_head(asked + "catch: {repeat: 9}}\n")
+                  .starts_with("m.yaml:5:63: questionnaire.retest.repeat: there are 2"));
   EXPECT_EQ(faults_after_head("look: {figure: {trail: {faintes: 0.3}}}\nstimuli: [{id: a, "
                               "weights: {sad: 1}}]\n")
                 .find("did you mean \"faintest\""),

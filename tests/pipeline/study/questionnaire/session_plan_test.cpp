@@ -33,7 +33,7 @@ TEST(SessionPlan, IsTheSameWithMoreParticipants) {
   const Manifest manifest = asked_study(
       20,
       "participants: 7, scales: [sad-happy, slow-fast], per_participant: 9, no_repeats: [actor], "
-      "attention: {every: 4}, catch: {repeat: 2}, warm_up: 2");
+      "attention: {every: 4}, retest: {repeat: 2}, warm_up: 2");
   const auto few = plan_sessions(manifest);
   const auto many = plan_sessions(manifest, {}, 40);
   ASSERT_EQ(few.size(), 7u);
@@ -53,7 +53,7 @@ void expect_sound(const Manifest& manifest, const std::vector<SessionPlan>& plan
     for (const Trial& trial : plan.trials) {
       EXPECT_EQ(trial.number, &trial - plan.trials.data() + 1);
       warm_up += trial.warm_up;
-      repeated += trial.is_catch && !trial.is_attention_check();
+      repeated += trial.is_check && !trial.is_attention_check();
       if (trial.is_attention_check()) continue;
       if (before != nullptr && !before->practice) {
         EXPECT_NE(before->stimuli, trial.stimuli);
@@ -87,7 +87,7 @@ TEST(SessionPlan, KeepsWhatItPromisesOverManyRandomDesigns) {
         "participants: 9, scales: [sad-happy], per_participant: " + std::to_string(own) +
         ", order: " + orders[design % 3] +
         ", warm_up: " + std::to_string(drawn(design, "warm", 3)) +
-        ", catch: {repeat: " + std::to_string(drawn(design, "repeat", 3)) +
+        ", retest: {repeat: " + std::to_string(drawn(design, "repeat", 3)) +
         "}, attention: {every: " + std::to_string(drawn(design, "every", 9)) +
         "}, practice: [a1, b2]" + (design % 3 != 1 ? ", no_repeats: [actor]" : "");
     SCOPED_TRACE(std::to_string(stimuli) + ": " + members);
@@ -110,13 +110,14 @@ TEST(SessionPlan, SaysWhenNoOrderKeepsApartWhatHasToBe) {
 
 TEST(SessionPlan, SaysAtItsKeyThatAStimulusCannotBeSeenTwice) {
   try {
-    plan_sessions(asked_study(1, "participants: 2, scales: [sad-happy], catch: {repeat: 1}"));
+    plan_sessions(asked_study(1, "participants: 2, scales: [sad-happy], retest: {repeat: 1}"));
     FAIL() << "nothing could come in between";
   } catch (const Error& error) {
     const std::string told = error.what();
-    EXPECT_NE(told.find("questionnaire.catch.repeat: p001 cannot see a stimulus a second time with "
-                        "others in between; omit it, or show more stimuli"),
-              std::string::npos)
+    EXPECT_NE(
+        told.find("questionnaire.retest.repeat: p001 cannot see a stimulus a second time with "
+                  "others in between; omit it, or show more stimuli"),
+        std::string::npos)
         << told;
     EXPECT_TRUE(std::regex_search(told, std::regex(":[0-9]+:[0-9]+: "))) << told;
   }

@@ -19,10 +19,10 @@ namespace {
 using test::asked_study;
 
 TEST(SimulatedSessions, HaveARowForEveryItemOfEveryTrialThatCanBeReadAgain) {
-  const Manifest manifest = asked_study(
-      8,
-      "participants: 6, scales: [sad-happy, slow-fast], attention: {every: 3}, catch: {repeat: 1}, "
-      "warm_up: 1, practice: [a1], reference: b2");
+  const Manifest manifest = asked_study(8,
+                                        "participants: 6, scales: [sad-happy, slow-fast], "
+                                        "attention: {every: 3}, retest: {repeat: 1}, "
+                                        "warm_up: 1, practice: [a1], reference: b2");
   const auto plans = plan_sessions(manifest);
   const auto rows = simulated_sessions(manifest, plans, {});
   std::size_t expected = 0;
@@ -137,6 +137,8 @@ TEST(DesignHash, IsOfWhatParticipantsSee) {
   EXPECT_NE(hash(""), hash(", comments: true"));
   EXPECT_NE(hash(""), hash(", consent: yes or no"));
   EXPECT_NE(hash(""), hash(", order: latin"));
+  EXPECT_NE(hash(""), hash(", retest: {repeat: 1}"));
+  EXPECT_EQ(hash(", retest: {repeat: 1}"), hash(", catch: {repeat: 1}"));
 }
 
 }  // namespace

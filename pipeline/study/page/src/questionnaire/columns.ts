@@ -4,7 +4,7 @@
 export const answerColumns = [
   "participant", "session", "trial", "block", "kind", "stimulus",
   "stimulus_sha256", "against", "item", "value_raw", "value", "pole_left",
-  "rt_ms", "is_practice", "is_warmup", "is_catch", "expected", "passed",
+  "rt_ms", "is_practice", "is_warmup", "is_check", "expected", "passed",
   "replays", "trial_ms", "play_start_ms", "ended_ms", "stalls", "stall_ms",
   "dropped_frames", "blurs", "viewport_width", "viewport_height", "refresh_hz", "comment",
   "seed", "design", "simulated",

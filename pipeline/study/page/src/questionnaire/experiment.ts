@@ -89,7 +89,8 @@ export interface Trial {
   items: { item: string; flipped: boolean }[];
   practice: boolean;
   warm_up: boolean;
-  catch: boolean;
+  /** An attention check, or a stimulus that is shown a second time. */
+  check: boolean;
   expected?: string;
 }
 

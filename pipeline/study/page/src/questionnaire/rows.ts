@@ -39,7 +39,7 @@ function rowsOf(
       rt_ms: numberText(response.rt_ms),
       is_practice: truth(trial.practice),
       is_warmup: truth(trial.warm_up),
-      is_catch: truth(trial.catch || !!kind.isCheck),
+      is_check: truth(trial.check || !!kind.isCheck),
       expected,
       passed: expected === "" ? "" : truth(String(response.value_raw) === expected),
       replays: numberText(record.replays),

@@ -23,7 +23,7 @@ AnswerRow full_row() {
           .value = "-2",
           .pole_left = "high",
           .rt_ms = 2310.25,
-          .is_catch = true,
+          .is_check = true,
           .expected = "5",
           .passed = true,
           .replays = 2,
@@ -112,6 +112,20 @@ TEST(AnswerRow, IsReadFromColumnsInAnyOrderAndBesideOthers) {
   EXPECT_EQ(fields_of_row(rows[0]), fields);
 }
 
+TEST(AnswerRow, IsReadFromTheFormerNameOfItsColumnWithAWarning) {
+  const std::string now = to_csv({full_row(), row_of("p002", 1, "weak-strong")});
+  std::string former = now;
+  former.replace(former.find("is_check"), 8, "is_catch");
+  std::vector<Fault> warnings;
+  const auto rows = answer_rows(parse_csv(former, "a.csv"), DuplicateAnswers::refused, &warnings);
+  EXPECT_TRUE(rows[0].is_check);
+  EXPECT_EQ(to_csv(rows), now);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(to_string(warnings[0]),
+            "a.csv:1:130: is_catch: now called is_check; rename the column");
+  EXPECT_EQ(to_csv(answer_rows(parse_csv(former, "a.csv"))), now);
+}
+
 TEST(AnswerRow, TellsEveryFaultWithItsPlace) {
   EXPECT_EQ(
       faults_with("kind", "guess"),
@@ -165,7 +179,7 @@ TEST(AnswerRow, CountsUnlessItIsPracticeWarmUpACheckOrEmpty) {
   AnswerRow row = row_of("p", 1, "a");
   EXPECT_TRUE(row.counts());
   for (bool AnswerRow::*flag :
-       {&AnswerRow::is_practice, &AnswerRow::is_warmup, &AnswerRow::is_catch}) {
+       {&AnswerRow::is_practice, &AnswerRow::is_warmup, &AnswerRow::is_check}) {
     AnswerRow other = row;
     other.*flag = true;
     EXPECT_FALSE(other.counts());

@@ -33,6 +33,21 @@ TEST(AnswersOfFiles, TakesOnceWhatIsThereAgain) {
   EXPECT_NE(all.notes[0].find("2 answers were saved more than once"), std::string::npos);
 }
 
+TEST(AnswersOfFiles, TakesOnceWhatEarlierVersionsWrote) {
+  const test::TemporaryFolder folder;
+  std::string text = to_csv({answer_at(1, "3", "0"), answer_at(2, "5", "2")});
+  write_file(folder.path() / "now.csv", text);
+  text.replace(text.find("is_check"), 8, "is_catch");
+  write_file(folder.path() / "former.csv", text);
+  const AnswersOfFiles all =
+      answers_of_files({folder.path() / "now.csv", folder.path() / "former.csv"});
+  EXPECT_EQ(all.rows.size(), 2U);
+  ASSERT_EQ(all.warnings.size(), 1U);
+  EXPECT_EQ(to_string(all.warnings[0]),
+            (folder.path() / "former.csv").string() +
+                ":1:130: is_catch: now called is_check; rename the column");
+}
+
 TEST(AnswersOfFiles, RefusesTwoAnswersThatDiffer) {
   const test::TemporaryFolder folder;
   write_file(folder.path() / "one.csv", to_csv({answer_at(1, "3", "0")}));

@@ -12,7 +12,7 @@ void add_checks(std::vector<AnswerRow>& rows, const std::string& participant, in
     rows.push_back({.participant = participant,
                     .trial = i + 1,
                     .kind = "attention",
-                    .is_catch = true,
+                    .is_check = true,
                     .expected = "1",
                     .passed = i < passed});
   }

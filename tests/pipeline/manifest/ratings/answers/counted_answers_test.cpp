@@ -1,5 +1,7 @@
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/fault.h"
@@ -36,12 +38,12 @@ std::vector<AnswerRow> questionnaire() {
     rows.push_back(asked(participant, 3, "walk", "-1"));
     rows.push_back(asked(participant, 4, "run", "0.5"));
     rows.push_back(asked(participant, 5, "walk", "2"));
-    rows.back().is_catch = true;
+    rows.back().is_check = true;
     for (int trial : {6, 7}) {
       rows.push_back({.participant = participant,
                       .trial = trial,
                       .kind = "attention",
-                      .is_catch = true,
+                      .is_check = true,
                       .expected = "1",
                       .passed = participant != std::string("p3")});
     }
@@ -60,6 +62,27 @@ TEST(CountedAnswers, AreReadAsRatingsOfAManifest) {
   EXPECT_FALSE(answers.simulated);
   ASSERT_EQ(answers.warnings.size(), 1u);
   EXPECT_EQ(answers.warnings[0], "participant \"p3\" is excluded: 0 of 2 attention checks passed");
+}
+
+TEST(CountedAnswers, OfEarlierVersionsAreTheSameWithAWarning) {
+  const std::string now = to_csv(questionnaire());
+  std::string former = now;
+  former.replace(former.find("is_check"), 8, "is_catch");
+  const std::string warning = "is_catch: now called is_check; rename the column";
+
+  const Answers rated = parse_answers(former, "in/a.csv", questionnaire_scales());
+  EXPECT_EQ(to_csv(rated), to_csv(parse_answers(now, "in/a.csv", questionnaire_scales())));
+  ASSERT_EQ(rated.warnings.size(), 2u);
+  EXPECT_EQ(rated.warnings[0], "a.csv:1:130: " + warning);
+
+  const auto studied = [](const std::string& csv) {
+    return study_answers(parse_csv(csv, "a.csv"), questionnaire_scales(),
+                         {{"walk", ""}, {"run", ""}}, {});
+  };
+  const StudyAnswers study = studied(former), same = studied(now);
+  EXPECT_EQ(to_csv(study.plain()), to_csv(same.plain()));
+  ASSERT_EQ(study.warnings.size(), same.warnings.size() + 1);
+  EXPECT_EQ(std::ranges::count(study.warnings, warning, &StudyWarning::text), 1);
 }
 
 TEST(CountedAnswers, OfASimulationAreMarked) {

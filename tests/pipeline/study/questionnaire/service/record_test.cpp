@@ -82,7 +82,7 @@ TEST_F(Records, OfOtherKindsHaveTheirOwnValues) {
   EXPECT_EQ(rows("trial-3").at(0).pole_left, "");
   const AnswerRow attention = rows("trial-4").at(0);
   EXPECT_EQ(attention.passed, true);
-  EXPECT_TRUE(attention.is_catch);
+  EXPECT_TRUE(attention.is_check);
   EXPECT_EQ(attention.value, "5");
   const AnswerRow emotion = rows("trial-5").at(0);
   EXPECT_EQ(emotion.item, "emotion");
@@ -135,7 +135,7 @@ SessionPlan plan_in(const nlohmann::json& session, const nlohmann::json& stimuli
                 .block = told.at("block"),
                 .practice = told.at("practice"),
                 .warm_up = told.at("warm_up"),
-                .is_catch = told.at("catch"),
+                .is_check = told.at("check"),
                 .expected = told.at("expected")};
     for (const TrialKind* kind : trial_kinds)
       if (told.at("kind") == kind->name) trial.kind = kind;

@@ -29,7 +29,7 @@ SessionPlan example_plan(int index, int more) {
                  {.number = 4,
                   .block = "main",
                   .items = {{"sad-happy", false}},
-                  .is_catch = true,
+                  .is_check = true,
                   .expected = "5"},
                  {.number = 5,
                   .block = "main",
@@ -66,7 +66,7 @@ nlohmann::ordered_json session_of(const SessionPlan& plan) {
          {"items", std::move(items)},
          {"practice", trial.practice},
          {"warm_up", trial.warm_up},
-         {"catch", trial.is_catch},
+         {"check", trial.is_check},
          {"expected", trial.expected}});
   }
   return {{"participant", plan.participant},

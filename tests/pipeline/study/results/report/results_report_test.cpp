@@ -94,8 +94,8 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "results/correlations.csv",
                            "results/agreement.csv",
                            "results/sessions.csv",
-                           "results/catch_trials.csv",
-                           "results/catch_summary.csv",
+                           "results/retest.csv",
+                           "results/retest_summary.csv",
                            "results/demographics.csv",
                            "results/comments.csv",
                            "figures/histograms-acted.pdf",
@@ -170,8 +170,8 @@ TEST(ResultsReport, WritesNothingElsewhereWhateverItsTablesName) {
 
 TEST(ResultsReport, TellsWhatWasAnsweredTwice) {
   const std::string page = usual_report().at("report.html");
-  EXPECT_NE(page.find("<section id=\"catch\">"), std::string::npos);
-  EXPECT_NE(page.find("href=\"results/catch_summary.csv\""), std::string::npos);
+  EXPECT_NE(page.find("<section id=\"retest\">"), std::string::npos);
+  EXPECT_NE(page.find("href=\"results/retest_summary.csv\""), std::string::npos);
 }
 
 TEST(ResultsReport, NamesTheFiguresOfTheThesisThatItsOwnAreLike) {

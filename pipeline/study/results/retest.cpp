@@ -1,4 +1,4 @@
-#include "pipeline/study/results/catch_trials.h"
+#include "pipeline/study/results/retest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,9 @@ namespace mien::pipeline {
 namespace {
 
 /// Identifies a question: participant, item and stimuli, whichever side they are on.
-using CatchKey = std::tuple<std::string, std::string, std::string, std::string, std::string>;
+using RetestKey = std::tuple<std::string, std::string, std::string, std::string, std::string>;
 
-CatchKey catch_key(const AnswerRow& row) {
+RetestKey retest_key(const AnswerRow& row) {
   const TrialForm* form = find_trial_form(row.kind);
   const bool is_turned = form != nullptr && form->stimuli > 1 && row.against < row.stimulus;
   return {row.participant, row.kind, is_turned ? row.against : row.stimulus,
@@ -27,11 +27,11 @@ CatchKey catch_key(const AnswerRow& row) {
 bool is_answered(const AnswerRow& row) { return !row.value.empty() && row.value != "NA"; }
 
 /// Whether a row is of a repetition: repetitions and attention checks share a column.
-bool is_shown_again(const AnswerRow& row) { return row.is_catch && row.kind != attention_kind; }
+bool is_shown_again(const AnswerRow& row) { return row.is_check && row.kind != attention_kind; }
 
-CatchAnswer catch_answer(const AnswerSet& answer_set, const AnswerRow& first,
-                         const AnswerRow& second) {
-  CatchAnswer answer;
+RetestAnswer retest_answer(const AnswerSet& answer_set, const AnswerRow& first,
+                           const AnswerRow& second) {
+  RetestAnswer answer;
   answer.participant = second.participant;
   answer.is_excluded = !std::ranges::binary_search(answer_set.people, second.participant);
   answer.stimulus = first.stimulus;
@@ -49,11 +49,11 @@ CatchAnswer catch_answer(const AnswerSet& answer_set, const AnswerRow& first,
 }
 
 /// The summary of the answers for which `is_asked` holds.
-CatchSummary catch_summary(const std::vector<CatchAnswer>& answers, auto is_asked) {
-  CatchSummary summary;
+RetestSummary retest_summary(const std::vector<RetestAnswer>& answers, auto is_asked) {
+  RetestSummary summary;
   std::vector<double> first, second;
   double sum = 0.0;
-  for (const CatchAnswer& answer : answers) {
+  for (const RetestAnswer& answer : answers) {
     if (!is_asked(answer)) continue;
     ++summary.answers;
     summary.equal += answer.is_equal() ? 1 : 0;
@@ -70,32 +70,32 @@ CatchSummary catch_summary(const std::vector<CatchAnswer>& answers, auto is_aske
 
 }  // namespace
 
-bool CatchAnswer::is_equal() const { return difference ? *difference == 0.0 : first == second; }
+bool RetestAnswer::is_equal() const { return difference ? *difference == 0.0 : first == second; }
 
-std::vector<CatchAnswer> catch_answers_of(const AnswerSet& answer_set,
-                                          std::vector<AnswerRow> rows) {
+std::vector<RetestAnswer> retest_answers_of(const AnswerSet& answer_set,
+                                            std::vector<AnswerRow> rows) {
   separate_participants(rows);
-  std::map<CatchKey, const AnswerRow*> first;
+  std::map<RetestKey, const AnswerRow*> first;
   for (const AnswerRow& row : rows)
-    if (row.counts()) first.emplace(catch_key(row), &row);
-  std::vector<CatchAnswer> answers;
+    if (row.counts()) first.emplace(retest_key(row), &row);
+  std::vector<RetestAnswer> answers;
   for (const AnswerRow& row : rows) {
     if (!is_shown_again(row) || !is_answered(row)) continue;
-    const auto found = first.find(catch_key(row));
-    if (found != first.end()) answers.push_back(catch_answer(answer_set, *found->second, row));
+    const auto found = first.find(retest_key(row));
+    if (found != first.end()) answers.push_back(retest_answer(answer_set, *found->second, row));
   }
-  std::ranges::stable_sort(answers, {}, [](const CatchAnswer& answer) {
+  std::ranges::stable_sort(answers, {}, [](const RetestAnswer& answer) {
     return std::tuple(answer.participant, answer.second_trial);
   });
   return answers;
 }
 
-std::vector<CatchSummary> catch_summaries_of(const std::vector<CatchAnswer>& answers) {
-  std::vector<CatchSummary> all;
-  const auto counts = [](const CatchAnswer& answer) { return !answer.is_excluded; };
-  if (std::ranges::any_of(answers, counts)) all.push_back(catch_summary(answers, counts));
+std::vector<RetestSummary> retest_summaries_of(const std::vector<RetestAnswer>& answers) {
+  std::vector<RetestSummary> all;
+  const auto counts = [](const RetestAnswer& answer) { return !answer.is_excluded; };
+  if (std::ranges::any_of(answers, counts)) all.push_back(retest_summary(answers, counts));
   std::vector<std::string> items, people;
-  for (const CatchAnswer& answer : answers) {
+  for (const RetestAnswer& answer : answers) {
     if (counts(answer) && std::ranges::find(items, answer.item) == items.end())
       items.push_back(answer.item);
     if (people.empty() || people.back() != answer.participant) people.push_back(answer.participant);
@@ -103,13 +103,14 @@ std::vector<CatchSummary> catch_summaries_of(const std::vector<CatchAnswer>& ans
   std::ranges::sort(items);
   for (const std::string& item : items) {
     if (items.size() < 2) break;
-    all.push_back(catch_summary(
-        answers, [&](const CatchAnswer& answer) { return counts(answer) && answer.item == item; }));
+    all.push_back(retest_summary(answers, [&](const RetestAnswer& answer) {
+      return counts(answer) && answer.item == item;
+    }));
     all.back().item = item;
   }
   for (const std::string& person : people) {
-    const auto is_own = [&](const CatchAnswer& answer) { return answer.participant == person; };
-    all.push_back(catch_summary(answers, is_own));
+    const auto is_own = [&](const RetestAnswer& answer) { return answer.participant == person; };
+    all.push_back(retest_summary(answers, is_own));
     all.back().participant = person;
     all.back().is_excluded = std::ranges::find_if(answers, is_own)->is_excluded;
   }

@@ -10,8 +10,8 @@
 namespace mien::pipeline {
 
 /// A participant's two answers to a question about a stimulus that was shown twice
-/// (`questionnaire.catch.repeat`). Attention checks are not included.
-struct CatchAnswer {
+/// (`questionnaire.retest.repeat`). Attention checks are not included.
+struct RetestAnswer {
   std::string participant;
   bool is_excluded =
       false;  ///< excluded by the attention rule: listed, but not summarised over all
@@ -28,7 +28,7 @@ struct CatchAnswer {
 };
 
 /// Test-retest agreement of a set of repeated answers.
-struct CatchSummary {
+struct RetestSummary {
   std::string participant;  ///< empty: all included participants
   std::string item;         ///< empty: all items
   bool is_excluded = false;
@@ -40,10 +40,11 @@ struct CatchSummary {
 
 /// All repeated answers, sorted by participant, then in the order of the second answers. Questions
 /// not answered both times are omitted.
-std::vector<CatchAnswer> catch_answers_of(const AnswerSet& answer_set, std::vector<AnswerRow> rows);
+std::vector<RetestAnswer> retest_answers_of(const AnswerSet& answer_set,
+                                            std::vector<AnswerRow> rows);
 
 /// Summaries over all included participants, then by item if there are several, then for each
 /// participant. Summaries without answers are omitted.
-std::vector<CatchSummary> catch_summaries_of(const std::vector<CatchAnswer>& answers);
+std::vector<RetestSummary> retest_summaries_of(const std::vector<RetestAnswer>& answers);
 
 }  // namespace mien::pipeline

@@ -1,4 +1,4 @@
-#include "pipeline/study/results/catch_trials.h"
+#include "pipeline/study/results/retest.h"
 
 #include <algorithm>
 #include <array>
@@ -19,8 +19,9 @@ Manifest repeating_study(int participants = 6) {
   return manifest;
 }
 
-std::vector<CatchAnswer> caught(const Manifest& manifest, const std::vector<AnswerRow>& rows) {
-  return catch_answers_of(collect_answers(manifest, rows), rows);
+std::vector<RetestAnswer> repeated_answers(const Manifest& manifest,
+                                           const std::vector<AnswerRow>& rows) {
+  return retest_answers_of(collect_answers(manifest, rows), rows);
 }
 
 void answer(AnswerRow& row, double value) {
@@ -28,25 +29,25 @@ void answer(AnswerRow& row, double value) {
   row.value_raw = std::to_string(100.0 * (row.pole_left == "low" ? value + 2.0 : 2.0 - value) / 4);
 }
 
-bool is_second(const AnswerRow& row) { return row.is_catch && row.kind != "attention"; }
+bool is_second(const AnswerRow& row) { return row.is_check && row.kind != "attention"; }
 
-TEST(CatchTrials, AreThoseShownASecondTimeAndNoChecks) {
+TEST(RetestAnswers, AreThoseShownASecondTimeAndNoChecks) {
   const Manifest manifest = repeating_study();
   const std::vector<AnswerRow> rows = answers_to(manifest);
   ASSERT_GT(std::ranges::count(rows, "attention", &AnswerRow::kind), 0);
-  const std::vector<CatchAnswer> answers = caught(manifest, rows);
+  const std::vector<RetestAnswer> answers = repeated_answers(manifest, rows);
   ASSERT_EQ(answers.size(), 6u * 1u * 2u);
-  for (const CatchAnswer& one : answers) EXPECT_LT(one.first_trial, one.second_trial);
+  for (const RetestAnswer& one : answers) EXPECT_LT(one.first_trial, one.second_trial);
 }
 
-TEST(CatchTrials, PairTheAnswerThatCountsWithTheSecondOne) {
+TEST(RetestAnswers, PairTheAnswerThatCountsWithTheSecondOne) {
   const Manifest manifest = repeating_study();
   std::vector<AnswerRow> rows = answers_to(manifest);
   for (AnswerRow& row : rows) {
     if (row.kind == "attention") continue;
     answer(row, is_second(row) ? -1.0 : 0.5);
   }
-  for (const CatchAnswer& one : caught(manifest, rows)) {
+  for (const RetestAnswer& one : repeated_answers(manifest, rows)) {
     ASSERT_TRUE(one.difference);
     EXPECT_DOUBLE_EQ(*one.difference, -1.5);
     EXPECT_FALSE(one.is_equal());
@@ -59,7 +60,7 @@ TEST(CatchTrials, PairTheAnswerThatCountsWithTheSecondOne) {
 }
 
 // Of four people the first ratings 0, 1, 0, 1 and the second 0, 1, 1, 0.5 on either scale.
-TEST(CatchTrials, AreSummedUpOverAllByScaleAndByPerson) {
+TEST(RetestAnswers, AreSummedUpOverAllByScaleAndByPerson) {
   const Manifest manifest = repeating_study(4);
   std::vector<AnswerRow> rows = answers_to(manifest);
   constexpr std::array first = {0.0, 1.0, 0.0, 1.0};
@@ -68,7 +69,7 @@ TEST(CatchTrials, AreSummedUpOverAllByScaleAndByPerson) {
     const auto person = static_cast<std::size_t>(row.participant.back() - '1');
     if (row.kind != "attention") answer(row, is_second(row) ? second[person] : first[person]);
   }
-  const std::vector<CatchSummary> all = catch_summaries_of(caught(manifest, rows));
+  const std::vector<RetestSummary> all = retest_summaries_of(repeated_answers(manifest, rows));
   ASSERT_EQ(all.size(), 1u + 2u + 4u);
   EXPECT_EQ(all[0].answers, 8);
   EXPECT_EQ(all[0].equal, 4);
@@ -82,32 +83,32 @@ TEST(CatchTrials, AreSummedUpOverAllByScaleAndByPerson) {
   EXPECT_DOUBLE_EQ(all[5].mean_difference, 1.0);
 }
 
-TEST(CatchTrials, OfWhoIsLeftOutAreToldButNotCounted) {
+TEST(RetestAnswers, OfWhoIsLeftOutAreToldButNotCounted) {
   const Manifest manifest = repeating_study();
   std::vector<AnswerRow> rows = answers_to(manifest);
   for (AnswerRow& row : rows)
     if (row.participant == "p003" && row.kind == "attention") row.passed = false;
   const AnswerSet answer_set = collect_answers(manifest, rows, {.max_failed_checks = 0});
-  const std::vector<CatchSummary> all = catch_summaries_of(catch_answers_of(answer_set, rows));
+  const std::vector<RetestSummary> all = retest_summaries_of(retest_answers_of(answer_set, rows));
   EXPECT_EQ(all[0].answers, 5 * 2);
-  const auto own = std::ranges::find(all, "p003", &CatchSummary::participant);
+  const auto own = std::ranges::find(all, "p003", &RetestSummary::participant);
   ASSERT_NE(own, all.end());
   EXPECT_TRUE(own->is_excluded);
   EXPECT_EQ(own->answers, 2);
 }
 
-TEST(CatchTrials, OfChoicesAndPairsAreTheSameOrNot) {
+TEST(RetestAnswers, OfChoicesAndPairsAreTheSameOrNot) {
   Manifest manifest = repeating_study();
   manifest.questionnaire->attention_every = 0;
   manifest.questionnaire->trials = &emotion_form;
   std::vector<AnswerRow> rows = answers_to(manifest);
   std::erase_if(rows, [](const AnswerRow& row) { return row.item != "emotion"; });
   for (AnswerRow& row : rows) row.value = is_second(row) ? "happy" : "sad";
-  std::vector<CatchAnswer> answers = caught(manifest, rows);
+  std::vector<RetestAnswer> answers = repeated_answers(manifest, rows);
   ASSERT_EQ(answers.size(), 6u);
   EXPECT_FALSE(answers[0].difference);
   EXPECT_FALSE(answers[0].is_equal());
-  EXPECT_TRUE(std::isnan(catch_summaries_of(answers)[0].mean_difference));
+  EXPECT_TRUE(std::isnan(retest_summaries_of(answers)[0].mean_difference));
 
   manifest.questionnaire->trials = &pair_form;
   manifest.questionnaire->pairs = {{"walk", "sad"}, {"walk", "happy"}, {"sad", "happy"}};
@@ -117,16 +118,16 @@ TEST(CatchTrials, OfChoicesAndPairsAreTheSameOrNot) {
     row.value = std::min(row.stimulus, row.against);  // whichever stands at the left
     if (is_second(row)) std::swap(row.stimulus, row.against);
   }
-  answers = caught(manifest, rows);
+  answers = repeated_answers(manifest, rows);
   ASSERT_EQ(answers.size(), 6u);
-  for (const CatchAnswer& one : answers) EXPECT_TRUE(one.is_equal());
+  for (const RetestAnswer& one : answers) EXPECT_TRUE(one.is_equal());
 }
 
-TEST(CatchTrials, AreNoneWithoutRepetitions) {
+TEST(RetestAnswers, AreNoneWithoutRepetitions) {
   const Manifest manifest = two_emotion_study(2);
   const std::vector<AnswerRow> rows = answers_to(manifest);
-  EXPECT_TRUE(caught(manifest, rows).empty());
-  EXPECT_TRUE(catch_summaries_of({}).empty());
+  EXPECT_TRUE(repeated_answers(manifest, rows).empty());
+  EXPECT_TRUE(retest_summaries_of({}).empty());
 }
 
 }  // namespace
