@@ -40,6 +40,8 @@ ManifestReading read_again(const StudyRecord& record, const std::filesystem::pat
   reading = read_manifest(record.as_run, environment);
   reading.manifest.file = record.manifest;
   reading.manifest.command = record.command;
+  // The copy must not be edited: its hash is recorded.
+  reading.manifest.renamed.clear();
   return reading;
 }
 
