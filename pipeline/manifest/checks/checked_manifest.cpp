@@ -45,7 +45,7 @@ ManifestReading read_again(const StudyRecord& record, const std::filesystem::pat
   return reading;
 }
 
-/// The names that are known, be something wrong with the examples or not.
+/// The known names, and the faults of the examples, if any.
 struct KnownVocabulary {
   Vocabulary vocabulary;
   std::vector<Fault> faults;  ///< of the examples
