@@ -777,6 +777,7 @@ TEST(CommandLine, WordsBecomeAnswersThatAManifestTakesToo) {
   ASSERT_EQ(ended.code, 0) << ended.errors;
   EXPECT_NE(ended.output.find("finnish: 2 of 2 answers understood (100 %)"), std::string::npos);
   EXPECT_TRUE(fs::exists(report + "/coverage.csv"));
+  EXPECT_TRUE(fs::exists(report + "/answers_per_stimulus.csv"));
   std::ifstream stream(answers);
   const std::string text((std::istreambuf_iterator<char>(stream)), {});
   EXPECT_NE(text.find("1,brisk,slow-fast,2\n"), std::string::npos);
