@@ -111,7 +111,7 @@ PreparedExample example_of_keytimes(const Clip& clip, const std::vector<double>&
 }
 
 /// Keytimes of the cycle in the time of a loop that is a little longer or shorter. Ascending order
-/// is kept as both ends scale alike.
+/// is kept, since both ends are scaled equally.
 std::vector<double> scaled_keytimes(const GaitCycle& cycle, double duration) {
   const double scale = duration / cycle.keytimes.back();
   std::vector<double> keytimes;
@@ -162,7 +162,7 @@ PreparedExample example_of_frames(const Clip& clip, const FrameRange& frames) {
   return looped_example(clip, *cycle, {frames.first, frames.last});
 }
 
-/// A loop that is an example already, but for its first frame and direction.
+/// An example from a loop, which only needs another first frame and direction.
 PreparedExample example_of_loop(const Clip& loop) {
   PreparedExample prepared;
   prepared.cycle = cycle_of_loop(loop);

@@ -84,7 +84,7 @@ void drop_unread(Json& value, bool keeps_extensions) {
   for (Json& inner : value) drop_unread(inner, keeps_extensions);
 }
 
-/// Buffers and their views may be packed, as an extension of theirs tells; animations may state
+/// Buffers and their views may be compressed, as stated by an extension; animations may state
 /// their frame rate in `extras`.
 void drop_unread_sections(Json& json) {
   for (auto section = json.begin(); section != json.end();) {

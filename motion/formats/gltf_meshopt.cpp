@@ -66,7 +66,7 @@ struct Packed {
   }
 };
 
-/// The library takes what it is told of sizes on trust.
+/// Checks sizes, which the library does not check itself.
 void check_sizes(const Packed& packed, const std::string& mode, size_t count, size_t stride) {
   const bool is_vertices = mode == "ATTRIBUTES";
   const bool is_indices = mode == "TRIANGLES" || mode == "INDICES";

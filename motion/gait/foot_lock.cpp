@@ -28,7 +28,7 @@ Quat mean_rotation(const FootPath& path, int first, int last) {
 }
 
 /// The rotation of a foot that stands, without the lift of the toes that a badly calibrated capture
-/// gives it: nobody stands on his heels.
+/// gives it: people do not stand on their heels.
 Quat without_toe_lift(const Quat& sole, const FootPath& path) {
   const Vec3 along = sole * (path.ball_in_foot - path.heel_in_foot);
   if (along.y() <= 0.0) return sole;

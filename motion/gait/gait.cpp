@@ -121,7 +121,7 @@ std::vector<GaitCycle> cycles_of_foot(const Clip& clip, const std::vector<GaitEv
   return cycles;
 }
 
-/// The two moments at which the pose is most alike, half a second to two seconds apart.
+/// The two moments with the most similar poses, half a second to two seconds apart.
 std::optional<CycleRange> most_alike(const Clip& clip) {
   const int shortest = std::max(8, static_cast<int>(std::ceil(0.5 * clip.frames_per_second)));
   const int longest = static_cast<int>(2.0 * clip.frames_per_second);
@@ -140,7 +140,7 @@ std::optional<CycleRange> most_alike(const Clip& clip) {
 }
 
 /// For takes of about one cycle. Looking at every pair of frames of a long take would be slow and,
-/// where somebody stands, meaningless.
+/// while a person stands, meaningless.
 std::optional<GaitCycle> cycle_by_similarity(const Clip& clip) {
   if (clip.duration_seconds() > 4.0) return std::nullopt;
   const auto place = most_alike(clip);

@@ -90,7 +90,7 @@ Pose blended_pose(const std::vector<Voice>& voices, double seconds, RotationBlen
   return pose;
 }
 
-/// Neighbouring frames in the same hemisphere, so that whoever interpolates takes the short way.
+/// Puts neighbouring rotations in the same hemisphere, so that interpolation takes the shorter arc.
 void make_continuous(std::vector<Pose>& poses) {
   for (size_t f = 1; f < poses.size(); ++f) {
     for (size_t j = 0; j < poses[f].rotations.size(); ++j) {

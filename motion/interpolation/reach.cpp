@@ -9,7 +9,7 @@ namespace mien::motion {
 namespace {
 
 /// How much more a miss of a held parameter counts than a weight that is not the basis'. Squared,
-/// it leaves rounding in double precision six digits below the misses that are told to people.
+/// it keeps rounding errors in double precision six digits below the misses that are reported.
 constexpr double held_share = 1e3;
 
 /// A linear programme is solved as the quadratic one that also keeps Σ w² small, by this share: its

@@ -25,7 +25,7 @@ std::vector<double> sole_heights(const LintSubject& subject, bool left) {
 
 /// Leaves out the frames in which the body rests on more than its feet, or falls freely and stands
 /// on none; also those next to a fall, for feet leave and meet the floor softly, and those of a
-/// motion's ends of which that cannot be told.
+/// motion's ends where that is unknown.
 void without_flights(const LintSubject& subject, std::vector<double>& heights) {
   const WeightBearing bears = weight_bearing_of(subject);
   const int count = subject.frame_count();

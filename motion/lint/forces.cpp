@@ -43,7 +43,7 @@ std::vector<std::vector<double>> torques(const LintSubject& subject, const BodyO
   std::vector<std::vector<double>> rows(torque_joints().size());
   for (size_t t = 0; t < body.moments.size(); ++t) {
     const std::vector<double> values = joint_torques(body.moments[t], body.supports[t]);
-    // How much of the floor's force knees and hands take cannot be told.
+    // The share of the ground reaction force on knees and hands is unknown.
     const bool is_known = body.supports[t].elsewhere.empty();
     for (size_t j = 0; j < rows.size(); ++j) {
       rows[j].push_back(is_known ? mass_kg * values[j] : no_value);

@@ -37,7 +37,7 @@ const std::vector<LintCheck>& lint_checks() {
 
 namespace {
 
-/// Feet that slide because the whole body does are no fault of their own.
+/// Removes findings of sliding feet where the whole body slides.
 Findings not_of_drift(Findings slips, const Findings& drift) {
   std::erase_if(slips, [&](const Finding& slip) {
     return std::any_of(drift.begin(), drift.end(), [&](const Finding& whole) {

@@ -13,7 +13,7 @@ constexpr double ends_seconds = 0.05;
 constexpr double flat_metres = 0.01;
 
 /// What the supporting part of a sole moves between two frames. Of a flat sole all of it bears, and
-/// what moves least tells how far it slides.
+/// the point that moves least shows how far it slides.
 Vec3 slide(const SolePoints& from, const SolePoints& to) {
   const double heel = 0.5 * (from.heel.y() + to.heel.y());
   const double ball = 0.5 * (from.ball.y() + to.ball.y());

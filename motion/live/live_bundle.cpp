@@ -113,7 +113,7 @@ void skeleton_parts(Bytes& bytes, S& skeleton) {
   });
 }
 
-/// But for its body.
+/// All parts except the body.
 template <class Bytes, class E>
 void example_parts(Bytes& bytes, E& example) {
   bytes.text(example.name);
@@ -186,7 +186,7 @@ void target_parts(Bytes& bytes, T& target) {
   bytes.whole(target.shown_frames);
 }
 
-/// But for the examples' body, which is there once.
+/// All parts except the examples' body, which is stored once.
 template <class Bytes, class B>
 void bundle_parts(Bytes& bytes, B& bundle) {
   bytes.text(bundle.info);

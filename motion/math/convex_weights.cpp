@@ -80,7 +80,7 @@ Eigen::MatrixXd mean_rows(const Eigen::MatrixXd& points) {
   return values.v.leftCols(values.rank(least_spread)).transpose();
 }
 
-/// What is left of a vector beside its shares along the columns.
+/// The component of a vector orthogonal to the columns.
 Eigen::VectorXd rest(const Eigen::MatrixXd& orthonormal, Eigen::VectorXd vector) {
   for (int pass = 0; pass < 2; ++pass) vector -= orthonormal * (orthonormal.transpose() * vector);
   return vector;

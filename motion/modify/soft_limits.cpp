@@ -22,7 +22,7 @@ struct LimitedTurn {
   BodyJoint left_joint;
   int axis;
   double sign;
-  std::string_view angle;  ///< none of a wrist, which bends alike to all sides
+  std::string_view angle;  ///< empty for a wrist, which has one limit in all directions
 };
 
 constexpr std::array<LimitedTurn, 8> limited_turns = {{

@@ -78,8 +78,8 @@ std::pair<int, int> largest_component(const MotionGraph& graph, const std::vecto
   return largest;
 }
 
-/// Leaves out all nodes but those marked, their edges and unused transitions. A node that nothing
-/// is left to choose at stays: it does no harm.
+/// Removes all nodes except those marked, their edges and unused transitions. A node with only one
+/// way to go on is kept, which is harmless.
 void keep(MotionGraph& graph, const std::vector<bool>& kept) {
   std::vector<int> number(graph.nodes.size(), -1);
   std::vector<GraphNode> nodes;

@@ -138,7 +138,8 @@ void add_moments(const WalkSegment& segment, double brisk, ScriptMoments& moment
   }
 }
 
-/// Wishes at the ends of segments: of a turn when it is the last, for else what follows shows it.
+/// Adds the goal at the end of a segment; for a turn only if it is the last, since otherwise the
+/// next segment implies it.
 void add_goal(std::span<const WalkSegment> script, std::size_t i, ScriptMoments& moments) {
   constexpr double gait_cycle = 1.0;  // seconds, in which the pelvis turns to and fro
   const WalkSegment& segment = script[i];
@@ -203,8 +204,8 @@ GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec
   const double full_step = brisk_speed(graph) * frame;
   // A metre that is not walked costs as much as 0.2 m beside the path for a second.
   constexpr double idling = 0.04;
-  // Facing 0.3 rad away from the path as much as 0.1 m beside it: who looks ahead only so far would
-  // else come out of it in the wrong direction.
+  // Facing 0.3 rad away from the path costs as much as 0.1 m beside it: with a limited search
+  // horizon the walk would otherwise end in the wrong direction.
   constexpr double facing_away = 0.1;  // m²/rad²
   const FrameCost cost = [&](WalkState& state, const Vec3&) {
     const double before = state.way;

@@ -146,8 +146,8 @@ Error on_all_fours(const Recording& recording) {
       "a human who crawls, or draw it as a stick figure");
 }
 
-/// The up axis: what the format promises, else by the figure. Says where they differ, or where the
-/// figure hardly tells.
+/// The up axis: that of the format, otherwise estimated from the figure. Notes where they differ,
+/// or where the estimate is uncertain.
 UpAxis up_of(const Recording& recording, const std::vector<JointTransforms>& world,
              BodyMapping& mapping) {
   UpAxis up = up_axis(world, mapping.joints);

@@ -14,7 +14,7 @@ std::array<Quat, body_joint_count> rest_checked(const std::array<Quat, body_join
                                                 const MeasuredCalibration& measured) {
   std::array<Quat, body_joint_count> constants = rest;
   for (int j = 0; j < body_joint_count; ++j) {
-    // A sole that stands on the floor says more about the foot than a figure nobody posed.
+    // A sole on the floor is better evidence of the foot's orientation than an unposed figure.
     const bool is_foot = j == LeftAnkle || j == RightAnkle;
     const double tolerance = (is_foot ? 12 : 25) * radians_per_degree;
     const bool wrong = angle_between(rest[j], measured.constants[j]) > tolerance;

@@ -27,7 +27,7 @@ struct GappedLimb {
   const Skeleton& rig() const { return tree.rig; }
   int at(size_t slot) const { return limbs.*slots[slot]; }
 
-  /// Joints from slot `upper` down to slot `lower` on the other side; 0 where it does not tell.
+  /// Joints from slot `upper` down to slot `lower` on the other side; 0 if unknown.
   size_t steps_on_other_side(size_t upper, size_t lower) const {
     const int from = other.*slots[upper];
     const int to = other.*slots[lower];

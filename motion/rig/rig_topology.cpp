@@ -186,7 +186,7 @@ std::optional<std::pair<Pair, Pair>> legs_and_arms(const Recording& recording, c
   return neck_is_deep ? std::pair(upper, lower) : std::pair(lower, upper);
 }
 
-/// Whether a name says that its joint belongs elsewhere.
+/// Whether a joint's name states another part of the body.
 bool is_contradicted(const Skeleton& rig, int joint, BodyRegion part) {
   if (joint < 0) return false;
   const BodyRegion named = body_region_of(joint_word(rig.joints[joint].name));

@@ -25,7 +25,7 @@ double mixed(double at_zero, double at_one, double share) {
 /// floor and swing less, the body bounces and turns less, arms hang; postures stay. Feet are set
 /// wider apart and stand for longer (after Murray et al. 1984; Winter 1991). 1 is the style itself.
 ///
-/// `at_pace` (affective_walk.h) changes step and cadence alike, as people do who walk slowly for
+/// `at_pace` (affective_walk.h) changes step and cadence equally, as people do who walk slowly for
 /// long; this is how they walk for a step or two, before they stop or when they have just started.
 WalkStyle paced_style(const WalkStyle& style, double pace) {
   WalkStyle s = style;

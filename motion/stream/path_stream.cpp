@@ -62,8 +62,8 @@ PathStream::PathStream(const PathMix& mix, double frames_per_second, int look_ah
   assert(look_ahead >= 0);
 }
 
-/// Between the frame before the last and the last the curve is as if the last were repeated, until
-/// the next frame tells it.
+/// Between the last two frames the curve is computed as if the last were repeated, until the next
+/// frame is known.
 void PathStream::extend(Signal& signal, const Quat& rotation) const {
   const int factor = weights_.factor;
   signal.newest.push_back(directions_of(rotation));

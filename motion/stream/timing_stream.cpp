@@ -85,8 +85,8 @@ double TimingStream::target_duration(Player& player) const {
   return duration;
 }
 
-/// Moves the limb on by one frame: at its wished speed, drawn back to the trunk's time, and slower
-/// as it comes near to the newest frame or to its longest lag.
+/// Advances the limb by one frame: at its requested speed, drawn back to the trunk's time, and
+/// slower near the newest frame or its longest lag.
 void TimingStream::play_on(Player& player) const {
   const auto newest = static_cast<double>(first_ + static_cast<long>(poses_.size()) - 1);
   const double oldest = static_cast<double>(given_) - longest_lag_seconds * frames_per_second_;

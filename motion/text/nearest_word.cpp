@@ -10,8 +10,7 @@ namespace mien::motion {
 
 namespace {
 
-/// Nobody mistypes a longer name; comparing two takes as many steps as the product of their
-/// lengths.
+/// Longer names are not compared: the time is proportional to the product of both lengths.
 constexpr size_t longest_word = 200;
 
 std::string lowered(std::string_view word) {

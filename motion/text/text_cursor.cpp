@@ -38,7 +38,8 @@ std::string_view word_at(const TextCursor& cursor) {
              : "give a finite decimal number below 1e12");
 }
 
-/// Numbers too small for a double are zero; std::from_chars does not tell them from too large ones.
+/// Numbers too small for a double are zero; std::from_chars does not distinguish them from too
+/// large ones.
 bool is_underflow(std::string_view word) {
   return std::abs(std::strtod(std::string(word).c_str(), nullptr)) < 1.0;
 }

@@ -59,13 +59,14 @@ fs::path study_folder(const CleanOptions& options, const Console& console) {
   if (fs::is_directory(given, unknown) || given.filename() == "provenance.json")
     return study_folder_of(given);
   const Manifest manifest =
-      load_manifest(resolve_manifest(options.study, console), process_environment(), options.out);
+      load_with_warnings(resolve_manifest(options.study, console), options.out, console);
   return fs::path(options.out) / manifest.study;
 }
 
 Cleaning cleaned(const CleanOptions& options, const fs::path& folder, const Console& console) {
   if (!options.stale)
     return options.dry_run ? all_but(folder, options.keep) : remove_all_but(folder, options.keep);
+  // study_folder has printed the warnings of this manifest.
   const Production production(
       load_manifest(resolve_manifest(options.study, console), process_environment(), options.out),
       {});

@@ -7,7 +7,6 @@
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/production_options.h"
-#include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/run/run.h"
 #include "pipeline/production/synthesis/parameter_request.h"
@@ -72,10 +71,9 @@ void show_table(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
 }
 
 int show_plan(const ProductionArguments& arguments, const Console& console) {
-  const Production production(load_manifest(resolve_manifest(arguments.manifest, console),
-                                            process_environment(), arguments.out),
+  const std::filesystem::path file = resolve_manifest(arguments.manifest, console);
+  const Production production(load_with_warnings(file, arguments.out, console),
                               options_of(arguments));
-  print_warnings(production.manifest().renamed, console);
   const std::filesystem::path folder = folder_of(arguments, production.manifest());
   const std::vector<TaskOutcome> planned = quick_plan(production.graph(), folder);
   const std::vector<std::string> stale = shown_paths(stale_in(folder, production));

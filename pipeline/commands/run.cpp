@@ -10,7 +10,6 @@
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/production_options.h"
-#include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/production/run/provenance.h"
 #include "pipeline/tasks/progress.h"
@@ -97,9 +96,7 @@ void print_changes(const fs::path& file, const Manifest& manifest, const Console
 
 int run_production(const ProductionArguments& arguments, const Console& console) {
   const fs::path file = resolve_manifest(arguments.manifest, console);
-  Production production(load_manifest(file, process_environment(), arguments.out),
-                        options_of(arguments));
-  print_warnings(production.manifest().renamed, console);
+  Production production(load_with_warnings(file, arguments.out, console), options_of(arguments));
   print_changes(file, production.manifest(), console);
   const fs::path folder = folder_of(arguments, production.manifest());
   RunResult result;

@@ -42,7 +42,7 @@ void add_steps(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
   }
 }
 
-/// A set counts by what it holds, whatever its file is called.
+/// Adds the content of a set; the name of its file does not matter.
 void add_set(KeyBuilder& key, const scenes::SetPlan& set) {
   for (const FieldEntry& entry : entries_of(set, {.for_key = true})) {
     if (entry.concerns != concerns::nothing) key.add("set." + entry.path, entry.value.dump());
@@ -62,7 +62,7 @@ Hash repertoire_key(const Manifest& manifest, FileKeys& files) {
   for (const FieldEntry& entry : entries_of(manifest, how)) key.add(entry.path, entry.value.dump());
   for (const std::filesystem::path& file : repertoire_files(manifest))
     key.add("file", files.of(file));
-  // Answers may be about files that are left out: those are no strangers.
+  // Answers about files that are excluded are not answers about unknown examples.
   if (manifest.ratings.source == Ratings::Source::file) {
     for (const std::string& stem : stems_in_folder(manifest.examples)) key.add("stem", stem);
   }

@@ -21,7 +21,7 @@ OrderedJson HoldForm::write(const Hold& hold, const WritingOptions& how) {
 }
 
 void resolve_holds(Manifest& manifest) {
-  // A captured motion has no values of its own, nor has a path.
+  // Captured motions and walks along paths have no parameter values.
   const auto is_reference = [](const Stimulus& stimulus) {
     return stimulus.role == Role::reference && is_blend(stimulus);
   };

@@ -139,7 +139,7 @@ void put(Baseline& baseline, StimulusFacts facts) {
     baseline.stimuli.push_back(std::move(facts));
 }
 
-/// What is written and removed lies in the baseline itself: no link leads out of it.
+/// Refuses symbolic links by which files outside the baseline would be written or removed.
 void refuse_ways_out(const fs::path& folder) {
   for (const char* own : {"baseline.json", "baseline.json.next", "editions", "stimuli"})
     motion::inside(folder, own, {folder.string()});
@@ -167,7 +167,7 @@ void put_sums(Baseline& baseline, const std::vector<StimulusFacts>& approved,
   }
 }
 
-/// Stimuli in the manifest's order; what it has no more goes when that is approved.
+/// Sorts stimuli into the manifest's order; drops removed ones if their removal is approved.
 void put_in_order(Baseline& baseline, const Manifest& manifest, const Approval& approval) {
   std::vector<StimulusFacts> ordered;
   for (const Stimulus& stimulus : manifest.stimuli)

@@ -41,7 +41,7 @@ std::vector<std::string> library_changes(const Origin& before, const Origin& now
   return texts;
 }
 
-/// What of the program and the machine has changed; `code` is the cause that its own code is.
+/// Changes of program and machine; `code` is the cause for changes of mien's own code.
 std::vector<Attribution> origin_causes(const StimulusStates& states, Cause code,
                                        const std::string& code_before, const std::string& code_now,
                                        const std::string& evidence) {
@@ -64,7 +64,7 @@ std::vector<Attribution> origin_causes(const StimulusStates& states, Cause code,
   return causes;
 }
 
-/// Files and options that a baseline's own manifest has otherwise by now.
+/// Files and options of the baseline's manifest that are read differently now.
 std::vector<std::string> lost(const StimulusStates& states, Aspect aspect) {
   return changes_of(aspect, states.approved.settings, states.then.settings);
 }

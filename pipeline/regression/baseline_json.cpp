@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What has no list of members stands in files in a way of its own.
+// Conversions of types without a list of members.
 
 Json as_kept(const NamedValues& values) {
   Json json = Json::object();

@@ -77,7 +77,7 @@ struct PartExcess {
   motion::CurvePeak peak;
   double limit_mm = 0.0;
 
-  /// So that of several the one with a limit of its own stands for all that it carries along.
+  /// Excess relative to the limit, so that a part with its own limit represents those it carries.
   double times_too_far() const { return 1000.0 * peak.value / std::max(limit_mm, 1e-6); }
 };
 

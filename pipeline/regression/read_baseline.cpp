@@ -77,7 +77,7 @@ void refuse_damage(const fs::path& file, const std::string& text, const Json& js
                 keep_remedy);
 }
 
-/// What stands for a large file until git LFS fetches it.
+/// Whether a file is a git LFS pointer, not fetched yet.
 bool is_pointer(const fs::path& file) {
   constexpr std::uintmax_t most = 1024;
   return fs::file_size(file) < most && motion::is_lfs_pointer(read_file(file));
@@ -90,8 +90,7 @@ std::string damage_of(const fs::path& file, const Hash& hash) {
   return hash_of_file(file) == hash ? "" : "differs from what was approved";
 }
 
-/// Files that an edition has beside those that it was approved with: its manifest may name a
-/// folder.
+/// Reports files of an edition that were not approved with it: its manifest may name a folder.
 void add_unknown_files(std::vector<Fault>& faults, const Baseline& baseline,
                        const std::string& edition) {
   const fs::path folder = baseline.folder / "editions" / edition;
@@ -104,7 +103,7 @@ void add_unknown_files(std::vector<Fault>& faults, const Baseline& baseline,
   }
 }
 
-/// What lies in the folder otherwise than baseline.json says.
+/// Reports files that differ from their checksums in baseline.json.
 void add_damaged_sums(std::vector<Fault>& faults, const Baseline& baseline) {
   std::set<std::string> editions;
   for (const auto& [path, hash] : baseline.sums) {
@@ -117,7 +116,7 @@ void add_damaged_sums(std::vector<Fault>& faults, const Baseline& baseline) {
   for (const std::string& edition : editions) add_unknown_files(faults, baseline, edition);
 }
 
-/// What a stimulus's facts name lies in its folder.
+/// Checks that a stimulus's facts name files in its own folder.
 StimulusFacts own_facts(StimulusFacts facts, const std::string& id, const fs::path& file) {
   const Place place{file.string()};
   if (facts.id != id)

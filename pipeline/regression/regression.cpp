@@ -64,7 +64,7 @@ FrameComparison single_frame(int frame) {
   return {.frame = frame, .same = false, .same_size = false};
 }
 
-/// Whether a clip is the approved one but for the name that a stimulus gives it.
+/// Whether a clip equals the approved one, apart from the name that the stimulus gives it.
 bool is_motion_of(const StimulusFacts& approved, motion::Clip clip) {
   if (digest_of(clip) == approved.motion) return true;
   clip.name = approved.id;
@@ -91,9 +91,8 @@ void show_now(StimulusComparison& comparison, const ComparedStudy& study) {
   comparison.frames = {single_frame(middle)};
 }
 
-/// A stimulus that the baseline has not, with a picture of it. Where the baseline has one that is
-/// gone now and was the same motion in the same scene, it is reported as renamed. Throws
-/// Error and Interrupted.
+/// A stimulus that is not in the baseline, with a picture of it. If an approved stimulus with the
+/// same motion and scene is missing now, it is reported as renamed. Throws Error and Interrupted.
 StimulusComparison appeared(const std::string& id, const ComparedStudy& study) {
   StimulusComparison comparison{.id = id, .verdict = Verdict::appeared};
   const StimulusFacts* before = approved_before_renaming(id, study);
@@ -110,8 +109,8 @@ StimulusComparison appeared(const std::string& id, const ComparedStudy& study) {
   return comparison;
 }
 
-/// A stimulus that the manifest has no more, with a picture of it. `others` are compared already: a
-/// new one may be the same under another name. Throws Error when the baseline is damaged.
+/// A stimulus that is no longer in the manifest, with a picture of it. `others` have been compared:
+/// one of them may be the same stimulus, renamed. Throws Error when the baseline is damaged.
 StimulusComparison gone(const StimulusFacts& approved, const ComparedStudy& study,
                         const std::vector<StimulusComparison>& others) {
   StimulusComparison comparison{.id = approved.id, .verdict = Verdict::gone};
@@ -135,8 +134,8 @@ double limit_of(const std::string& part, const RegressionLimits& limits) {
   return own == limits.parts_mm.end() ? limits.position_mm : own->second;
 }
 
-/// What may go farther now than it might when a stimulus was approved: "position_mm 1 → 50", "left
-/// hand 1 → 5 mm". Whoever loosens a guard together with what it guards is seen.
+/// Tolerances that were widened since the approval: "position_mm 1 → 50", "left hand 1 → 5 mm".
+/// They are reported, so that a change cannot be hidden by widening its tolerance.
 std::vector<std::string> wider_limits(const RegressionLimits& approved,
                                       const RegressionLimits& now) {
   std::vector<std::string> wider;

@@ -65,8 +65,8 @@ void add_entries(std::vector<Setting>& settings, const std::vector<FieldEntry>& 
   }
 }
 
-/// What a look is when nothing is said, and which figure it is where it has no options: other ones
-/// are told from these.
+/// Adds the default view, and the name of a figure without options, so that other values are
+/// reported as differences from these.
 void add_look(std::vector<Setting>& settings, const scenes::CameraSettings& camera,
               const std::vector<FieldEntry>& entries) {
   const auto figure = std::ranges::find(entries, "look.figure", &FieldEntry::path);
@@ -78,7 +78,7 @@ void add_look(std::vector<Setting>& settings, const scenes::CameraSettings& came
     settings.push_back({"look.camera.view", Aspect::scene, OrderedJson(camera.view).dump()});
 }
 
-/// A set counts by what it holds, whatever its file is called.
+/// Adds the content of a set; the name of its file does not matter.
 void add_set(std::vector<Setting>& settings, const scenes::SetPlan& set) {
   for (const FieldEntry& entry : entries_of(set, {.for_key = true}))
     if (entry.concerns != concerns::nothing)
@@ -122,7 +122,7 @@ std::vector<FieldEntry> study_entries(const Manifest& manifest) {
 }
 
 /// What the options of a set's lights, walls, boxes and belt, and of the steps of a modification,
-/// are where nothing is said.
+/// are by default.
 std::map<std::string, std::string> usual_values() {
   std::map<std::string, std::string> usual;
   const auto add = [&](const std::string& path, const auto& prototype) {
@@ -150,14 +150,14 @@ std::size_t owner_length(const std::string& path) {
   return is_listed && end != std::string::npos ? end + 2 : 0;
 }
 
-/// A step with an emotion has what its recipe says, in place of what is usual.
+/// Whether the step has an emotion, whose recipe replaces the defaults.
 bool has_recipe(const std::string& owner, const std::vector<Setting>& settings) {
   return owner.starts_with("modify") &&
          std::ranges::find(settings, owner + "emotion", &Setting::path) != settings.end();
 }
 
-/// What an option was where nothing is said of it, though something is said of the light, wall or
-/// step that it belongs to; empty where that is not there at all.
+/// The default of an option that is not given, though its light, wall or step is; empty if there is
+/// no such light, wall or step.
 std::string usual_value(const std::string& path, const std::vector<Setting>& settings) {
   static const std::map<std::string, std::string> usual = usual_values();
   const std::size_t length = owner_length(path);

@@ -44,7 +44,7 @@ std::vector<Receipt> stale_artifacts(const fs::path& folder, const TaskGraph& gr
     const std::string path = entry.path().lexically_relative(receipts).generic_string();
     if (made.contains(path.substr(0, path.size() - extension.size()))) continue;
     const std::optional<Receipt> receipt = receipt_from_json(read_file(entry.path()));
-    // A receipt that lies elsewhere than it says is none of ours.
+    // A receipt whose path does not match its location was not written by mien.
     if (receipt && receipt_path(folder, receipt->path) == entry.path()) stale.push_back(*receipt);
   }
   std::ranges::sort(stale, {}, &Receipt::path);

@@ -43,7 +43,8 @@ class StaleFiles {
     for (const fs::path& file : paths_in(folder_ / ".mien/workers")) {
       if (file.extension() == ".new" && is_abandoned(file)) remove(file);
     }
-    std::vector<std::pair<double, fs::path>> records;  // of the dead, the newest first
+    std::vector<std::pair<double, fs::path>>
+        records;  // age in seconds, and record of a dead worker
     for (const WorkerRecord& record : read_worker_records(folder_)) {
       if (!is_dead(folder_, record, now_)) continue;
       const fs::path file = worker_record_path(folder_, record.name);

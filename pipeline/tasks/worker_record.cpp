@@ -152,7 +152,7 @@ std::optional<WorkerRecord> read_worker_record(const fs::path& folder, const std
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   auto record = worker_record_from_json({std::istreambuf_iterator<char>(stream), {}});
-  // One that lies elsewhere than it says is none of ours.
+  // A record whose name does not match its file was not written by mien.
   return record && record->name == name ? std::move(record) : std::nullopt;
 }
 

@@ -20,8 +20,8 @@ struct CloseFile {
 };
 using OpenedFile = std::unique_ptr<std::FILE, CloseFile>;
 
-// libpng leaves by longjmp where something is wrong. What calls it is in functions of their own,
-// which tell by false that it did so, and hold nothing that would have to be destroyed.
+// libpng reports errors by longjmp. The functions that call it return false then, and have no local
+// objects that would have to be destroyed.
 
 [[noreturn]] void note_png_error(png_structp png, png_const_charp what) {
   *static_cast<std::string*>(png_get_error_ptr(png)) = what;

@@ -52,7 +52,8 @@ inline Direction about(float nx, float ny, float nz, float x, float y, float z) 
   return {dx * scale, dy * scale, dz * scale};
 }
 
-// atan(√z) / √z for z in [0, 1], off by 1e-7 of it at most: a Chebyshev approximation of our own.
+// atan(√z) / √z for z in [0, 1], with a relative error of at most 1e-7: our own Chebyshev
+// approximation.
 inline float arc_tangent_ratio(float z) {
   return 1.0f +
          z * (-0.33333066f +

@@ -98,7 +98,7 @@ MIEN_LANES Span hidden_by_ball(const Triple& centre, float radius, const Triple&
 }
 
 /// Where a tangent plane of both spheres crosses the line, between where it touches them; not where
-/// it all but runs along the line, whose ends tell then (hide_ends).
+/// it is almost parallel to the line, whose ends decide then (hide_ends).
 MIEN_LANES Span crossing_of(const Triple& normal, const Triple& a, const Triple& b, float sign,
                             Choice is_there, const Triple& start, const Triple& along) {
   const Eight none = eight(infinity);
@@ -194,7 +194,7 @@ MIEN_FOR_AVX2_TOO bool find_met(const PreparedCone& solid, const LaneVectors& po
   const Triple plane = triple(lines.plane);
   const Eight above_a = dot(plane, a), above_b = dot(plane, b);
   const Triple start_side = triple(lines.start_side), end_side = triple(lines.end_side);
-  // Comparisons with what is not a number, where there is no triangle, are false: nothing is told.
+  // Comparisons with NaN, where there is no triangle, are false: nothing is excluded.
   const Choice apart = ((above_a > radius_a) & (above_b > radius_b)) |
                        ((above_a < -radius_a) & (above_b < -radius_b)) |
                        ((dot(start_side, a) < -radius_a) & (dot(start_side, b) < -radius_b)) |

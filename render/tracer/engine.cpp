@@ -21,7 +21,7 @@ std::vector<float> opacities_of(const Scene& scene) {
   return opacities;
 }
 
-/// Bit i: lines tell what the shapes hide of light i from the floor (line_shadow.h).
+/// Bit i: shadows of light i on the floor are computed by line samples (line_shadow.h).
 std::uint32_t lights_for_lines(const std::vector<AreaLight>& lights, const Shapes& shapes,
                                bool set_has_solids) {
   if (set_has_solids || !shapes.triangles.empty() || shapes.move() || !shapes.all_present) return 0;

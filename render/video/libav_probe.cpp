@@ -347,11 +347,11 @@ class StretchReader {
   const OpenVideo& video_;
   const std::function<void(const TimedPicture&)>& on_picture_;
   int row_step_;
-  int read_ = 0;        // packets, but for the one that waits
+  int read_ = 0;        // packets, except the one that waits
   bool ended_ = false;  // there is nothing more to read
   Packet waiting_;
   std::mutex mutex_;
-  std::vector<CodecContext> decoders_;  // that nobody uses
+  std::vector<CodecContext> decoders_;  // not in use
 };
 
 void append(VideoSummary& summary, const VideoSummary& next) {

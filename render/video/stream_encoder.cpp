@@ -36,7 +36,7 @@ const EncoderChoice& choice_of(VideoKind kind) {
   return choices[static_cast<std::size_t>(kind)];
 }
 
-/// Sets options of an encoder; one that it does not know is a fault of ours.
+/// Sets options of an encoder; an unknown one is a programming error.
 void set(AVCodecContext& codec,
          std::initializer_list<std::pair<const char*, const char*>> options) {
   for (const auto& [name, value] : options) {

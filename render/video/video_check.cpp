@@ -119,7 +119,7 @@ class Comparison {
     similarities_[static_cast<std::size_t>(frame)] = like;
   }
 
-  /// One frame in the place of the next, in a movement so slow that nothing else tells them apart.
+  /// Refuses a frame in the place of its neighbour, where the motion is too slow for other checks.
   void refuse_neighbour(int frame, int other, const FrameSketch& sketch,
                         const FrameSimilarity& like) {
     if (other < 0 || other >= static_cast<int>(written_.frames.size())) return;

@@ -66,7 +66,8 @@ class LibavWriter final : public VideoEncoder {
     return result;
   }
 
-  /// Drafts by our own conversion, which takes a third of the time; bicubic colours are for keeps.
+  /// Drafts by our own conversion, which takes a third of the time; other qualities use bicubic
+  /// chroma.
   void convert(const Image8& frame, AVFrame& picture) {
     if (format_.effort == VideoEffort::fast && picture.format == AV_PIX_FMT_YUV420P &&
         frame.width % 2 == 0 && frame.height % 2 == 0) {

@@ -348,7 +348,28 @@ TEST(CommandLine, WarnsOfFormerNames) {
   const Ended check = run_mien({"check", file, "--quick"});
   EXPECT_EQ(check.code, 0);
   EXPECT_EQ(check.errors, told);
-  EXPECT_EQ(run_mien({"plan", file, "--out", (scratch.path() / "out").string()}).errors, told);
+  const std::string out = (scratch.path() / "out").string();
+  EXPECT_EQ(run_mien({"plan", file, "--out", out}).errors, told);
+  // Every command that reads a manifest warns once, even if it then refuses this one.
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"run", file, "--out", out},
+           {"clean", file, "--stale", "--out", out},
+           {"clean", file, "--keep", "videos", "--dry-run", "--out", out},
+           {"farm", "status", file, "--out", out},
+           {"farm", "logs", file, "--out", out},
+           {"farm", "export", file, "--format", "openjd", "--out", out},
+           {"farm", "submit", file, "--dry-run", "--out", out},
+           {"regress", file, "--out", out},
+           {"study", "design", file},
+           {"study", "simulate", file},
+           {"study", "export", file, "--folder", (scratch.path() / "page").string()},
+           {"study", "features", "--examples", file, "-o",
+            (scratch.path() / "features").string()}}) {
+    const std::string errors = run_mien(arguments).errors;
+    const std::size_t first = errors.find(told);
+    EXPECT_NE(first, errors.npos) << arguments[0] << ' ' << arguments[1] << ": " << errors;
+    EXPECT_EQ(errors.find(told, first + 1), errors.npos) << arguments[0] << ' ' << arguments[1];
+  }
 
   const Ended methods = run_mien({"study", "methods", "--examples", "builtin:walks-10", "--methods",
                                   "cardinal", "--wishes", "2"});
@@ -756,6 +777,7 @@ TEST(CommandLine, WordsBecomeAnswersThatAManifestTakesToo) {
   ASSERT_EQ(ended.code, 0) << ended.errors;
   EXPECT_NE(ended.output.find("finnish: 2 of 2 answers understood (100 %)"), std::string::npos);
   EXPECT_TRUE(fs::exists(report + "/coverage.csv"));
+  EXPECT_TRUE(fs::exists(report + "/answers_per_stimulus.csv"));
   std::ifstream stream(answers);
   const std::string text((std::istreambuf_iterator<char>(stream)), {});
   EXPECT_NE(text.find("1,brisk,slow-fast,2\n"), std::string::npos);

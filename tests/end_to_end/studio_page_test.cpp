@@ -31,10 +31,11 @@ const fs::path pages = fs::path(MIEN_PROGRAM).parent_path() / "pages";
 class StudioAtWork : public testing::Test {
  protected:
   /// With the program at `mien`, until it tells its link. Fewer frames are sooner drawn.
-  void open(const fs::path& mien, int fps = 30) {
+  void open(const fs::path& mien, int fps = 30, const std::string& figure = "stick") {
     std::string quickstart = text_of(fs::path(MIEN_SOURCE_DIR) / "manifests/quickstart.yaml");
     quickstart.replace(quickstart.find("[960, 540], fps: 30"), 19,
                        "[160, 90], fps: " + std::to_string(fps));
+    quickstart.replace(quickstart.find("stick"), 5, figure);
     manifest = folder.write("my.yaml", quickstart);
     const fs::path told = folder.path() / "link.json";
     studio.emplace(std::vector<std::string>{
@@ -119,6 +120,14 @@ TEST_F(StudioAtWork, IsReachedByItsLinkAloneAndEndsWhenTold) {
   studio->send(SIGINT);
   const Ended ended = studio->wait(20.0);
   EXPECT_EQ(ended.code, 0) << ended.errors;
+}
+
+TEST_F(StudioAtWork, WarnsOfFormerNames) {
+  open(mien_with_studio_page(folder.path() / "bin"), 30, "{trail: {before: 1, faintest: 0.2}}");
+  studio->send(SIGINT);
+  EXPECT_EQ(studio->wait(20.0).errors,
+            "warning: " + manifest.string() +
+                ":11:51: look.figure.trail.faintest: now called min_opacity; rename it\n");
 }
 
 TEST_F(StudioAtWork, RefusesABrokenManifest) {

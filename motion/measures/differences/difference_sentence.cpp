@@ -154,7 +154,7 @@ std::string describe_slide(const MotionDifference& difference) {
 std::string describe_parts(const MotionDifference& difference) {
   std::string text = describe_bone(difference);
   std::vector<int> joints = causes(difference);
-  std::erase_if(joints, [&](int joint) {  // told by where the figure stands
+  std::erase_if(joints, [&](int joint) {  // reported by the figure's position
     return carries_body(difference, joint) &&
            peak_of(difference.joints[joint].turn_radians).value <= rounding_radians;
   });

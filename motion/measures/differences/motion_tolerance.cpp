@@ -40,7 +40,7 @@ double rate_apart(const TimingDifference& timing) {
 
 /// How far the longest of two motions goes on after the other.
 double duration_apart(const TimingDifference& timing) {
-  // Frame rates that are the same but for how files write them add up over long motions.
+  // Rounding of frame rates in files adds up over long motions.
   if (timing.before.frames == timing.now.frames && rate_apart(timing) == 0.0) return 0.0;
   return std::abs(timing.now.seconds - timing.before.seconds);
 }

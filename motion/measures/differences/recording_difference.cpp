@@ -40,7 +40,7 @@ bool have_common_joints(const Skeleton& a, const Skeleton& b) {
   return static_cast<double>(common) >= most_joints * most;
 }
 
-/// Whether nothing but names tells two skeletons apart, to what files round.
+/// Whether two skeletons differ only in their names, within the rounding of files.
 bool are_renamed(const Skeleton& a, const Skeleton& b) {
   constexpr double rounding = 1e-3;
   return std::ranges::equal(a.joints, b.joints, [](const Joint& p, const Joint& q) {

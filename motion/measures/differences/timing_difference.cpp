@@ -152,7 +152,7 @@ std::optional<FrameGap> gap_of(const PointMotions& motions, int more_frames) {
   return best;
 }
 
-/// Whether the frames in their order are alike, though their rates are not.
+/// Whether the frames match one by one, though the frame rates differ.
 bool has_other_pace(const Clip& before, const Clip& now, double cost_in_time) {
   if (before.frame_count() != now.frame_count() || before.frame_count() < 2 ||
       same_rate(before.frames_per_second, now.frames_per_second))

@@ -57,7 +57,7 @@ cairo_status_t append(void* bytes, const unsigned char* chunk, unsigned length) 
 }
 
 /// Cairo numbers the surfaces of a process and writes the number into the page's group; the same
-/// drawing shall be the same bytes.
+/// drawing must give the same bytes.
 void name_page(std::string& svg) {
   constexpr std::string_view numbered = "<g id=\"surface";
   const std::size_t start = svg.find(numbered);

@@ -3,7 +3,6 @@
 #include "motion/text/shell_word.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/production_options.h"
-#include "pipeline/manifest/checks/checked_manifest.h"
 
 namespace mien::pipeline {
 
@@ -38,11 +37,8 @@ std::vector<CommandOption> farm_options(FarmArguments& arguments) {
 
 FarmStudy::FarmStudy(const FarmArguments& arguments, const Console& console)
     : file(absolute_path(resolve_manifest(arguments.manifest, console))),
-      production(load_manifest(file, process_environment(), arguments.out),
-                 production_options(arguments)),
-      folder(absolute_path(arguments.out) / production.manifest().study) {
-  print_warnings(production.manifest().renamed, console);
-}
+      production(load_with_warnings(file, arguments.out, console), production_options(arguments)),
+      folder(absolute_path(arguments.out) / production.manifest().study) {}
 
 StudyCall FarmStudy::call(const FarmArguments& arguments) const {
   StudyCall call;

@@ -124,6 +124,7 @@ int make_items(const WorkerArguments& arguments, const Console& console) {
   if (!fs::exists(file))
     throw WrongSetup(file.string() + ": does not exist",
                      "check that this machine has access to the shared folder");
+  // Warnings of the manifest were printed when it was submitted.
   Production production(load_manifest(file, process_environment(), arguments.production.out),
                         options_of(arguments.production));
   const fs::path folder = folder_of(arguments.production, production.manifest());

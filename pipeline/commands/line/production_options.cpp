@@ -6,6 +6,8 @@
 
 #include "motion/error.h"
 #include "motion/text/shell_word.h"
+#include "pipeline/base/documents/environment.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/run/run.h"
 #include "pipeline/tasks/progress.h"
 #include "pipeline/tasks/task_graph.h"
@@ -49,6 +51,13 @@ ProductionOptions options_of(const ProductionArguments& arguments) {
   options.only = arguments.only;
   options.jobs = jobs_of(arguments);
   return options;
+}
+
+Manifest load_with_warnings(const std::filesystem::path& file, const std::filesystem::path& out,
+                            const Console& console) {
+  Manifest manifest = load_manifest(file, process_environment(), out);
+  print_warnings(manifest.renamed, console);
+  return manifest;
 }
 
 void print_warnings(const std::vector<Fault>& warnings, const Console& console) {

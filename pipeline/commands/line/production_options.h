@@ -32,6 +32,10 @@ std::vector<CommandOption> manifest_options(ProductionArguments& arguments);
 int jobs_of(const ProductionArguments& arguments);
 ProductionOptions options_of(const ProductionArguments& arguments);
 
+/// Loads the manifest in a file, see load_manifest, and prints its warnings.
+Manifest load_with_warnings(const std::filesystem::path& file, const std::filesystem::path& out,
+                            const Console& console);
+
 /// Prints the warnings of a manifest, one per line.
 void print_warnings(const std::vector<Fault>& warnings, const Console& console);
 

@@ -55,8 +55,7 @@ void make(ProducedStudy& study, const StudyArguments& arguments, const Console& 
 /// ignored.
 ProducedStudy planned(const StudyArguments& arguments, const Console& console) {
   const fs::path file = resolve_manifest(arguments.production.manifest, console);
-  const Manifest manifest = load_manifest(file, process_environment(), arguments.production.out);
-  print_warnings(manifest.renamed, console);
+  const Manifest manifest = load_with_warnings(file, arguments.production.out, console);
   ProductionOptions options = options_of(arguments.production);
   std::erase_if(options.only,
                 [&](const std::string& id) { return find_stimulus(manifest, id) == nullptr; });

@@ -20,7 +20,8 @@ struct PreparedQuestionnaire {
 };
 
 /// Reads the manifest, runs the missing tasks of its study like `mien run`, and plans the sessions.
-/// Throws Error if there is no questionnaire or a task fails, and Interrupted if stopped.
+/// Warnings of the manifest are not printed again after participants_manifest. Throws Error if
+/// there is no questionnaire or a task fails, and Interrupted if stopped.
 PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& arguments,
                                              const Console& console);
 

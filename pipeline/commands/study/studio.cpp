@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,8 @@
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/commands/line/production_options.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/server/http_server.h"
 #include "pipeline/study/studio/open_browser.h"
@@ -60,6 +63,11 @@ std::unique_ptr<ManifestFile> opened(const std::string& name, const Console& con
   return std::make_unique<ManifestFile>(own, environment, read_file(*installed));
 }
 
+/// Warnings of the opened manifest, which the page has no place for.
+std::vector<Fault> warnings_of(const ManifestFile& file) {
+  return parse_manifest(file.state().text, file.file(), file.environment()).manifest.renamed;
+}
+
 /// Adds the walker's page to the studio's, with the motion module that runs in the browser.
 void add_walker(std::map<std::string, ServedFile>& page) {
   std::string module = read_file(live_module());
@@ -103,6 +111,7 @@ int run_studio(const StudioOptions& options, const Console& console) {
   auto page = served_page(page_bundle("studio"));
   if (options.walk || has_walker()) add_walker(page);
   const std::unique_ptr<ManifestFile> file = opened(options.manifest, console);
+  print_warnings(warnings_of(*file), console);
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   const int threads = options.jobs > 0 ? options.jobs : std::max(1, processors);
   StudioService service(*file, std::move(page), folder_for(options, *file), threads);

@@ -2,12 +2,10 @@
 
 #include <filesystem>
 
-#include "pipeline/base/documents/environment.h"
 #include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/production_options.h"
 #include "pipeline/commands/line/program.h"
-#include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/reading/example_source.h"
 #include "pipeline/production/archive/tar_archive.h"
@@ -46,16 +44,14 @@ CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
 }
 
 Manifest questionnaire_manifest(const std::string& name, const Console& console) {
-  Manifest manifest = load_manifest(resolve_manifest(name, console), process_environment());
+  Manifest manifest = load_with_warnings(resolve_manifest(name, console), {}, console);
   questionnaire_of(manifest);
-  print_warnings(manifest.renamed, console);
   return manifest;
 }
 
 Manifest participants_manifest(const std::string& name, const Console& console) {
-  Manifest manifest = load_manifest(resolve_manifest(name, console), process_environment());
+  Manifest manifest = load_with_warnings(resolve_manifest(name, console), {}, console);
   if (!manifest.matching) questionnaire_of(manifest);
-  print_warnings(manifest.renamed, console);
   return manifest;
 }
 
@@ -63,8 +59,7 @@ Manifest manifest_of(const StudySubject& subject, const Console& console) {
   const std::filesystem::path file(subject.examples);
   Manifest manifest;
   if (file.extension() == ".yaml" || file.extension() == ".yml") {
-    manifest = load_manifest(resolve_input_file(subject.examples, console), process_environment());
-    print_warnings(manifest.renamed, console);
+    manifest = load_with_warnings(resolve_input_file(subject.examples, console), {}, console);
     refuse_unblendable(manifest.examples);
   } else {
     manifest.examples = parse_examples(subject.examples);

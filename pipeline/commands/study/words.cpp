@@ -52,7 +52,7 @@ constexpr auto not_understood_columns = words_table("not_understood.csv");
 constexpr auto respelled_columns = words_table("respelled.csv");
 
 constexpr auto stimulus_counts_columns = table_of<StimulusCount>(
-    "answers_a_stimulus.csv", "stimulus",
+    "answers_per_stimulus.csv", "stimulus",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      {"answers", "", "answers in a language of the lexicon", [](auto& r) { return r.answers; }},
      {"understood", "", "of these, that place it on a scale",
@@ -131,7 +131,7 @@ Command study_words_command() {
                   option("-o,--output", &options->out, "CSV of answers to write").required(),
                   option("--report", &options->report,
                          "Folder for coverage.csv, not_understood.csv, respelled.csv and "
-                         "answers_a_stimulus.csv"),
+                         "answers_per_stimulus.csv"),
                   choice("--unmentioned", options->unmentioned,
                          {{"neutral", Unmentioned::neutral}, {"no-answer", Unmentioned::no_answer}},
                          "Value of an answer on scales that it does not mention: neutral (the "

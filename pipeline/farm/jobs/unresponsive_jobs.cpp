@@ -21,7 +21,7 @@ std::string node_state_of(const std::string& node, const NodeStates& nodes) {
   return found == nodes.end() ? "" : found->second;
 }
 
-/// A star stands for a node that does not answer.
+/// Whether a node does not answer, which Slurm marks by a star.
 bool is_away(const std::string& node_state) {
   return node_state.ends_with('*') || node_state.starts_with("down");
 }

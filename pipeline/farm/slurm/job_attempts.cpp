@@ -59,7 +59,7 @@ await_folder() {
 
 )sh";
 
-/// The worker runs beside the shell, which else would hear of SIGTERM only when it is over.
+/// The worker runs in the background: otherwise the shell would handle SIGTERM only after it ends.
 constexpr const char* until_it_ends = R"sh(  worker=$!
   [ -z "$stopped" ] || kill -TERM "$worker" 2>/dev/null
   while :; do

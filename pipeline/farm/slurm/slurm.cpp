@@ -75,7 +75,7 @@ std::string without_end(std::string text) {
   return text;
 }
 
-/// Lines of Slurm's below one of ours.
+/// Output of Slurm, indented below a message of mien.
 std::string quoted(const std::string& words) {
   return "  " + std::regex_replace(words, std::regex("\n"), "\n  ");
 }

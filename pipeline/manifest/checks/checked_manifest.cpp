@@ -40,10 +40,12 @@ ManifestReading read_again(const StudyRecord& record, const std::filesystem::pat
   reading = read_manifest(record.as_run, environment);
   reading.manifest.file = record.manifest;
   reading.manifest.command = record.command;
+  // The copy must not be edited: its hash is recorded.
+  reading.manifest.renamed.clear();
   return reading;
 }
 
-/// The names that are known, be something wrong with the examples or not.
+/// The known names, and the faults of the examples, if any.
 struct KnownVocabulary {
   Vocabulary vocabulary;
   std::vector<Fault> faults;  ///< of the examples

@@ -9,7 +9,8 @@ namespace mien::pipeline {
 
 /// Reads a manifest and reports all of its faults, including unknown names of examples and
 /// parameters. A run would write to <out>/<study>, which must contain none of the manifest's source
-/// files; with an empty `out`, this is not checked.
+/// files; with an empty `out`, this is not checked. The manifest of a provenance.json has no
+/// warnings about deprecated names.
 ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment,
                                const std::filesystem::path& out = {});
 

@@ -161,7 +161,7 @@ void check_pictured(const std::string& path, const std::string& name, const Name
            motion::did_you_mean(name, stimuli.names));
 }
 
-/// Nothing is rated higher than itself, be it named twice in a row or further on.
+/// Refuses an order that names an example twice.
 void check_order(const std::string& path, const Names& order, const Names& examples,
                  FaultList& list) {
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -176,7 +176,7 @@ class QuestionnaireCheck {
     }
   }
 
-  /// Nobody looks at so many, and laying them out would take all memory.
+  /// Reports too many pairs: no participant would rate them all, and they would not fit in memory.
   bool are_too_many_pairs() {
     constexpr std::size_t most_pairs = 5000;
     const std::size_t count = questionnaire_stimuli(manifest_).size();

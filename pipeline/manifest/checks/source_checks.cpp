@@ -31,7 +31,7 @@ class SourceChecker : public FaultList {
         "copy it elsewhere, or use a study name other than " + study_);
   }
 
-  /// What is given there, and not taken from elsewhere.
+  /// Checks a look that is given at this path, not inherited.
   void check_look(const std::string& path, const Look& look) {
     if (!was_given(path)) return;
     check(member_path(path, "scene"), look.scene_file);
@@ -46,7 +46,7 @@ class SourceChecker : public FaultList {
   }
 
  private:
-  /// But for the copies of inputs, which a study that is made again reads.
+  /// Except for the copies of inputs, which a rerun from a study's record reads.
   bool is_inside(const fs::path& source) const {
     const auto [rest_of_folder, rest] = std::ranges::mismatch(folder_, source);
     return rest_of_folder == folder_.end() && (rest == source.end() || *rest != "inputs");

@@ -38,7 +38,7 @@ class ReadTakes {
   std::map<std::pair<std::filesystem::path, std::string>, Take> takes_;
 };
 
-/// Whether the checks of files and of takes have nothing to say of it.
+/// Whether the file can be read and may contain the take.
 bool is_readable(const NamedMotion& motion) {
   return motion::is_motion_file(motion.file) &&
          (motion.take.empty() || motion::may_hold_takes(motion.file)) &&
@@ -55,7 +55,7 @@ void check_recording(const NamedMotion& motion, ReadTakes& takes, FaultList& lis
   }
 }
 
-/// What is taken of a file without anybody having said so, and nothing for one that cannot be read.
+/// Notes the take that is used by default; skips files that cannot be read.
 void add_default_take(const NamedMotion& motion, FaultList& list) {
   try {
     const std::string note = is_readable(motion) ? default_take_note(motion) : "";

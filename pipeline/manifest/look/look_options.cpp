@@ -34,7 +34,8 @@ std::string in_braces(const std::string& text) {
   return is_map(text) && !text.starts_with('{') ? "{" + text + "}" : text;
 }
 
-/// Names of files are variables in it: whatever stands in them, YAML does not see it.
+/// File names are passed as variables, so that special characters in them are not interpreted by
+/// YAML.
 std::string yaml_of(const LookOptions& options) {
   const std::string scene = is_map(options.scene) ? in_braces(options.scene) : "'${MIEN_SCENE}'";
   const std::string figure =

@@ -36,7 +36,7 @@ std::set<std::string> known_paths(const StudyContents& contents) {
 }
 
 /// Files in a study's folder that neither its provenance nor the store's receipts know, by path:
-/// nobody's, as far as mien can tell. What lies in a known sequence of frames is not looked at.
+/// files of unknown origin. Files inside known frame sequences are not checked.
 std::vector<std::string> extra_files(const StudyContents& contents) {
   const std::set<std::string> known = known_paths(contents);
   std::vector<std::string> extra;

@@ -121,7 +121,7 @@ std::optional<DotsLook> dots_look(const Stimulus& stimulus) {
 /// Films with one exposure.
 using Lit = std::vector<const Stimulus*>;
 
-/// Each film by itself, but for point lights: those of one look together.
+/// Each film separately, except point-light films: those of one look together.
 std::vector<Lit> lit_together(const std::vector<const Stimulus*>& group) {
   std::vector<Lit> all;
   std::vector<std::pair<DotsLook, std::size_t>> looks;

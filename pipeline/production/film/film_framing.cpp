@@ -178,7 +178,7 @@ std::map<std::string, std::array<double, 2>> common_places(const Manifest& manif
   return common;
 }
 
-/// Tells what cannot be where the manifest asks for it.
+/// Reports errors of equalization at its place in the manifest.
 template <class Find>
 auto placed_in(const Manifest& manifest, const Find& find) {
   try {

@@ -25,7 +25,7 @@ motion::Clip clip_at_rate(const motion::Clip& made, const Output& output) {
   return playback_clip(motion::resampled(made, output.fps), output);
 }
 
-/// Output of a clip for a set: one that goes under the figure needs to know how fast it goes.
+/// Output of a clip for a set. A set that moves under the figure needs the figure's speed.
 Output output_for(Output output, const scenes::SetPlan& set) {
   if (set.in_place) output.in_place = false;
   return output;

@@ -102,7 +102,7 @@ class FilmMaker {
   }
 
   /// Draws frames that are missing, for `make` to find. If another process has made the film in the
-  /// meantime, nobody needs them any more.
+  /// meantime, they are no longer needed.
   void make(const Part& part) {
     refuse_long_fades();
     const auto [first, end] = range_of(part, shot_.frame_count());

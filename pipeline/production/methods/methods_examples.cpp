@@ -53,7 +53,7 @@ std::string ratings_source(MethodsText& out) {
   return " (" + motion::printable(out.manifest.ratings.file.filename().string()) + ")";
 }
 
-/// Whoever has answered; nobody where there are only means.
+/// Number of participants who answered; 0 if only means are given.
 std::size_t raters_of(const Answers& answers) {
   std::set<std::string> raters;
   for (const Answer& answer : answers.answers) {

@@ -15,8 +15,8 @@ struct Reference {
   std::string_view kind = "article";
 };
 
-/// Returns all references that studies may cite, by year. If a reference is incomplete, its `note`
-/// says what is missing.
+/// Returns all references that studies may cite, by year. If the author, title or year of a
+/// reference is unknown, its entry has no such field, and its `note` says what to fill in.
 std::span<const Reference> all_references();
 
 /// Returns the reference with that key, or nullptr.

@@ -14,7 +14,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// What the films of a study have in common because it asks for that, and among which.
+/// The quantities that a study equalizes, and among which films.
 std::string alike(const Equalize& equalize) {
   std::vector<std::string> in_all, by_figure;
   const auto add = [&](const std::optional<EqualizeGroup>& among, const std::string& what) {

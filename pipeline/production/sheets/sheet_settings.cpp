@@ -20,22 +20,55 @@ TextStyle number_style(Colour colour, bool is_bold) {
   return {.size = 8.0, .colour = colour, .bold = is_bold, .align = Align::right};
 }
 
-/// Right edges of what stands in a row of parameters: names and sliders, then what was requested
-/// and what was reached.
-struct ParameterColumns {
-  double sliders, target_requested, target, created_requested, created;
+constexpr TextStyle column_head = {.size = 6.5, .colour = quiet_ink, .align = Align::right};
+
+/// "0.70" for a requested value, "held 0.50" for a held one.
+std::string requested_text(const SheetValue& value) {
+  if (value.requested) return number(value.requested);
+  return value.held ? "held " + number(value.held) : "";
+}
+
+/// The columns of one motion in a table of parameters.
+struct MotionColumns {
+  double left = 0.0;                ///< left edge of all
+  std::optional<double> requested;  ///< right edge; none if nothing is requested or held
+  double reached = 0.0;             ///< right edge
 };
 
-/// "held" before a number takes some room.
-ParameterColumns parameter_columns(const Box& box, const std::vector<SheetParameter>& parameters) {
-  const bool holds = std::ranges::any_of(parameters, &SheetParameter::is_held);
-  const double before_requested = holds ? 42.0 : 24.0;
-  const double created = box.right();
-  const double created_requested = created - 28.0;
-  const double target = created_requested - (holds ? 42.0 : 32.0);
-  const double target_requested = target - 28.0;
-  return {target_requested - before_requested, target_requested, target, created_requested,
-          created};
+struct ParameterColumns {
+  double sliders = 0.0;  ///< right edge of names and sliders
+  MotionColumns target, created;
+};
+
+/// Columns as wide as their heads and values, the last one ending at `right`.
+MotionColumns motion_columns(const Canvas& canvas, double right, const char* title,
+                             const std::vector<SheetParameter>& parameters,
+                             SheetValue SheetParameter::*motion) {
+  constexpr double gap = 5.0;
+  MotionColumns columns;
+  columns.reached = right;
+  columns.left = right - std::max(canvas.text_width("reached", column_head),
+                                  canvas.text_width(title, number_style(ink, true)));
+  double width = 0.0;
+  for (const SheetParameter& parameter : parameters)
+    width = std::max(width, canvas.text_width(requested_text(parameter.*motion),
+                                              number_style(quiet_ink, false)));
+  if (width == 0.0) return columns;
+  columns.requested = columns.left - gap;
+  columns.left = *columns.requested - std::max(width, canvas.text_width("requested", column_head));
+  return columns;
+}
+
+ParameterColumns parameter_columns(const Canvas& canvas, const Box& box,
+                                   const std::vector<SheetParameter>& parameters) {
+  constexpr double gap = 8.0;
+  ParameterColumns columns;
+  columns.created =
+      motion_columns(canvas, box.right(), "created", parameters, &SheetParameter::created);
+  columns.target = motion_columns(canvas, columns.created.left - gap, "target", parameters,
+                                  &SheetParameter::target);
+  columns.sliders = columns.target.left - gap;
+  return columns;
 }
 
 void draw_values(Canvas& canvas, const Box& box, double baseline,
@@ -53,35 +86,28 @@ void draw_value_titles(Canvas& canvas, const Box& box) {
 }
 
 void draw_parameter_titles(Canvas& canvas, const Box& box, const ParameterColumns& columns) {
-  canvas.text({columns.target, box.y + 4.0}, "target", number_style(target_colours.line, true));
-  canvas.text({columns.created, box.y + 4.0}, "created", number_style(created_colours.line, true));
-  const TextStyle small = {.size = 6.5, .colour = quiet_ink, .align = Align::right};
-  for (const double x : {columns.target_requested, columns.created_requested})
-    canvas.text({x, box.y + 12.0}, "requested", small);
-  for (const double x : {columns.target, columns.created})
-    canvas.text({x, box.y + 12.0}, "reached", small);
+  const auto draw = [&](const MotionColumns& motion, const char* title, const Colour& colour) {
+    canvas.text({motion.reached, box.y + 4.0}, title, number_style(colour, true));
+    if (motion.requested) canvas.text({*motion.requested, box.y + 12.0}, "requested", column_head);
+    canvas.text({motion.reached, box.y + 12.0}, "reached", column_head);
+  };
+  draw(columns.target, "target", target_colours.line);
+  draw(columns.created, "created", created_colours.line);
 }
 
-/// "0.70" for a requested value, "held 0.50" for a held one.
-std::string requested_text(const SheetValue& value) {
-  if (value.requested) return number(value.requested);
-  return value.held ? "held " + number(value.held) : "";
-}
-
-/// What was wished for in grey, what came out in the motion's colour.
+/// Requested values in grey, reached ones in the motion's colour.
 void draw_requested_and_reached(Canvas& canvas, const ParameterColumns& columns, double baseline,
                                 const SheetParameter& parameter) {
-  const TextStyle quiet = number_style(quiet_ink, false);
-  const auto write_requested = [&](double right, const SheetValue& value) {
-    const std::string text = requested_text(value);
-    if (!text.empty()) canvas.text({right, baseline}, text, quiet);
+  const auto draw = [&](const MotionColumns& motion, const SheetValue& value,
+                        const Colour& colour) {
+    const std::string requested = requested_text(value);
+    if (!requested.empty())
+      canvas.text({motion.requested.value(), baseline}, requested, number_style(quiet_ink, false));
+    canvas.text({motion.reached, baseline}, number(value.reached),
+                number_style(colour, value.requested.has_value()));
   };
-  write_requested(columns.target_requested, parameter.target);
-  write_requested(columns.created_requested, parameter.created);
-  canvas.text({columns.target, baseline}, number(parameter.target.reached),
-              number_style(target_colours.line, parameter.target.requested.has_value()));
-  canvas.text({columns.created, baseline}, number(parameter.created.reached),
-              number_style(created_colours.line, parameter.created.requested.has_value()));
+  draw(columns.target, parameter.target, target_colours.line);
+  draw(columns.created, parameter.created, created_colours.line);
 }
 
 double bars_right(const Box& box) { return value_columns(box).target - 34.0; }
@@ -218,7 +244,7 @@ void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box
                 "Neither motion has requested parameters.");
     return;
   }
-  const ParameterColumns columns = parameter_columns(box, content.parameters);
+  const ParameterColumns columns = parameter_columns(canvas, box, content.parameters);
   draw_parameter_titles(canvas, box, columns);
   Box row = {box.x, box.y + heading_height - 6.0, box.width, 0.0};
   for (std::size_t i = 0; i < content.parameters.size(); ++i, row.y += row.height) {

@@ -56,7 +56,7 @@ NamedValues blended(const NamedValues& requests, const ParameterTable& table,
   return values;
 }
 
-/// Features are measured of the motion; what people would say of it can only be summed.
+/// Features are measured on the motion; ratings can only be estimated as a weighted sum.
 NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& repertoire,
                                const motion::SynthesizedMotion& made) {
   const NamedValues& requests = requested_values(stimulus);

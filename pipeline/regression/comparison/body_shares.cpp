@@ -129,7 +129,7 @@ std::vector<BodyShare> body_shares(const render::Image8& picture_before,
   const ProjectedParts today = parts_of(now);
   // Seen by one camera, which may have been moved by what the body does now.
   const std::vector<double> moved = moves(parts_of({before.clip, before.frame, now.camera}), today);
-  std::vector<double> by_part(moved.size() + 1);  // the last: nobody's
+  std::vector<double> by_part(moved.size() + 1);  // the last: of no part
   double all = 0.0;
   const int width = std::min(picture_before.width, picture_now.width);
   for (int y = 0; y < std::min(picture_before.height, picture_now.height); ++y) {

@@ -120,8 +120,8 @@ struct Stretch {
   int end = 0;
 };
 
-/// Whether frames that were put in are the film's own: one repeats what is beside it, or stands for
-/// another that is missing.
+/// Whether inserted frames come from the film itself: copies of an adjacent frame, or of one that
+/// is missing.
 bool are_of_the_film(Stretch missing, Stretch added, const std::vector<Thumbnail>& before,
                      const std::vector<Thumbnail>& now, double step) {
   for (int frame = added.begin; frame < added.end; ++frame) {

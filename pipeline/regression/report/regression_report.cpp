@@ -52,7 +52,7 @@ std::string single_picture(const char* words, const std::filesystem::path& file,
                      words, picture_uri(file, most_width));
 }
 
-/// A picture that cannot be laid over the one of then: both beside each other, or the only one.
+/// Pictures that cannot be overlaid: both side by side, or the only one.
 std::string single_pictures(const StimulusComparison& one, const ComparedPictures* pictures) {
   constexpr int most_width = 640;
   std::vector<int> frames;
@@ -117,7 +117,7 @@ std::string causes_section(const std::vector<CauseGroup>& groups) {
       groups_table(all.first(few)), groups.size() - few, groups_table(all.subspan(few)));
 }
 
-/// Those that differ before those that are alike.
+/// Stimuli with differences first, then those without.
 std::vector<const StimulusComparison*> in_order(const Regression& regression) {
   std::vector<const StimulusComparison*> order;
   for (const Verdict verdict : {Verdict::differs, Verdict::appeared, Verdict::gone, Verdict::alike})

@@ -155,7 +155,7 @@ double share_of(const Scale& scale, double answer) {
 ScaleSet emotion_scales() {
   ScaleSet set;
   set.name = "emotions";
-  // What simulated raters go by is ours, as for the adjective pairs.
+  // The features that simulated raters use are our own choice, as for the adjective pairs.
   const auto add = [&](const char* low, const char* high, const char* japanese_low,
                        const char* japanese_high,
                        std::vector<std::pair<std::string, double>> loadings) {

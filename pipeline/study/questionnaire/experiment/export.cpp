@@ -40,7 +40,7 @@ double longest_minutes(const std::vector<SessionPlan>& plans) {
   return seconds / 60.0;
 }
 
-/// A page that was opened from a disk cannot read a motion beside it, but run it as a script.
+/// A page opened from a file cannot fetch a motion file next to it, but can load it as a script.
 std::string as_script(const MediaFile& file, std::string_view bytes) {
   return fmt::format("(globalThis.mienMedia ?\?= {{}})[\"{}\"] = \"{}\";\n", file.token,
                      in_base64(bytes));

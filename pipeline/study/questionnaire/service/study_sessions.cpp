@@ -152,7 +152,7 @@ bool StudySessions::has_enough() const {
   return is_full();
 }
 
-/// Must not be asked while somebody else may join.
+/// The caller must prevent other participants from joining meanwhile.
 bool StudySessions::is_full() const {
   std::vector<bool> finished(study_.plans.size());
   for (const SessionState& state : states_)
@@ -161,7 +161,7 @@ bool StudySessions::is_full() const {
          states_.size() >= max_sessions_per_plan * study_.plans.size();
 }
 
-/// Must not be asked while somebody else may join.
+/// The caller must prevent other participants from joining meanwhile.
 StoredSession StudySessions::additional_session() const {
   std::vector<int> given(study_.plans.size()), finished(study_.plans.size());
   for (const SessionState& state : states_) {

@@ -1,6 +1,8 @@
 #include "pipeline/production/sheets/sheet_content.h"
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -26,6 +28,35 @@ std::vector<DrawnText> texts_beside_each_other(const SheetContent& content) {
       EXPECT_FALSE(overlap(texts[i].box, texts[k].box)) << texts[i].text << " on " << texts[k].text;
   }
   return texts;
+}
+
+/// The heads of the table's columns, from left to right.
+std::vector<DrawnText> column_heads(const std::vector<DrawnText>& texts) {
+  std::vector<DrawnText> heads;
+  std::ranges::copy_if(texts, std::back_inserter(heads), [](const DrawnText& one) {
+    return one.text == "requested" || one.text == "reached";
+  });
+  std::ranges::sort(heads, {}, [](const DrawnText& one) { return one.box.x; });
+  return heads;
+}
+
+TEST(ComparisonSheets, KeepTheHeadsOfColumnsApart) {
+  SheetContent content;
+  SheetParameter& parameter = content.parameters.emplace_back();
+  parameter.name = "quickness";
+  parameter.target = {.requested = 0.7, .held = {}, .reached = 0.7};
+  parameter.created = {.requested = 0.6, .held = {}, .reached = 0.61};
+  const auto expect_heads = [&](std::size_t count) {
+    const std::vector<DrawnText> heads = column_heads(texts_beside_each_other(content));
+    ASSERT_EQ(heads.size(), count);
+    for (std::size_t i = 1; i < heads.size(); ++i)
+      EXPECT_GE(heads[i].box.x - heads[i - 1].box.right(), 4.0) << heads[i].text;
+  };
+  expect_heads(4);
+  parameter.created.requested.reset();
+  expect_heads(3);
+  parameter.created.held = 0.5;
+  expect_heads(4);
 }
 
 TEST(ComparisonSheets, MarkWhatIsHeld) {
