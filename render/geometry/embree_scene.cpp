@@ -38,15 +38,12 @@ Box box_of(const Triangle& triangle) {
   return {a.min(b).min(c), a.max(b).max(c)};
 }
 
-template <class Shape>
-void set_bounds(const std::vector<Shape>& opening, const std::vector<Shape>& closing,
-                const RTCBoundsFunctionArguments* arguments) {
-  const bool moves = arguments->timeStep > 0;
-  const Box box = box_of((moves ? closing : opening)[arguments->primID]);
+Box hull(const Box& a, const Box& b) { return {a.lower.min(b.lower), a.upper.max(b.upper)}; }
+
+void set_bounds(const Box& box, RTCBounds& bounds) {
   // Wider than any rounding, in Embree or in the intersection, so that no box hides a hit.
   const float padding =
       1e-4f * std::max(1.0f, std::max(box.lower.abs().maxCoeff(), box.upper.abs().maxCoeff()));
-  RTCBounds& bounds = *arguments->bounds_o;
   bounds.lower_x = box.lower.x() - padding;
   bounds.lower_y = box.lower.y() - padding;
   bounds.lower_z = box.lower.z() - padding;
@@ -56,13 +53,19 @@ void set_bounds(const std::vector<Shape>& opening, const std::vector<Shape>& clo
 }
 
 void bounds_of_cone(const RTCBoundsFunctionArguments* arguments) {
-  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
-  set_bounds(shapes.cones, shapes.closing_cones, arguments);
+  const Shapes& shapes = static_cast<const EmbreeScene*>(arguments->geometryUserPtr)->shapes();
+  const auto& cones = arguments->timeStep > 0 ? shapes.closing_cones : shapes.cones;
+  set_bounds(box_of(cones[arguments->primID]), *arguments->bounds_o);
 }
 
-void bounds_of_triangle(const RTCBoundsFunctionArguments* arguments) {
-  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
-  set_bounds(shapes.triangles, shapes.closing_triangles, arguments);
+void bounds_of_patch(const RTCBoundsFunctionArguments* arguments) {
+  const Shapes& shapes = static_cast<const EmbreeScene*>(arguments->geometryUserPtr)->shapes();
+  const auto& triangles = arguments->timeStep > 0 ? shapes.closing_triangles : shapes.triangles;
+  const std::size_t first = arguments->primID * patch_size;
+  const std::size_t last = std::min(first + patch_size, triangles.size());
+  Box box = box_of(triangles[first]);
+  for (std::size_t i = first + 1; i < last; ++i) box = hull(box, box_of(triangles[i]));
+  set_bounds(box, *arguments->bounds_o);
 }
 
 // Embree's ray packets of N rays are arrays of N values, field by field.
@@ -85,12 +88,9 @@ struct PacketFields {
   }
 };
 
-struct Distances {
-  float lane[max_lanes];
-};
-
 // First crossing of the surface beyond the near distance; infinity when there is none.
-Distances cone_crossings(const Shapes& shapes, std::size_t index, const PacketFields& packet) {
+void cone_crossings(const Shapes& shapes, std::size_t index, const PacketFields& packet,
+                    float* distances) {
   float enter[max_lanes], leave[max_lanes];
   if (shapes.closing_cones.empty()) {
     intersect_lines(shapes.cones[index], packet.rays(), packet.lanes, enter, leave);
@@ -99,66 +99,104 @@ Distances cone_crossings(const Shapes& shapes, std::size_t index, const PacketFi
       intersect_lines(shapes.cone_at(index, packet.time()[i]), packet.rays(i), 1, enter + i,
                       leave + i);
   }
-  Distances distances;
-  crossings_beyond(packet.near_distance(), enter, leave, packet.lanes, distances.lane);
-  return distances;
+  crossings_beyond(packet.near_distance(), enter, leave, packet.lanes, distances);
 }
 
-Distances triangle_crossings(const Shapes& shapes, std::size_t index, const PacketFields& packet) {
-  Distances distances;
-  if (shapes.closing_triangles.empty()) {
-    intersect_triangle(shapes.triangles[index], packet.rays(), packet.lanes, distances.lane);
-  } else {
-    for (unsigned i = 0; i < packet.lanes; ++i)
-      intersect_triangle(shapes.triangle_at(index, packet.time()[i]), packet.rays(i), 1,
-                         distances.lane + i);
-  }
-  return distances;
+void patch_crossings(const EmbreeScene& scene, std::size_t index, const PacketFields& packet,
+                     unsigned lane, float* distances) {
+  const RayLanes ray = packet.rays(lane);
+  const Vec3 origin{*ray.origin_x, *ray.origin_y, *ray.origin_z};
+  const Vec3 direction{*ray.direction_x, *ray.direction_y, *ray.direction_z};
+  const TrianglePatch& patch = scene.patches()[index];
+  if (scene.closing_patches().empty()) return intersect_patch(patch, origin, direction, distances);
+  intersect_patch(patch_between(patch, scene.closing_patches()[index], packet.time()[lane]), origin,
+                  direction, distances);
 }
 
 bool is_there(const Shapes& shapes, std::size_t shape, const PacketFields& packet, unsigned lane) {
   return shapes.all_present || ((packet.present(lane) >> shapes.figures[shape]) & 1u) != 0;
 }
 
-template <Distances (*crossings)(const Shapes&, std::size_t, const PacketFields&)>
-void intersect_shape(const RTCIntersectFunctionNArguments* arguments) {
-  const unsigned lanes = arguments->N;
-  const PacketFields packet{reinterpret_cast<float*>(RTCRayHitN_RayN(arguments->rayhit, lanes)),
-                            lanes};
-  RTCHitN* hit = RTCRayHitN_HitN(arguments->rayhit, lanes);
-  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
-  const Distances crossing = crossings(shapes, arguments->primID, packet);
-  const std::size_t shape = arguments->primID + (arguments->geomID == 0 ? 0 : shapes.cones.size());
+/// The hits of a packet, with the number of a cone or triangle as Embree's primitive.
+class PacketHits {
+ public:
+  explicit PacketHits(const RTCIntersectFunctionNArguments* arguments)
+      : packet{reinterpret_cast<float*>(RTCRayHitN_RayN(arguments->rayhit, arguments->N)),
+               arguments->N},
+        hit_(RTCRayHitN_HitN(arguments->rayhit, arguments->N)),
+        geometry_(arguments->geomID) {}
+
+  /// Takes a crossing of a ray if it is the nearest so far; of equally near ones, that of the shape
+  /// of the lower number.
+  void offer(const Shapes& shapes, unsigned lane, unsigned number, float distance) {
+    float& reach = packet.far_distance()[lane];
+    if (distance > reach) return;
+    unsigned& geometry = RTCHitN_geomID(hit_, packet.lanes, lane);
+    unsigned& primitive = RTCHitN_primID(hit_, packet.lanes, lane);
+    const bool earlier = geometry != RTC_INVALID_GEOMETRY_ID &&
+                         (geometry_ < geometry || (geometry_ == geometry && number < primitive));
+    if (!(distance < reach || earlier)) return;
+    if (!is_there(shapes, number + (geometry_ == 0 ? 0 : shapes.cones.size()), packet, lane))
+      return;
+    reach = distance;
+    primitive = number;
+    geometry = geometry_;
+  }
+
+  const PacketFields packet;
+
+ private:
+  RTCHitN* hit_;
+  unsigned geometry_;
+};
+
+void intersect_cone(const RTCIntersectFunctionNArguments* arguments) {
+  const Shapes& shapes = static_cast<const EmbreeScene*>(arguments->geometryUserPtr)->shapes();
+  PacketHits hits(arguments);
+  float distances[max_lanes];
+  cone_crossings(shapes, arguments->primID, hits.packet, distances);
+  for (unsigned i = 0; i < hits.packet.lanes; ++i)
+    if (arguments->valid[i] != 0) hits.offer(shapes, i, arguments->primID, distances[i]);
+}
+
+void occlude_by_cone(const RTCOccludedFunctionNArguments* arguments) {
+  const Shapes& shapes = static_cast<const EmbreeScene*>(arguments->geometryUserPtr)->shapes();
+  const PacketFields packet{reinterpret_cast<float*>(arguments->ray), arguments->N};
+  float distances[max_lanes];
+  cone_crossings(shapes, arguments->primID, packet, distances);
   float* reach = packet.far_distance();
-  for (unsigned i = 0; i < lanes; ++i) {
-    if (arguments->valid[i] == 0 || crossing.lane[i] > reach[i]) continue;
-    // Where two are equally far, the one of the lower number counts.
-    const unsigned geometry = RTCHitN_geomID(hit, lanes, i);
-    const bool nearer = crossing.lane[i] < reach[i];
-    const bool earlier =
-        geometry != RTC_INVALID_GEOMETRY_ID &&
-        (arguments->geomID < geometry ||
-         (arguments->geomID == geometry && arguments->primID < RTCHitN_primID(hit, lanes, i)));
-    if (!(nearer || (crossing.lane[i] == reach[i] && earlier))) continue;
-    if (!is_there(shapes, shape, packet, i)) continue;
-    reach[i] = crossing.lane[i];
-    RTCHitN_primID(hit, lanes, i) = arguments->primID;
-    RTCHitN_geomID(hit, lanes, i) = arguments->geomID;
+  for (unsigned i = 0; i < packet.lanes; ++i)
+    if (arguments->valid[i] != 0 && distances[i] < reach[i] &&
+        is_there(shapes, arguments->primID, packet, i))
+      reach[i] = -infinity;
+}
+
+void intersect_triangles(const RTCIntersectFunctionNArguments* arguments) {
+  const EmbreeScene& scene = *static_cast<const EmbreeScene*>(arguments->geometryUserPtr);
+  PacketHits hits(arguments);
+  alignas(32) float distances[patch_size];
+  for (unsigned i = 0; i < hits.packet.lanes; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    patch_crossings(scene, arguments->primID, hits.packet, i, distances);
+    for (unsigned k = 0; k < patch_size; ++k)
+      if (distances[k] < infinity)
+        hits.offer(scene.shapes(), i, arguments->primID * unsigned{patch_size} + k, distances[k]);
   }
 }
 
-template <Distances (*crossings)(const Shapes&, std::size_t, const PacketFields&)>
-void occlude_by_shape(const RTCOccludedFunctionNArguments* arguments) {
-  const unsigned lanes = arguments->N;
-  const PacketFields packet{reinterpret_cast<float*>(arguments->ray), lanes};
-  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
-  const Distances crossing = crossings(shapes, arguments->primID, packet);
-  const std::size_t shape = arguments->primID + (arguments->geomID == 0 ? 0 : shapes.cones.size());
+void occlude_by_triangles(const RTCOccludedFunctionNArguments* arguments) {
+  const EmbreeScene& scene = *static_cast<const EmbreeScene*>(arguments->geometryUserPtr);
+  const Shapes& shapes = scene.shapes();
+  const PacketFields packet{reinterpret_cast<float*>(arguments->ray), arguments->N};
   float* reach = packet.far_distance();
-  for (unsigned i = 0; i < lanes; ++i) {
-    if (arguments->valid[i] != 0 && crossing.lane[i] < reach[i] &&
-        is_there(shapes, shape, packet, i))
-      reach[i] = -infinity;
+  alignas(32) float distances[patch_size];
+  for (unsigned i = 0; i < packet.lanes; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    patch_crossings(scene, arguments->primID, packet, i, distances);
+    for (std::size_t k = 0; k < patch_size; ++k)
+      if (distances[k] < reach[i] &&
+          is_there(shapes, shapes.cones.size() + arguments->primID * patch_size + k, packet, i))
+        reach[i] = -infinity;
   }
 }
 
@@ -222,14 +260,17 @@ void RayPacket::push(const Vec3& origin, const Vec3& direction, float distance, 
 }
 
 EmbreeScene::EmbreeScene(const EmbreeDevice& device, Shapes shapes)
-    : shapes_(std::move(shapes)), scene_(rtcNewScene(device.get())) {
+    : shapes_(std::move(shapes)),
+      patches_(patches_of(shapes_.triangles)),
+      closing_patches_(patches_of(shapes_.closing_triangles)),
+      scene_(rtcNewScene(device.get())) {
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
   const auto attach = [&](std::size_t count, bool moves, RTCBoundsFunction bounds,
                           RTCIntersectFunctionN hit, RTCOccludedFunctionN blocked) {
     RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
     rtcSetGeometryTimeStepCount(geometry, moves ? 2 : 1);
-    rtcSetGeometryUserData(geometry, &shapes_);
+    rtcSetGeometryUserData(geometry, this);
     rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
     rtcSetGeometryIntersectFunction(geometry, hit);
     rtcSetGeometryOccludedFunction(geometry, blocked);
@@ -238,10 +279,10 @@ EmbreeScene::EmbreeScene(const EmbreeDevice& device, Shapes shapes)
     rtcReleaseGeometry(geometry);
   };
   // In the order of their numbers.
-  attach(shapes_.cones.size(), !shapes_.closing_cones.empty(), bounds_of_cone,
-         intersect_shape<cone_crossings>, occlude_by_shape<cone_crossings>);
-  attach(shapes_.triangles.size(), !shapes_.closing_triangles.empty(), bounds_of_triangle,
-         intersect_shape<triangle_crossings>, occlude_by_shape<triangle_crossings>);
+  attach(shapes_.cones.size(), !shapes_.closing_cones.empty(), bounds_of_cone, intersect_cone,
+         occlude_by_cone);
+  attach(patches_.size(), !closing_patches_.empty(), bounds_of_patch, intersect_triangles,
+         occlude_by_triangles);
   rtcCommitScene(scene_);
   throw_on_error(device.get(), "build a scene");
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "render/geometry/shapes.h"
 
@@ -69,6 +70,11 @@ class EmbreeScene {
 
   const Shapes& shapes() const { return shapes_; }
 
+  /// The triangles of the shapes in patches (patches_of), which are Embree's primitives; with
+  /// motion blur also their positions at shutter close.
+  const std::vector<TrianglePatch>& patches() const { return patches_; }
+  const std::vector<TrianglePatch>& closing_patches() const { return closing_patches_; }
+
   /// Returns the nearest hit of each ray. Optimised for coherent rays, such as neighbouring primary
   /// rays.
   Hits intersect(const RayPacket& rays) const;
@@ -78,6 +84,8 @@ class EmbreeScene {
 
  private:
   Shapes shapes_;
+  std::vector<TrianglePatch> patches_;
+  std::vector<TrianglePatch> closing_patches_;
   RTCSceneTy* scene_ = nullptr;
 };
 

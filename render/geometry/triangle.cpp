@@ -5,19 +5,50 @@
 
 namespace mien::render {
 
-MIEN_FOR_AVX2_TOO void intersect_triangle(const Triangle& triangle, const RayLanes& rays,
-                                          unsigned count, float* distance) {
-  const float ax = triangle.a.x(), ay = triangle.a.y(), az = triangle.a.z();
-  const float bx = triangle.b.x(), by = triangle.b.y(), bz = triangle.b.z();
-  const float cx = triangle.c.x(), cy = triangle.c.y(), cz = triangle.c.z();
-  const float nx = (by - ay) * (cz - az) - (bz - az) * (cy - ay);
-  const float ny = (bz - az) * (cx - ax) - (bx - ax) * (cz - az);
-  const float nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+std::vector<TrianglePatch> patches_of(const std::vector<Triangle>& triangles) {
+  std::vector<TrianglePatch> patches((triangles.size() + patch_size - 1) / patch_size);
+  const auto set = [](TrianglePatch::Corners& corners, std::size_t lane, const Vec3& corner) {
+    corners.x[lane] = corner.x();
+    corners.y[lane] = corner.y();
+    corners.z[lane] = corner.z();
+  };
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    TrianglePatch& patch = patches[i / patch_size];
+    set(patch.a, i % patch_size, triangles[i].a);
+    set(patch.b, i % patch_size, triangles[i].b);
+    set(patch.c, i % patch_size, triangles[i].c);
+  }
+  return patches;
+}
 
+TrianglePatch patch_between(const TrianglePatch& from, const TrianglePatch& to, float time) {
+  TrianglePatch patch;
+  const auto move = [time](const TrianglePatch::Corners& opening,
+                           const TrianglePatch::Corners& closing, TrianglePatch::Corners& moved) {
+    for (std::size_t i = 0; i < patch_size; ++i) {
+      moved.x[i] = opening.x[i] + time * (closing.x[i] - opening.x[i]);
+      moved.y[i] = opening.y[i] + time * (closing.y[i] - opening.y[i]);
+      moved.z[i] = opening.z[i] + time * (closing.z[i] - opening.z[i]);
+    }
+  };
+  move(from.a, to.a, patch.a);
+  move(from.b, to.b, patch.b);
+  move(from.c, to.c, patch.c);
+  return patch;
+}
+
+MIEN_FOR_AVX2_TOO void intersect_patch(const TrianglePatch& patch, const Vec3& origin,
+                                       const Vec3& direction, float* distance) {
+  const float dx = direction.x(), dy = direction.y(), dz = direction.z();
+  const float ox = origin.x(), oy = origin.y(), oz = origin.z();
 #pragma omp simd
-  for (unsigned i = 0; i < count; ++i) {
-    const float dx = rays.direction_x[i], dy = rays.direction_y[i], dz = rays.direction_z[i];
-    const float ox = rays.origin_x[i], oy = rays.origin_y[i], oz = rays.origin_z[i];
+  for (std::size_t i = 0; i < patch_size; ++i) {
+    const float ax = patch.a.x[i], ay = patch.a.y[i], az = patch.a.z[i];
+    const float bx = patch.b.x[i], by = patch.b.y[i], bz = patch.b.z[i];
+    const float cx = patch.c.x[i], cy = patch.c.y[i], cz = patch.c.z[i];
+    const float nx = (by - ay) * (cz - az) - (bz - az) * (cy - ay);
+    const float ny = (bz - az) * (cx - ax) - (bx - ax) * (cz - az);
+    const float nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     const float pax = ax - ox, pay = ay - oy, paz = az - oz;
     const float pbx = bx - ox, pby = by - oy, pbz = bz - oz;
     const float pcx = cx - ox, pcy = cy - oy, pcz = cz - oz;

@@ -9,11 +9,9 @@ namespace mien::render {
 namespace {
 
 float distance_to(const Triangle& triangle, const Vec3& origin, const Vec3& direction) {
-  float found = 0.0f;
-  const RayLanes ray{&origin.x(),    &origin.y(),    &origin.z(),
-                     &direction.x(), &direction.y(), &direction.z()};
-  intersect_triangle(triangle, ray, 1, &found);
-  return found;
+  float found[patch_size];
+  intersect_patch(patches_of({triangle})[0], origin, direction, found);
+  return found[0];
 }
 
 class Triangles : public testing::Test {
