@@ -30,8 +30,8 @@ struct SimulatedParticipants {
   /// Its `stimulus` is not used: the truth contains the differences between stimuli.
   RatingSpread spread = {.participant = 0.3, .stimulus = 0.0, .residual = 0.7};
   double attention_pass_rate = 0.98;  ///< probability of passing an attention check, 0 to 1
-  double seen = 0.6;  ///< probability of choosing the intended emotion in an emotion trial, 0 to 1
-  double answer_seconds = 2.5;  ///< median response time of an item, seconds
+  double recognition_rate = 0.6;      ///< probability of choosing the intended emotion, 0 to 1
+  double answer_seconds = 2.5;        ///< median response time of an item, seconds
 };
 
 /// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the
