@@ -17,9 +17,9 @@ namespace mien::pipeline {
 /// examples, by name or file stem.
 ///
 /// An answer is also missing if a participant left out a scale of a stimulus that they saw. If at
-/// least half of the participants saw every example, those about examples that the other
-/// participants did not see are missing too. A participant is constant if they gave at least three
-/// answers, all at the same position on their scales.
+/// least half of the participants saw every example, answers of the other participants about
+/// examples that they did not see are missing too. A participant is constant if they gave at least
+/// three answers, all at the same position on their scales.
 ///
 /// If `examples` is empty, any stimulus is accepted. For plain answers (rules.plain), rt_ms, order
 /// and comment are ignored too, and neither missing answers nor constant participants are reported.
