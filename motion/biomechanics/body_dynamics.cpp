@@ -150,8 +150,8 @@ void add_centre_of_mass(std::vector<BodyDynamics>& body, double rate) {
 
 }  // namespace
 
-std::vector<BodyDynamics> body_dynamics(const LintSubject& subject) {
-  const Clip clip = smoothed(subject.clip);
+std::vector<BodyDynamics> body_dynamics(const LintMotion& motion) {
+  const Clip clip = smoothed(motion.clip);
   std::vector<BodyDynamics> body(clip.poses.size());
   for (size_t t = 0; t < body.size(); ++t) {
     body[t].world = world_transforms(clip.body, clip.poses[t]);
@@ -161,9 +161,9 @@ std::vector<BodyDynamics> body_dynamics(const LintSubject& subject) {
       body[t].centre[s] = segments[s].centre;
     }
   }
-  add_centre_of_mass(body, subject.rate());
+  add_centre_of_mass(body, motion.rate());
   const std::array<Vec3, segment_count> axis = axes(clip.body);
-  for (int s = 0; s < segment_count; ++s) add_segment(body, s, axis[s], subject.rate());
+  for (int s = 0; s < segment_count; ++s) add_segment(body, s, axis[s], motion.rate());
   for (BodyDynamics& moment : body) add_floor(moment);
   return body;
 }

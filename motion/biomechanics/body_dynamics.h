@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "motion/biomechanics/subject.h"
+#include "motion/biomechanics/lint_motion.h"
 
 namespace mien::motion {
 
@@ -37,9 +37,9 @@ struct BodyDynamics {
   Vec3 zero_moment_point = Vec3::Zero();
 };
 
-/// Dynamics of a subject with the canonical body, one entry per frame. The root positions and joint
+/// Dynamics of a motion of the canonical body, one entry per frame. The root positions and joint
 /// rotations are first low-pass filtered at 6 Hz (`gait_cutoff_hz`; Winter 2009). Segments are
 /// rotationally symmetric about their long axes, with the radii of gyration of de Leva (1996).
-std::vector<BodyDynamics> body_dynamics(const LintSubject& subject);
+std::vector<BodyDynamics> body_dynamics(const LintMotion& motion);
 
 }  // namespace mien::motion

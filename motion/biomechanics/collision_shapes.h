@@ -34,10 +34,10 @@ std::vector<RoundCone> collision_shapes(const Skeleton& body, const JointTransfo
 /// distance between them.
 double penetration_depth(const RoundCone& a, const RoundCone& b);
 
-/// A pair of parts to test for intersection. Not tested are two of the five parts from head to
-/// pelvis, and parts whose joints are the same or joined by one bone. `allowed` is the penetration
-/// depth in a relaxed standing pose, metres, at least 0: it is tolerated because the shapes only
-/// approximate a body.
+/// A pair of parts to test for intersection. Pairs within the trunk and head (head, neck, chest,
+/// abdomen, pelvis) are not tested, nor are parts that follow the same joint or two joints joined
+/// by one bone. `allowed` is the penetration depth in a relaxed standing pose, metres, at least 0:
+/// it is tolerated because the shapes only approximate a body.
 struct CollisionPair {
   int a = 0;
   int b = 0;

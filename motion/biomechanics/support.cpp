@@ -97,18 +97,18 @@ std::vector<Vec3> Support::all() const {
   return corners;
 }
 
-std::vector<Support> supports(const LintSubject& subject) {
-  std::vector<Support> result(subject.world.size());
-  const WeightBearing bears = weight_bearing_of(subject);
+std::vector<Support> supports(const LintMotion& motion) {
+  std::vector<Support> result(motion.world.size());
+  const WeightBearing bears = weight_bearing_of(motion);
   const auto corners = [&](int t, bool left) {
-    const SolePoints sole = sole_points(subject.clip.body, subject.world[t], left);
-    return bearing_corners(sole, lowest_of(sole), subject.scale);
+    const SolePoints sole = sole_points(motion.clip.body, motion.world[t], left);
+    return bearing_corners(sole, lowest_of(sole), motion.scale);
   };
-  for (int t = 0; t < subject.frame_count(); ++t) {
+  for (int t = 0; t < motion.frame_count(); ++t) {
     if (bears.left[t]) result[t].left = corners(t, true);
     if (bears.right[t]) result[t].right = corners(t, false);
-    for (const BodyJoint joint : other_contacts(subject, t)) {
-      result[t].elsewhere.push_back(horizontal(subject.world[t].positions[joint]));
+    for (const BodyJoint joint : other_contacts(motion, t)) {
+      result[t].elsewhere.push_back(horizontal(motion.world[t].positions[joint]));
     }
   }
   return result;
@@ -124,14 +124,14 @@ Vec3 nearest_in_hull(const Vec3& point, const std::vector<Vec3>& corners) {
   return found.is_inside ? horizontal(point) : found.point;
 }
 
-BodyOnFloor body_on_floor(const LintSubject& subject) {
-  return {body_dynamics(subject), supports(subject)};
+BodyOnFloor body_on_floor(const LintMotion& motion) {
+  return {body_dynamics(motion), supports(motion)};
 }
 
-void mask_ends(const LintSubject& subject, std::vector<double>& values) {
-  if (subject.was_loop) return;
+void mask_ends(const LintMotion& motion, std::vector<double>& values) {
+  if (motion.was_loop) return;
   const long count = static_cast<long>(values.size());
-  const long ends = std::min(count, std::lround(0.1 * subject.rate()) + 1);
+  const long ends = std::min(count, std::lround(0.1 * motion.rate()) + 1);
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   std::fill(values.begin(), values.begin() + ends, nothing);
   std::fill(values.end() - ends, values.end(), nothing);

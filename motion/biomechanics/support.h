@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "motion/biomechanics/body_dynamics.h"
-#include "motion/biomechanics/subject.h"
+#include "motion/biomechanics/lint_motion.h"
 
 namespace mien::motion {
 
@@ -20,7 +20,7 @@ struct Support {
 
 /// The base of support in every frame. The contact area of a bearing foot is the part of the sole
 /// within 0.03 m of its lowest point, with a width of 0.09 m (at a stature of 1.75 m).
-std::vector<Support> supports(const LintSubject& subject);
+std::vector<Support> supports(const LintMotion& motion);
 
 /// Horizontal distance of a point from the convex hull of the corners, metres; negative inside.
 /// `corners` must not be empty.
@@ -29,17 +29,17 @@ double signed_distance_to_hull(const Vec3& point, const std::vector<Vec3>& corne
 /// The point of the convex hull nearest to `point`, on the floor. `corners` must not be empty.
 Vec3 nearest_in_hull(const Vec3& point, const std::vector<Vec3>& corners);
 
-/// Dynamics and base of support of a subject, one entry per frame: the input of the balance and
+/// Dynamics and base of support of a motion, one entry per frame: the input of the balance and
 /// force checks.
 struct BodyOnFloor {
   std::vector<BodyDynamics> moments;
   std::vector<Support> supports;
 };
 
-BodyOnFloor body_on_floor(const LintSubject& subject);
+BodyOnFloor body_on_floor(const LintMotion& motion);
 
 /// Sets the values of the first and last 0.1 s to NaN, where accelerations are unreliable, unless
 /// the motion is a loop. One value per frame.
-void mask_ends(const LintSubject& subject, std::vector<double>& values);
+void mask_ends(const LintMotion& motion, std::vector<double>& values);
 
 }  // namespace mien::motion

@@ -32,15 +32,15 @@ struct Rest {
 constexpr std::array<Rest, 5> rests = {
     {{LeftKnee, 0.12}, {RightKnee, 0.12}, {LeftWrist, 0.12}, {RightWrist, 0.12}, {Pelvis, 0.2}}};
 
-std::vector<bool> falling(const LintSubject& subject) {
+std::vector<bool> falling(const LintMotion& motion) {
   std::vector<Vec3> centre;
-  for (const JointTransforms& world : subject.world) {
-    centre.push_back(centre_of_mass(subject.clip.body, world));
+  for (const JointTransforms& world : motion.world) {
+    centre.push_back(centre_of_mass(motion.clip.body, world));
   }
-  const double rate = subject.rate();
+  const double rate = motion.rate();
   const std::vector<Vec3> smooth = low_pass(centre, gait_cutoff_hz(rate), rate);
   const std::vector<Vec3> acceleration = derivative(derivative(smooth, rate), rate);
-  const int count = subject.frame_count();
+  const int count = motion.frame_count();
   const int ends =
       std::min(static_cast<int>(std::lround(unsure_seconds * rate)) + 1, (count - 1) / 2);
   std::vector<bool> falls;
@@ -53,10 +53,10 @@ std::vector<bool> falling(const LintSubject& subject) {
 
 /// Horizontal speed of the stillest point of a sole that is near where it is lowest; infinite while
 /// none is.
-std::vector<double> floor_speeds(const LintSubject& subject, bool left) {
-  std::vector<double> stillest(subject.world.size(), none);
-  const std::vector<SolePoints> soles = sole_paths(subject.clip, left);
-  const double cutoff = std::min(10.0, 0.3 * subject.rate());
+std::vector<double> floor_speeds(const LintMotion& motion, bool left) {
+  std::vector<double> stillest(motion.world.size(), none);
+  const std::vector<SolePoints> soles = sole_paths(motion.clip, left);
+  const double cutoff = std::min(10.0, 0.3 * motion.rate());
   for (const auto point : {&SolePoints::heel, &SolePoints::ball, &SolePoints::tip}) {
     std::vector<Vec3> path;
     std::vector<double> heights;
@@ -66,28 +66,28 @@ std::vector<double> floor_speeds(const LintSubject& subject, bool left) {
     }
     const double rest = percentile(heights, 3);
     const std::vector<Vec3> velocity =
-        derivative(low_pass(path, cutoff, subject.rate()), subject.rate());
+        derivative(low_pass(path, cutoff, motion.rate()), motion.rate());
     for (size_t t = 0; t < path.size(); ++t) {
-      if (heights[t] - rest > near_metres * subject.scale) continue;
+      if (heights[t] - rest > near_metres * motion.scale) continue;
       stillest[t] = std::min(stillest[t], horizontal(velocity[t]).norm());
     }
   }
   return stillest;
 }
 
-void add_planted(const LintSubject& subject, WeightBearing& bearing) {
-  for (const FootPlant& plant : foot_plants(subject.clip)) {
+void add_planted(const LintMotion& motion, WeightBearing& bearing) {
+  for (const FootPlant& plant : foot_plants(motion.clip)) {
     std::vector<bool>& foot = plant.left ? bearing.left : bearing.right;
-    const int last = std::min(plant.last, subject.frame_count() - 1);
+    const int last = std::min(plant.last, motion.frame_count() - 1);
     for (int t = plant.first; t <= last; ++t) foot[t] = bearing.planted[t] = true;
   }
 }
 
 /// Where neither foot is planted, the stiller one bears, or both.
-void add_sliding(const LintSubject& subject, WeightBearing& bearing) {
-  const std::vector<double> left = floor_speeds(subject, true);
-  const std::vector<double> right = floor_speeds(subject, false);
-  for (int t = 0; t < subject.frame_count(); ++t) {
+void add_sliding(const LintMotion& motion, WeightBearing& bearing) {
+  const std::vector<double> left = floor_speeds(motion, true);
+  const std::vector<double> right = floor_speeds(motion, false);
+  for (int t = 0; t < motion.frame_count(); ++t) {
     const double still = std::min(left[t], right[t]);
     if (!bearing.is_unsupported(t) || still == none) continue;
     bearing.left[t] = left[t] <= still + alike_speed;
@@ -109,27 +109,27 @@ void add_stretches(const std::vector<bool>& bears, bool left, double rate,
 
 }  // namespace
 
-std::vector<BodyJoint> other_contacts(const LintSubject& subject, int frame) {
+std::vector<BodyJoint> other_contacts(const LintMotion& motion, int frame) {
   std::vector<BodyJoint> found;
   for (const Rest& rest : rests) {
-    const double height = subject.world[frame].positions[rest.joint].y();
-    if (height < rest.height * subject.scale) found.push_back(rest.joint);
+    const double height = motion.world[frame].positions[rest.joint].y();
+    if (height < rest.height * motion.scale) found.push_back(rest.joint);
   }
   return found;
 }
 
-WeightBearing weight_bearing_of(const LintSubject& subject) {
-  const auto count = subject.world.size();
+WeightBearing weight_bearing_of(const LintMotion& motion) {
+  const auto count = motion.world.size();
   WeightBearing bearing;
   bearing.left.assign(count, false);
   bearing.right.assign(count, false);
   bearing.planted.assign(count, false);
-  for (int t = 0; t < subject.frame_count(); ++t) {
-    bearing.elsewhere.push_back(!other_contacts(subject, t).empty());
+  for (int t = 0; t < motion.frame_count(); ++t) {
+    bearing.elsewhere.push_back(!other_contacts(motion, t).empty());
   }
-  bearing.falls = falling(subject);
-  add_planted(subject, bearing);
-  add_sliding(subject, bearing);
+  bearing.falls = falling(motion);
+  add_planted(motion, bearing);
+  add_sliding(motion, bearing);
   return bearing;
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "motion/biomechanics/subject.h"
+#include "motion/biomechanics/lint_motion.h"
 #include "motion/gait/foot_plant.h"
 
 namespace mien::motion {
@@ -27,7 +27,7 @@ struct WeightBearing {
 /// than 0.15 m/s; skating feet thus count as standing. The body is in free fall while its vertical
 /// ground reaction force, computed from the acceleration of its centre of mass after a 6 Hz
 /// low-pass filter, is less than half its weight.
-WeightBearing weight_bearing_of(const LintSubject& subject);
+WeightBearing weight_bearing_of(const LintMotion& motion);
 
 /// The intervals in which a foot bears weight, in order of time; intervals shorter than 0.1 s are
 /// omitted.
@@ -35,6 +35,6 @@ std::vector<FootPlant> weight_bearing_feet(const WeightBearing& bearing, double 
 
 /// The joints other than those of the feet on which the body rests in a frame: knees, wrists and
 /// pelvis at the low heights of kneeling, crawling and sitting on the floor.
-std::vector<BodyJoint> other_contacts(const LintSubject& subject, int frame);
+std::vector<BodyJoint> other_contacts(const LintMotion& motion, int frame);
 
 }  // namespace mien::motion

@@ -32,17 +32,17 @@ struct PreparedExample {
   FrameRange frames;               ///< the frames of the take that were used
 };
 
-/// Prepares a clip for blending. One gait cycle is cut out at the frames, within 3 of its heel
-/// strikes, that give the smallest seam. It is closed into a loop that begins at the left heel
-/// strike, and straightened (along +Z from the origin); it has the 7 keytimes of gait.h. A clip
-/// without a gait cycle is used whole and straightened; its keytimes are the start, the minima of
-/// speed (`speed_minima`) and the end or, with start_peak_end, the start, `peak_seconds` and the
-/// end. With manual keytimes, the part of the clip from the first keytime to the last is used and
-/// straightened.
+/// Prepares a clip for blending. One gait cycle is cut out; of the frames up to 3 away from its
+/// heel strikes, those with the lowest seam cost (gait/loop.h) are used. It is closed into a loop
+/// that begins at the left heel strike, and straightened (along +Z from the origin); it has the 7
+/// keytimes of gait.h. A clip without a gait cycle is used whole and straightened; its keytimes are
+/// the start, the minima of speed (`speed_minima`) and the end or, with start_peak_end, the start,
+/// `peak_seconds` and the end. With manual keytimes, the part of the clip from the first keytime to
+/// the last is used and straightened.
 ///
-/// Throws Error naming the clip if it has fewer than two frames; if manual frames or keytimes lie
-/// outside it, contain no gait cycle or are less than one frame apart; or if no hand or foot moves
-/// far enough to have a peak.
+/// Throws Error naming the clip if it has fewer than two frames; if manual frames lie outside it or
+/// contain no gait cycle; if manual keytimes lie outside it or are less than one frame apart; or if
+/// no hand or foot moves far enough to have a peak.
 PreparedExample prepare_example(const Clip& clip, const ExampleOptions& options = {});
 
 Example make_example(const Clip& clip, const ExampleOptions& options = {});

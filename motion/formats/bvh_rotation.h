@@ -4,7 +4,8 @@
 
 namespace mien::motion {
 
-// BVH files represent a rotation by angles about the Z, X and Y axes, in this order, in degrees.
+// In the BVH files that mien writes, a rotation consists of angles about the Z, X and Y axes, in
+// this order, in degrees.
 
 /// The Euler angles of a rotation about the Z, X and Y axes, in this order, radians. Of all
 /// equivalent triples, those nearest to the angles of the previous frame are returned, so that

@@ -11,9 +11,9 @@ namespace mien::motion {
 
 /// Reads the figure and one animation of a glTF 2.0 file, text (.gltf with its .bin files) or
 /// binary (.glb). The animation is the one named by `take`, or else the first one that moves
-/// anything. `takes` of the recording lists the names of all of them: the third, if it has no name,
-/// is "take 3", and a second one named "Walk" is "Walk 2". Units and axes are those of glTF:
-/// metres, +Y up.
+/// anything. `takes` of the recording lists the names of all animations that move anything: the
+/// third animation of the file, if it has no name, is "take 3", and a second one named "Walk" is
+/// "Walk 2". Units and axes are those of glTF: metres, +Y up.
 ///
 /// - The skeleton consists of the joints of the skins and the nodes between them, parents first and
 ///   children in the order of the file. Without a skin, it consists of all nodes of the tree that
@@ -31,7 +31,7 @@ namespace mien::motion {
 ///   gltf_track.h), otherwise 30 per second. Without an animation there is one frame, the pose of
 ///   the nodes.
 ///
-/// Throws mien::Error naming the file (for JSON faults also line and column) if it contains no such
+/// Throws mien::Error naming the file (for JSON faults also line and column) if it contains no
 /// figure or is invalid: for example if `take` does not exist, indices or buffers are out of
 /// bounds, a node has two parents, numbers are not finite, or the motion is longer than an hour.
 Recording read_gltf(const std::filesystem::path& path,

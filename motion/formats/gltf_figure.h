@@ -13,7 +13,7 @@ namespace mien::motion {
 struct GltfFigure {
   std::vector<int> above;    ///< the root's ancestors, topmost first
   std::vector<int> joints;   ///< joints of the skeleton, depth first
-  std::vector<int> parents;  ///< index of the parent of each joint in `joints`; −1 for the root
+  std::vector<int> parents;  ///< for each joint, its parent's index in `joints`; −1 for the root
 };
 
 /// The figure of a file: the joints of its skins and the nodes between them. Skins belong to the

@@ -9,9 +9,9 @@
 
 namespace mien::motion {
 
-/// Whether a buffer is a placeholder (`fallback` of EXT_meshopt_compression), which contains the
-/// uncompressed bytes of its buffer views for readers without the extension. It may be empty and
-/// need not be loaded.
+/// Whether a buffer is a fallback (`fallback` of EXT_meshopt_compression), intended only for
+/// readers without the extension: it contains the uncompressed bytes of its buffer views, or
+/// nothing. It need not be loaded.
 bool is_meshopt_fallback(const nlohmann::json& buffer);
 
 /// Decompresses the buffer views of a glTF document that use EXT_meshopt_compression or

@@ -30,8 +30,8 @@ inline constexpr const char* gltf_rate_key = "framesPerSecond";
 /// An animation of a file that moves any node.
 struct GltfTake {
   int animation = 0;
-  std::string name;  ///< as in the file; "take 3" for the third animation if it has no name; "Walk
-                     ///< 2" for the second one named "Walk"
+  std::string name;  ///< as in the file; "take 3" for the third animation of the file if it has no
+                     ///< name; "Walk 2" for the second one named "Walk"
 };
 
 std::vector<GltfTake> gltf_takes(const GltfFile& file);

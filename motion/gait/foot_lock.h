@@ -20,10 +20,10 @@ struct FootLockOptions {
 ///
 /// The flat sole is placed on the floor (y = 0). First the whole figure is shifted vertically by
 /// the mean height error of both feet; then each foot is shifted by the remaining error, because in
-/// captures one foot is often higher than the other. Toes raised above a standing heel are lowered.
-/// Corrections fade out during the swing. The pelvis is lowered smoothly where a leg would have to
-/// stretch; knees stay in their planes and bones keep their lengths (after Kovar, Schreiner and
-/// Gleicher 2002). The clip must not walk in place.
+/// captures one foot is often higher than the other. Toes that are raised while the heel stands are
+/// lowered. Corrections fade out during the swing. The pelvis is lowered smoothly where a leg would
+/// have to stretch; knees stay in their planes and bones keep their lengths (after Kovar, Schreiner
+/// and Gleicher 2002). The clip must not walk in place.
 Clip foot_locked(const Clip& clip, const std::vector<FootPlant>& plants,
                  const FootLockOptions& options = {});
 

@@ -15,10 +15,11 @@ struct Flight {
   bool lands_left = true;      ///< whether the left foot lands, otherwise the right one
 };
 
-/// The flight phases of a clip that does not loop: gaps of at least 0.06 s between plants in which
-/// the mean height of the pelvis is above its mean including 0.4 s on either side and, if the gap
-/// lasts 0.25 s or more, the pelvis is in free fall. In walking, by contrast, the pelvis is lowest
-/// between two single supports, where a strict contact threshold may also leave a gap.
+/// The flight phases of a clip that does not loop: gaps of at least 0.06 s between plants. The mean
+/// height of the pelvis in the gap must be above its mean over the gap and 0.4 s on either side
+/// and, if the gap lasts 0.25 s or more, the pelvis must be in free fall. In walking, by contrast,
+/// the pelvis is lowest between two single supports, where a strict contact threshold may also
+/// leave a gap.
 std::vector<Flight> flights(const Clip& clip, const std::vector<FootPlant>& plants);
 
 struct GaitEvent {

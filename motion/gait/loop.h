@@ -37,8 +37,9 @@ Clip closed_ends(const Clip& clip, int start, int end);
 /// match the mirror image of its start, as in `closed_loop`. The same conditions apply.
 Clip mirrored_loop(const Clip& clip, int start, int end);
 
-/// The loop shifted cyclically by `frames`: the same periodic motion with another first frame. That
-/// frame keeps its position in the first cycle.
+/// The loop shifted cyclically: the same periodic motion, beginning at frame `frames` of `loop`.
+/// World positions do not change: the new first frame stands where frame `frames` does (one cycle
+/// displacement farther for each cycle by which `frames` exceeds the loop).
 Clip shifted_loop(const Clip& loop, int frames);
 
 }  // namespace mien::motion

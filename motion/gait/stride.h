@@ -12,7 +12,7 @@ namespace mien::motion {
 /// The seven events of a stride, from a heel strike of one foot to its next, in fractional frames:
 /// heel strike, toe off of the other foot, passing of the other ankle, strike of the other foot,
 /// own toe off, passing of the own ankle, next heel strike. In running, each toe off occurs before
-/// the heel strike listed ahead of it.
+/// the heel strike that precedes it in this list.
 struct Stride {
   bool left = true;  ///< the foot that strikes first
   double strike = 0.0;

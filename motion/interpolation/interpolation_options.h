@@ -37,7 +37,8 @@ inline std::string_view name_of(InterpolationMethod method) {
 }
 
 struct NearestNeighboursOptions {
-  int neighbours = 0;  ///< number of neighbours, the farthest of which has weight 0; 0 means M + 2
+  int neighbours = 0;  ///< number of neighbours, the farthest of which has weight 0; 0: two more
+                       ///< than there are parameters
   int trials = 300;    ///< random blends to try as additional samples; 0 for none
   double least_distance = 0.05;  ///< minimum distance of a blend's parameters from other samples
   std::uint64_t seed = 0;
@@ -48,7 +49,8 @@ struct NearestNeighboursOptions {
 
 struct KrigingOptions {
   bool linear_drift = true;  ///< true: universal kriging; false: ordinary kriging (constant mean)
-  double nugget = 0.0;  ///< fraction of the sill attributed to noise in the examples; 0 is exact
+  double nugget = 0.0;  ///< fraction of the sill attributed to noise in the examples; 0: examples
+                        ///< are met exactly
 
   friend bool operator==(const KrigingOptions&, const KrigingOptions&) = default;
 };
@@ -65,7 +67,7 @@ struct StatisticalModelOptions {
   double noise = 0.1;  ///< for `most_likely`: standard deviation of the noise in parameters, > 0
   double variance_share = 0.95;  ///< fraction of the examples' variance that the components retain
   double ridge = 1e-3;           ///< added to the variances of the parameters
-  int samples = 60;              ///< moments per motion, from its first to its last keytime
+  int samples = 60;              ///< times at which a motion is sampled, from first to last keytime
 
   friend bool operator==(const StatisticalModelOptions&, const StatisticalModelOptions&) = default;
 };

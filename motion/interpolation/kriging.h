@@ -25,8 +25,8 @@ struct Kriging {
   Eigen::RowVectorXd mean;     ///< mean of `places`
   Eigen::MatrixXd drift_axes;  ///< M × r: directions in which `places` vary
   Variogram variogram;
-  bool fitted = false;  ///< to dissimilarities of motions; otherwise sill 1 and range from the
-                        ///< median distance
+  bool fitted = false;  ///< whether the variogram was fitted to dissimilarities of motions; if not,
+                        ///< its sill is 1 and its range follows from the median distance
   int halvings = 0;     ///< number of times the range was halved to keep the system solvable
   LinearSystem system;  ///< [Γ F; Fᵀ 0], Γ in units of the sill
 };

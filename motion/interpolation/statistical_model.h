@@ -21,7 +21,8 @@ namespace mien::motion {
 /// p̄), or most likely, minimising ‖C c − (p − p̄)‖²/noise² + cᵀ Λ⁻¹ c. Here C is the regression of
 /// parameters on coordinates, which predicts the parameters of a motion, and Λ holds the variances
 /// of the components. Both estimates are linear in p. Unlike the other methods, the model does not
-/// reproduce its examples: variation that only few of them share is lost.
+/// reproduce its examples: variation that only few of them share is lost. Sizes below: D numbers
+/// per vector, q components, M parameters, N examples.
 struct StatisticalModel {
   Skeleton body;
   bool loops = false;

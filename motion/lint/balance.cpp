@@ -20,13 +20,13 @@ double level_speed(const BodyDynamics& moment) {
 }
 
 /// How far the centre of mass is outside the support while the body stands.
-std::vector<double> standing_margins(const LintSubject& subject, const BodyOnFloor& body) {
+std::vector<double> standing_margins(const LintMotion& motion, const BodyOnFloor& body) {
   std::vector<double> values(body.moments.size(), no_value);
   for (size_t t = 0; t < values.size(); ++t) {
     const Support& support = body.supports[t];
     if (support.empty() || level_speed(body.moments[t]) > standing_speed) continue;
     values[t] =
-        signed_distance_to_hull(body.moments[t].centre_of_mass, support.all()) / subject.scale;
+        signed_distance_to_hull(body.moments[t].centre_of_mass, support.all()) / motion.scale;
   }
   return values;
 }
@@ -38,10 +38,10 @@ double farthest(const std::vector<Vec3>& corners, const Vec3& direction) {
 }
 
 /// How far the extrapolated centre of mass is outward of the outer edge of the standing foot.
-std::vector<double> lateral_margins(const LintSubject& subject, const BodyOnFloor& body) {
-  const double pendulum = pendulum_by_leg * leg_length(subject.clip.body);
+std::vector<double> lateral_margins(const LintMotion& motion, const BodyOnFloor& body) {
+  const double pendulum = pendulum_by_leg * leg_length(motion.clip.body);
   const double seconds = std::sqrt(pendulum / gravity);
-  const std::vector<Vec3> directions = walking_directions(subject.clip);
+  const std::vector<Vec3> directions = walking_directions(motion.clip);
   std::vector<double> values(body.moments.size(), no_value);
   for (size_t t = 0; t < values.size(); ++t) {
     const Support& support = body.supports[t];
@@ -54,26 +54,26 @@ std::vector<double> lateral_margins(const LintSubject& subject, const BodyOnFloo
     const double right = -extrapolated.dot(to_left) - farthest(support.right, -to_left);
     const bool on_both = !support.left.empty() && !support.right.empty();
     const double outside = support.right.empty() ? left : right;
-    values[t] = (on_both ? std::max(left, right) : outside) / subject.scale;
+    values[t] = (on_both ? std::max(left, right) : outside) / motion.scale;
   }
   return values;
 }
 
-std::vector<double> pressure_margins(const LintSubject& subject, const BodyOnFloor& body) {
+std::vector<double> pressure_margins(const LintMotion& motion, const BodyOnFloor& body) {
   std::vector<double> values(body.moments.size(), no_value);
   for (size_t t = 0; t < values.size(); ++t) {
     if (body.supports[t].empty()) continue;
     const Vec3& point = body.moments[t].zero_moment_point;
-    values[t] = signed_distance_to_hull(point, body.supports[t].all()) / subject.scale;
+    values[t] = signed_distance_to_hull(point, body.supports[t].all()) / motion.scale;
   }
-  mask_ends(subject, values);
+  mask_ends(motion, values);
   return values;
 }
 
 }  // namespace
 
-Findings find_lost_balance(const LintSubject& subject, const BodyOnFloor& body,
-                           const LintOptions& options, const LintSubject* original,
+Findings find_lost_balance(const LintMotion& motion, const BodyOnFloor& body,
+                           const LintOptions& options, const LintMotion* original,
                            const BodyOnFloor* original_body) {
   Findings findings;
   const auto add = [&](const auto& margins, const Levels& levels, double seconds,
@@ -82,9 +82,8 @@ Findings find_lost_balance(const LintSubject& subject, const BodyOnFloor& body,
         original ? margins(*original, *original_body) : std::vector<double>();
     const auto sentence = [&](double worst) { return where + rounded(100.0 * worst, 0) + after; };
     add_threshold_findings(
-        findings, subject,
-        {"balance", "", "m", raised_levels(levels, before), seconds, 3, sentence},
-        margins(subject, body));
+        findings, motion, {"balance", "", "m", raised_levels(levels, before), seconds, 3, sentence},
+        margins(motion, body));
   };
   add(standing_margins, options.standing_margin_metres, standing_seconds,
       "The body would fall: while standing, its centre of mass is ", " cm outside its feet.");

@@ -11,12 +11,12 @@ namespace {
 
 bool is_finite(const Quat& rotation) { return rotation.coeffs().allFinite(); }
 
-/// The subject of checks that calculate nothing: the frames as they are.
-LintSubject as_given(const Clip& clip) {
-  LintSubject subject;
-  subject.clip.frames_per_second = clip.frames_per_second;
-  subject.frames = clip.frame_count();
-  return subject;
+/// The motion of checks that calculate nothing: the frames as they are.
+LintMotion as_given(const Clip& clip) {
+  LintMotion motion;
+  motion.clip.frames_per_second = clip.frames_per_second;
+  motion.frames = clip.frame_count();
+  return motion;
 }
 
 std::string joint_name(const Clip& clip, int joint) { return clip.body.joints[joint].name; }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "motion/biomechanics/subject.h"
+#include "motion/biomechanics/lint_motion.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/threshold_findings.h"
 #include "motion/math/filter.h"
@@ -19,22 +19,22 @@ constexpr std::array<int, 5> limb_ends = {Head, LeftWrist, RightWrist, LeftAnkle
 
 /// Way of a limb's end as seen from the part of the trunk that carries the limb (chest or pelvis),
 /// in its frame, metres: what the limb itself does.
-std::vector<Vec3> limb_path(const LintSubject& subject, int end) {
+std::vector<Vec3> limb_path(const LintMotion& motion, int end) {
   const int base = end == LeftAnkle || end == RightAnkle ? Pelvis : Chest;
   std::vector<Vec3> way;
-  for (const JointTransforms& world : subject.world) {
+  for (const JointTransforms& world : motion.world) {
     const Vec3 from_base = world.positions[end] - world.positions[base];
     way.push_back(world.rotations[base].conjugate() * from_base);
   }
   return way;
 }
 
-/// `other`'s way at the moments that correspond to the frames of `subject`, linear between frames.
-std::vector<Vec3> at_moments_of(const LintSubject& subject, const LintSubject& other,
+/// `other`'s way at the moments that correspond to the frames of `motion`, linear between frames.
+std::vector<Vec3> at_moments_of(const LintMotion& motion, const LintMotion& other,
                                 const std::vector<Vec3>& way) {
   std::vector<Vec3> result;
-  for (int t = 0; t < subject.frame_count(); ++t) {
-    const double frame = corresponding_frame(subject, t, other);
+  for (int t = 0; t < motion.frame_count(); ++t) {
+    const double frame = corresponding_frame(motion, t, other);
     const auto whole = static_cast<size_t>(frame);
     const double part = frame - std::floor(frame);
     const size_t next = std::min(whole + 1, way.size() - 1);
@@ -54,12 +54,12 @@ struct Window {
   int last;  // included
 };
 
-std::vector<Window> windows(const LintSubject& subject) {
-  const int whole = subject.frame_count();
+std::vector<Window> windows(const LintMotion& motion) {
+  const int whole = motion.frame_count();
   const int length =
-      std::min(whole, static_cast<int>(std::lround(phase_window_seconds * subject.rate())));
+      std::min(whole, static_cast<int>(std::lround(phase_window_seconds * motion.rate())));
   const int hop = std::max(1, length / 2);
-  if (subject.was_loop) return {{subject.start, subject.start + subject.frames - 1}};
+  if (motion.was_loop) return {{motion.start, motion.start + motion.frames - 1}};
   std::vector<Window> result;
   int first = 0;
   for (; first + length < whole; first += hop) result.push_back({first, first + length - 1});
@@ -140,20 +140,20 @@ void take_greater(std::vector<double>& values, const Window& window, double valu
   for (int t = window.first; t <= window.last; ++t) values[t] = std::max(values[t], value);
 }
 
-std::vector<LimbFaults> limb_faults(const LintSubject& subject, const LintSubject& original) {
+std::vector<LimbFaults> limb_faults(const LintMotion& motion, const LintMotion& original) {
   std::vector<std::vector<Vec3>> ways;
   std::vector<std::vector<Vec3>> models;
   for (const int joint : limb_ends) {
-    ways.push_back(limb_path(subject, joint));
-    models.push_back(at_moments_of(subject, original, limb_path(original, joint)));
+    ways.push_back(limb_path(motion, joint));
+    models.push_back(at_moments_of(motion, original, limb_path(original, joint)));
   }
-  const double seconds = pace(subject, original) / subject.rate();  // of the original, a frame
-  const std::vector<double> none(subject.world.size(), 0.0);
+  const double seconds = pace(motion, original) / motion.rate();  // of the original, a frame
+  const std::vector<double> none(motion.world.size(), 0.0);
   std::vector<LimbFaults> faults(limb_ends.size(), {none, none});
-  for (const Window& window : windows(subject)) {
+  for (const Window& window : windows(motion)) {
     std::vector<std::optional<ShiftedCorrelation>> limbs;
     for (size_t i = 0; i < limb_ends.size(); ++i) {
-      limbs.push_back(best_correlation(ways[i], models[i], window, subject.rate()));
+      limbs.push_back(best_correlation(ways[i], models[i], window, motion.rate()));
     }
     const double common = common_shift(limbs);
     for (size_t i = 0; i < limb_ends.size(); ++i) {
@@ -171,9 +171,9 @@ constexpr double jerk_window_seconds = 0.5;
 constexpr double smooth_jerk = 10.0;  // m/s³; what is smoother is as good as still
 
 /// Root mean square of the jerk around each frame, m/s³.
-std::vector<double> jerks(const LintSubject& subject, int joint) {
-  const double rate = subject.rate();
-  std::vector<Vec3> way = low_pass(limb_path(subject, joint), std::min(10.0, 0.3 * rate), rate);
+std::vector<double> jerks(const LintMotion& motion, int joint) {
+  const double rate = motion.rate();
+  std::vector<Vec3> way = low_pass(limb_path(motion, joint), std::min(10.0, 0.3 * rate), rate);
   for (int order = 0; order < 3; ++order) way = derivative(way, rate);
   const int count = static_cast<int>(way.size());
   const int reach = static_cast<int>(std::lround(0.5 * jerk_window_seconds * rate));
@@ -190,9 +190,9 @@ std::vector<double> jerks(const LintSubject& subject, int joint) {
 
 }  // namespace
 
-Findings find_shifted_limbs(const LintSubject& subject, const LintOptions& options,
-                            const LintSubject& original) {
-  const std::vector<LimbFaults> faults = limb_faults(subject, original);
+Findings find_shifted_limbs(const LintMotion& motion, const LintOptions& options,
+                            const LintMotion& original) {
+  const std::vector<LimbFaults> faults = limb_faults(motion, original);
   Findings findings;
   for (size_t i = 0; i < limb_ends.size(); ++i) {
     const std::string name(name_of(BodyJoint(limb_ends[i])));
@@ -204,30 +204,30 @@ Findings find_shifted_limbs(const LintSubject& subject, const LintOptions& optio
       return "The " + display_name(name) + " no longer moves as in the original: correlation " +
              rounded(1.0 - worst, 2) + " at best.";
     };
-    add_threshold_findings(findings, subject,
+    add_threshold_findings(findings, motion,
                            {"limb-phase", name, "s", options.phase_shift_seconds, 0, 1, shifted},
                            faults[i].shift);
-    add_threshold_findings(findings, subject,
+    add_threshold_findings(findings, motion,
                            {"limb-phase", name, "", options.dissimilarity, 0, 1, unlike},
                            faults[i].dissimilarity);
   }
   return findings;
 }
 
-Findings find_jerks(const LintSubject& subject, const LintOptions& options,
-                    const LintSubject& original) {
+Findings find_jerks(const LintMotion& motion, const LintOptions& options,
+                    const LintMotion& original) {
   Findings findings;
   for (const int joint : limb_ends) {
     const double usual = std::max(percentile(jerks(original, joint), 90), smooth_jerk);
-    std::vector<double> ratios = jerks(subject, joint);
+    std::vector<double> ratios = jerks(motion, joint);
     for (double& value : ratios) value /= usual;
     const std::string name(name_of(BodyJoint(joint)));
     const auto sentence = [&](double worst) {
       return "The " + display_name(name) + " moves " + rounded(worst, 1) +
              " times as jerkily as in the original.";
     };
-    add_threshold_findings(findings, subject,
-                           {"jerk", name, "", options.jerk_ratio, 0, 2, sentence}, ratios);
+    add_threshold_findings(findings, motion, {"jerk", name, "", options.jerk_ratio, 0, 2, sentence},
+                           ratios);
   }
   return findings;
 }

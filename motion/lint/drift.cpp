@@ -22,15 +22,15 @@ constexpr double slope_share = 0.5;   // by which the usual climb may differ fro
 constexpr double rolling_m_s = 0.02;  // and that of feet whose lowest point changes as they roll
 
 /// Stretches in which both feet bear; as plants of the left foot.
-std::vector<FootPlant> double_stances(const LintSubject& subject) {
-  const WeightBearing bearing = weight_bearing_of(subject);
-  const int count = subject.frame_count();
+std::vector<FootPlant> double_stances(const LintMotion& motion) {
+  const WeightBearing bearing = weight_bearing_of(motion);
+  const int count = motion.frame_count();
   std::vector<FootPlant> found;
   for (int first = 0; first < count; ++first) {
     if (!bearing.left[first] || !bearing.right[first]) continue;
     int last = first;
     while (last + 1 < count && bearing.left[last + 1] && bearing.right[last + 1]) ++last;
-    if (last - first >= take_limits.drift_seconds * subject.rate())
+    if (last - first >= take_limits.drift_seconds * motion.rate())
       found.push_back({true, first, last});
     first = last;
   }
@@ -48,19 +48,19 @@ bool is_steady(const std::vector<Vec3>& track) {
 }
 
 /// How far both feet slide together; zero where they do not.
-double common_slide(const LintSubject& subject, FootPlant stance) {
-  const std::vector<Vec3> left = planted_track(subject, stance);
+double common_slide(const LintMotion& motion, FootPlant stance) {
+  const std::vector<Vec3> left = planted_track(motion, stance);
   stance.left = false;
-  const std::vector<Vec3> right = planted_track(subject, stance);
+  const std::vector<Vec3> right = planted_track(motion, stance);
   const double way = std::min(left.back().norm(), right.back().norm());
   if ((left.back() - right.back()).norm() > steadiness * way) return 0.0;
-  return is_steady(left) && is_steady(right) ? way / subject.scale : 0.0;
+  return is_steady(left) && is_steady(right) ? way / motion.scale : 0.0;
 }
 
-double largest_slide(const LintSubject& subject) {
+double largest_slide(const LintMotion& motion) {
   double largest = 0.0;
-  for (const FootPlant& stance : double_stances(subject)) {
-    largest = std::max(largest, common_slide(subject, stance));
+  for (const FootPlant& stance : double_stances(motion)) {
+    largest = std::max(largest, common_slide(motion, stance));
   }
   return largest;
 }
@@ -94,15 +94,15 @@ Line line_of(const std::vector<double>& values, double rate) {
 }
 
 /// Height of the lower sole in every frame.
-std::vector<double> lower_sole(const LintSubject& subject) {
+std::vector<double> lower_sole(const LintMotion& motion) {
   std::vector<double> heights;
-  for (const JointTransforms& world : subject.world) {
+  for (const JointTransforms& world : motion.world) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const bool left : {true, false}) {
-      const SolePoints sole = sole_points(subject.clip.body, world, left);
+      const SolePoints sole = sole_points(motion.clip.body, world, left);
       lowest = std::min({lowest, sole.heel.y(), sole.ball.y(), sole.tip.y()});
     }
-    heights.push_back(lowest / subject.scale);
+    heights.push_back(lowest / motion.scale);
   }
   return heights;
 }
@@ -115,57 +115,57 @@ double usual_rate(const std::vector<double>& values, double rate) {
 }
 
 /// How far the body rises over the take, steadily; below zero where it sinks.
-double steady_rise(const LintSubject& subject) {
-  if (subject.frame_count() < 3) return 0.0;
-  const std::vector<double> heights = lower_sole(subject);
-  const double rate = subject.rate();
+double steady_rise(const LintMotion& motion) {
+  if (motion.frame_count() < 3) return 0.0;
+  const std::vector<double> heights = lower_sole(motion);
+  const double rate = motion.rate();
   const Line whole = line_of(heights, rate);
   if (whole.explained < explained) return 0.0;
   const double apart = std::abs(usual_rate(heights, rate) - whole.slope);
   if (apart > std::max(slope_share * std::abs(whole.slope), rolling_m_s)) return 0.0;
-  return whole.slope * (subject.frame_count() - 1) / rate;
+  return whole.slope * (motion.frame_count() - 1) / rate;
 }
 
 }  // namespace
 
-Findings find_walk_on_spot(const LintSubject& subject, const LintSubject* original) {
+Findings find_walk_on_spot(const LintMotion& motion, const LintMotion* original) {
   const bool was_there = original && !original->floor.isZero();
-  if (subject.was_loop || subject.floor.isZero() || was_there) return {};
+  if (motion.was_loop || motion.floor.isZero() || was_there) return {};
   Finding finding;
   finding.check = "on-the-spot";
-  finding.last = subject.frame_count() - 1;
-  finding.measured = subject.floor.norm();
+  finding.last = motion.frame_count() - 1;
+  finding.measured = motion.floor.norm();
   finding.threshold = slowest_treadmill_m_s;
   finding.unit = "m/s";
   finding.sentence =
-      "Walks in place: the floor would move at " + rounded(subject.floor.norm(), 2) + " m/s.";
+      "Walks in place: the floor would move at " + rounded(motion.floor.norm(), 2) + " m/s.";
   return {finding};
 }
 
-Findings find_drift(const LintSubject& subject, const LintOptions& options,
-                    const LintSubject* original) {
+Findings find_drift(const LintMotion& motion, const LintOptions& options,
+                    const LintMotion* original) {
   Findings findings;
-  if (subject.was_loop) return findings;
+  if (motion.was_loop) return findings;
   Levels levels = options.skate_metres;
   if (original) levels = raised_levels(levels, std::array{largest_slide(*original)});
-  for (const FootPlant& stance : double_stances(subject)) {
-    const double way = common_slide(subject, stance);
+  for (const FootPlant& stance : double_stances(motion)) {
+    const double way = common_slide(motion, stance);
     if (!(way > levels.warning)) continue;
     Finding finding = drift_of(stance.first, stance.last, way, levels);
     finding.sentence =
         "The whole body slides by " + rounded(100.0 * way, 1) + " cm while it stands on both feet.";
-    add_finding(findings, subject, std::move(finding));
+    add_finding(findings, motion, std::move(finding));
   }
   return findings;
 }
 
-Findings find_rise(const LintSubject& subject, const LintSubject* original) {
-  if (subject.was_loop) return {};
+Findings find_rise(const LintMotion& motion, const LintMotion* original) {
+  if (motion.was_loop) return {};
   Levels levels = take_limits.rise_metres;
   if (original) levels = raised_levels(levels, std::array{std::abs(steady_rise(*original))});
-  const double rise = steady_rise(subject);
+  const double rise = steady_rise(motion);
   if (!(std::abs(rise) > levels.warning)) return {};
-  Finding finding = drift_of(0, subject.frame_count() - 1, std::abs(rise), levels);
+  Finding finding = drift_of(0, motion.frame_count() - 1, std::abs(rise), levels);
   finding.sentence = std::string("The whole body ") + (rise > 0.0 ? "rises" : "sinks") +
                      " steadily, by " + rounded(100.0 * std::abs(rise), 1) + " cm over the take.";
   return {finding};

@@ -11,34 +11,34 @@ namespace {
 constexpr double least_overload_seconds = 0.1;
 constexpr double light = 0.3;  // body weights; below, friction says nothing
 
-std::vector<double> presses(const LintSubject& subject, const BodyOnFloor& body) {
+std::vector<double> presses(const LintMotion& motion, const BodyOnFloor& body) {
   std::vector<double> values;
   for (const BodyDynamics& moment : body.moments) {
     values.push_back(moment.ground_reaction.y() / gravity);
   }
-  mask_ends(subject, values);
+  mask_ends(motion, values);
   return values;
 }
 
-std::vector<double> pulls(const LintSubject& subject, const BodyOnFloor& body) {
-  std::vector<double> values = presses(subject, body);
+std::vector<double> pulls(const LintMotion& motion, const BodyOnFloor& body) {
+  std::vector<double> values = presses(motion, body);
   for (double& value : values) value = -value;
   return values;
 }
 
-std::vector<double> frictions(const LintSubject& subject, const BodyOnFloor& body) {
+std::vector<double> frictions(const LintMotion& motion, const BodyOnFloor& body) {
   std::vector<double> values(body.moments.size(), no_value);
   for (size_t t = 0; t < values.size(); ++t) {
     const Vec3& force = body.moments[t].ground_reaction;
     if (force.y() < light * gravity) continue;
     values[t] = std::hypot(force.x(), force.z()) / force.y();
   }
-  mask_ends(subject, values);
+  mask_ends(motion, values);
   return values;
 }
 
 /// Newton metres, a joint a row, in the order of `torque_joints`.
-std::vector<std::vector<double>> torques(const LintSubject& subject, const BodyOnFloor& body,
+std::vector<std::vector<double>> torques(const LintMotion& motion, const BodyOnFloor& body,
                                          double mass_kg) {
   std::vector<std::vector<double>> rows(torque_joints().size());
   for (size_t t = 0; t < body.moments.size(); ++t) {
@@ -49,14 +49,14 @@ std::vector<std::vector<double>> torques(const LintSubject& subject, const BodyO
       rows[j].push_back(is_known ? mass_kg * values[j] : no_value);
     }
   }
-  for (std::vector<double>& row : rows) mask_ends(subject, row);
+  for (std::vector<double>& row : rows) mask_ends(motion, row);
   return rows;
 }
 
 }  // namespace
 
-Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& body,
-                               const LintOptions& options, const LintSubject* original,
+Findings find_unnatural_forces(const LintMotion& motion, const BodyOnFloor& body,
+                               const LintOptions& options, const LintMotion* original,
                                const BodyOnFloor* original_body) {
   Findings findings;
   const auto add = [&](const auto& measure, const Levels& levels, const std::string& unit,
@@ -65,9 +65,9 @@ Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& bo
         original ? measure(*original, *original_body) : std::vector<double>();
     const auto sentence = [&](double worst) { return what + rounded(worst, 1) + after; };
     add_threshold_findings(
-        findings, subject,
+        findings, motion,
         {"forces", "", unit, raised_levels(levels, before), least_overload_seconds, 3, sentence},
-        measure(subject, body));
+        measure(motion, body));
   };
   add(presses, options.press, "body weights", "The feet press on the floor with ",
       " times the body's weight.");
@@ -78,12 +78,12 @@ Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& bo
   return findings;
 }
 
-Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& body,
-                                const LintOptions& options, const LintSubject* original,
+Findings find_unnatural_torques(const LintMotion& motion, const BodyOnFloor& body,
+                                const LintOptions& options, const LintMotion* original,
                                 const BodyOnFloor* original_body) {
   Findings findings;
   const double mass = options.body_mass_kg;
-  const auto rows = torques(subject, body, mass);
+  const auto rows = torques(motion, body, mass);
   const auto before = original ? torques(*original, *original_body, mass)
                                : std::vector<std::vector<double>>(rows.size());
   for (size_t j = 0; j < rows.size(); ++j) {
@@ -96,7 +96,7 @@ Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& b
       return "The " + display_name(name) + " would need " + rounded(worst, 0) +
              " N·m, more than the " + rounded(limit, 0) + " N·m of strong adults.";
     };
-    add_threshold_findings(findings, subject,
+    add_threshold_findings(findings, motion,
                            {"joint-torque", name, "N·m", raised_levels(levels, before[j]),
                             least_overload_seconds, 3, sentence},
                            rows[j]);

@@ -54,15 +54,15 @@ std::vector<double> excesses(const std::vector<Vec3>& steps) {
 }
 
 /// Whether step i leads over the seam of a loop.
-bool is_seam(const LintSubject& subject, int i) {
-  return subject.was_loop && (i + 1) % subject.frames == 0;
+bool is_seam(const LintMotion& motion, int i) {
+  return motion.was_loop && (i + 1) % motion.frames == 0;
 }
 
 /// A value a step as a value a frame, that to which the step leads.
-std::vector<double> without_seams(const LintSubject& subject, const std::vector<double>& steps) {
-  std::vector<double> values(subject.frame_count(), no_value);
+std::vector<double> without_seams(const LintMotion& motion, const std::vector<double>& steps) {
+  std::vector<double> values(motion.frame_count(), no_value);
   for (int i = 0; i < static_cast<int>(steps.size()); ++i) {
-    if (!is_seam(subject, i)) values[i + 1] = steps[i];
+    if (!is_seam(motion, i)) values[i + 1] = steps[i];
   }
   return values;
 }
@@ -118,8 +118,8 @@ Levels widened(const Levels& levels, double factor) {
 double sparse(double rate) { return std::max(1.0, 30.0 / rate); }
 
 /// Toes flick when they leave the floor: by nearly 40° in one thirtieth of a second as captured.
-double flick(const LintSubject& subject, int joint) {
-  const bool is_toe = is_body(subject.clip.body) && (joint == LeftToe || joint == RightToe);
+double flick(const LintMotion& motion, int joint) {
+  const bool is_toe = is_body(motion.clip.body) && (joint == LeftToe || joint == RightToe);
   return is_toe ? 1.5 : 1.0;
 }
 
@@ -129,89 +129,89 @@ std::vector<double> in_degrees(std::vector<double> radians) {
 }
 
 /// How many joints, and the root, leap at each step.
-std::vector<int> leaping_joints(const LintSubject& subject, const LintOptions& options) {
-  const double rate = subject.rate();
-  std::vector<int> counts(std::max(subject.frame_count() - 1, 0), 0);
+std::vector<int> leaping_joints(const LintMotion& motion, const LintOptions& options) {
+  const double rate = motion.rate();
+  std::vector<int> counts(std::max(motion.frame_count() - 1, 0), 0);
   const auto add = [&](const std::vector<double>& leaps, double level) {
     for (size_t i = 0; i < leaps.size(); ++i) counts[i] += leaps[i] > level ? 1 : 0;
   };
-  for (int j = 0; j < subject.clip.body.size(); ++j) {
-    add(in_degrees(leaps_of_joint(turns(subject.clip, j), rate)),
-        sparse(rate) * flick(subject, j) * options.jump_degrees.warning);
+  for (int j = 0; j < motion.clip.body.size(); ++j) {
+    add(in_degrees(leaps_of_joint(turns(motion.clip, j), rate)),
+        sparse(rate) * flick(motion, j) * options.jump_degrees.warning);
   }
-  add(leaps_of_body(root_steps(subject.clip)), sparse(rate) * options.jump_metres.warning);
+  add(leaps_of_body(root_steps(motion.clip)), sparse(rate) * options.jump_metres.warning);
   return counts;
 }
 
 /// Whether half of all joints, or more, step farther at step `i` than in any of the steps that
 /// follow it: out of a pose that is another altogether, however near its limbs may be.
-bool is_another_pose(const LintSubject& subject, int i) {
-  const int after = static_cast<int>(std::ceil(take_limits.calibration_seconds * subject.rate()));
+bool is_another_pose(const LintMotion& motion, int i) {
+  const int after = static_cast<int>(std::ceil(take_limits.calibration_seconds * motion.rate()));
   int joints = 0;
-  for (int j = 0; j < subject.clip.body.size(); ++j) {
-    const std::vector<double> steps = in_degrees(lengths(turns(subject.clip, j)));
+  for (int j = 0; j < motion.clip.body.size(); ++j) {
+    const std::vector<double> steps = in_degrees(lengths(turns(motion.clip, j)));
     const auto next = steps.begin() + i + 1;
     const auto end = next + std::min<std::ptrdiff_t>(after, steps.end() - next);
     const double usual = next == end ? 0.0 : *std::max_element(next, end);
     joints += steps[i] > std::max(1.0, take_limits.calibration_times * usual) ? 1 : 0;
   }
-  return joints > take_limits.calibration_joints && 2 * joints >= subject.clip.body.size();
+  return joints > take_limits.calibration_joints && 2 * joints >= motion.clip.body.size();
 }
 
 /// The step over the seam at the end of the middle lap beyond twice what the loop does elsewhere.
-double seam_excess(const LintSubject& subject, const std::vector<double>& steps) {
+double seam_excess(const LintMotion& motion, const std::vector<double>& steps) {
   std::vector<double> elsewhere;
-  for (int i = subject.start; i < subject.start + subject.frames - 1; ++i) {
-    const bool is_beside = i < subject.start + 2 || i > subject.start + subject.frames - 4;
+  for (int i = motion.start; i < motion.start + motion.frames - 1; ++i) {
+    const bool is_beside = i < motion.start + 2 || i > motion.start + motion.frames - 4;
     if (!is_beside) elsewhere.push_back(steps[i]);
   }
   const double usual = elsewhere.empty() ? 0.0 : percentile(elsewhere, 95);
-  return steps[subject.start + subject.frames - 1] - 2.0 * usual;
+  return steps[motion.start + motion.frames - 1] - 2.0 * usual;
 }
 
-void add_seam(const LintSubject& subject, const MeasuredFault& fault, double excess,
+void add_seam(const LintMotion& motion, const MeasuredFault& fault, double excess,
               Findings& findings) {
-  std::vector<double> values(subject.frame_count(), no_value);
-  values[subject.start + subject.frames - 1] = excess;
-  add_threshold_findings(findings, subject, fault, values);
+  std::vector<double> values(motion.frame_count(), no_value);
+  values[motion.start + motion.frames - 1] = excess;
+  add_threshold_findings(findings, motion, fault, values);
 }
 
 }  // namespace
 
-Findings find_jumps(const LintSubject& subject, const LintOptions& options) {
+Findings find_jumps(const LintMotion& motion, const LintOptions& options) {
   Findings findings;
-  for (int j = 0; j < subject.clip.body.size(); ++j) {
-    const std::string& name = subject.clip.body.joints[j].name;
+  for (int j = 0; j < motion.clip.body.size(); ++j) {
+    const std::string& name = motion.clip.body.joints[j].name;
     const auto sentence = [&](double worst) {
       return "The " + display_name(name) + " jumps by " + rounded(worst, 0) +
              "° from one frame to the next.";
     };
     const std::vector<double> leaps =
-        in_degrees(leaps_of_joint(turns(subject.clip, j), subject.rate()));
-    const Levels levels = widened(options.jump_degrees, sparse(subject.rate()) * flick(subject, j));
-    add_threshold_findings(findings, subject, {"jump", name, "°", levels, 0, 1, sentence},
-                           without_seams(subject, leaps));
+        in_degrees(leaps_of_joint(turns(motion.clip, j), motion.rate()));
+    const Levels levels = widened(options.jump_degrees, sparse(motion.rate()) * flick(motion, j));
+    add_threshold_findings(findings, motion, {"jump", name, "°", levels, 0, 1, sentence},
+                           without_seams(motion, leaps));
   }
   const auto sentence = [](double worst) {
     return "The whole body jumps by " + rounded(100.0 * worst, 0) +
            " cm from one frame to the next.";
   };
   add_threshold_findings(
-      findings, subject,
-      {"jump", "", "m", widened(options.jump_metres, sparse(subject.rate())), 0, 1, sentence},
-      without_seams(subject, leaps_of_body(root_steps(subject.clip))));
+      findings, motion,
+      {"jump", "", "m", widened(options.jump_metres, sparse(motion.rate())), 0, 1, sentence},
+      without_seams(motion, leaps_of_body(root_steps(motion.clip))));
   return findings;
 }
 
-Findings find_calibration_pose(const LintSubject& subject, const LintOptions& options) {
-  if (subject.was_loop || subject.frame_count() < 4) return {};
-  const std::vector<int> leaping = leaping_joints(subject, options);
-  const int few = std::max(3, static_cast<int>(take_limits.calibration_seconds * subject.rate()));
+Findings find_calibration_pose(const LintMotion& motion, const LintOptions& options) {
+  if (motion.was_loop || motion.frame_count() < 4) return {};
+  const std::vector<int> leaping = leaping_joints(motion, options);
+  const int few = std::max(3, static_cast<int>(take_limits.calibration_seconds * motion.rate()));
   bool has_moved = false;
   for (int i = 0; i + 2 < static_cast<int>(leaping.size()); ++i) {
     if (i >= few && has_moved) break;
     const bool is_left = leaping[i] > take_limits.calibration_joints ||
-                         (leaping[i] > 0 && is_another_pose(subject, i));
+                         (leaping[i] > 0 && is_another_pose(motion, i));
     if (is_left) {
       Finding finding;
       finding.check = "calibration-pose";
@@ -226,30 +226,30 @@ Findings find_calibration_pose(const LintSubject& subject, const LintOptions& op
           " after it.";
       return {finding};
     }
-    has_moved = has_moved || !is_frozen(subject, i);
+    has_moved = has_moved || !is_frozen(motion, i);
   }
   return {};
 }
 
-Findings find_broken_seam(const LintSubject& subject, const LintOptions& options) {
+Findings find_broken_seam(const LintMotion& motion, const LintOptions& options) {
   Findings findings;
-  if (!subject.was_loop || subject.frames < 8) return findings;
-  for (int j = 0; j < subject.clip.body.size(); ++j) {
-    const std::string& name = subject.clip.body.joints[j].name;
+  if (!motion.was_loop || motion.frames < 8) return findings;
+  for (int j = 0; j < motion.clip.body.size(); ++j) {
+    const std::string& name = motion.clip.body.joints[j].name;
     const auto sentence = [&](double worst) {
       return "The loop does not close: the " + display_name(name) + " jumps by " +
              rounded(worst, 1) + "° at its seam.";
     };
-    const std::vector<double> steps = in_degrees(excesses(turns(subject.clip, j)));
-    add_seam(subject, {"loop-seam", name, "°", options.seam_degrees, 0, 1, sentence},
-             seam_excess(subject, steps), findings);
+    const std::vector<double> steps = in_degrees(excesses(turns(motion.clip, j)));
+    add_seam(motion, {"loop-seam", name, "°", options.seam_degrees, 0, 1, sentence},
+             seam_excess(motion, steps), findings);
   }
   const auto sentence = [](double worst) {
     return "The loop does not close: the whole body jumps by " + rounded(100.0 * worst, 1) +
            " cm at its seam.";
   };
-  add_seam(subject, {"loop-seam", "", "m", options.seam_metres, 0, 1, sentence},
-           seam_excess(subject, excesses(root_steps(subject.clip))), findings);
+  add_seam(motion, {"loop-seam", "", "m", options.seam_metres, 0, 1, sentence},
+           seam_excess(motion, excesses(root_steps(motion.clip))), findings);
   return findings;
 }
 

@@ -47,54 +47,54 @@ Findings not_of_drift(Findings slips, const Findings& drift) {
   return slips;
 }
 
-void check_motion(const LintSubject& subject, const LintOptions& options,
-                  const LintSubject* original, Findings& findings) {
+void check_motion(const LintMotion& motion, const LintOptions& options, const LintMotion* original,
+                  Findings& findings) {
   const auto add = [&findings](const Findings& more) {
     findings.insert(findings.end(), more.begin(), more.end());
   };
-  add(find_frozen(subject, original));
-  add(find_jumps(subject, options));
-  add(find_broken_seam(subject, options));
-  if (!is_body(subject.clip.body)) return;
-  add(find_joints_beyond_limits(subject, options, original));
-  add(find_fast_joints(subject, options, original));
-  add(find_self_intersections(subject, options, original));
-  const Findings drift = find_drift(subject, options, original);
-  add(find_walk_on_spot(subject, original));
+  add(find_frozen(motion, original));
+  add(find_jumps(motion, options));
+  add(find_broken_seam(motion, options));
+  if (!is_body(motion.clip.body)) return;
+  add(find_joints_beyond_limits(motion, options, original));
+  add(find_fast_joints(motion, options, original));
+  add(find_self_intersections(motion, options, original));
+  const Findings drift = find_drift(motion, options, original);
+  add(find_walk_on_spot(motion, original));
   add(drift);
-  add(find_rise(subject, original));
-  add(not_of_drift(find_skating_feet(subject, options, original), drift));
-  add(find_sunken_feet(subject, options, original));
-  add(find_floating(subject, options, original));
+  add(find_rise(motion, original));
+  add(not_of_drift(find_skating_feet(motion, options, original), drift));
+  add(find_sunken_feet(motion, options, original));
+  add(find_floating(motion, options, original));
   if (original) {
-    add(find_jerks(subject, options, *original));
-    add(find_shifted_contacts(subject, options, *original));
-    add(find_shifted_limbs(subject, options, *original));
+    add(find_jerks(motion, options, *original));
+    add(find_shifted_contacts(motion, options, *original));
+    add(find_shifted_limbs(motion, options, *original));
   }
-  const BodyOnFloor body = body_on_floor(subject);
+  const BodyOnFloor body = body_on_floor(motion);
   const BodyOnFloor before = original ? body_on_floor(*original) : BodyOnFloor();
   const BodyOnFloor* original_body = original ? &before : nullptr;
-  add(find_lost_balance(subject, body, options, original, original_body));
-  add(find_unnatural_forces(subject, body, options, original, original_body));
-  add(find_unnatural_torques(subject, body, options, original, original_body));
+  add(find_lost_balance(motion, body, options, original, original_body));
+  add(find_unnatural_forces(motion, body, options, original, original_body));
+  add(find_unnatural_torques(motion, body, options, original, original_body));
 }
 
 /// A motion from where it moves on: without the pose of a calibration at its start, which would be
 /// found at fault by every check.
 struct MovingPart {
-  LintSubject subject;
+  LintMotion motion;
   int first = 0;  ///< of its frames, in the motion
   std::optional<Finding> calibration;
 };
 
 MovingPart moving_part(const Clip& clip, const LintOptions& options) {
-  LintSubject whole = lint_subject(clip);
+  LintMotion whole = lint_motion(clip);
   const Findings found = find_calibration_pose(whole, options);
   if (found.empty()) return {std::move(whole), 0, std::nullopt};
   const int first = found[0].last + 1;
   Clip rest = clip;
   rest.poses.erase(rest.poses.begin(), rest.poses.begin() + first);
-  return {lint_subject(rest), first, found[0]};
+  return {lint_motion(rest), first, found[0]};
 }
 
 size_t rank_of(const Finding& finding) {
@@ -117,13 +117,13 @@ std::vector<Finding> lint(const Clip& clip, const LintOptions& options, const Cl
   if (clip.poses.empty()) return {};
   Findings findings = find_broken_data(clip, options);
   if (is_calculable(clip)) {
-    std::optional<LintSubject> before;
+    std::optional<LintMotion> before;
     if (original && is_body(original->body) && is_calculable(*original)) {
-      before = moving_part(*original, options).subject;
+      before = moving_part(*original, options).motion;
     }
     const MovingPart part = moving_part(clip, options);
     Findings of_part;
-    check_motion(part.subject, options, before ? &*before : nullptr, of_part);
+    check_motion(part.motion, options, before ? &*before : nullptr, of_part);
     for (Finding& finding : of_part) {
       finding.first += part.first;
       finding.last += part.first;
@@ -137,7 +137,7 @@ std::vector<Finding> lint(const Clip& clip, const LintOptions& options, const Cl
 
 std::optional<Finding> calibration_pose(const Clip& clip) {
   if (clip.poses.empty() || !is_body(clip.body) || !is_calculable(clip)) return std::nullopt;
-  const Findings found = find_calibration_pose(lint_subject(clip), LintOptions());
+  const Findings found = find_calibration_pose(lint_motion(clip), LintOptions());
   if (found.empty()) return std::nullopt;
   return found[0];
 }

@@ -30,8 +30,8 @@ const std::vector<LintCheck>& lint_checks();
 ///
 /// With an `original` (the motion before modification, on any canonical body), faults of the
 /// original count less, and contact timing, limb phases and jerk are compared with it. The
-/// durations may differ: moments correspond at the same normalised time. Findings are ordered by
-/// check, frame and joint. A clip without frames has none.
+/// durations may differ: moments at the same fraction of the duration correspond. Findings are
+/// ordered by check, frame and joint. A clip without frames has none.
 std::vector<Finding> lint(const Clip& clip, const LintOptions& options = {},
                           const Clip* original = nullptr);
 

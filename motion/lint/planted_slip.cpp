@@ -26,21 +26,21 @@ Vec3 slide(const SolePoints& from, const SolePoints& to) {
 
 }  // namespace
 
-std::vector<Vec3> planted_track(const LintSubject& subject, const FootPlant& plant) {
-  const int ends = static_cast<int>(std::lround(ends_seconds * subject.rate()));
+std::vector<Vec3> planted_track(const LintMotion& motion, const FootPlant& plant) {
+  const int ends = static_cast<int>(std::lround(ends_seconds * motion.rate()));
   std::vector<Vec3> track(1, Vec3::Zero());
   const auto sole = [&](int t) {
-    return sole_points(subject.clip.body, subject.world[t], plant.left);
+    return sole_points(motion.clip.body, motion.world[t], plant.left);
   };
-  const int last = std::min(plant.last - ends, subject.frame_count() - 1);
+  const int last = std::min(plant.last - ends, motion.frame_count() - 1);
   for (int t = plant.first + ends; t < last; ++t) {
     track.push_back(track.back() + slide(sole(t), sole(t + 1)));
   }
   return track;
 }
 
-double planted_slip(const LintSubject& subject, const FootPlant& plant) {
-  const std::vector<Vec3> track = planted_track(subject, plant);
+double planted_slip(const LintMotion& motion, const FootPlant& plant) {
+  const std::vector<Vec3> track = planted_track(motion, plant);
   double farthest = 0.0;
   for (size_t a = 0; a < track.size(); ++a) {
     for (size_t b = 0; b < a; ++b) farthest = std::max(farthest, (track[a] - track[b]).norm());

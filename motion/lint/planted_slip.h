@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "motion/biomechanics/subject.h"
+#include "motion/biomechanics/lint_motion.h"
 #include "motion/gait/foot_plant.h"
 
 namespace mien::motion {
@@ -10,10 +10,10 @@ namespace mien::motion {
 /// Accumulated horizontal slip of a planted foot, metres, in each frame of a plant except its first
 /// and last 0.05 s, in which the foot lands and lifts. Begins at zero; measured at the lowest part
 /// of the sole.
-std::vector<Vec3> planted_track(const LintSubject& subject, const FootPlant& plant);
+std::vector<Vec3> planted_track(const LintMotion& motion, const FootPlant& plant);
 
 /// Largest slip of a planted foot between any two frames of a plant, metres, excluding rolling: the
 /// extent of `planted_track`.
-double planted_slip(const LintSubject& subject, const FootPlant& plant);
+double planted_slip(const LintMotion& motion, const FootPlant& plant);
 
 }  // namespace mien::motion

@@ -8,11 +8,11 @@ namespace mien::motion {
 
 namespace {
 
-std::vector<std::vector<RoundCone>> shapes_of(const LintSubject& subject) {
+std::vector<std::vector<RoundCone>> shapes_of(const LintMotion& motion) {
   std::vector<std::vector<RoundCone>> frames;
-  frames.reserve(subject.world.size());
-  for (const JointTransforms& world : subject.world) {
-    frames.push_back(collision_shapes(subject.clip.body, world));
+  frames.reserve(motion.world.size());
+  for (const JointTransforms& world : motion.world) {
+    frames.push_back(collision_shapes(motion.clip.body, world));
   }
   return frames;
 }
@@ -26,16 +26,16 @@ double deepest(const std::vector<std::vector<RoundCone>>& frames, const Collisio
 
 }  // namespace
 
-Findings find_self_intersections(const LintSubject& subject, const LintOptions& options,
-                                 const LintSubject* original) {
+Findings find_self_intersections(const LintMotion& motion, const LintOptions& options,
+                                 const LintMotion* original) {
   Findings findings;
-  const auto frames = shapes_of(subject);
+  const auto frames = shapes_of(motion);
   const auto before = original ? shapes_of(*original) : std::vector<std::vector<RoundCone>>();
-  for (const CollisionPair& pair : collision_pairs(subject.clip.body)) {
+  for (const CollisionPair& pair : collision_pairs(motion.clip.body)) {
     const double allowed = std::max(pair.allowed, deepest(before, pair));
     std::vector<double> values;
     for (const auto& parts : frames) {
-      values.push_back((penetration_depth(parts[pair.a], parts[pair.b]) - allowed) / subject.scale);
+      values.push_back((penetration_depth(parts[pair.a], parts[pair.b]) - allowed) / motion.scale);
     }
     const CollisionPart& a = collision_parts()[pair.a];
     const CollisionPart& b = collision_parts()[pair.b];
@@ -44,7 +44,7 @@ Findings find_self_intersections(const LintSubject& subject, const LintOptions& 
              " cm deep in the " + std::string(a.name) + ".";
     };
     const std::string joints = std::string(name_of(b.joint)) + "/" + std::string(name_of(a.joint));
-    add_threshold_findings(findings, subject,
+    add_threshold_findings(findings, motion,
                            {"self-intersection", joints, "m", options.intersection_metres,
                             options.intersection_seconds, 2, sentence},
                            values);

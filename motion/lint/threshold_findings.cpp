@@ -47,10 +47,10 @@ Finding graded_finding(std::string_view check, double measured, const std::strin
   return finding;
 }
 
-void add_finding(std::vector<Finding>& findings, const LintSubject& subject, Finding finding) {
-  const int start = subject.start;
-  const int frames = subject.frames;
-  if (!subject.was_loop) {
+void add_finding(std::vector<Finding>& findings, const LintMotion& motion, Finding finding) {
+  const int start = motion.start;
+  const int frames = motion.frames;
+  if (!motion.was_loop) {
     findings.push_back(std::move(finding));
     return;
   }
@@ -65,13 +65,12 @@ void add_finding(std::vector<Finding>& findings, const LintSubject& subject, Fin
   findings.push_back(std::move(finding));
 }
 
-void add_threshold_findings(std::vector<Finding>& findings, const LintSubject& subject,
+void add_threshold_findings(std::vector<Finding>& findings, const LintMotion& motion,
                             const MeasuredFault& fault, std::span<const double> values) {
   const int count = static_cast<int>(values.size());
-  const int bridged = static_cast<int>(std::lround(bridged_seconds * subject.rate()));
-  const int shortest =
-      std::max(fault.shortest_frames,
-               static_cast<int>(std::lround(fault.shortest_seconds * subject.rate())));
+  const int bridged = static_cast<int>(std::lround(bridged_seconds * motion.rate()));
+  const int shortest = std::max(
+      fault.shortest_frames, static_cast<int>(std::lround(fault.shortest_seconds * motion.rate())));
   for (int first = 0; first < count; ++first) {
     if (!(values[first] > fault.levels.warning)) continue;
     int last = first;
@@ -90,7 +89,7 @@ void add_threshold_findings(std::vector<Finding>& findings, const LintSubject& s
       finding.threshold = is_error ? fault.levels.error : fault.levels.warning;
       finding.unit = fault.unit;
       finding.sentence = fault.sentence(finding.measured);
-      add_finding(findings, subject, std::move(finding));
+      add_finding(findings, motion, std::move(finding));
     }
     first = last;
   }

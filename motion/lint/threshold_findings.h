@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/biomechanics/subject.h"
+#include "motion/biomechanics/lint_motion.h"
 #include "motion/lint/finding.h"
 #include "motion/lint/lint_options.h"
 
@@ -29,11 +29,11 @@ struct MeasuredFault {
 };
 
 /// Adds a finding for every interval in which `values` exceed the warning level; gaps of up to 0.1
-/// s are bridged. `values` has one entry per frame of the subject's clip, in the unit of the fault,
+/// s are bridged. `values` has one entry per frame of the motion's clip, in the unit of the fault,
 /// `no_value` where not measured. An interval counts if the values exceed the warning level for the
 /// minimum duration without a gap; it is an error if they exceed the error level for the minimum
 /// duration.
-void add_threshold_findings(std::vector<Finding>& findings, const LintSubject& subject,
+void add_threshold_findings(std::vector<Finding>& findings, const LintMotion& motion,
                             const MeasuredFault& fault, std::span<const double> values);
 
 /// A finding with a measured value but without frames and sentence: an error if the value is above
@@ -41,14 +41,13 @@ void add_threshold_findings(std::vector<Finding>& findings, const LintSubject& s
 Finding graded_finding(std::string_view check, double measured, const std::string& unit,
                        const Levels& levels);
 
-/// Adds a finding whose frames are those of the subject's clip, converting them to frames of the
-/// original motion. For loops, a finding that begins in another lap than the middle one is
-/// discarded.
-void add_finding(std::vector<Finding>& findings, const LintSubject& subject, Finding finding);
+/// Adds a finding whose frames are those of the motion's clip, converting them to frames of the
+/// motion as given. For loops, findings that do not begin in the middle lap are discarded.
+void add_finding(std::vector<Finding>& findings, const LintMotion& motion, Finding finding);
 
 /// The levels raised so that the warning level is not below the largest value of the original,
-/// keeping the difference between them. `of_original` has one value per frame, NaN where not
-/// measured.
+/// keeping the difference between the two levels. `of_original` has one value per frame, NaN where
+/// not measured.
 Levels raised_levels(const Levels& levels, std::span<const double> of_original);
 
 /// A number with the given number of decimals: "12.3".

@@ -53,14 +53,14 @@ void ByteReader::number(double& value) {
 std::size_t ByteReader::count_of(std::size_t least_bytes) {
   int count = 0;
   whole(count);
-  if (count < 0 || static_cast<std::size_t>(count) > left_.size() / least_bytes) refuse();
+  if (count < 0 || static_cast<std::size_t>(count) > remaining_.size() / least_bytes) refuse();
   return static_cast<std::size_t>(count);
 }
 
 void ByteReader::text(std::string& value) {
   const std::size_t length = count_of(1);
-  value = left_.substr(0, length);
-  left_.remove_prefix(length);
+  value = remaining_.substr(0, length);
+  remaining_.remove_prefix(length);
 }
 
 void ByteReader::vector(Vec3& value) {
@@ -78,7 +78,7 @@ void ByteReader::matrix(Eigen::MatrixXd& value) {
   whole(columns);
   if (rows < 0 || columns < 0) refuse();
   const auto entries = static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(columns);
-  if (entries > left_.size() / sizeof(double)) refuse();
+  if (entries > remaining_.size() / sizeof(double)) refuse();
   value.resize(rows, columns);
   for (Eigen::Index i = 0; i < value.size(); ++i) number(value.data()[i]);
 }

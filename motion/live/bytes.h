@@ -69,7 +69,7 @@ class ByteWriter {
 /// count beyond the remaining bytes, a number that is not finite, an unknown enumerator.
 class ByteReader {
  public:
-  explicit ByteReader(std::string_view bytes) : left_(bytes) {}
+  explicit ByteReader(std::string_view bytes) : remaining_(bytes) {}
 
   void whole(int& value);
   void seed(std::uint64_t& value) { value = take<std::uint64_t>(); }
@@ -104,23 +104,25 @@ class ByteReader {
 
   template <class Plain>
   Plain take() {
-    if (left_.size() < sizeof(Plain)) refuse();
+    if (remaining_.size() < sizeof(Plain)) refuse();
     Plain value;
-    std::memcpy(&value, left_.data(), sizeof value);
-    left_.remove_prefix(sizeof value);
+    std::memcpy(&value, remaining_.data(), sizeof value);
+    remaining_.remove_prefix(sizeof value);
     return value;
   }
 
-  std::size_t left() const { return left_.size(); }
+  /// Number of bytes that have not been read yet.
+  std::size_t remaining() const { return remaining_.size(); }
   /// Reads the number of items that follow, each of at least `least_bytes` bytes.
   std::size_t count_of(std::size_t least_bytes);
   [[noreturn]] static void refuse();
 
  private:
-  std::string_view left_;
+  std::string_view remaining_;
 };
 
-/// FNV-1a hash, 64 bits: inputs that differ in one byte have different checksums.
+/// FNV-1a hash, 64 bits: inputs of the same length that differ in one byte have different
+/// checksums.
 std::uint64_t checksum(std::string_view bytes);
 
 }  // namespace mien::motion

@@ -237,7 +237,7 @@ LiveBundle parse_live_bundle(std::string_view bytes) {
   Skeleton skeleton;
   skeleton_parts(reader, skeleton);
   bundle_parts(reader, bundle);
-  if (reader.left() > 0) ByteReader::refuse();
+  if (reader.remaining() > 0) ByteReader::refuse();
   for (Example& example : bundle.examples.examples) example.clip.body = skeleton;
   if (!is_usable(bundle)) ByteReader::refuse();
   return bundle;

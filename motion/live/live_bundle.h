@@ -20,7 +20,7 @@ struct LiveTarget {
   std::string name;
   Example motion;
   Eigen::VectorXd weights;  ///< blend weights; empty if it is not a blend
-  Playback playback;        ///< as in its clip file
+  Playback playback;        ///< as for its clip file
   int shown_frames = 0;     ///< number of leading frames that are shown; 0: all
 };
 
@@ -33,7 +33,7 @@ struct LiveBundle {
   FeatureScale feature_scale;
   SynthesisOptions how;
   double frames_per_second = 30.0;
-  Playback playback;  ///< as in the clip files of synthesized motions
+  Playback playback;  ///< as for the clip files of synthesized motions
   std::vector<LiveTarget> targets;
 };
 

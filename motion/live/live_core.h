@@ -35,8 +35,8 @@ class LiveCore {
   /// Keeps a reference to the bundle.
   explicit LiveCore(const LiveBundle& bundle) : bundle_(bundle) {}
 
-  /// An example or a target, as a stimulus with this name alone would show it. Throws Error if the
-  /// name is unknown.
+  /// An example or a target, as a stimulus that specifies nothing but its name would show it.
+  /// Throws Error if the name is unknown.
   LiveMotion example(std::string_view name) const;
   LiveMotion target(std::string_view name) const;
 

@@ -39,9 +39,9 @@ struct FittedInterface {
 };
 
 /// Fits an interface to the examples to be blended. `table` holds the values of the examples for
-/// the parameters of the interface; it is ignored for weights. The last `held` sliders are held
-/// rather than requested (interpolation.h). Throws Error if the examples lack the parameter of a
-/// slider, or the method does not support so many parameters.
+/// the parameters of the interface; it is ignored for weights. The last `held` sliders are
+/// parameters to be held rather than requested (interpolation.h). Throws Error if the examples lack
+/// the parameter of a slider, or the method does not support so many parameters.
 FittedInterface fit_interface(const SliderInterface& interface, const SynthesisOptions& how,
                               const ExampleSet& examples, const ParameterTable& table,
                               Eigen::Index held = 0);

@@ -36,8 +36,8 @@ SynthesizedMotion synthesize_at(const FittedInterface& interface,
                                 const Eigen::RowVectorXd& settings,
                                 const SynthesisContext& context);
 
-/// Scale and table for measuring feature parameters: the features of a blend differ from the
-/// weighted sum of those of the examples.
+/// Scale and table for measuring feature parameters. Measuring is necessary because the features of
+/// a blend differ from the weighted sum of those of the examples.
 struct FeatureTable {
   const FeatureScale& scale;    ///< scale of the features over the examples
   const ParameterTable& table;  ///< fallback for a feature that cannot be measured in the motion

@@ -99,8 +99,8 @@ Pyramid<Value> pyramid(std::span<const Value> signal, int levels, SignalEnds end
 }
 
 /// The signal with its bands weighted: band k by gains[k], and the residual below the last band by
-/// `rest_gain`. Takes O(samples · gains.size()) time and memory for three signals, whatever the
-/// number of bands. If all gains are 1, the result equals the signal up to rounding.
+/// `rest_gain`. The time is O(samples · gains.size()); the memory is that of three signals,
+/// whatever the number of bands. If all gains are 1, the result equals the signal up to rounding.
 template <typename Value>
 std::vector<Value> with_band_gains(std::span<const Value> signal, std::span<const double> gains,
                                    double rest_gain, SignalEnds ends) {

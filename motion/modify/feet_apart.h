@@ -21,7 +21,8 @@ double foot_width(const Skeleton& body);
 /// captured pose.
 bool may_bring_feet_together(const Modification& modification);
 
-/// The modification with this part of its posture scaled by a share from 0 to 1.
+/// The modification with its adduction of the hips, and the hip rotations of its captured pose,
+/// scaled by a share from 0 (removed) to 1 (unchanged).
 Modification with_feet_together(const Modification& modification, double share);
 
 }  // namespace mien::motion

@@ -16,10 +16,10 @@ enum class HipPath {
 };
 
 /// The clip with its root moved so that the feet planted in `original` stand still again after a
-/// modification made them slide: h(t) = h(t−1) − Δp, where p is the pivot of the planted foot
-/// (heel, then ball; the mean of both feet when both stand). During flight the velocity correction
-/// is interpolated linearly from one plant to the next. The height is corrected too, so that
-/// planted feet are as high as in the original.
+/// modification made them slide: the shift added to the root is h(t) = h(t−1) − Δp, where p is the
+/// pivot of the planted foot (heel, then ball; the mean of both feet when both stand). During
+/// flight the velocity correction is interpolated linearly from one plant to the next. The height
+/// is corrected too, so that planted feet are as high as in the original.
 ///
 /// The cycle displacement of a loop follows from its feet; drift sideways from its line of travel
 /// is removed evenly over the cycle. Neither clip walks in place; both have the same number of

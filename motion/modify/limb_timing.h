@@ -51,11 +51,11 @@ std::vector<double> accelerated_durations(std::span<const double> speeds, double
 std::vector<double> near_only(std::span<const double> durations, std::span<const int> moments,
                               double frames_per_second, bool loops);
 
-/// Returns, for each frame of the retimed limb, the (fractional) source frame in the original when
-/// its intervals have the given durations. Segments of about `segment_seconds` keep their length,
-/// so that limbs stay synchronised; the time curve is smoothed over 0.1 s. Never decreasing. A clip
-/// that does not loop keeps its ends; the source frames of a loop may lie before its first frame or
-/// after its last.
+/// Returns, for each frame of the retimed limb, the (fractional) source frame in the original if
+/// the original's intervals are given these durations. Segments of about `segment_seconds` keep
+/// their length, so that limbs stay synchronised; the time curve is smoothed over 0.1 s. Never
+/// decreasing. A clip that does not loop keeps its ends; the source frames of a loop may lie before
+/// its first frame or after its last.
 std::vector<double> source_frames(std::span<const double> durations, double segment_seconds,
                                   double frames_per_second, bool loops);
 

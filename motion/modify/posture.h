@@ -12,8 +12,8 @@
 
 namespace mien::motion {
 
-/// Named unit changes of posture. Each rotates certain joints of the canonical body by a given
-/// angle; paired joints are rotated on both sides, mirrored. The comments describe a positive
+/// Named elementary changes of posture. Each rotates certain joints of the canonical body by a
+/// given angle; paired joints are rotated on both sides, mirrored. The comments describe a positive
 /// angle.
 enum class PostureUnit {
   head_flexion,          ///< chin to the chest; neck and head, half each
@@ -98,7 +98,7 @@ std::vector<LimbStrengths> smooth_strengths(std::span<const LimbStrengths> stren
 void apply_posture(Pose& pose, const std::vector<PostureChange>& changes,
                    const std::optional<PoseDifference>& difference, const LimbStrengths& strengths);
 
-/// The clip in another posture: unit differences first, then the captured difference, each at full
+/// The clip in another posture: the `changes` first, then the captured `difference`, each at full
 /// strength while a limb is close to its rest position, fading out as the hand or foot moves 35–80
 /// % of the limb's length away from there (relative to the pelvis; low-pass filtered at 4 Hz).
 /// Trunk and head do not fade. Foot plants are not restored (see foot_repair.h).

@@ -16,8 +16,8 @@ std::vector<double> smooth_random_curve(std::uint64_t seed, std::string_view nam
                                         double knot_seconds = 0.7);
 
 /// The clip with random, smooth variations of the path lengths and the timing of its limbs, as in
-/// nervous movement. At `variation` = 1, frequencies above 1 Hz change by up to ±60 % and the
-/// timing by up to ±0.08 s. Limbs vary independently.
+/// nervous movement. At `variation` = 1, the amplitude of movement from 1 to 12.5 Hz changes by up
+/// to ±60 %, and its timing by up to ±0.08 s. Limbs vary independently.
 Clip with_variation(const Clip& clip, double variation, const Limbs& limbs, std::uint64_t seed);
 
 }  // namespace mien::motion

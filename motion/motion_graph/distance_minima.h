@@ -18,15 +18,16 @@ struct DistanceMinimum {
 
 struct MinimaOptions {
   int window = 10;         ///< frames
-  double most_metres = 1;  ///< minima above are left out
-  int least_gap = 10;      ///< frames between windows of one clip; overlapping windows are similar
-  int threads = 0;         ///< 0: one per processor
+  double most_metres = 1;  ///< larger minima are omitted
+  int least_gap = 10;  ///< least number of frames between the starts of two windows of one clip,
+                       ///< whose similarity would otherwise be that of overlapping windows
+  int threads = 0;     ///< 0: one per processor
 };
 
 /// Local minima of `window_distance` over all pairs of windows: pairs whose eight neighbours are no
-/// closer; of equal neighbours only the first counts. All pairs of windows are compared, using
-/// matrix products of the frames, computed in tiles and summed along diagonals. Ordered by clips
-/// and frames; the result does not depend on the number of threads.
+/// closer; of neighbours with equal distances only the first counts. All pairs of windows are
+/// compared, using matrix products of the frames, computed in tiles and summed along diagonals.
+/// Ordered by clips and frames; the result does not depend on the number of threads.
 std::vector<DistanceMinimum> distance_minima(std::span<const PointCloud> clouds,
                                              const MinimaOptions& options);
 

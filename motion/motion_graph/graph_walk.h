@@ -23,17 +23,17 @@ struct GraphWalkOptions {
 
 /// The motion of a walk; it does not loop. The horizontal root motion accumulates the displacements
 /// and rotations of the clips from frame to frame (their weighted mean in transitions), so that
-/// transitions add no jumps; joint rotations and height are interpolated. Frames have the durations
-/// of `frame_seconds` in the graph; the result is sampled at the graph's frame rate. Throws
+/// transitions add no jumps; joint rotations and height are interpolated. Frames last as long as
+/// the graph's `frame_seconds` states; the result is sampled at the graph's frame rate. Throws
 /// mien::Error for a walk without frames, and for edges that are not consecutive.
 Clip motion_of(const MotionGraph& graph, const GraphWalk& walk,
                const GraphWalkOptions& options = {});
 
 /// The motion of a walk over several versions of one graph (`with_motions`), such as moods, which
-/// are blended along the walk. `moods` are the weights of the versions from a given time on (≥ 0,
-/// normalised); the blend follows them within about 0.2 s. Without any, the first version is used.
-/// Tempo is blended too. Throws as above, for versions of different graphs, and for invalid
-/// weights.
+/// are blended along the walk. Each of `moods` holds the weights of the versions (≥ 0, normalised)
+/// from its time on; the blend follows them within about 0.2 s. If `moods` is empty, the first
+/// version is used. Tempo is blended too. Throws as above, for versions of different graphs, and
+/// for invalid weights.
 Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
                std::span<const MoodChange> moods, const GraphWalkOptions& options = {});
 

@@ -14,7 +14,7 @@ struct GuidedWalkOptions {
   /// seconds (Kovar, Gleicher and Pighin 2002, section 5.2: 80–120 and 25–30 frames).
   double ahead_seconds = 2.5;
   double kept_seconds = 0.8;
-  /// Least time between transitions, seconds, if the clip is long enough.
+  /// Least time between transitions, seconds; less only where a clip ends earlier.
   double between_seconds = 0.4;
   /// Largest number of edges tried in each search; when it is reached, the best walk found so far
   /// is used.
@@ -36,11 +36,11 @@ struct GuidedWalk {
 };
 
 /// A walk along a path on the floor (a polyline; x, z in metres), found in stretches by branch and
-/// bound (Kovar, Gleicher and Pighin 2002, section 5): within the look-ahead, the walk with the
-/// least sum of squared distances from the path, squared angles to it and lost progress. The
-/// look-ahead is measured in the time of the graph's own motions, regardless of the tempo of other
-/// versions. The walk starts at the first point, facing along the path, and ends at its end.
-/// Deterministic.
+/// bound (Kovar, Gleicher and Pighin 2002, section 5): each search finds, within the look-ahead,
+/// the walk with the least sum of squared distances from the path, squared angles to it and lost
+/// progress. The look-ahead is measured in the time of the graph's own motions, regardless of the
+/// tempo of other versions. The walk starts at the path's first point, facing along the path, and
+/// ends at its last point. Deterministic.
 ///
 /// Throws mien::Error for an invalid path (floor_path.h), for options out of range, and when the
 /// graph's motions make no progress (less than 2 cm along the path in a stretch) or stray by more
@@ -52,12 +52,12 @@ GuidedWalk walk_along(const MotionGraph& graph, std::span<const Vec3> path,
 GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec3> path,
                       std::span<const MoodChange> moods, const GuidedWalkOptions& options = {});
 
-/// A walk that follows a script (scripted_walk.h), found by the same search: at each time its speed
-/// and heading follow the script. `pace` 1 is the speed of the fastest tenth of the graph's frames;
-/// turns are made at 60°/s, or 45°/s on the spot. The heading error at the end of each segment is
-/// corrected evenly over the segment, up to 25° and 12°/s, by rotating the body and locking the
-/// feet. The turn with the largest remaining error above 5° is reported (`missed`). Moods are
-/// ignored. Throws as above, and for an empty script.
+/// A walk that follows a script (scripted_walk.h), found by the same search: its speed and heading
+/// follow the script at every time. A segment's `pace` of 1 is the speed of the fastest tenth of
+/// the graph's frames; turns are made at 60°/s, or 45°/s on the spot. The heading error at the end
+/// of each segment is corrected evenly over the segment, up to 25° and 12°/s, by rotating the body
+/// and locking the feet. The turn with the largest remaining error above 5° is reported (`missed`).
+/// Moods are ignored. Throws as above, and for an empty script.
 GuidedWalk scripted_walk(const MotionGraph& graph, std::span<const WalkSegment> script,
                          const GuidedWalkOptions& options = {});
 

@@ -54,8 +54,8 @@ struct GraphNode {
 
 /// Frames of a clip between two nodes, or a transition.
 struct GraphEdge {
-  int from = 0;         ///< node
-  int to = 0;           ///< node
+  int from = 0;         ///< index of the node where it begins
+  int to = 0;           ///< index of the node where it ends
   int transition = -1;  ///< index into transitions; −1: the clip continues
   int frames = 0;       ///< number of frames
 };
@@ -89,9 +89,10 @@ struct MotionGraph {
 MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& options = {});
 
 /// The graph with its clips replaced by other motions with the same numbers of frames, on the same
-/// or another body. The topology is kept; the alignments of the windows are recomputed. This serves
-/// to apply a modification (modify/modification.h) to all clips, or to use blends of corresponding
-/// versions. Throws mien::Error for clips that do not match in number, frames, frame rate or body.
+/// or another body. The topology is kept; the alignments of the windows are recomputed. Use it to
+/// apply a modification (modify/modification.h) to all clips, or to replace them by corresponding
+/// versions or by blends of such. Throws mien::Error for clips that do not match in number, frames,
+/// frame rate or body.
 MotionGraph with_motions(MotionGraph graph, std::span<const Clip> clips);
 
 /// A motion with the duration of each frame, as returned by `synchronised`.

@@ -13,16 +13,16 @@ using FootContacts = std::vector<std::vector<std::array<bool, 2>>>;
 
 FootContacts foot_contacts(const MotionGraph& graph);
 
-/// Share of the frames in which a foot's contact differs between the two windows; the larger of
-/// both feet.
+/// Share of the frames in which a foot is planted in only one of the two windows; of the two feet's
+/// shares, the larger one.
 double contact_change(const FootContacts& contacts, const DistanceMinimum& minimum, int window);
 
 /// Mean difference, radians, between the facing directions of the pelvis in the transition's two
-/// windows, the second clip being rotated by `turn`.
+/// windows, with the second clip rotated by the transition's `turn`.
 double facing_change(const MotionGraph& graph, const GraphTransition& transition);
 
-/// Largest excess, over the frames of the blend, of the pelvis' rotation per frame over that of
-/// both motions, radians.
+/// By how many radians per frame the pelvis rotates faster in the blend than in both motions;
+/// maximum over the frames of the blend.
 double turn_beyond_motions(const MotionGraph& graph, const GraphTransition& transition);
 
 }  // namespace mien::motion

@@ -8,8 +8,9 @@
 
 namespace mien::motion {
 
-/// Requested shares of a graph's versions at a time, sum 1: those of the latest change so far
-/// (before the first change, those of the first); without changes, the first version alone.
+/// Requested shares, at the time `seconds`, of the versions of a graph; they sum to 1. They are
+/// those of the latest change up to this time or, before the first change, of the first change.
+/// Without changes, the first version has the share 1.
 std::vector<double> requested_shares(std::span<const MoodChange> moods, double seconds,
                                      std::size_t versions);
 
@@ -18,15 +19,16 @@ struct GraphWalk {
   std::vector<int> edges;
 };
 
-/// One frame of a walk: of one clip, or between two during a transition.
+/// One frame of a walk: a frame of one clip or, during a transition, a blend of frames of two
+/// clips.
 struct WalkFrame {
   int clip = 0;
   int frame = 0;
   int to_clip = -1;  ///< the clip that is entered; −1 outside of transitions
   int to_frame = 0;
-  double share = 1.0;  ///< of the first clip: 2p³ − 3p² + 1 (Kovar et al. 2002, section 3.3), where
+  double share = 1.0;  ///< of `clip`: 2p³ − 3p² + 1 (Kovar et al. 2002, section 3.3), where
                        ///< p rises from 0 to 1 over the window
-  double turn = 0.0;  ///< rotation that aligns the second clip with the first, radians
+  double turn = 0.0;   ///< rotation that aligns `to_clip` with `clip`, radians
 };
 
 /// WalkFrame::share at a frame of a transition's window.
@@ -35,7 +37,7 @@ double blend_share(int frame, int window);
 std::vector<WalkFrame> frames_of(const MotionGraph& graph, const GraphWalk& walk);
 
 /// The pose of a frame of a walk at x = z = 0, and the horizontal displacement from the previous
-/// frame, metres; the first clip is rotated about +Y by `turn`, radians.
+/// frame, metres; `turn` is the rotation of `frame.clip` about +Y, radians.
 Pose posture_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
 Vec3 step_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
 

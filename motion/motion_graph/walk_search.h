@@ -10,7 +10,7 @@
 
 namespace mien::motion {
 
-/// Horizontal motion of an edge, in the frame of the clip that it leaves.
+/// Horizontal motion of an edge, in the coordinates of the clip that it leaves.
 struct EdgeSteps {
   std::vector<Vec3> steps;      ///< displacement of the pelvis in each frame, metres
   std::vector<double> facings;  ///< of the pelvis after each frame, radians about +Y from +Z
@@ -30,8 +30,8 @@ struct WalkState {
   double facing = 0.0;        ///< radians
   double seconds = 0.0;       ///< since the start of the walk
   double played = 0.0;        ///< seconds since the start, if only the first version were played
-  double since = 0.0;         ///< seconds since the last transition, in the same time
-  /// Progress towards the goal, as the cost measures it: metres along a path, or seconds.
+  double since = 0.0;         ///< seconds since the last transition, measured like `played`
+  /// Progress towards the goal, in the unit of the cost function: metres along a path, or seconds.
   double way = 0.0;
 };
 

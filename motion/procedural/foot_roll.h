@@ -30,8 +30,8 @@ struct FootPose {
 Quat foot_rotation(const FootPose& foot);
 
 /// Pitch of the sole during stance, radians: toes up at heel strike, then flat, then heel up until
-/// toe off. `phase`: from heel strike, 0 to stance_share. Continuously differentiable; the pitch
-/// during the swing continues with the same slope at both ends.
+/// toe off. `phase` is measured from heel strike, 0 to stance_share. The pitch is continuously
+/// differentiable, also where the stance joins the swing.
 double stance_pitch(const WalkStyle& style, double phase);
 
 /// Offsets from the ankle to the pivot of a rolling foot, in world axes.

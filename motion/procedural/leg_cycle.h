@@ -59,8 +59,8 @@ struct LegCycle {
   double landing = 0.0;    ///< knee flexion added in late swing to descend from above, radians
 };
 
-/// Hip–ankle distance (metres) at a knee flexion (radians), and the inverse; for a distance out of
-/// reach the knee is straight or fully bent.
+/// The distance from hip to ankle (metres) at a knee flexion (radians), and the inverse function;
+/// for a distance out of reach it returns a straight or fully bent knee.
 double leg_length_at(const LegCycle& leg, double knee_flexion);
 double knee_flexion_at(const LegCycle& leg, double distance);
 

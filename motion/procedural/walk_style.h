@@ -17,9 +17,9 @@ struct WalkStyle {
   double foot_progression_deg = 7.0;  ///< toes out, from the line of travel
 
   // Feet and legs.
-  double heel_strike_deg = 20.0;    ///< sole against the floor at heel strike, toes up
+  double heel_strike_deg = 20.0;    ///< angle of sole and floor at heel strike, toes up
   double heel_rise_share = 0.31;    ///< phase at which the heel begins to leave the floor
-  double toe_off_deg = 66.0;        ///< sole against the floor at toe off, heel up
+  double toe_off_deg = 66.0;        ///< angle of sole and floor at toe off, heel up
   double swing_knee_deg = 61.0;     ///< peak knee flexion of the swing
   double stance_knee_deg = 5.0;     ///< least knee flexion in stance; 2° more at heel strike
   double foot_clearance_m = 0.015;  ///< least height of swinging toes above planted toes

@@ -18,9 +18,9 @@ LegCycle make_leg(const Skeleton& body, const PelvisPath& pelvis, bool left);
 /// pelvis and of the foot.
 void set_leg(const LegCycle& leg, const FootPose& foot, const Skeleton& body, Pose& pose);
 
-/// Places the pelvis over the feet: as high as possible without either knee being straighter in
-/// stance than the style's `stance_knee_deg`, at the forward offset from the feet that permits the
-/// greatest height. (People keep their legs about as straight as the step allows, which costs the
+/// Places the pelvis over the feet: at the forward offset from them that permits the greatest
+/// height, and as high as possible without either knee being straighter in stance than the style's
+/// `stance_knee_deg`. (People keep their legs about as straight as the step allows, which costs the
 /// least energy.)
 ///
 /// Sets `pelvis.mean_height_m` and `ahead_m` of both legs. Throws mien::Error when the steps are

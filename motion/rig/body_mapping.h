@@ -17,7 +17,8 @@ namespace mien::motion {
 struct BodyMapping {
   std::string rig;      ///< "cmu-bvh", "acclaim", "bandai-namco", …, "by names", "by topology"
   MappedJoints joints;  ///< the rig joints of each canonical joint, with confidence
-  std::array<Quat, body_joint_count> calibration;  ///< A_j: G_canonical = G_rig · A_j
+  /// A_j (calibration.h): global rotation of canonical joint = that of the rig joint · A_j.
+  std::array<Quat, body_joint_count> calibration;
   Skeleton body;                    ///< canonical body with the subject's bone lengths, metres
   Quat to_y_up = Quat::Identity();  ///< rotation from the file's axes to +Y up
   std::string up = "+Y";            ///< the file's up axis: "+Y", "+Z", "-X", …
@@ -53,7 +54,7 @@ struct RecordedFloor {
 
 RecordedFloor recorded_floor(const Recording& recording, const BodyMapping& mapping);
 
-/// Like the above, with a known floor.
+/// As `to_body` above, with a known floor.
 Clip to_body(const Recording& recording, const BodyMapping& mapping, const RecordedFloor& floor);
 
 /// `to_body` with the recording's own `recognise` mapping.
@@ -61,13 +62,14 @@ Clip to_body(const Recording& recording);
 
 /// Analysis of any recording, human or not, so that it can be drawn as a stick figure.
 struct RigAnalysis {
-  std::optional<BodyMapping> human;   ///< empty when it was not recognised
-  std::string rejection;              ///< a sentence on why it was not recognised; else empty
-  std::vector<std::string> warnings;  ///< of the mapping, or the rejection; and notes of the reader
+  std::optional<BodyMapping> human;  ///< empty if the figure was not recognised as human
+  std::string rejection;             ///< a sentence on why `human` is empty; else empty
+  /// Notes of the file reader, then the warnings of the mapping or the rejection.
+  std::vector<std::string> warnings;
   Quat to_y_up = Quat::Identity();
   std::string up = "+Y";
   double metres_per_unit = 1.0;  ///< 1 if not human: the unit is unknown
-  double floor = 0.0;            ///< height of the lowest point, metres, after rotation to +Y up
+  double floor = 0.0;  ///< height of the lowest joint of all frames, metres, rotated to +Y up
 };
 
 RigAnalysis analyse_rig(const Recording& recording);

@@ -13,20 +13,20 @@ struct Calibration {
   /// joint · A_j. Identity for joints without a corresponding rig joint.
   std::array<Quat, body_joint_count> to_body;
   Skeleton body;                ///< canonical body with the subject's proportions, rig units
-  bool from_rest_pose = false;  ///< the rig's zero pose is a T-pose (or arms down) and was used
+  bool from_rest_pose = false;  ///< whether the zero pose (T-pose or arms down) was used
 };
 
 /// Finds the constants from recordings of one rig, all with the same `joints`.
 ///
 /// Each bone of the rig is aligned with `rest_direction` of its joint. The twist about the bone is
 /// taken from the rig's zero pose if that is a plausible standing figure. Otherwise, and for joints
-/// where the zero pose is off by more than 25° (feet: 12°), it is measured: for thighs and shanks
-/// from the flexion axis of the knee, for upper arms and forearms from that of the elbow (mean over
-/// frames with more than 15° of flexion), for the trunk from the lines through hips and shoulders,
-/// for neck, head, clavicles and hands from their mean orientation relative to chest and forearm,
-/// for feet from standing flat. If the rig aligns its limbs with axes of their joint frames, a
-/// measured reference within 20° of such an axis is replaced by that axis, so that all recordings
-/// of the rig agree.
+/// where the zero pose differs from a direct measurement by more than 25° (feet: 12°), it is
+/// measured: for thighs and shanks from the flexion axis of the knee, for upper arms and forearms
+/// from that of the elbow (mean over frames with more than 15° of flexion), for the trunk from the
+/// lines through hips and shoulders, for neck, head, clavicles and hands from their mean
+/// orientation relative to chest and forearm, for feet from standing flat. If the rig aligns its
+/// limbs with axes of their joint frames, a measured reference within 20° of such an axis is
+/// replaced by that axis, so that all recordings of the rig agree.
 Calibration calibrate(std::span<const RigMotion> motions);
 
 }  // namespace mien::motion

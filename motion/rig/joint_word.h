@@ -10,7 +10,8 @@ namespace mien::motion {
 struct JointWord {
   enum class Side { middle, left, right };
   Side side = Side::middle;
-  std::string word;  ///< lower case, without side, name space, numbers and padding: "upleg", "hips"
+  std::string word;  ///< in lower case, without side, name space, numbers and prefixes such as
+                     ///< "Bip": "upleg", "hips"
 };
 
 /// Reads a joint name in the spellings of common rigs: "LeftUpLeg", "mixamorig:LeftUpLeg",

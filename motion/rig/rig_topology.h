@@ -16,11 +16,11 @@ struct TopologyGuess {
 /// not needed, but a joint whose name contradicts its role (a leg called LowerArm.R) is rejected,
 /// and no rig joint is used twice.
 ///
-/// Legs and arms are the two pairs of symmetric chains; the arms are the pair from whose fork a
-/// single chain (the neck) also leads away from the other fork. Thigh and shank, upper arm and
-/// forearm are the two longest consecutive bones. The left side follows from cues for the forward
-/// direction: toes, flexion of knees and elbows, and the direction of travel. Empty if there are no
-/// two such pairs, or more than 4096 joints.
+/// Legs and arms are the two pairs of symmetric chains; the arms are the pair with a third chain
+/// (the neck) at their fork, which leads away from the fork of the legs. Thigh and shank, upper arm
+/// and forearm are the two longest consecutive bones. The left side follows from cues for the
+/// forward direction: toes, flexion of knees and elbows, and the direction of travel. Empty if
+/// there are no two such pairs, or more than 4096 joints.
 std::optional<TopologyGuess> key_joints_by_topology(const Recording& recording,
                                                     const std::vector<JointTransforms>& world);
 

@@ -4,8 +4,8 @@
 
 namespace mien::motion {
 
-/// Bends the toes (LeftToe, RightToe) up, by 70° at most, where their end would penetrate the floor
-/// (y = 0) at toe off: many rigs have rigid toes.
+/// Bends the toes of one foot (`toe`: LeftToe or RightToe) up, by 70° at most, where their end
+/// would penetrate the floor (y = 0) at toe off: many rigs have rigid toes.
 void bend_toes_at_floor(Clip& clip, BodyJoint toe);
 
 }  // namespace mien::motion

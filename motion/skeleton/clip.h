@@ -9,8 +9,9 @@
 
 namespace mien::motion {
 
-/// A motion of the canonical body (body.h): metres, +Y up, the floor at y = 0. Bone lengths never
-/// change: poses carry no offsets of their own.
+/// A motion in metres, +Y up, the floor at y = 0; of the canonical body (body.h) unless stated
+/// otherwise, as for `clip_of`. On the canonical body bone lengths never change: poses have no
+/// offsets of their own.
 ///
 /// Frame i is at i / frames_per_second seconds. A clip that `loops` holds one cycle without the
 /// repeated last frame: frame n is frame 0 displaced by `cycle_displacement`.

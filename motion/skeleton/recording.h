@@ -17,7 +17,7 @@ struct Recording {
   Skeleton skeleton;
   double frames_per_second = 30.0;
   std::vector<Pose> poses;
-  std::vector<std::string> takes;  ///< names of the motions in the file, if it names them (glTF)
+  std::vector<std::string> takes;  ///< names of the file's animations; empty unless glTF
   std::string take;                ///< the name of this motion
   std::vector<std::string> notes;  ///< choices and omissions of the reader, as sentences
 

@@ -26,9 +26,10 @@ Clip straightened(const Clip& clip);
 /// are kept.
 Clip in_place(const Clip& loop);
 
-/// Any clip converted to in-place motion. From a straight path of even speed, the mean velocity is
-/// subtracted, which keeps the surge of the steps; from any other path (starts, stops, turns), the
-/// path low-pass filtered at 1 Hz. Headings are kept: the figure turns in place.
+/// Any clip converted to in-place motion. If its path is straight and its speed even, the motion at
+/// the mean velocity is subtracted, which keeps the surge of the steps. Otherwise (starts, stops,
+/// turns), a copy of the path, low-pass filtered at 1 Hz, is subtracted. Headings are kept: the
+/// figure turns in place.
 Clip kept_in_place(const Clip& clip);
 
 /// An in-place loop with a uniform horizontal `displacement` per cycle added, metres: the inverse

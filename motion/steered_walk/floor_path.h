@@ -29,8 +29,8 @@ double heading_at(const FloorPath& path, double way);
 /// Largest curvature, 1/m, between two arc lengths.
 double largest_curvature(const FloorPath& path, double from, double to);
 
-/// Arc length, metres, of the point nearest to `place`, searched from `last` to 0.6 m farther, so
-/// that no loop of a self-crossing path is skipped.
+/// Arc length, metres, of the path's point nearest to `place`. Only arc lengths from `last` to 0.6
+/// m farther are searched, so that no loop of a self-crossing path is skipped.
 double nearest_way(const FloorPath& path, const Vec3& place, double last);
 
 }  // namespace mien::motion

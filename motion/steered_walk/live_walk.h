@@ -35,8 +35,8 @@ struct LiveWalk {
 /// `fit_walker` (walker_gaits.h). Takes about 60 ms per mood.
 LiveWalk make_live_walk(std::span<const NamedStyle> moods, const Skeleton& body);
 
-/// Advances the walker by `seconds`, capped at a quarter of a second (longer intervals occur after
-/// a page was hidden), and returns its pose. Throws mien::Error for a negative time or non-finite
+/// Advances the walker by `seconds`, capped at a quarter of a second (longer intervals occur when a
+/// page was hidden), and returns its pose. Throws mien::Error for a negative time or non-finite
 /// numbers and leaves the walker unchanged.
 Pose advance(LiveWalk& walk, double seconds, const WalkRequest& request);
 

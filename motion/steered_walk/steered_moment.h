@@ -16,7 +16,8 @@ struct SteeredMoment {
 
 SteeredMoment moment_at(const WalkerGaits& gaits, const SteeredWalk& walker);
 
-/// Shares of the moods, sum 1: the requested shares, and the current shares.
+/// Shares of the moods, which sum to 1: those requested (`asked` as in Steering::moods), and those
+/// to which the walker has come so far.
 std::vector<double> mood_goals(const std::vector<double>& asked, std::size_t moods);
 std::vector<double> shares_of(const std::vector<DampedSpring>& moods);
 

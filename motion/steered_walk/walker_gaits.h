@@ -20,7 +20,7 @@ struct FittedSwing {
 struct FittedGait {
   WalkStyle style;              ///< its lengths are those of the body, not for a stature of 1.75 m
   double mean_height_m = 0.0;   ///< of the pelvis joint
-  double passing_phase = 0.25;  ///< after heel strike, at which the pelvis passes the footprint
+  double passing_phase = 0.25;  ///< phase after heel strike when the pelvis passes the footprint
   double ahead_m = 0.0;  ///< forward distance from the pelvis to the footprint at `passing_phase`
   std::array<FittedSwing, 2> swings;  ///< left, right
 };
@@ -57,8 +57,8 @@ struct WalkerGaits {
   std::vector<MoodGaits> moods;
 };
 
-/// Fits the styles to the body (about 10 ms per gait). Throws mien::Error without a style, and if
-/// steps are too long for the legs (walker.h).
+/// Fits the styles to the body (about 10 ms per gait). Throws mien::Error if no style is given, or
+/// if steps are too long for the legs (walker.h).
 WalkerGaits fit_walker(std::span<const WalkStyle> moods, const Skeleton& body);
 
 /// The mean speed of the moods at pace 1, m/s. Weights sum to 1, as in `gait_at`.

@@ -35,8 +35,8 @@ Modification without_repair(Modification modification);
 int shortest_look_ahead(const Modification& modification, double frames_per_second,
                         double largest_error = largest_stream_error);
 
-/// Divides a delay of `frames` among the parts: path lengths first, as far as they can use it, then
-/// timing, then posture.
+/// Divides a delay of `frames` frames among the parts of a modification: path lengths get as many
+/// as they can use, then timing, then posture.
 StreamDelay split_delay(int frames, const Modification& modification, double frames_per_second);
 
 }  // namespace mien::motion

@@ -48,7 +48,7 @@ enum class PathScope {
 /// acceleration also work without look-ahead.
 struct StreamDelay {
   int paths = 0;    ///< useful up to `path_reach`
-  int timing = 0;   ///< of acceleration: largest lead of a limb over the trunk
+  int timing = 0;   ///< for acceleration: the largest lead of a limb over the trunk
   int posture = 0;  ///< useful for swinging limbs; see PostureStream
 
   int frames() const { return paths + timing + posture; }
@@ -58,12 +58,13 @@ struct StreamDelay {
 /// tempo (the delay would grow indefinitely, or future frames would be needed), variation (its
 /// splines span the whole motion), RotationSignal::quaternions (needs the mean rotation over the
 /// whole motion), acceleration near contacts only (contacts are detected on the whole motion). Also
-/// throws as `check` for numbers out of range, and for more than 12 bands because of their memory.
+/// throws as `check` for numbers out of range, and for more than 12 bands, because of the memory
+/// that these need.
 void check_streamable(const Modification& modification);
 
 /// Modifies a motion of the canonical body in real time: each input frame yields at most one output
 /// frame, with a delay of `delay.frames()` and bounded memory. An output frame depends only on
-/// input up to that delay.
+/// input frames up to `delay.frames()` later.
 ///
 /// Applies path lengths, acceleration and posture as in `modify`, in this order, then soft joint
 /// limits (relative to the joint ranges observed so far). With sufficient look-ahead, path lengths

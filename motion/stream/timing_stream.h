@@ -11,9 +11,9 @@ namespace mien::motion {
 /// Stretches the pauses of limbs (acceleration above 0) or makes their speed more constant (below
 /// 0), frame by frame with a delay of `look_ahead` frames.
 ///
-/// Offline, a limb's pauses are stretched within segments of 0.9 s and the rest is accelerated, so
-/// that the limb alternately leads and lags the trunk. A stream cannot show future frames, so each
-/// limb here plays the received frames at its own rate, 0 to `look_ahead` frames +
+/// Offline, a limb's pauses are stretched within segments of 0.9 s and the rest of each segment is
+/// accelerated, so that the limb alternately leads and lags the trunk. A stream cannot show future
+/// frames, so each limb here plays the received frames at its own rate, 0 to `look_ahead` frames +
 /// `longest_lag_seconds` behind the newest. It falls behind in its pauses and catches up after
 /// them. A pause is detected by comparing the speed of the limb's end relative to the hips,
 /// measured over 0.1 s, with its mean over the last 0.9 s (1.5 s for constant speed). Pauses are

@@ -11,13 +11,14 @@ namespace mien::motion {
 BodyJoint busiest_effector(const Clip& clip);
 
 /// Boundaries of the basic periods, frames. The first is 0; the last is the frame count of a loop,
-/// or the last frame of a take. In a take, a period ends where the effector, after moving away from
-/// its starting position, is nearest to it again; it must move away and return by at least a
-/// quarter of its largest distance.
+/// or the last frame of any other clip. In a clip that does not loop, a period ends where the
+/// effector, after moving away from its starting position, is nearest to it again; it must move
+/// away and return by at least a quarter of its largest distance.
 std::vector<int> basic_periods(const Clip& clip, BodyJoint effector);
 
-/// Joints by distance from the body's centre: trunk; neck, head and the limbs' roots; elbows and
-/// knees; hands and feet. The root's position forms a fifth class.
+/// Classes of joints whose amplitudes are measured together, by distance from the body's centre:
+/// trunk; neck, head and the limbs' roots; elbows and knees; hands and feet. The root's position
+/// forms a fifth class.
 inline constexpr int amplitude_classes = 5;
 inline constexpr int root_place_class = 4;
 int amplitude_class(int joint);

@@ -50,7 +50,7 @@ struct DriveEdit {
 };
 
 struct DriveOptions {
-  double amount = 1.0;  ///< of scale − 1 and of shift
+  double amount = 1.0;  ///< factor of `scale` − 1 and of `shift`
 };
 
 /// Editing by drives and correlations (Neff and Kim 2009): edits are applied in order; arms and
@@ -61,7 +61,7 @@ Clip driven(const Clip& motion, const std::vector<DriveEdit>& edits,
 
 /// The edits that bring the neutral motion's hands (forward, side, height), torso, head and pelvis
 /// to those of the styled motion, from the regression of each styled quantity on the neutral one at
-/// the same normalized time of the cycle or take.
+/// the same normalized time of the cycle or clip.
 std::vector<DriveEdit> drives_towards(const Clip& neutral, const Clip& styled);
 
 }  // namespace mien::motion

@@ -32,12 +32,12 @@ struct EmotionTransform {
   double displacement_ratio = 1.0;  ///< ratio of the horizontal travel, emotional to neutral
 };
 
-/// Fits the transform. A period of a take ends where the end effector (the wrist or ankle with the
-/// longest path relative to the pelvis) returns towards its starting position; a loop is one
-/// period. Timing is the share of the end effector's path covered as a function of time. Amplitude
-/// is a joint's deviation from the straight line between the period's ends (in a loop, from its
-/// mean); the emotional-to-neutral ratio is taken per class of joints. Throws Error if only one of
-/// the clips loops.
+/// Fits the transform. In a clip that does not loop, a period ends where the end effector (the
+/// wrist or ankle with the longest path relative to the pelvis) returns towards its starting
+/// position; a loop is one period. Timing is the share of the end effector's path covered as a
+/// function of time. Amplitude is a joint's deviation from the straight line between the period's
+/// ends (in a loop, from its mean); the emotional-to-neutral ratio is taken per class of joints.
+/// Throws Error if only one of the clips loops.
 EmotionTransform emotion_transform(const Clip& neutral, const Clip& emotional);
 
 /// Applies the transform to a motion: first scales the deviations, then warps time. Ratios are

@@ -27,7 +27,8 @@ struct MotionCurves {
   Quat heading;  ///< rotation from +Z to the mean direction of travel
   Vec3 origin;   ///< horizontal mean of the root position after subtracting the mean travel, world
                  ///< space, metres
-  Vec3 way;      ///< horizontal travel in one cycle or take, in the frame of `heading`, metres
+  Vec3 way;  ///< horizontal travel in one cycle, or in the whole clip, in the frame of `heading`,
+             ///< metres
   std::vector<Quat> means;  ///< mean rotation per joint
   Eigen::MatrixXd values;   ///< frames × curve_count
 
@@ -50,8 +51,8 @@ MotionCurves to_curves(const Clip& clip, const std::vector<Quat>& means);
 /// The inverse of `to_curves`.
 Clip to_clip(const MotionCurves& curves);
 
-/// Values at normalized time `share`, in [0, 1) for a loop and [0, 1] for a take, by Catmull–Rom
-/// interpolation; exact at the frames.
+/// Values at normalized time `share`, in [0, 1) for a loop and [0, 1] for other clips, by
+/// Catmull–Rom interpolation; exact at the frames.
 Eigen::RowVectorXd curves_at(const MotionCurves& curves, double share);
 
 /// The same curves resampled uniformly to `frames` frames; the frame rate is unchanged.

@@ -13,9 +13,10 @@ struct StyleComponentOptions {
   double amount = 1.0;
   int components = 6;      ///< number of components, ≥ 1; limited to those that the motions have
   std::uint64_t seed = 0;  ///< seed of the initial guess
-  std::vector<int> swapped;  ///< indices of the swapped components, 0 being the strongest; empty:
-                             ///< the `most_different`
-  int most_different = 2;    ///< number of components swapped if `swapped` is empty
+  /// Indices of the swapped components, 0 being the strongest; if empty, the most different ones
+  /// are swapped, as many as `most_different`.
+  std::vector<int> swapped;
+  int most_different = 2;  ///< number of components to swap if `swapped` is empty
 };
 
 /// Independent components of two motions of the same action (Shapiro, Cao and Faloutsos 2006).
@@ -46,13 +47,13 @@ struct StyleComponents {
 StyleComponents style_components(const Clip& neutral, const Clip& styled,
                                  const StyleComponentOptions& options = {});
 
-/// Indices of the components that the options swap: the named ones or the most different ones.
+/// Indices of the components that the options swap: `swapped` or the most different ones.
 std::vector<int> swapped_components(const StyleComponents& components,
                                     const StyleComponentOptions& options);
 
 /// The motion with the chosen components' series taken from the styled motion. For a motion other
 /// than the neutral one, adds the change that this makes in the neutral motion at the same
-/// normalized time of the cycle or take. Timing is unchanged. Foot plants are not restored.
+/// normalized time of the cycle or clip. Timing is unchanged. Foot plants are not restored.
 Clip restyled(const Clip& motion, const StyleComponents& components,
               const StyleComponentOptions& options = {});
 

@@ -12,7 +12,7 @@ namespace mien::motion {
 struct Waveshape {
   double lower = -0.2;    ///< lower limit: S is the identity between the limits
   double upper = 0.2;     ///< upper limit
-  double softness = 0.1;  ///< radians beyond the limit that are never exceeded; 0 is a hard limit
+  double softness = 0.1;  ///< S exceeds a limit by less than this, radians; 0: a hard limit
   /// If given, used instead of the limits: S is a monotone cubic through these (angle, shaped
   /// angle) pairs, with angles ascending, and linear beyond the ends.
   std::vector<std::pair<double, double>> points;
@@ -35,7 +35,7 @@ struct WaveshapeOptions {
 
 /// Waveshaping (Bruderlin and Williams 1995): θ' = S(θ) frame by frame, where θ is the joint's
 /// rotation vector relative to its mean (motion_curves.h). Throws Error if lower > upper, softness
-/// is negative or the angles of points do not ascend.
+/// is negative, there is only one point, or the angles of points do not ascend.
 Clip waveshaped(const Clip& motion, const std::vector<JointWaveshape>& shapes,
                 const WaveshapeOptions& options = {});
 

@@ -7,9 +7,9 @@
 
 namespace mien::motion {
 
-/// Parses the whole text as a number, without leading blanks or plus sign. Returns nothing for any
-/// other text and for a number that `Number` cannot represent. Floating-point types also accept
-/// "inf" and "nan".
+/// Parses the whole text as a number; it must not begin with blanks or a plus sign. Returns nothing
+/// for any other text and for a number that `Number` cannot represent. Floating-point types also
+/// accept "inf" and "nan".
 template <class Number>
 std::optional<Number> as_number(std::string_view text) {
   Number number{};

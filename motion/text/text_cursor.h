@@ -41,8 +41,8 @@ std::string_view next_word(TextCursor& cursor);
 /// The next word of this line, in which braces are ordinary characters; empty if there is none.
 std::string_view next_word_on_line(TextCursor& cursor);
 
-/// The next word, which must be a finite number below 1e12; `meaning` describes it for the error
-/// message ("a channel of frame 3"). Throws mien::Error.
+/// The next word, which must be a finite number between −1e12 and 1e12; `meaning` describes it for
+/// the error message ("a channel of frame 3"). Throws mien::Error.
 double parse_number(TextCursor& cursor, std::string_view meaning);
 
 /// The next word, which must be a whole number from 0 to 2^31 − 1. Throws mien::Error.

@@ -14,7 +14,7 @@
 
 namespace mien::pipeline {
 
-/// Progress of one stage: the number of completed units, and of all units.
+/// Progress of one stage: how many of its tasks (or, for "frames", frames) are completed.
 struct StageProgress {
   std::string name;  ///< "films"
   int done = 0;
@@ -45,7 +45,7 @@ struct FarmStatus {
   std::string disk;                 ///< current problem of the study's folder; empty if none
   std::optional<double>
       seconds_left;           ///< estimated remaining time; empty if no frames are being rendered
-  bool is_complete = false;   ///< all artifacts exist, including the study's record
+  bool is_complete = false;   ///< all artifacts exist, including provenance.json
   std::string without_slurm;  ///< why job states are unknown; empty if they are known
 
   int running() const;
@@ -64,7 +64,7 @@ FarmStatus farm_status(const Production& production, const std::filesystem::path
 StudyState study_state(const Production& production, const std::filesystem::path& folder,
                        const std::string& words);
 
-/// Number of frames of a film that are stored for encoding, under any key.
+/// Number of a film's unpublished frames in the store, under any key.
 int frames_in_the_making(const std::filesystem::path& folder, const std::string& film);
 
 /// The status as text for the terminal.

@@ -14,14 +14,14 @@ namespace mien::pipeline {
 std::set<std::string> covered_items(const std::vector<JobStatus>& statuses,
                                     const std::filesystem::path& folder);
 
-/// Slurm's IDs of live jobs that a new submission replaces: held ones, and the final jobs of
-/// earlier submissions.
+/// Slurm's IDs of pending jobs that a new submission replaces: those that will never run without
+/// intervention (is_stuck), and the final jobs of earlier submissions.
 std::vector<std::string> obsolete_jobs(const std::vector<JobStatus>& statuses);
 
 /// Tasks whose jobs ran out of memory, and the memory to request for them next.
 struct MemoryNeeds {
   std::map<std::string, std::string> more;  ///< twice the previous amount, by task
-  std::vector<std::string> unknown;         ///< items of jobs that requested no specific amount
+  std::vector<std::string> unknown;         ///< items without a known amount to double
 };
 
 /// Determines memory needs from squeue and from out-of-memory kills that jobs recorded in ends/.

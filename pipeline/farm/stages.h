@@ -34,7 +34,7 @@ struct Chunking {
 
 /// Progress of a film that is due.
 struct FilmProgress {
-  /// By frame: stored, or assigned to a queued or running job; may be empty.
+  /// For each frame, whether it is stored or assigned to a queued or running job; may be empty.
   std::vector<bool> has_frame;
   int chunks = 0;  ///< number of chunks used by queued or running jobs; 0 if not split yet
 };

@@ -70,7 +70,7 @@ std::string list_text(const SubmissionJob& job);
 /// Creates the submission's folder with all its files and records the intended jobs in the journal.
 /// All of this is written before Slurm is called, so that a full disk leaves the queue unchanged.
 /// Throws WriteFailure, and std::runtime_error if another client has just created a folder with
-/// that number; no folder is left behind then.
+/// that number; if it throws, this client leaves no folder behind.
 void write_submission(const Submission& submission, const SubmissionJournal& journal);
 
 /// Withdraws a written submission: records `why` in the journal, if that can be written, and
@@ -91,9 +91,10 @@ struct Submitted {
   std::string unrecorded;  ///< why a job's ID is missing from the journal; empty if none is
 };
 
-/// Submits a written submission to Slurm. Films and later stages also wait for the jobs `live` of
-/// earlier submissions. If a job is refused, those before it are cancelled, the submission is
-/// withdrawn and SlurmFault is thrown; if Slurm does not answer, accepted jobs remain.
+/// Submits a written submission to Slurm. Films and later stages also wait for `live`, jobs of
+/// earlier submissions. If a job is refused, the jobs accepted before it are cancelled, the
+/// submission is withdrawn and SlurmFault is thrown; if Slurm does not answer, accepted jobs
+/// remain.
 Submitted submit(const Submission& submission, const Slurm& slurm, const SubmissionJournal& journal,
                  const std::vector<std::string>& live);
 

@@ -27,8 +27,8 @@ void add_interpolation(KeyBuilder& key, const Interpolation& how);
 /// Adds the settings by which a shot is staged and rendered, without the motion.
 void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files);
 
-/// Adds the settings that affect only tables and pages, by their values: the text of the manifest
-/// may take them from environment variables.
+/// Adds the values of the settings that affect only tables and pages. (The text of the manifest is
+/// not enough, since it may take values from environment variables.)
 void add_page(KeyBuilder& key, const Manifest& manifest);
 
 /// Adds what a video shows before and after the film.

@@ -32,11 +32,12 @@ struct Examples {
   std::string exclude;           ///< glob on file names; empty excludes nothing
   std::string take;              ///< take of files with several motions; empty: the first
   motion::CycleChoice cycle = motion::CycleChoice::automatic;
-  /// Set manually: file stem → keytimes.
+  /// Keytimes set manually: file stem → keytimes.
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;
-  /// Retargeted to one body and aligned in time; otherwise each motion is used as it is.
+  /// Whether the motions are retargeted to one body and aligned in time; otherwise each motion is
+  /// used as it is.
   bool blendable = true;
-  /// From the distinguishing part of the file name, or from all of it.
+  /// Names of the examples: the distinguishing part of the file name, or all of it.
   Labels labels = Labels::from_name;
   std::vector<std::pair<std::string, std::string>> given_labels;  ///< file stem → label
 };
@@ -71,7 +72,7 @@ struct Ratings {
 
   Source source = Source::none;
   std::filesystem::path file;              ///< CSV of answers or of means, resolved
-  int raters = 14;                         ///< simulated only
+  int raters = 14;                         ///< number of simulated raters
   bool ignore_unknown = false;             ///< ignore answers about unknown stimuli or scales
   std::vector<Expectation> expected = {};  ///< expected order of the examples (manipulation checks)
 };

@@ -21,9 +21,9 @@ struct Hold {
   std::vector<std::string> names;  ///< hold only these parameters
   /// Hold these parameters at given values, 0…1.
   std::vector<std::pair<std::string, double>> values;
-  /// The stimulus whose values `others` and `names` keep: the first with the role of a reference.
-  /// If empty, they are held at the mean of the examples. (A vector of at most one element, because
-  /// a Stimulus contains a Hold.)
+  /// The stimulus whose values the parameters of `others` and `names` keep: the first blended one
+  /// with the role of a reference. If empty, these parameters are held at the mean of the examples.
+  /// (A vector of at most one element, because a Stimulus contains a Hold.)
   std::vector<Stimulus> reference;
 
   bool anything() const { return others || !names.empty() || !values.empty(); }

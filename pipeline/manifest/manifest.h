@@ -30,8 +30,8 @@ struct RecipesForm {
   static nlohmann::ordered_json write(const RecipesSource& recipes, const WritingOptions& how);
 };
 
-/// The set of stimuli that share one equalized value: the whole study, or all stimuli with one kind
-/// of figure.
+/// The stimuli that share one equalized value: those of the whole study, or those with the same
+/// kind of figure.
 enum class EqualizeGroup { study, figure };
 
 inline constexpr Words<EqualizeGroup> equalize_group_words = {{"study", EqualizeGroup::study},

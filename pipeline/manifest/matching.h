@@ -7,8 +7,8 @@
 
 namespace mien::pipeline {
 
-/// When participants see the result of a guess: after each trial, or once they have made a guess at
-/// the target with every interface.
+/// When participants see the result of a guess: immediately, in the same trial, or only once they
+/// have made a guess at the target with every interface.
 enum class MatchingOrder { trial_by_trial, guesses_first };
 
 inline constexpr Words<MatchingOrder> matching_order_words = {
@@ -16,7 +16,7 @@ inline constexpr Words<MatchingOrder> matching_order_words = {
     {"guesses-first", MatchingOrder::guesses_first}};
 
 /// A matching experiment: participants adjust the sliders of one or more interfaces until a motion
-/// matches a target as closely as possible. It does not affect the stimuli.
+/// matches a target as closely as possible. The experiment does not affect the stimuli.
 struct Matching {
   std::string title;  ///< empty: the study's name
   InterfaceLanguage language = InterfaceLanguage::english;

@@ -76,7 +76,8 @@ struct LimbsForm {
   static nlohmann::ordered_json write(const motion::Limbs& limbs, const WritingOptions&);
 };
 
-/// `posture: {head-flexion: 12}`: a named unit replaces the same unit of the recipe.
+/// `posture: {head-flexion: 12}`: a rotation (motion::posture_units) given here replaces the
+/// recipe's rotation of the same name.
 struct PostureForm {
   static void read(const DocumentValue& given, std::vector<motion::PostureChange>& posture);
   static nlohmann::ordered_json write(const std::vector<motion::PostureChange>& posture,
@@ -126,7 +127,8 @@ struct EditForm {
 /// not read.
 motion::Modification with_edit(motion::Modification modification, const ModificationEdit& edit);
 
-/// A recipe for an emotion: a row of figure 29 of the emotion thesis, or the user's own.
+/// A recipe for an emotion: one of our own (builtin), a row of figure 29 of the emotion thesis
+/// (fig29), or the user's own.
 struct Recipe {
   std::string name;  ///< "sad", "energetic-sad"
   std::string japanese;

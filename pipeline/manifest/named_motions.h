@@ -11,7 +11,7 @@ namespace mien::pipeline {
 
 /// A motion file that a stimulus uses.
 struct NamedMotion {
-  std::string path;  ///< path in the manifest of the map or of the name itself: "stimuli[2].clip"
+  std::string path;  ///< path in the manifest of the file name or of its map: "stimuli[2].clip"
   std::string key;   ///< key of the file in that map: "file", "motion"
   std::filesystem::path file;
   std::string take;      ///< empty: none selected
@@ -27,8 +27,8 @@ std::vector<NamedMotion> named_motions(const Stimulus& stimulus);
 /// is selected or there is only one. Throws Error if the file cannot be read.
 std::string default_take_note(const NamedMotion& motion);
 
-/// Returns a fault if the recording has no such frame, with the take's name if the file has
-/// several: `it has 173 frames, so frame 400 does not exist`. Otherwise empty.
+/// Returns a fault if the recording has no such frame, with the take's name if the file has several
+/// takes: `it has 173 frames, so frame 400 does not exist`. Otherwise empty.
 std::string frame_fault(const motion::Recording& recording, int frame);
 
 /// Throws Error with that fault if there is no such frame.

@@ -88,7 +88,7 @@ struct Output {
   bool in_place = false;  ///< remove travel (walk on the spot)
   Quality quality = Quality::standard;
   int samples = 256;     ///< per pixel, in reference quality
-  double shutter = 0.0;  ///< shutter angle for motion blur: degrees of 360 per frame
+  double shutter = 0.0;  ///< shutter angle for motion blur, degrees: 360 is the whole frame
   FrameFormat frames = FrameFormat::png;
   std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< without duplicates
   Presentation presentation;

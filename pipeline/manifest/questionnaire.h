@@ -128,7 +128,7 @@ struct Questionnaire {
   std::vector<std::string> no_repeats;  ///< factors in which successive trials must differ
   std::vector<std::string> practice;    ///< stimuli of the practice trials
   int warm_up = 0;  ///< additional trials at the beginning of the main part that are not analysed
-  int attention_every = 0;  ///< number of trials between attention checks; 0: no checks
+  int attention_every = 0;  ///< mean number of trials between attention checks; 0: no checks
   int repeated = 0;         ///< number of stimuli that are shown a second time (test-retest)
   Replays replays;
   Watching watch = Watching::full;

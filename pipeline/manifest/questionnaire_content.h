@@ -21,8 +21,8 @@ const Matching& matching_of(const Manifest& manifest);
 /// role of a target that are not used for practice.
 std::vector<std::string> matching_targets(const Manifest& manifest);
 
-/// Returns the title of the questionnaire or matching experiment; if there is none, the study's
-/// name.
+/// Returns the title of the questionnaire or else of the matching experiment; if the title is
+/// empty, the study's name.
 std::string title_of(const Manifest& manifest);
 
 /// Returns the scales from which the questionnaire may choose: those of its own file; otherwise the
@@ -33,8 +33,8 @@ ScaleSet scales_to_choose(const Manifest& manifest);
 /// omitted (the checks report them).
 ScaleSet questionnaire_scales(const Manifest& manifest);
 
-/// Returns the ids of the rated stimuli, in the order in which the questionnaire names them,
-/// otherwise in that of the manifest.
+/// Returns the ids of the rated stimuli, in the order in which the questionnaire names them or, if
+/// it does not name stimuli, in that of the manifest.
 std::vector<std::string> questionnaire_stimuli(const Manifest& manifest);
 
 /// Returns the ids of the one or two stimuli of each trial, in the order of the trials; all pairs

@@ -13,7 +13,7 @@
 
 namespace mien::pipeline {
 
-/// A text for participants, given in the manifest or in a file. `text` is filled in in both cases
+/// A text for participants, given in the manifest or in a file. In both cases, `text` contains it
 /// once the manifest has been read.
 struct TextSource {
   std::string text;

@@ -11,15 +11,17 @@ namespace mien::pipeline {
 /// The largest differences from the approved baseline at which a stimulus still counts as
 /// unchanged: `regression:` of a manifest or of one of its stimuli.
 struct RegressionLimits {
-  /// Of joints and their virtual points in world space, at any time; millimetres.
+  /// Displacement of a joint, or of a point 0.1 m off its bone, at any time, in world space;
+  /// millimetres.
   double position_mm = 1.0;
-  double turn_degrees = 0.1;      ///< of joint rotations relative to their parents; degrees
-  double speed_m_s = 0.05;        ///< of joint velocities; m/s
-  double contact_seconds = 0.05;  ///< change of the time of a heel strike or toe off; seconds
+  double turn_degrees = 0.1;      ///< rotation of a joint relative to its parent; degrees
+  double speed_m_s = 0.05;        ///< velocity of a joint; m/s
+  double contact_seconds = 0.05;  ///< time of a heel strike or toe off; seconds
   double slide_mm = 1.0;          ///< additional slide of a planted foot; millimetres
   bool findings = false;          ///< allow new lint errors
-  double perceptual = 0.0;  ///< mean ꟻLIP of a key frame whose difference exceeds noise, 0 … 1
-  double psnr_db = 0.1;     ///< loss of a video's PSNR against its frames; dB
+  /// Mean ꟻLIP of a key frame, 0 … 1. Differences within rendering noise are always tolerated.
+  double perceptual = 0.0;
+  double psnr_db = 0.1;  ///< decrease of the PSNR of a video relative to its frames; dB
   /// Body part → its own position_mm: "left hand".
   std::vector<std::pair<std::string, double>> parts_mm;
 

@@ -18,10 +18,10 @@ struct Repetition {
 
 /// Returns the repetitions in the order of the manifest, whose files must exist. Compares the
 /// inputs of stimuli, not their pictures: the same motion described in two ways is not found.
-/// Randomly placed point lights differ for each id.
+/// Point-light figures with random dots and no stated seed look different for each id.
 std::vector<Repetition> repetitions_in(const Manifest& manifest);
 
-/// Returns a warning about the repeated stimulus, without its id.
+/// Returns a warning without the id of the repetition itself: `looks identical to "a"; …`.
 std::string to_sentence(const Repetition& repetition);
 
 /// Returns a warning for each repetition, with its id: `b: looks identical to "a"; …`.

@@ -109,7 +109,7 @@ struct Stimulus {
   Look look;                             ///< the manifest's, with the stimulus's own values applied
   Output output;                         ///< the manifest's, with the stimulus's own values applied
   Interpolation interpolation;           ///< the manifest's, with the stimulus's own values applied
-  std::vector<ModificationStep> modify;  ///< modifications of that motion, in order
+  std::vector<ModificationStep> modify;  ///< modifications of the motion, in order
   OnFault on_fault = OnFault::warn;      ///< the stimulus's own, otherwise the manifest's
   RegressionLimits regression;           ///< the manifest's, with the stimulus's own values applied
 };

@@ -71,8 +71,8 @@ void fields_of(auto&& field, MaybeConst<GraphMotion> auto& motion) {
 
 /// A path for the steered walker (motion/steered_walk/scripted_walk.h), starting and ending in a
 /// standing pose, or for a walk assembled from the motions of a graph
-/// (motion/motion_graph/guided_walk.h); then moods are emotions (see Mood) and speeds those of the
-/// motions. Exactly one of script and points is given.
+/// (motion/motion_graph/guided_walk.h); in the latter case, moods are emotions (see Mood), and
+/// speeds are those of the motions. Exactly one of script and points is given.
 struct WalkPath {
   std::string set = "builtin:walks-10";  ///< example set whose walks the moods name
   Mood mood;          ///< initial mood; empty: that of the first step, or the first walk of the set
@@ -115,8 +115,8 @@ std::vector<std::string> adjectives_of_moods();
 /// Whether a mood consists of adjectives instead of walks of the set.
 bool is_of_adjectives(const WalkPath& path, const Mood& mood);
 
-/// Returns the walks or adjectives that the path's moods use, in the set's order; the set's first
-/// walk if none is named.
+/// Returns the walks that the path's moods name, in the set's order, without adjectives. The set's
+/// first walk is included if neither the path nor its first step states a mood.
 std::vector<std::string> moods_of(const WalkPath& path);
 
 /// Returns a short description: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".

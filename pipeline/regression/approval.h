@@ -20,10 +20,11 @@ struct ApprovalOptions {
 
 /// Stores the current state of all stimuli, or of those in `approval.only`, as the reference for
 /// later comparisons. `folder` is empty or contains a baseline of the study. Stimuli that are not
-/// approved remain unchanged; stimuli that the manifest no longer contains are removed once this is
-/// approved. Each stimulus is replaced as a whole, and only after all have been made, so that an
-/// earlier interruption leaves the baseline unchanged. `inputs` are the hashes of the files that
-/// the manifest names, as they were read (put_inputs). Throws Error and Interrupted.
+/// approved remain unchanged; stimuli that the manifest no longer contains are removed if
+/// `approval.only` names them or is empty. Each stimulus is replaced as a whole, and only after all
+/// have been made, so that an interruption before that leaves the baseline unchanged. `inputs` are
+/// the hashes of the files that the manifest names, as they were read (put_inputs). Throws Error
+/// and Interrupted.
 Baseline approve(Rendition& now, const std::filesystem::path& folder, const Approval& approval,
                  const std::map<std::string, std::vector<VideoFacts>>& videos,
                  const std::map<std::string, Hash>& inputs, const ApprovalOptions& options,

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 // the file and a remedy.
 
 /// Returns the approved clip, accurate to 0.001 mm. `like` supplies what the file does not store:
-/// its name and how it loops.
+/// the clip's name and how it loops.
 motion::Clip approved_clip(const Baseline& baseline, const std::string& id,
                            const motion::Clip& like);
 

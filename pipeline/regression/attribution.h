@@ -11,9 +11,11 @@ namespace mien::pipeline {
 /// The three states of a stimulus that are compared to find causes.
 struct StimulusStates {
   const StimulusFacts& approved;  ///< as stored in the baseline
-  const StimulusFacts& then;      ///< the approved manifest, made by the current program
-  const StimulusFacts& now;       ///< the current manifest, made by the current program
+  const StimulusFacts& then;      ///< from the approved manifest, made by the current program
+  const StimulusFacts& now;       ///< from the current manifest, made by the current program
 
+  // Remade: the current program makes something else from the approved manifest.
+  // Requested: with the current program, the current manifest gives something else.
   bool is_motion_remade() const { return then.motion != approved.motion; }
   bool is_motion_requested() const { return now.motion != then.motion; }
   bool is_scene_remade() const { return then.scene != approved.scene; }

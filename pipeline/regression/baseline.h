@@ -37,11 +37,13 @@ struct KeyFrame {
   friend bool operator==(const KeyFrame&, const KeyFrame&) = default;
 };
 
-/// The stored facts about a video. Its pictures were compared with its frames when it was made.
+/// The stored facts about a video. When it was made, its decoded pictures were compared with the
+/// frames that were encoded.
 struct VideoFacts {
   VideoRecord record;
   Hash hash;
-  /// Index of the film's first frame; earlier frames belong to the presentation.
+  /// Index of the film's first frame in the video; earlier frames show the title card, the fixation
+  /// cross or a blank.
   int first_film_frame = 0;
 };
 
@@ -80,8 +82,9 @@ struct Approval {
 /// The approved state of a study: a folder that can be kept in git or on a shared disk. An edition
 /// is the manifest with its files at one approval, named by their hash.
 ///
-///     baseline.json                  the study, all approvals, hashes of those files below that
-///                                    are not in a stimulus.json, and a checksum of the text before
+///     baseline.json                  the study, all approvals, hashes of the files below (except
+///                                    those that a stimulus.json lists), and a checksum of the
+///                                    preceding text
 ///     editions/<hash>/inputs/        manifests and the files that they name, like a study's inputs
 ///     stimuli/<id>/stimulus.json     StimulusFacts
 ///     stimuli/<id>/motion.bvh        the clip shown

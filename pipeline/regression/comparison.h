@@ -76,8 +76,8 @@ struct VideoChange {
   std::string format;
   /// Descriptions of the changes: "114 frames → 113", "different content".
   std::vector<std::string> what;
-  bool same_frames = true;    ///< same number of frames at the same times
-  double psnr_lost_db = 0.0;  ///< loss of PSNR relative to its frames, dB
+  bool same_frames = true;    ///< the number of frames and the frame rate are unchanged
+  double psnr_lost_db = 0.0;  ///< decrease of the lowest PSNR between the video and its frames, dB
 };
 
 /// All differences between a stimulus and its approved state.

@@ -48,14 +48,15 @@ struct CauseGroup {
   bool differs = false;          ///< whether the verdict of any of them is `differs`
 };
 
-/// Returns the groups: those that differ before others, then the largest first.
+/// Returns the groups: first those with a stimulus that differs, then the others, each from the
+/// largest to the smallest.
 std::vector<CauseGroup> groups_of(const std::vector<StimulusComparison>& stimuli);
 
 /// A study compared with its baseline.
 struct Regression {
   std::string study;
   std::vector<StimulusComparison> stimuli;  ///< in the manifest's order; removed stimuli last
-  std::vector<CauseGroup> groups;  ///< those that differ before others, then the largest first
+  std::vector<CauseGroup> groups;           ///< in the order of groups_of
   Gate gate;
   Repetitions repetitions;
   /// Ids of the stimuli to which each sentence of wider_limits applies.

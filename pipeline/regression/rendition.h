@@ -36,7 +36,7 @@ class Rendition {
   /// Returns the clip that the film of a stimulus shows. Throws Error if it cannot be made.
   const motion::Clip& clip_of(const std::string& id);
 
-  /// Replaces the clip of a stimulus.
+  /// Replaces the clip that the film of a stimulus shows.
   void show(const std::string& id, motion::Clip clip) { clips_[id] = std::move(clip); }
 
   /// Keys of the inputs of a frame other than the clip, the program and its libraries: the scene

@@ -38,12 +38,13 @@ struct Setting {
 inline constexpr char content_words[] = " content";
 
 /// Returns all settings of a manifest that affect how one of its stimuli looks, in the manifest's
-/// order, including each option of its set and the hashes of named files ("clip content":
-/// {"walk.bvh": "0123456789ab"}). A foil has the settings of its original stimulus.
+/// order, including each option of the stimulus's set and the hashes of named files ("clip
+/// content": {"walk.bvh": "0123456789ab"}). A foil has the settings of its original stimulus.
 std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manifest,
                                  FileKeys& files);
 
-/// A changed option; `before` or `now` is empty if the option is not stated there.
+/// A changed option; `before` or `now` is empty if it is neither stated there nor has a default
+/// (changes_between).
 struct SettingChange {
   std::string path;
   Aspect aspect = Aspect::motion;
@@ -53,9 +54,10 @@ struct SettingChange {
   friend bool operator==(const SettingChange&, const SettingChange&) = default;
 };
 
-/// Returns the changes in the order of `before`, followed by new options. If one side does not
-/// state an option, its default is compared: for options of a light, wall, box or belt that exists
-/// in the set's file, and for those of a step of `modify` that no recipe states.
+/// Returns the changes in the order of `before`, followed by new options. An option that one side
+/// does not state has its default there if that side states other options of the same light, wall,
+/// box, belt or step of `modify`, unless a recipe determines the option; otherwise it is empty
+/// there.
 std::vector<SettingChange> changes_between(const std::vector<Setting>& before,
                                            const std::vector<Setting>& now);
 

@@ -18,7 +18,8 @@ struct CommandResult {
 };
 
 /// Runs a program found through PATH with these arguments, without a shell and with empty standard
-/// input. It is killed after `limit`. Throws std::system_error if no process can be started.
+/// input. The program is killed after `limit`. Throws std::system_error if no process can be
+/// started.
 CommandResult run_command(const std::vector<std::string>& words, std::chrono::milliseconds limit);
 
 }  // namespace mien::pipeline

@@ -68,8 +68,9 @@ class Store {
   std::optional<Receipt> find(const std::string& path, const Hash& key) const;
 
   /// Produces and publishes an artifact. Calls for different paths may run at the same time. A
-  /// folder or loop of links at its path is set aside. Returns the receipt of the published
-  /// artifact, which is that of another attempt at this key if one was published in the meantime.
+  /// folder, or a loop of symbolic links, at its path is set aside. Returns the receipt of the
+  /// published artifact, which is that of another attempt at this key if one was published in the
+  /// meantime.
   Receipt put(const std::string& path, const Hash& key, const Write& write, const Verify& verify);
 
   /// Starts or resumes a frame sequence. The result must not outlive the store.
@@ -103,9 +104,9 @@ class Store {
 /// An unpublished frame sequence, written by any number of processes; calls for different frames
 /// may run at the same time.
 ///
-/// Frames are stored one by one: those that other processes, including killed ones, have written
-/// for the same key are reused, as are those of a published sequence of that key that still agree
-/// with its receipt.
+/// Frames are stored one by one. Frames that other processes, including killed ones, have written
+/// for the same key are reused; so are frames of a published sequence with that key, if they still
+/// agree with its receipt.
 class FrameStore {
  public:
   FrameStore(const FrameStore&) = delete;

@@ -25,14 +25,14 @@ struct Store::State {
   Maker self() const { return {heartbeat.self().host, heartbeat.self().instruction_set}; }
 
   /// Calls `work` with a new empty folder that no other attempt uses, and removes it afterwards.
-  /// Throws DiskFault if the disk is the reason for a failure, which is checked before the
-  /// attempt's files are removed, or if the study's folder has disappeared or is on another disk
-  /// now.
+  /// Throws DiskFault if the study's folder has disappeared or is on another disk now, or if the
+  /// disk is the reason why `work` failed (checked before the attempt's files are removed, since
+  /// that frees space).
   void in_attempt(const std::function<void(const std::filesystem::path& attempt)>& work);
 
-  /// Moves an attempt's file or folder to the artifact's path and then writes its receipt. If an
-  /// intact artifact of the same key has been published before, that one stays and its receipt is
-  /// returned.
+  /// Moves an attempt's file or folder to the artifact's path and then writes and returns its
+  /// receipt. If an intact artifact with the same key has been published before, that artifact
+  /// stays and its receipt is returned.
   Receipt publish(const std::filesystem::path& attempt, Receipt receipt);
 
   /// Notes nondeterminism when the hashes differ.

@@ -59,9 +59,9 @@ struct Task {
   std::string id;                   ///< "film:target-1"
   std::string kind;                 ///< "film"
   std::vector<std::string> inputs;  ///< ids of tasks whose products it reads
-  /// Ids of tasks that must have succeeded before but are not read.
+  /// Ids of tasks that must have succeeded before, but whose products are not read.
   std::vector<std::string> after;
-  KeyBuilder determinants;        ///< all determinants of the products except the inputs' bytes
+  KeyBuilder determinants;  ///< all common determinants of the products except the inputs' bytes
   std::vector<Product> products;  ///< empty for a part, which finds out itself what is missing
   double cost_seconds = 0.0;      ///< estimate on one core
   std::function<void(TaskRun&)> make;
@@ -142,7 +142,8 @@ struct RunObserver {
 Task part_of(const Task& whole, const Part& part);
 
 /// Runs the tasks on `jobs` threads. Tasks claimed by other processes in the same store are left to
-/// them, and run here if those die. A transient failure is repeated, up to three attempts in total.
+/// them, and run here if those processes die. After a transient failure, the task is run again, up
+/// to three times in total.
 /// If a task fails, the others continue and those that depend on it are skipped. After a stop
 /// request no further task is started. One outcome per task.
 std::vector<TaskOutcome> run(const TaskGraph& graph, Store& store, int jobs, std::stop_token stop,

@@ -53,12 +53,13 @@ std::vector<WorkerRecord> read_worker_records(const std::filesystem::path& folde
 /// and no longer exists. For a process of another machine, true only if its record states this.
 bool is_gone(const WorkerRecord& record);
 
-/// Whether a process is working now, judged by the age of its record. `now`: as below.
+/// Whether a process is working now, judged by the age of its record. `now`: a file just written
+/// there (seconds_since_record).
 bool works_now(const std::filesystem::path& folder, const WorkerRecord& record,
                const std::filesystem::path& now);
 
 /// Whether a process is (almost) certainly dead: proven to have ended, or on another machine and
-/// without an update for a day. `now`: as below.
+/// without an update for a day. `now`: a file just written there (seconds_since_record).
 bool is_dead(const std::filesystem::path& folder, const WorkerRecord& record,
              const std::filesystem::path& now);
 
@@ -66,8 +67,9 @@ bool is_dead(const std::filesystem::path& folder, const WorkerRecord& record,
 /// either does not exist.
 double seconds_between(const std::filesystem::path& one, const std::filesystem::path& other);
 
-/// Age of a worker's record, seconds, by the file system's clock. `now` is a file just written
-/// there. Negative if the clock was set back.
+/// Age of a worker's record, seconds, by the file system's clock: `now` is a file just written
+/// in the study's folder, whose modification time is taken as the current time. Negative if the
+/// clock was set back.
 double seconds_since_record(const std::filesystem::path& folder, const WorkerRecord& record,
                             const std::filesystem::path& now);
 

@@ -9,8 +9,8 @@ namespace mien::render {
 struct LightSample {
   Vec3 towards;         ///< unit
   float distance;       ///< metres
-  Color perpendicular;  ///< irradiance that it represents on a surface facing it; black: the point
-                        ///< is behind the light
+  Color perpendicular;  ///< irradiance that it represents on a surface facing it; black if the
+                        ///< surface is behind the light
 };
 
 /// Samples the light uniformly by area: E[perpendicular · cos θ] is the irradiance.

@@ -39,11 +39,11 @@ class UnshadowedBackground {
   std::vector<float> heights_;  // heights of the lights' lowest points above the floor, metres
 };
 
-/// A row of an UnshadowedBackground, eight pixels at a time. A light's irradiance is interpolated
-/// between every eighth pixel by cubic polynomials where the relative error is at most 0.00002 (by
-/// the fourth derivative of a point light's irradiance; that of larger lights varies less): before
-/// an upright perspective camera, in rows without fading, where eight pixels are less than a
-/// twentieth of the light's height apart on the floor.
+/// A row of an UnshadowedBackground, eight pixels at a time. A light's irradiance is computed at
+/// every eighth pixel and interpolated by cubic polynomials where the relative error is at most
+/// 0.00002 (by the fourth derivative of a point light's irradiance; that of larger lights varies
+/// less): before an upright perspective camera, in rows without fading, where eight pixels are less
+/// than a twentieth of the light's height apart on the floor.
 class UnshadowedRow {
  public:
   UnshadowedRow(const UnshadowedBackground& set, int y, int width);

@@ -22,7 +22,8 @@ inline float cube_root(float x) {
   return x < 1e-37f ? 0.0f : root;
 }
 
-/// The binary logarithm of x ≥ 2⁻¹²⁶, within 3·10⁻⁷ and 2 units in the last place.
+/// The binary logarithm of x ≥ 2⁻¹²⁶, with an error of at most 3·10⁻⁷ plus 2 units in the last
+/// place.
 inline float binary_logarithm(float x) {
   // x = 2^exponent · m with m in [√½, √2).
   const auto bits = std::bit_cast<std::int32_t>(x);

@@ -80,8 +80,8 @@ enum class Dimension : std::uint32_t {
   CornerSky,
   Lens,
   Time,        ///< first number only
-  LightLine,   ///< which of the floor points that share a line it starts from, and the line's
-               ///< position on the first light
+  LightLine,   ///< of a line shared by several samples (line_shadow.h): the sample from whose floor
+               ///< point it is seen, and the line's position on the first light
   FirstLight,  ///< one per light
   FirstFigure = 1u << 16  ///< one per figure, first number only: whether the figure is present
 };
@@ -132,8 +132,8 @@ class PixelSampler {
     return mixed(seed_, static_cast<std::uint32_t>(dimension) + static_cast<std::uint32_t>(which));
   }
 
-  /// Returns the index for sample_point of one of the pixel's points, where each sample has `times`
-  /// points.
+  /// Returns the index, for sample_point, of the pixel's point number `point`; each sample has
+  /// `times` points.
   std::uint32_t index(int point, int times = 1) const {
     return index_of(point, static_cast<std::uint32_t>(times) * samples_);
   }

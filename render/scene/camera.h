@@ -26,7 +26,7 @@ struct Camera {
   float focus_distance = 5.0f;   ///< along the axis, metres; needs an aperture
   int width = 960;               ///< pixels
   int height = 540;              ///< pixels
-  std::optional<Window> window;  ///< the part to render, as in the whole picture; none: all
+  std::optional<Window> window;  ///< the part to render, in pixels of the whole picture; none: all
 };
 
 /// Returns the part of the picture that is rendered.

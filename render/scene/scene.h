@@ -14,8 +14,8 @@ struct Material {
   float specular_f0 = 0.0f;  ///< reflectance at normal incidence (F0) of a GGX lobe, 0 (none) … 0.1
   float roughness = 0.5f;    ///< roughness of that lobe, 0.2 … 1 (alpha = roughness²)
 
-  /// Radiance emitted towards the camera in all directions; it lights nothing else. With a black
-  /// albedo the surface shows exactly this colour.
+  /// Radiance emitted equally in all directions. Only the camera sees it; it lights nothing. With a
+  /// black albedo the surface shows exactly this colour.
   Color emission{0.0f, 0.0f, 0.0f};
   int texture = -1;  ///< index into Scene::textures that multiplies the albedo of meshes; −1: none
 
@@ -136,7 +136,7 @@ struct Sky {
 /// and a tracer renders them once for each set and camera.
 struct Scene {
   std::vector<Material> materials;
-  std::vector<const Texture*> textures;   ///< outlive the scene
+  std::vector<const Texture*> textures;   ///< must outlive the scene
   std::vector<Figure> figures{Figure{}};  ///< at most 32
   std::vector<Part> parts{Part{}};
   Solids solids;

@@ -5,11 +5,11 @@
 
 namespace mien::render {
 
-/// How the mean over seeds of a quantity compares with its mean by camera and shadow rays alone
-/// (reference.h).
+/// How a quantity's mean over seeds compares with its mean in pictures that are rendered by camera
+/// and shadow rays alone (reference.h).
 enum class Accuracy {
-  exact,     ///< the same, up to rounding, and without noise
-  unbiased,  ///< the same
+  exact,     ///< equal up to rounding, and without noise
+  unbiased,  ///< equal
   biased     ///< differs by at most the bound
 };
 
@@ -31,12 +31,13 @@ struct ContractRow {
 
 inline constexpr BiasBound no_bias{0.0, 0.0, 0.0};
 
-/// Of the sky's light on the floor, beside spheres and round cones that touch the floor.
+/// Bias as a share of the sky's light on the floor, beside spheres and round cones that touch the
+/// floor.
 inline constexpr BiasBound floor_sky_bias{0.07, 0.02, 0.007};
 
-/// Of the light on the floor, in blocks of 10 x 10 pixels of a picture of 80 x 60: radiance and
-/// fading are evaluated at the pixel's centre. Largest below the horizon, where the floor fades
-/// within few pixels; more pixels make it smaller.
+/// Bias as a share of the light on the floor, in blocks of 10 x 10 pixels of a picture of 80 x 60.
+/// It arises because radiance and fading are evaluated at the pixel's centre; it is largest below
+/// the horizon, where the floor fades within few pixels, and smaller in larger pictures.
 inline constexpr BiasBound floor_light_bias{0.003, 0.003, 0.003};
 
 /// Every quantity of which a picture is made. The model is that of the reference: Lambert surfaces

@@ -55,7 +55,7 @@ class Engine {
   SceneBackground background_for(const Scene& scene, const Camera& camera, const Quality& quality);
 
   /// Builds the acceleration structures and culling masks of a picture. The background and its
-  /// solids, if any, outlive the result.
+  /// solids, if any, must outlive the result.
   PreparedScene prepare(const Scene& scene, const Camera& camera, const Quality& quality,
                         const StaticBackground& background, const EmbreeScene* static_solids,
                         Shapes shapes, const Solids& solids);

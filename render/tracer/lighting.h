@@ -85,8 +85,8 @@ void shadow_static_solid(const PreparedScene& prepared, const Sample& sample,
 void shadow_floor(const PreparedScene& prepared, const FloorSamples& batch,
                   ShadowRayQueue& shadow_rays, LineShadowQueue& line_shadows);
 
-/// Adds the backdrop or floor that a ray shows to the pixel's background, and queues the shadow
-/// rays for everything that may occlude light from it.
+/// Adds the backdrop or floor that a ray shows to the pixel's background, and queues shadow rays
+/// for the light that figures or static solids may keep from it.
 void add_unshadowed_background(const PreparedScene& prepared, const Sample& sample,
                                const CameraFrame& camera, const CameraRay& ray,
                                ShadowRayQueue& shadow_rays);

@@ -27,9 +27,9 @@ struct SharedLine {
 };
 
 /// Wide penumbrae vary so little within a pixel that four of its samples share a line. With two
-/// samples per pixel, in penumbrae twice as wide, the four samples of two pixels share one, and in
-/// penumbrae four times as wide the eight of 2 × 2 pixels. With one sample per pixel, up to 4 × 4
-/// pixels share a line.
+/// samples per pixel, the four samples of two pixels share a line in penumbrae twice as wide, and
+/// the eight samples of 2 × 2 pixels in penumbrae four times as wide. With one sample per pixel, up
+/// to 4 × 4 pixels share a line.
 SharedLine shared_line(const TileLineShadows& tile, int samples_per_pixel);
 
 /// A block of pixels that share a line, aligned to multiples of its size: a power of two of
@@ -83,7 +83,8 @@ class LineShadowQueue {
   const TileLineShadows& of_tile() const { return tile_; }
 
   /// Queues the line of `sample`, on behalf of the `samples` samples of the pixel that share it.
-  /// Where pixels share lines, only counts the samples; their block is queued later.
+  /// Where several pixels share a line, this only counts the samples; the line of their block is
+  /// queued later.
   void enqueue(FloorPixel& pixel, int sample, int samples);
 
   /// Queues the lines of all samples of a pixel.

@@ -5,14 +5,14 @@
 
 namespace mien::render {
 
-/// Renders the pixels of `part` by camera and shadow rays alone: what all other rendering is tested
-/// against (light/contract.h).
+/// Renders the pixels of `part` by camera and shadow rays alone: the reference for the tests of all
+/// other rendering (contract.h).
 ///
-/// Each sample is one camera ray. At what it meets, one point of each light and one direction of
-/// the sky are chosen, and a shadow ray is cast towards each. Nothing is shared between samples or
-/// pixels, interpolated, known in closed form or kept from other pictures; the floor's lines are
-/// seen as they are at the ray's end. Of the prepared scene the shapes, the camera and the filter
-/// are used, and neither its background nor its masks.
+/// Each sample is one camera ray. For the point that it hits, one point of each light and one
+/// direction of the sky are chosen, and a shadow ray is cast towards each. Nothing is shared
+/// between samples or pixels, interpolated, known in closed form or kept from other pictures; the
+/// floor's lines are seen as they are at the ray's end. Of the prepared scene the shapes, the
+/// camera and the filter are used, and neither its background nor its masks.
 void draw_reference(const PreparedScene& prepared, const Tile& part, const Canvas& canvas);
 
 }  // namespace mien::render

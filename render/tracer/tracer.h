@@ -46,8 +46,9 @@ struct View {
   Camera camera;
   Quality quality;
 
-  /// Motion blur: the solids and the camera when the shutter closes. They move there in straight
-  /// lines from `scene` and `camera`, where it opens. The set stays as in `scene`.
+  /// Motion blur: the solids and the camera when the shutter closes. They move in straight lines
+  /// from their positions in `scene` and `camera`, which hold when it opens. The set stays as in
+  /// `scene`.
   std::optional<Scene> closing;
   std::optional<Camera> closing_camera;
 };

@@ -21,8 +21,9 @@ struct FrameRate {
   bool operator==(const FrameRate&) const = default;
 };
 
-/// The fraction nearest to `per_second` that a video can have (denominator 1 or 1001, else up to
-/// 1000). Throws std::invalid_argument when it is not positive.
+/// The fraction nearest to `per_second` that a video can have: with denominator 1 or 1001 if one of
+/// these fits, otherwise with a denominator up to 1000. Throws std::invalid_argument when it is not
+/// positive.
 FrameRate frame_rate(double per_second);
 
 /// The encoder's effort to make files small: `fast` is for drafts.
@@ -48,9 +49,9 @@ struct VideoFormat {
 /// Lossy kinds are yuv420p, BT.709, limited range; lossless ones RGB; all are tagged so where their
 /// container can. MP4 has its index at the front and no B frames, so that players which ignore edit
 /// lists show the right times. Matroska, WebM and WebP store times in milliseconds, GIF in
-/// hundredths of a second; each frame is shown at the nearest such time. A GIF has one palette,
-/// computed from all frames, and ordered dither; its frames are kept in a temporary file
-/// "<path>.frames.mkv" until finish().
+/// hundredths of a second; each frame is shown at the nearest time that can be stored. A GIF has
+/// one palette, computed from all frames, and ordered dither; its frames are kept in a temporary
+/// file "<path>.frames.mkv" until finish().
 ///
 /// A writer destroyed before finish() leaves an unusable file behind.
 class VideoWriter {

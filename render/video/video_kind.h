@@ -37,7 +37,7 @@ const VideoTraits& traits_of(VideoKind kind);
 /// "x.mp4" is mp4; "x.png" is none.
 std::optional<VideoKind> video_kind_of(const std::filesystem::path& file);
 
-/// A path with the extension of a kind.
+/// The path `stem` with the ending of a kind appended.
 std::filesystem::path with_ending(std::filesystem::path stem, VideoKind kind);
 
 }  // namespace mien::render

@@ -60,9 +60,8 @@ class FrameSketcher {
 
   FrameSimilarity similarity(const FrameSketch& a, const FrameSketch& b) const;
 
-  int tile_edge() const {
-    return edge_;
-  }  ///< pixels, and sampled rows; also the size of SSIM's windows
+  /// Edge of a tile and of SSIM's windows: pixels across, and as many sampled rows down.
+  int tile_edge() const { return edge_; }
   int tile_count() const { return across_ * down_; }
 
  private:

@@ -54,9 +54,9 @@ Action action_of(const motion::Clip& clip);
 ///
 /// `front` faces the figure, `side` sees it walk from left to right, `three-quarter` is between
 /// them; `follow` is the three-quarter camera following the figure, `orbit` circles once around the
-/// action. Position and target, or a path, replace the view; a screen determines field of view and
-/// distance instead of the framing. Cameras of a stereo pair are half as wide. Throws Error for an
-/// unknown view.
+/// action. Position and target, or a path, replace the view; a screen in the settings determines
+/// field of view and distance, in place of the framing. The pictures of a stereo pair are half as
+/// wide as `size`. Throws Error for an unknown view.
 CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
                           std::array<int, 2> size);
 

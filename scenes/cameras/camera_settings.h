@@ -41,10 +41,11 @@ struct CameraSettings {
   std::string view = "three-quarter";    ///< one of `camera_names`
   bool orthographic = false;             ///< orthographic projection
   std::optional<double> fov_degrees;     ///< vertical field of view; default: 26
-  std::optional<motion::Vec3> position;  ///< with `target`: replaces that of the view
+  std::optional<motion::Vec3> position;  ///< replaces the view, together with `target`
   std::optional<motion::Vec3> target;
   std::vector<CameraKey> path;  ///< at least two keys, ascending in time; replaces the view
-  /// Two pictures side by side, the left eye's on the left.
+  /// Distance between the cameras of a stereo pair, whose pictures are side by side, the left eye's
+  /// on the left; empty: one camera.
   std::optional<double> stereo_separation_m;
   std::optional<ScreenSettings> screen;
   std::optional<double> figure_px;             ///< height of the standing figure; sets the distance

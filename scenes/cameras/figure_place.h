@@ -11,7 +11,8 @@ namespace mien::scenes {
 
 /// The figure's position in the picture: the point on the floor below the centre of the action, or
 /// below the figure if the cameras follow it; pixels right of and below the picture's centre (of a
-/// stereo pair: the mean of both). Nothing if it is behind the first camera.
+/// stereo pair: the mean of the positions in both pictures). Nothing if it is behind the first
+/// camera.
 std::optional<std::array<double, 2>> figure_place(const CameraRig& rig);
 
 /// Bounding box of the action over all frames, including the body's thickness, in pixels from the

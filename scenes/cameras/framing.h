@@ -15,15 +15,15 @@ struct Lens {
   std::array<int, 2> size{960, 540};  ///< pixels
 };
 
-/// A camera at `position` that looks at `target`. An orthographic one has the height of the view at
-/// the target's distance.
+/// A camera at `position` that looks at `target`. An orthographic camera covers the height that a
+/// perspective one with this field of view covers at the target's distance.
 render::Camera look_at_camera(const motion::Vec3& position, const motion::Vec3& target,
                               const Lens& lens);
 
-/// The camera that is placed in the direction `towards` (unit) so that all points, as spheres with
-/// a radius of `margin` metres, fill the picture except for a margin of 12 %. Each side plane of
-/// the view pyramid touches the outermost sphere, so distance and shift follow from the extremes
-/// without a search.
+/// A camera in the direction `towards` (unit) from the points, at such a distance that all points,
+/// as spheres with a radius of `margin` metres, fill the picture except for 12 % of its width or
+/// height. Each side plane of the view pyramid touches the outermost sphere, so distance and shift
+/// follow from the extremes without a search.
 render::Camera framing(const std::vector<motion::Vec3>& points, double margin,
                        const motion::Vec3& towards, const Lens& lens);
 

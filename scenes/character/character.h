@@ -25,7 +25,8 @@ struct Character {
   std::vector<render::Material> materials;
   std::vector<render::Texture> textures;
 
-  /// Rotation of each joint of the body in the bind pose, world space: a T-pose has none.
+  /// Rotation of each joint of the body in the bind pose, world space; identities if that is a
+  /// T-pose.
   std::array<motion::Quat, motion::body_joint_count> bind_rotations;
 
   /// Depth of the mesh's soles below those of the body (motion/skeleton/sole.h) in the rest pose,

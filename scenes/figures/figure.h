@@ -66,7 +66,7 @@ struct PointLightOptions {
       .not_in_overlays = "the point lights of several motions cannot be told apart"};
 
   /// "standard": head, shoulders, elbows, wrists, hips, knees and ankles, the 13 of Cutting 1978;
-  /// "all": every joint; empty: those of `joints`.
+  /// "all": every joint; empty: the joints listed in `joints`.
   std::string joint_set = "standard";
   std::vector<std::string> joints;  ///< names of the skeleton's joints, and "HeadTop"
 
@@ -76,8 +76,8 @@ struct PointLightOptions {
   bool dark_on_light = false;  ///< dots darker than the background
   /// Michelson contrast of dots and background, 0 … 1; the lighter of the two is white.
   double contrast = 1.0;
-  std::string colour;      ///< "#rrggbb" of the dots; empty: by polarity and contrast
-  std::string background;  ///< "#rrggbb" of the background; empty: by polarity and contrast
+  std::string colour;      ///< "#rrggbb" of the dots; empty: from dark_on_light and contrast
+  std::string background;  ///< "#rrggbb" of the background; empty: from dark_on_light and contrast
 
   /// Limited lifetime: frames that a dot keeps its position on the body before it moves to a random
   /// position on any limb (Beintema & Lappe 2002); dots change asynchronously. 0: unlimited, on the
@@ -115,8 +115,8 @@ struct TrailOptions {
 
   BodyFigure figure;
 
-  /// Number of poses that stay visible, evenly spread over the clip, each from its own time on; the
-  /// last picture shows them all.
+  /// Number of poses that stay visible, evenly spread over the clip. Each appears at its time in
+  /// the clip and stays, so that the last picture shows them all.
   int poses = 6;
 
   int before = 0;                   ///< onion skin: number of poses before the present one

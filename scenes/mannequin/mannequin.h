@@ -22,8 +22,8 @@ struct Mannequin {
   render::Texture paint;
 };
 
-/// Makes a mannequin for the canonical body (`is_body`) with its own bone lengths; expensive, so
-/// call it once per shot.
+/// Makes a mannequin for `body`, which must be the canonical body (motion::is_body), with any bone
+/// lengths. Expensive, so call it once per shot.
 ///
 /// Its colours are those of the stick figure, with less difference between left and right limbs;
 /// the face contrasts, so that its direction can be seen.
@@ -53,9 +53,9 @@ std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body);
 Surface largest_component(Surface surface);
 
 /// The texture of a mannequin. u is the side of the body (0 right … 0.5 midline … 1 left), v the
-/// depth inside the face (above 0.5) or outside (below). Both change smoothly over the surface, and
-/// the texture has sharp borders across them: the borders on the body are clean curves however
-/// large its triangles are.
+/// signed depth inside the outline of the face, above 0.5 inside it and below 0.5 outside. Both
+/// change smoothly over the surface, and the texture has sharp borders across them: the borders on
+/// the body are clean curves however large its triangles are.
 render::Texture mannequin_paint(const FigureColours& colours);
 
 /// The texture coordinates of a vertex in the bind pose.

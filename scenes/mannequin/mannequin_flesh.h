@@ -32,7 +32,7 @@ double signed_distance(const Flesh& flesh, const motion::Vec3& point);
 /// are raised by `collar_lift`. The soles touch y = 0.
 motion::Pose modelling_pose(const motion::Skeleton& body);
 
-/// The implicit surface of a body in its `modelling_pose`, of which `pose` has the transforms:
+/// The implicit surface of a body in its `modelling_pose`, whose joint transforms are `pose`:
 /// widths and shapes of an adult, modelled by eye, scaled to the body's stature and bones. The
 /// soles are those of motion/skeleton/sole.h.
 Flesh flesh_of(const motion::Skeleton& body, const motion::JointTransforms& pose,

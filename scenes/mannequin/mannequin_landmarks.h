@@ -6,7 +6,7 @@
 namespace mien::scenes {
 
 /// Frame of the trunk between hips and shoulders, independent of where the rig places its spine
-/// joints (in some all at the pelvis, in some at the neck).
+/// joints (some place them all at the pelvis, others at the neck).
 ///
 /// Levels are heights above the hips on the standard body, whose shoulders lie at `shoulder_level`;
 /// they are scaled to other bodies. Metres at a stature of 1.75 m unless said otherwise.
@@ -26,7 +26,7 @@ struct Trunk {
   /// hips.
   double waist() const;
 
-  /// World position of (left, level, forward).
+  /// World position of a point given as (distance to the left, level, distance forward).
   motion::Vec3 at(const motion::Vec3& place) const;
 };
 

@@ -14,7 +14,7 @@ struct DotColours {
   render::Color background;
 };
 
-/// The colours stated in the options or, by default, derived from polarity and contrast.
+/// The colours stated in the options or, by default, derived from dark_on_light and contrast.
 DotColours dot_colours(const PointLightOptions& options);
 
 /// Appends the dots at a frame, in exactly their colour under any lighting: discs that are parallel

@@ -28,8 +28,8 @@ struct DotStage {
 ///
 /// First timing (constant speed, random phase, reversal), then geometry (rotation, mirroring,
 /// inversion, scrambling), then noise and mask dots. Random positions lie within the figure's
-/// extent, and travel is preserved: positions and phases are randomised for a figure that walks in
-/// place. Scrambled dots together have the extent and the centre of the figure.
+/// extent, and travel is preserved: it is removed before positions and phases are randomised, and
+/// added again afterwards. Scrambled dots together have the extent and the centre of the figure.
 ///
 /// Throws Error for a joint that the clip's skeleton does not have, and for limited lifetimes of
 /// dots that are scrambled or share no limb.

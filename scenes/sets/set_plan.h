@@ -24,8 +24,8 @@ struct KeyLight {
 /// A side of the figure.
 enum class Side { left, right, front, back };
 
-/// An upright wall that the figure faces with one side. It is omitted from pictures whose camera is
-/// behind it.
+/// An upright wall at one side of the figure. It is omitted from pictures whose camera is behind
+/// the wall.
 struct Wall {
   Side side = Side::left;
   double distance_m = 1.4;  ///< from the centre of the action

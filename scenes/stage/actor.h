@@ -16,7 +16,8 @@ namespace mien::scenes {
 
 /// Calls `draw`, which appends solids to a scene, and makes them a separate figure with this name
 /// and opacity: solids of part 0 get a part "body" of the figure, and parts that `draw` appends
-/// belong to the figure. In a scene without solids the figure replaces the scene's first one.
+/// belong to the figure. In a scene without solids the figure takes the place of the scene's first,
+/// empty figure.
 void draw_as_figure(render::Scene& scene, const std::string& name, float opacity,
                     const std::function<void()>& draw);
 
@@ -44,7 +45,7 @@ struct Actor {
 Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role);
 
 /// Appends an actor to a scene as a separate figure. After the end of its clip the actor stands
-/// still. A trail is drawn with its length at frame `made_at`.
+/// still. A trail has the ghosts and traces of frame `made_at`.
 void add_actor(render::Scene& scene, const Actor& actor, int frame, int made_at,
                const render::Camera& camera);
 

@@ -7,7 +7,8 @@ namespace mien::scenes {
 /// The arrangement of several actors on one stage.
 enum class Layout { superimposed, side_by_side };
 
-/// Whether the camera looks along the lanes, so that figures side by side occlude each other.
-bool looks_along_lanes(const CameraSettings& camera);
+/// Whether the camera looks across the lanes of figures side by side, so that they occlude each
+/// other.
+bool looks_across_lanes(const CameraSettings& camera);
 
 }  // namespace mien::scenes

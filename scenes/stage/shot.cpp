@@ -170,7 +170,7 @@ motion::Clip on_the_spot(motion::Clip clip, const motion::Vec3& step) {
   return clip;
 }
 
-bool looks_along_lanes(const CameraSettings& camera) {
+bool looks_across_lanes(const CameraSettings& camera) {
   return camera.view == "side" && camera.path.empty() && !camera.position;
 }
 
@@ -190,7 +190,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   const std::string not_together = kind_of(look.figure).not_in_overlays;
   if (together && !not_together.empty())
     throw Error(not_together, "give them another figure, or render them separately");
-  if (together && look.layout == Layout::side_by_side && looks_along_lanes(look.camera)) {
+  if (together && look.layout == Layout::side_by_side && looks_across_lanes(look.camera)) {
     throw Error("figures side by side hide each other in a side view",
                 "choose front, three-quarter or follow, or layout: superimposed");
   }

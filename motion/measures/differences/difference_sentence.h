@@ -9,8 +9,9 @@ namespace mien::motion {
 /// The largest change of a motion in one line: "left forearm twisted by up to 1.0°, at 0.43 s".
 ///
 /// Changes of the whole motion take precedence: delayed or missing frames, a different frame rate,
-/// exchanged sides, a displaced figure; then the joint with the largest local rotation, or a
-/// changed bone, and sliding feet. "no difference" when there is none.
+/// exchanged sides, a displaced figure. Otherwise the line names a changed bone or, if there is
+/// none, the joint with the largest local rotation, and in addition a sliding foot. It is "no
+/// difference" if the motions are identical.
 std::string largest_change(const MotionDifference& difference);
 
 /// "1.0°", "0.25°", "under 0.001°"

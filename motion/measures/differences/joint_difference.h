@@ -31,7 +31,7 @@ struct JointPoints {
   Vec3 up;
 };
 
-/// The maximum of a curve and its first frame.
+/// The maximum of a curve (values ≥ 0), and the first frame in which it is reached.
 struct CurvePeak {
   double value = 0.0;
   int frame = 0;
@@ -42,21 +42,21 @@ double root_mean_square(std::span<const double> curve);
 
 /// Differences of one joint; curves have one value per frame that both motions have
 /// (PairedMotions). Poses are compared without alignment unless stated otherwise. Exactly zero
-/// where the two are equal.
+/// where both motions are equal.
 struct JointDifference {
   std::string name;  ///< in the first skeleton: "LeftForeArm"
   int index = 0;     ///< in the first skeleton
   std::string part;  ///< body part, "left forearm"; the joint's name if unknown
   int parent = -1;   ///< index into the same list; −1 none
 
-  std::vector<double> position_m;    ///< distance between the joint's positions, world space
-  std::vector<double> point_m;       ///< largest distance between its JointPoints, world space
+  std::vector<double> position_m;    ///< distance between the joint's two positions, world space
+  std::vector<double> point_m;       ///< likewise, the largest of its three JointPoints' distances
   std::vector<double> aligned_m;     ///< distance of the joint after Procrustes alignment of the
                                      ///< second pose with the first in each frame
   std::vector<double> velocity_m_s;  ///< largest velocity difference of its JointPoints, world
   // Local changes of the joint itself, without those of its ancestors.
   std::vector<double> turn_radians;   ///< of its local rotation (for the root, in world space)
-  std::vector<double> twist_radians;  ///< twist component of it about the bone
+  std::vector<double> twist_radians;  ///< twist component of this rotation change about the bone
   std::vector<double> offset_m;       ///< of its position relative to its parent; 0 for the root
 
   /// Whether its rotation or offset relative to its parent differs by more than the rounding of

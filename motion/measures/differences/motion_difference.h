@@ -65,7 +65,7 @@ struct FeatureDifference {
 /// Everything is exactly zero or empty for equal motions. Distances are symmetric if both have the
 /// same frame rate, except `aligned_m` and `pa_mpjpe`, which are at the scale of the first motion.
 struct MotionDifference {
-  bool identical = false;  ///< all numbers of both are exactly equal
+  bool identical = false;  ///< whether all numbers of one exactly equal those of the other
   /// Whether both were mapped to the canonical body because their rigs differ; the mapping
   /// (calibration, floor) is then part of the comparison.
   bool on_body = false;
@@ -112,8 +112,8 @@ std::vector<FeatureDifference> feature_differences(const FeatureValues& before,
 /// ancestors, sorted by rotation in descending order.
 std::vector<int> causes(const MotionDifference& difference);
 
-/// Whether a joint is the body's root or its ancestor, so that its translation moves the whole
-/// figure instead of changing a bone.
+/// Whether a joint is the body's root or an ancestor of it, so that its translation moves the
+/// whole figure instead of changing a bone.
 bool carries_body(const MotionDifference& difference, int joint);
 
 /// Whether only the root's position or orientation differs.

@@ -61,7 +61,7 @@ WholeBodyChange after_level_fit(WholeChange kind, const std::vector<Vec3>& from,
           .turn_radians = fit.turn_radians,
           .shift = fit.shift,
           .before = rms_apart(from, to),
-          .left = rms_apart(there, to)};
+          .remaining = rms_apart(there, to)};
 }
 
 /// RMS angle between the turns of all joints on their parents and those of others.
@@ -88,8 +88,8 @@ std::optional<WholeBodyChange> swapped_turns(const PairedMotions& pair, const Sk
   change.kind = WholeChange::swapped_turns;
   change.before = rms_turned(pair, before, now, false);
   if (change.before < least_turned) return std::nullopt;
-  change.left = rms_turned(pair, before, now, true);
-  if (change.left > left_of_a_mirror * change.before) return std::nullopt;
+  change.remaining = rms_turned(pair, before, now, true);
+  if (change.remaining > left_of_a_mirror * change.before) return std::nullopt;
   return change;
 }
 
@@ -109,11 +109,11 @@ std::optional<WholeBodyChange> scaled(const std::vector<Vec3>& before,
   std::vector<Vec3> there;
   for (const Vec3& point : before) there.push_back(change.scale * point);
   change.before = rms_apart(before, now);
-  change.left = rms_apart(there, now);
+  change.remaining = rms_apart(there, now);
   const bool is_other_unit = std::abs(std::log(change.scale)) > std::log(least_factor);
   // In the smaller of both units: of a figure that shrank, little is left whatever else it does.
   const double most_left = left_of_a_move * std::min(1.0, change.scale) * change.before;
-  return is_other_unit && change.left <= most_left ? std::optional(change) : std::nullopt;
+  return is_other_unit && change.remaining <= most_left ? std::optional(change) : std::nullopt;
 }
 
 /// Or scaled.
@@ -128,7 +128,7 @@ std::optional<WholeBodyChange> moved(const PairedMotions& pair) {
   if (before == now || before.size() < 2) return std::nullopt;
   if (const auto change = scaled(before, now)) return change;
   const WholeBodyChange change = after_level_fit(WholeChange::moved, before, now, false);
-  const bool explains = change.before > 1e-6 && change.left <= left_of_a_move * change.before;
+  const bool explains = change.before > 1e-6 && change.remaining <= left_of_a_move * change.before;
   return explains ? std::optional(change) : std::nullopt;
 }
 
@@ -145,12 +145,13 @@ WholeBodyChange whole_change(const PairedMotions& pair, const Skeleton& before,
   if (const auto change = moved(pair)) return *change;
   if (!has_sides(pair)) return {};
   const SidedPaths paths = sided_paths(pair);
-  const double apart = after_level_fit(WholeChange::moved, paths.before, paths.now, false).left;
+  const double apart =
+      after_level_fit(WholeChange::moved, paths.before, paths.now, false).remaining;
   WholeBodyChange best;
   double least = left_of_a_mirror;
   const auto consider = [&](const WholeBodyChange& change, double without) {
-    if (change.left >= least * without) return;
-    least = change.left / without;
+    if (change.remaining >= least * without) return;
+    least = change.remaining / without;
     best = change;
     best.before = without;
   };

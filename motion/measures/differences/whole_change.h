@@ -28,9 +28,10 @@ struct WholeBodyChange {
   WholeChange kind = WholeChange::none;
   double turn_radians = 0.0;  ///< about +Y, from `horizontal_fit` (similarity.h)
   Vec3 shift = Vec3::Zero();  ///< metres, applied after the rotation
-  double scale = 1.0;   ///< scale factor if `scaled`: 10 if one metre before is ten metres now
-  double before = 0.0;  ///< RMS distance of the joints before applying the transformation, metres
-  double left = 0.0;  ///< the same after applying it; for `swapped_turns` both are angles, radians
+  double scale = 1.0;      ///< scale factor if `scaled`: 10 if one metre before is ten metres now
+  double before = 0.0;     ///< RMS distance of the joints without the transformation, metres; for
+                           ///< `swapped_turns` RMS angle, radians
+  double remaining = 0.0;  ///< what remains of `before` after the transformation, same unit
 };
 
 WholeBodyChange whole_change(const PairedMotions& pair, const Skeleton& before,

@@ -33,7 +33,7 @@ struct PairedMotions {
   double frames_per_second = 30.0;  ///< of the first motion
   SampledMotion before;             ///< its original frames
   SampledMotion now;  ///< resampled to the first motion's frame rate if the rates differ
-  int frames = 0;     ///< number of frames in both
+  int frames = 0;     ///< number of frames that both have
 
   double seconds(int frame) const { return frame / frames_per_second; }
 };
@@ -46,9 +46,9 @@ PairedMotions paired(const Clip& before, const Clip& now);
 /// Whether both frame rates are equal within the rounding of files.
 bool same_rate(double before, double now);
 
-/// A joint's frame relative to its nearest shared ancestor, or to the world if it has none. Where
-/// the skeletons agree, the numbers are taken directly from the poses, so that equal poses yield
-/// exactly equal frames.
+/// A joint's coordinate frame relative to its nearest shared ancestor, or to the world if it has
+/// none. Where the skeletons agree, the numbers are taken directly from the poses, so that equal
+/// poses yield exactly equal coordinate frames.
 struct LocalFrame {
   Vec3 offset;
   Quat rotation;

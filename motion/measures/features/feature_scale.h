@@ -20,8 +20,8 @@ enum class FeatureScaling {
 /// Makes features of different units comparable: (value − origin) / span, feature by feature.
 struct FeatureScale {
   FeatureValues origin{};
-  FeatureValues span{};  ///< 0 if all examples are equal; NaN if an example lacks the feature
-  double of_constant = 0.5;
+  FeatureValues span{};      ///< 0 if all examples are equal; NaN if an example lacks the feature
+  double of_constant = 0.5;  ///< scaled value of a feature whose span is 0
 };
 
 /// Fits the scale to at least one example. Differences below 1e-6 (in the feature's unit) are

@@ -22,10 +22,10 @@ struct MotionSummary {
   double frames_per_second = 0.0;
   double duration_seconds = 0.0;
   std::vector<std::string> joint_names;  ///< of the file
-  std::vector<std::string> takes;  ///< names of the motions in the file; empty if it names none
-  std::string take;                ///< name of the summarised motion
-  bool is_human = false;           ///< whether the figure was recognised
-  std::string rig;                 ///< rig family; "unknown" if not human
+  std::vector<std::string> takes;        ///< names of the animations; empty unless a glTF file
+  std::string take;                      ///< name of the summarised motion
+  bool is_human = false;                 ///< whether the figure was recognised
+  std::string rig;                       ///< rig family; "unknown" if not human
   double confidence = 0.0;
   std::vector<JointSummary> joints;  ///< of the canonical body; empty if not human
   double height_m = 0.0;             ///< standing height of the skeleton; 0 if not human

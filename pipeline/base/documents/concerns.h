@@ -29,7 +29,8 @@ namespace mien::pipeline {
 /// - `by(key, value, concerns, Form())`: a value with a custom notation: Form has static functions
 ///   `read(DocumentValue, value)`, `write(value, WritingOptions)` and, if the value has members,
 ///   `walk(names)`;
-/// - `inside(value, concerns, Form())`: a custom notation whose members are in the same map.
+/// - `inside(value, concerns, Form())`: a custom notation whose members are written in the map of
+///   the struct itself, among its other options.
 ///
 namespace concerns {
 enum : unsigned {
@@ -41,9 +42,9 @@ enum : unsigned {
   shown = 1U << 4,       ///< what a video shows in addition to the film
   files = 1U << 5,       ///< which files are written, but not their contents
   page = 1U << 6,        ///< sheets, tables and the report
-  drawing = 1U << 7,     ///< rendering settings, among those that affect the picture
+  drawing = 1U << 7,     ///< rendering settings (a part of those of `picture`)
 
-  // Not artifacts, but how the option is written:
+  // These do not concern artifacts, but how the option is written:
   required = 1U << 16,  ///< required by the schema, so it is always written
   alone = 1U << 17,     ///< its value may be written in place of the whole map
 

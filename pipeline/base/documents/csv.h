@@ -39,8 +39,8 @@ int find_column(const CsvTable& table, std::string_view name);
 int require_column(const CsvTable& table, std::string_view name);
 
 /// Renames a column from its former to its present name, in tables written before the change, and
-/// returns a warning. Does nothing if there is no column with the former name, or one with the
-/// present name.
+/// returns a warning. Does nothing if no column has the former name or if a column has the present
+/// name already.
 std::optional<Fault> rename_column(CsvTable& table, std::string_view former, std::string_view now);
 
 /// Position of a field, for messages.
@@ -49,8 +49,8 @@ Place place_of(const CsvTable& table, const CsvField& field);
 /// The field as a finite number. Throws Error.
 double number_in(const CsvTable& table, const CsvField& field);
 
-/// The numbers in a column of a table written by mien, by the stimulus in the first column. Throws
-/// Error for a missing column or a field that is not a number.
+/// The numbers in a column of a table that mien wrote. Their keys are the stimuli, which are in the
+/// first column. Throws Error for a missing column or a field that is not a number.
 std::map<std::string, double> stimulus_numbers(const std::filesystem::path& file,
                                                std::string_view column);
 

@@ -25,7 +25,8 @@ class FaultList {
 
   std::vector<Fault> take() { return std::move(faults_); }
 
-  /// Adds a fault at a value's location, or at that of its nearest enclosing value in the document.
+  /// Adds a fault at a value's location or, if the document does not contain the value, at that of
+  /// the nearest enclosing one.
   void add(const std::string& path, std::string wrong, std::string remedy);
   /// Adds a fault at the location of a member's name.
   void add_at_key(const std::string& path, std::string wrong, std::string remedy);
@@ -36,8 +37,8 @@ class FaultList {
   /// reason for that has been reported already.
   void check_known_name(const std::string& path, const std::string& name, const std::string& what,
                         const std::vector<std::string>& known);
-  /// Adds a fault unless the file exists and has at most `most_bytes` bytes. `expected` states in
-  /// the remedy what may be named.
+  /// Adds a fault unless the file exists and has at most `most_bytes` bytes. `expected` names the
+  /// kind of file that is expected; the remedy quotes it.
   void check_file(const std::string& path, const std::filesystem::path& file,
                   const std::string& expected, std::uintmax_t most_bytes);
 

@@ -16,14 +16,15 @@ using motion::ResultFile;
 /// because the user's input is not at fault.
 std::string read_file(const std::filesystem::path& file);
 
-/// Throws Error if the path is not a regular file, since reading a pipe or device might never end.
+/// Throws Error if something exists at the path that is not a regular file, since reading a pipe or
+/// device might never end.
 void refuse_special_file(const std::filesystem::path& file);
 
 /// Creates or replaces a file atomically (ResultFile). Throws WriteFailure, also on a full disk.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// Replaces a file atomically without flushing it to disk: for records that are rewritten every few
-/// seconds. `next` is the path of the temporary file, which is removed also on failure. Throws
+/// seconds. `next` is the path of the temporary file, which does not remain even on failure. Throws
 /// WriteFailure.
 void replace_file(const std::filesystem::path& file, const std::filesystem::path& next,
                   std::string_view bytes);

@@ -20,8 +20,8 @@ std::string html_list(std::string_view css_class, const std::vector<std::string>
 /// align them.
 std::string html_table(std::initializer_list<std::string_view> heads, const std::string& rows);
 
-/// A vector drawing as part of the page, in an img element of its own, because inline drawings on
-/// one page would share the names of their glyphs.
+/// A vector drawing as an img element that contains it as a data URI. (Inline drawings on one page
+/// would share the names of their glyphs.) `alternative` is the text shown if images are not.
 std::string embedded_svg(std::string_view svg, std::string_view alternative);
 
 /// Bytes in base64 (RFC 4648).

@@ -6,8 +6,8 @@
 namespace mien::pipeline {
 
 /// The folder of a page ("questionnaire") bundled by page/build.mjs: ../share/mien/pages/<name>
-/// relative to an installed program, pages/<name> next to one in the build folder. Empty if neither
-/// exists.
+/// relative to the folder of an installed program, or pages/<name> in the folder of a program that
+/// was built but not installed. Empty if neither exists.
 std::filesystem::path page_beside(const std::filesystem::path& program, const std::string& name);
 
 /// The bundle's folder for the running program. If it does not exist, throws Error, which states

@@ -21,7 +21,7 @@ std::string member_path(const std::string& path, std::string_view key);
 /// "stimuli" + 2 = "stimuli[2]".
 std::string element_path(const std::string& path, std::size_t index);
 
-/// The location of a value, or of its nearest enclosing value in the document.
+/// The location of a value or, if the document does not contain it, of the nearest enclosing one.
 Place place_of(const Places& places, std::string path);
 
 /// The location of a member's key, or that of its value if the key has none.

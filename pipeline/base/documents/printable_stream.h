@@ -12,9 +12,9 @@ enum class StreamReader {
   program    ///< a file or a pipe: only control characters are escaped, so that JSON stays valid
 };
 
-/// An output stream that forwards text to another one and escapes what a terminal would interpret,
-/// since file names and other texts in it may contain control sequences. Line ends and tabs are
-/// kept. Fails if the other stream fails. Thread-safe.
+/// An output stream that forwards text to another stream and escapes what a terminal would
+/// interpret, since file names and other texts in it may contain control sequences. Line ends and
+/// tabs are kept. Fails if the other stream fails. Thread-safe.
 class PrintableStream : public std::ostream {
  public:
   /// `target` must outlive the stream.
@@ -27,8 +27,8 @@ class PrintableStream : public std::ostream {
   std::unique_ptr<Buffer> buffer_;
 };
 
-/// Sends a control sequence of the program itself, such as clearing the line, to a terminal behind
-/// the stream.
+/// Writes a control sequence of the program itself, such as clearing the line, to a terminal. It is
+/// not escaped, even if `out` is a PrintableStream.
 void put_control(std::ostream& out, std::string_view sequence);
 
 }  // namespace mien::pipeline

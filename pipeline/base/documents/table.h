@@ -33,7 +33,7 @@ struct TableForm {
 /// becomes the columns `<prefix><name>`.
 inline constexpr std::string_view column_of_each = "*";
 
-/// The columns' names. A column `factor_*` stands for one of each of `names`.
+/// The columns' names. A column declared as `factor_*` becomes one column for each of `names`.
 std::vector<std::string> header_of(const TableForm& form,
                                    const std::vector<std::string>& names = {});
 
@@ -52,8 +52,8 @@ struct WrittenTable {
 /// "simulated" or "given": the origin of the ratings, answers or sessions on which a row is based.
 std::string origin_text(bool is_simulated);
 
-// Values as fields of tables. Numbers are the shortest decimals that read back as the same, and
-// empty if not finite; Booleans are 1 or 0; missing values are empty.
+// Values as fields of tables. Numbers are the shortest decimals that read back as the same number,
+// and empty if not finite; Booleans are 1 or 0; missing values are empty.
 
 std::string field_text(double number);
 inline std::string field_text(std::string text) { return text; }
@@ -139,7 +139,8 @@ struct Table {
     return fields;
   }
 
-  /// The table with a row for each of a range of `Row`s; `names` are those of repeated columns.
+  /// The table with a row for each element of `all`, a range of `Row`s. `names` complete the names
+  /// of repeated columns (header_of).
   WrittenTable of(auto&& all, const std::vector<std::string>& names = {}) const {
     CsvWriter writer(header_of(form(), names));
     for (const Row& row : all) writer.row(fields_of(row));
@@ -168,9 +169,9 @@ constexpr Table<Row, count> table_of(std::string_view path, std::string_view row
   return {path, rows, columns};
 }
 
-/// A p value for tables: the shortest decimal that reads back as the same ("0.034", "3.2e-15"),
-/// "< 1e-300" below that, including values too small for a double, and "" for NaN. Never "0", since
-/// no tested result has that probability.
+/// A p value for tables: the shortest decimal that reads back as the same number ("0.034",
+/// "3.2e-15"), "< 1e-300" if it is smaller than that, including values too small for a double, and
+/// "" for NaN. Never "0", since no tested result has that probability.
 std::string p_field(double p);
 
 /// A p value for reports, rounded for reading: "0.034", "3.2e-15", "< 1e-300", "–" for NaN.

@@ -15,7 +15,7 @@ namespace mien::pipeline {
 struct ViewPosition {
   double right;
   double up;
-  double depth;
+  double depth;  ///< distance away from the viewer
 };
 
 /// A chain of bones drawn in one stroke, or the head.

@@ -4,7 +4,7 @@
 
 namespace mien::pipeline {
 
-/// Versions of the libraries that draw pages, "1.16.0", without loading them.
+/// Return the versions of Cairo and Pango, which draw pages, as "1.16.0", without loading them.
 std::string cairo_library();
 std::string pango_library();
 

@@ -7,7 +7,7 @@
 
 namespace mien::pipeline {
 
-/// Merges a map into a struct: options that it does not contain stay unchanged.
+/// Merges a map into a struct: options that the map does not contain stay unchanged.
 class FieldReader {
  public:
   explicit FieldReader(const DocumentValue& given) : given_(given) {}

@@ -16,7 +16,7 @@ struct FieldEntry {
   std::string path;  ///< within the struct: "presentation.card.text"
   unsigned concerns = concerns::nothing;
   OrderedJson value;                         ///< null if omitted
-  std::vector<std::filesystem::path> files;  ///< for a key: files that it names
+  std::vector<std::filesystem::path> files;  ///< for an artifact's key: files named by the value
 };
 
 /// Writes all options of a struct.

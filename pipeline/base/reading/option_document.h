@@ -11,11 +11,11 @@
 
 namespace mien::pipeline {
 
-// Command-line options that correspond to a document's options: each consists of a key and its YAML
-// text.
+// Command-line options that correspond to a document's options. Together, as lines "key: value",
+// they form a YAML document.
 
-/// The document formed by these options, checked against the schema. Throws Faults, worded as by
-/// `as_option_faults`.
+/// The document formed by such options, `yaml`, checked against the schema. Throws Faults, worded
+/// as by `as_option_faults`.
 JsonReading read_options(const std::string& yaml, const nlohmann::json& schema,
                          const Environment& environment);
 

@@ -35,7 +35,7 @@ struct SchemaNode {
 SchemaNode root_of(const nlohmann::json& schema);
 
 /// The node with $ref resolved and, for a oneOf of types, the branch that accepts `value`'s type. A
-/// union without such a branch is returned unchanged.
+/// oneOf without such a branch is returned unchanged.
 SchemaNode resolved_schema(SchemaNode node, const nlohmann::json& value);
 
 /// The schema of a member of an object, or of the elements of an array. `node` must have been
@@ -44,7 +44,7 @@ SchemaNode member_schema(SchemaNode node, const std::string& key);
 SchemaNode element_schema(SchemaNode node);
 
 /// The present name of a member, given a former name for which the schema states it: "faintest":
-/// {"deprecated": true, "x-now": "min_opacity"}. `node` must be resolved_schema.
+/// {"deprecated": true, "x-now": "min_opacity"}. `node` must have been resolved.
 std::optional<std::string> name_now(SchemaNode node, const std::string& former);
 
 /// Whether the schema accepts a string.
@@ -54,7 +54,7 @@ bool accepts_text(SchemaNode node);
 std::vector<Fault> check_schema(const nlohmann::json& document, const nlohmann::json& schema,
                                 const Places& places);
 
-/// Faults of one value, without those of its members and elements. `path` is the value's.
+/// Faults of one value, without those of its members and elements. `path` is that of the value.
 std::vector<Fault> explain(const nlohmann::json& value, SchemaNode node, const std::string& path,
                            const Places& places);
 

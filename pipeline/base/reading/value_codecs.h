@@ -101,7 +101,7 @@ struct ValueCodec<std::filesystem::path> {
   }
 };
 
-/// Numbers by name, in the order of the document.
+/// Values by name, in the order of the document.
 template <class Value>
 struct ValueCodec<std::vector<std::pair<std::string, Value>>> {
   static void read(const DocumentValue& given, std::vector<std::pair<std::string, Value>>& value) {

@@ -15,7 +15,7 @@ namespace mien::pipeline {
 /// A YAML document as JSON, by the core schema of YAML 1.2: plain scalars become null, booleans
 /// (true, false), numbers or text. Environment variables are expanded first; an expanded scalar
 /// becomes text where the schema accepts text, even if it looks like a number. Members that are
-/// written with a former name have their present name.
+/// written with a former name are stored with the present one.
 struct JsonReading {
   nlohmann::json document;
   Places places;

@@ -12,7 +12,7 @@
 namespace mien::pipeline {
 
 /// Turns the YAML parser's marks, whose columns count bytes, into places, whose columns count
-/// characters. Text and file name must outlive it. Not thread-safe.
+/// characters. Text and file name must outlive this object. Not thread-safe.
 class YamlPlaces {
  public:
   YamlPlaces(std::string_view text, const std::string& file);

@@ -4,9 +4,8 @@
 
 namespace mien::pipeline {
 
-/// Reliability of ratings of stimuli (Shrout and Fleiss 1979), also for raters who each saw only
-/// part of the stimuli. NaN where undefined. Estimates may be negative; they are not truncated at
-/// 0.
+/// Reliability of ratings of stimuli (Shrout and Fleiss 1979), also if not every rater saw all
+/// stimuli. NaN where undefined. Estimates may be negative; they are not truncated at 0.
 struct Intraclass {
   int stimuli = 0;
   int raters = 0;
@@ -35,10 +34,10 @@ Intraclass intraclass(const Eigen::MatrixXd& answers);
 /// Agreement of raters about the stimuli on one scale. NaN where undefined: fewer than two raters
 /// or stimuli, or all answers equal.
 struct Agreement {
-  int complete_raters = 0;  ///< raters who rated every stimulus; alpha and icc_2_k are of these
-  double alpha = 0.0;       ///< Cronbach 1951, raters as items; equals ICC(3,k)
-  double icc_2_k = 0.0;     ///< ICC(2,k) of the mean of these raters
-  Intraclass all;           ///< based on all answers, including those of incomplete raters
+  int complete_raters = 0;  ///< number of raters who rated every stimulus
+  double alpha = 0.0;       ///< of complete raters: Cronbach 1951, raters as items; equals ICC(3,k)
+  double icc_2_k = 0.0;     ///< of complete raters: ICC(2,k) of their mean
+  Intraclass all;           ///< of all raters, including incomplete ones
 };
 
 /// Cronbach's alpha of a complete table, stimuli × raters: k/(k − 1)·(1 − Σ variance of a rater /

@@ -28,7 +28,7 @@ double cut_height(const Linkage& linkage, int clusters);
 double rand_index(const Partition& a, const Partition& b);
 
 /// Rand index corrected for chance (Hubert and Arabie 1985): 1 for equal partitions, 0 on average
-/// for unrelated ones. 1 if both consist of one group, or both of single items.
+/// for unrelated ones. 1 if both consist of one group, or if in both every group is a single item.
 double adjusted_rand_index(const Partition& a, const Partition& b);
 
 }  // namespace mien::pipeline

@@ -9,11 +9,12 @@ struct ShareInterval {
 };
 
 /// Confidence interval of a proportion given `successes` in `trials` (Wilson 1927), without
-/// continuity correction. Successes may be fractional (points). 0 … 1 without trials.
+/// continuity correction. `successes` need not be a whole number. 0 … 1 without trials.
 ShareInterval wilson(double successes, double trials, double confidence = 0.95);
 
 /// Exact two-sided binomial test of `successes` against the probability `chance`: the total
-/// probability of all outcomes that are no more probable, as in R's binom.test. 1 without trials.
+/// probability of all outcomes that are no more probable than the observed one, as in R's
+/// binom.test. 1 without trials.
 double binomial_test(int successes, int trials, double chance);
 
 }  // namespace mien::pipeline

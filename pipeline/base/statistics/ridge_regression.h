@@ -25,8 +25,8 @@ RidgeModel fit_ridge(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& v
 
 double predicted(const RidgeModel& model, const Eigen::RowVectorXd& predictors);
 
-/// Leverage of a prediction, its distance from the observations: 1/n + zᵀ(ZᵀZ + penalty·I)⁻¹z. For
-/// an observation it is its weight in its own prediction, below 1.
+/// Leverage of a prediction, its distance from the observations: 1/n + zᵀ(ZᵀZ + penalty·I)⁻¹z. The
+/// leverage of a fitted observation is the weight of its value in its own prediction: below 1.
 double leverage(const RidgeModel& model, const Eigen::RowVectorXd& predictors);
 
 /// Penalties from n/1000 to 1000·n for n observations, evenly spaced on a logarithmic scale.
@@ -34,20 +34,21 @@ std::vector<double> penalty_choices(int observations);
 
 /// The largest penalty whose cross-validated sum of squared errors exceeds the least by at most one
 /// standard error (one-standard-error rule, Breiman et al. 1984), because with few observations the
-/// minimum is unreliable. Observations of a group are held out together; `group` gives that of each
-/// observation. All observations are used for standardisation.
+/// minimum is unreliable. Observations of a group are held out together; `group` contains the group
+/// of each observation. All observations are used for standardisation.
 double best_penalty(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& values,
                     std::span<const int> group);
 
 /// Predictions of observations by models fitted without them.
 struct CrossValidation {
   Eigen::VectorXd predicted;
-  Eigen::VectorXd mean_predicted;  ///< mean of the other groups, for comparison
+  Eigen::VectorXd mean_predicted;  ///< mean value of the other groups, for comparison
   Eigen::VectorXd penalty;         ///< chosen for each observation without its group
 
   double rmse(const Eigen::VectorXd& values) const;
   double mean_rmse(const Eigen::VectorXd& values) const;
-  /// 1 − Σ(y − ŷ)²/Σ(y − mean of the others)²: 0 is no better than the mean, and it may be less.
+  /// 1 − Σ(y − ŷ)²/Σ(y − mean of the others)²: 0 means no better than that mean, and negative
+  /// values mean worse.
   double r_squared(const Eigen::VectorXd& values) const;
 };
 

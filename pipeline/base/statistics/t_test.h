@@ -24,7 +24,8 @@ bool all_equal(const std::vector<double>& values);
 /// infinite and p is 0; if all are 0, t is NaN and p is 1.
 TTest paired_t_test(const std::vector<double>& differences);
 
-/// t test of two independent samples with unequal variances (Welch 1947). Each needs two values.
+/// t test of two independent samples with unequal variances (Welch 1947). NaN if either has fewer
+/// than two values.
 TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b);
 
 /// Cohen's d_z (1988): mean of paired differences over their standard deviation (n − 1).

@@ -20,25 +20,28 @@ enum class WilcoxonZeros {
 
 /// The signed-rank test of paired differences.
 struct Wilcoxon {
-  int pairs = 0;        ///< number of all differences
-  int used = 0;         ///< number of differences that are not 0
-  int zeros = 0;        ///< number of differences of 0
-  int tied = 0;         ///< number of ranked differences whose absolute value occurs more than once
-  double w_plus = 0.0;  ///< sum of the mid-ranks of the positive differences: the V of R
+  int pairs = 0;  ///< number of all differences
+  int used = 0;   ///< number of differences that are not 0
+  int zeros = 0;  ///< number of differences of 0
+  int tied = 0;   ///< number of differences, not 0, whose absolute value occurs more than once
+  /// Sum of the mid-ranks of the positive differences: the V of R. With WilcoxonZeros::zsplit, half
+  /// the sum of the ranks of zeros is added to W+ and half to W−.
+  double w_plus = 0.0;
   double w_minus = 0.0;  ///< sum of the mid-ranks of the negative differences
   double z = 0.0;        ///< z statistic of the normal approximations; 0 for the exact mode
   double p = 1.0;        ///< two-sided; 1 when every difference is 0, NaN without differences
-  /// (W+ − W−)/(W+ + W−), matched pairs (Kerby 2014): −1 … 1; NaN without differences.
+  /// (W+ − W−)/(W+ + W−) without the ranks of zeros, matched pairs (Kerby 2014): −1 … 1; 0 if every
+  /// difference is 0, NaN without differences.
   double rank_biserial = 0.0;
 };
 
 /// Tests whether the differences are distributed symmetrically about 0. Ties get mid-ranks. The
 /// exact distribution is counted by dynamic programming over doubled ranks, in O(n³): a few
-/// thousand pairs are feasible. With zeros::wilcox and ties the normal variance is n(n+1)(2n+1)/24
-/// − Σ(t³ − t)/48; in general it is a quarter of the sum of the squared ranks of the differences
-/// that are not 0 or, with zeros::zsplit, as in SciPy, of all differences. The exact distribution
-/// is conditional on ties and zeros, so that zsplit and pratt have the same exact p. The
-/// differences must be finite.
+/// thousand pairs are feasible. With WilcoxonZeros::wilcox and ties the normal variance is
+/// n(n+1)(2n+1)/24 − Σ(t³ − t)/48; in general it is a quarter of the sum of the squared ranks of
+/// the differences that are not 0 or, with WilcoxonZeros::zsplit, as in SciPy, of all differences.
+/// The exact distribution is conditional on ties and zeros, so that zsplit and pratt have the same
+/// exact p. The differences must be finite.
 Wilcoxon wilcoxon(const std::vector<double>& differences, WilcoxonMode mode = WilcoxonMode::exact,
                   WilcoxonZeros zeros = WilcoxonZeros::wilcox);
 

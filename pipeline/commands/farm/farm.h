@@ -16,7 +16,7 @@ struct FarmArguments {
   std::string quality;  ///< empty: that of the manifest
 };
 
-/// The options for the manifest, --out and --quality.
+/// The argument for the manifest and the options --out and --quality.
 std::vector<CommandOption> farm_options(FarmArguments& arguments);
 
 /// The study of a farm command. Paths are absolute, because jobs start in other folders.

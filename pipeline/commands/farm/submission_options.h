@@ -33,13 +33,13 @@ const JournalSubmission* last_accepted(const JournalContent& journal);
 /// Error for an invalid value.
 JournalSubmission requested_submission(const SubmissionOptions& options, JournalSubmission earlier);
 
-/// Throws Error if an element requests more processors than any node of its partition has, since
-/// its job would never start. Accepts any number if sinfo fails.
+/// Throws Error if an array task requests more processors than any node of its partition has, since
+/// it would never start. Accepts any number if sinfo fails.
 void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm);
 
 /// The remaining tasks of a study, and information for estimating their duration.
 struct DueWork {
-  std::vector<bool> is_due;           ///< by task
+  std::vector<bool> is_due;           ///< for each task: whether it remains
   std::map<std::string, int> frames;  ///< number of frames of each film, by its task
   ProgressByFilm film_progress;       ///< progress of films that have been started
   double pace = 1.0;                  ///< measured seconds per estimated second of a task
@@ -48,16 +48,16 @@ struct DueWork {
   bool is_done(const FarmStudy& study) const;
 };
 
-/// All tasks whose artifacts are missing from the store, without frames that are stored or assigned
-/// to live jobs. Films keep the number of chunks used by those jobs.
+/// The tasks whose artifacts are missing from the store. Frames that are stored or assigned to live
+/// jobs are not due again. Films keep the number of chunks used by those jobs.
 DueWork due_work(FarmStudy& study, const JournalSubmission& requested,
                  const std::vector<JobStatus>& statuses);
 
 /// The stages of all tasks, including completed ones.
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& requested);
 
-/// A submission of the remaining tasks that fits into Slurm's queue. If elements are lengthened for
-/// that reason, prints a message. Throws Error if the submission does not fit.
+/// A submission of the remaining tasks that fits into Slurm's queue. If array tasks (elements) take
+/// longer for that reason, prints a message. Throws Error if the submission does not fit.
 Submission fitting_submission(const FarmStudy& study, const StudyCall& call, const DueWork& work,
                               const ItemNeeds& needs, const JournalSubmission& requested,
                               const SlurmSite& site, const std::vector<QueueRow>& queue,

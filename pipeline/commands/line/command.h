@@ -41,13 +41,13 @@ struct CommandOption {
   double largest = std::numeric_limits<double>::infinity();  ///< upper limit, inclusive
   std::optional<std::pair<int, int>> value_count;            ///< number of values per use
   bool has_commas = false;                                   ///< values are separated by commas
-  std::string excluded;  ///< option that must not be used together with it
-  std::string needed;    ///< option that it requires
+  std::string excluded;  ///< option that must not be used together with this one
+  std::string needed;    ///< option that this one requires
   std::string group;     ///< heading in --help
   std::function<std::string(const std::string&)>
       fault;  ///< returns why a value is invalid, or empty
   std::vector<std::string>* given =
-      nullptr;  ///< if set, the option's name is appended when it is used
+      nullptr;  ///< where to append the option's name when it is used; may be null
 
   bool is_argument() const { return names.empty(); }
   bool takes_number() const { return value == "INT" || value == "UINT" || value == "FLOAT"; }
@@ -75,8 +75,9 @@ CommandOption flag(const std::string& names, BoundVariable variable, std::string
 /// A required positional argument.
 CommandOption argument(std::string name, BoundVariable variable, std::string help);
 
-/// An option whose value is one of `words`. `take` is called with the index of the word. Error
-/// messages for other values list the words.
+/// An option whose value is one of `words`. `take` is called with the index of the word. For
+/// another value, the error message suggests the most similar word or, if none is similar, lists
+/// the words.
 CommandOption choice_of(const std::string& names, std::vector<std::string> words, std::string help,
                         std::function<void(std::size_t)> take);
 

@@ -28,8 +28,8 @@ std::vector<std::string> manifest_names(const std::filesystem::path& folder);
 std::optional<std::filesystem::path> find_named_file(const std::filesystem::path& folder,
                                                      const std::string& name);
 
-/// Returns `name` if that file exists; otherwise the path of the installed file of that name, with
-/// a message on `console.err`; otherwise `name`.
+/// Returns `name` if that file exists. If not, returns the path of the installed file of that name
+/// and prints a message on `console.err`. If there is none either, returns `name`.
 std::string resolve_input_file(const std::string& name, const Console& console);
 
 /// Like resolve_input_file, for a manifest. Throws Error for a single word that is neither a file

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// Command-line arguments of `run` and `plan`.
+/// Command-line arguments of `run`, `plan` and other commands that need the artifacts of a study.
 struct ProductionArguments {
   std::string manifest;
   std::string out = "out";
@@ -26,7 +26,7 @@ CommandOption quality_option(std::string& quality);
 
 std::vector<CommandOption> production_options(ProductionArguments& arguments);
 
-/// The subset of these options that selects the study and the number of threads.
+/// Those of production_options that select the study, its quality and the number of threads.
 std::vector<CommandOption> manifest_options(ProductionArguments& arguments);
 
 int jobs_of(const ProductionArguments& arguments);

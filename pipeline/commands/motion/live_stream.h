@@ -46,8 +46,8 @@ class MotionSink {
     lines,  ///< the frames' lines alone
   };
 
-  /// Writes to `file`, or to `out` if its name is empty. The file is written under a temporary name
-  /// and renamed by `publish`; otherwise it is removed.
+  /// Writes to `file`, or to `out` if `file` is empty. The file is written under a temporary name
+  /// and renamed by `publish`; without a call of `publish`, it is removed.
   MotionSink(std::ostream& out, std::filesystem::path file, Form form);
   ~MotionSink() = default;
   MotionSink(const MotionSink&) = delete;
@@ -84,8 +84,10 @@ struct LiveOptions {
   std::string name;  ///< name of the source in messages
   motion::Modification modification;
   motion::PathScope scope = motion::PathScope::body;
-  std::optional<double> delay_ms;                ///< delay, ms; empty: the shortest possible
-  std::optional<motion::Recording> calibration;  ///< a recording of the stream's rig
+  std::optional<double> delay_ms;  ///< delay, ms; empty: the shortest possible
+  /// A recording of the stream's rig, with which the retargeting is calibrated; empty: it is
+  /// calibrated with the stream's first frame.
+  std::optional<motion::Recording> calibration;
   bool measure = false;  ///< keep all frames and compare them with offline processing at the end
 };
 

@@ -24,7 +24,7 @@ struct StudyArguments {
 };
 
 /// Runs the study, compares it with its baseline and writes the report. Returns exit code 1 if
-/// anything differs; throws Error.
+/// anything differs, otherwise 0. Throws Error, for example if there is no baseline.
 int regress_study(const StudyArguments& arguments, const Console& console);
 
 /// Stores the current state of the study as its baseline. Returns the exit code.

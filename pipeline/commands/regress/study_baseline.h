@@ -15,12 +15,14 @@ struct FoundBaseline {
   std::unique_ptr<ScratchFolder> scratch;  ///< only for a baseline from git
 };
 
-/// The folder to which approved stimuli are written. Throws Error for the name of a commit.
+/// The folder to which approved stimuli are written: `given`, or the default folder if `given` is
+/// empty. Throws Error if `given` names a commit.
 std::filesystem::path new_baseline(const std::string& given, const Manifest& manifest);
 
-/// The baseline for `--baseline`: a folder, or a branch, tag or commit of the manifest's git
-/// repository, whose default folder is used; the default folder if `given` is empty. Throws Error
-/// if there is no baseline.
+/// The baseline named by `given`, the value of `--baseline`. If it names a folder, that folder; if
+/// it names a branch, tag or commit of the manifest's git repository, the default folder
+/// (baselines/<study> next to the manifest) as committed there; if it is empty, the default folder.
+/// Throws Error if there is no baseline.
 FoundBaseline find_baseline(const std::string& given, const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -14,8 +14,8 @@ struct ElementLog {
   std::filesystem::path file;
 };
 
-/// The newest log of each element that contains the item, from the newest submission that has such
-/// logs. If the item is a task ("film:walk"), logs of its chunks are included. `folder`: the
+/// The newest log of each element whose items include `item`, from the newest submission that has
+/// such logs. If the item is a task ("film:walk"), logs of its chunks are included. `folder`: the
 /// study's.
 std::vector<ElementLog> find_logs(const std::string& item, const std::filesystem::path& folder);
 

@@ -32,7 +32,7 @@ struct StudyState {
   std::filesystem::path folder;
   std::string graph_key;       ///< graph_key of the study (submission.h)
   std::set<std::string> done;  ///< tasks whose artifacts exist
-  bool is_complete = false;    ///< all artifacts exist, including the study's record
+  bool is_complete = false;    ///< all artifacts exist, including provenance.json
   std::string words;           ///< the study's arguments in suggested commands: "my.yaml --out o"
 };
 

@@ -17,7 +17,7 @@ struct JobStatus {
   enum class Kind {
     live,        ///< at least one element is pending or running
     ended,       ///< all elements have ended, successfully or not
-    lost,        ///< unknown to Slurm although no element has written a log; its ID may be reused
+    lost,        ///< accepted, but now unknown to Slurm, and no element has written a log
     unconfirmed  ///< the client stopped before Slurm's answer was recorded, and the job is
                  ///< unknown to Slurm
   };
@@ -72,8 +72,8 @@ std::vector<std::string> removable_submissions(const std::vector<JobStatus>& sta
                                                const std::set<std::string>& due,
                                                const std::filesystem::path& folder);
 
-/// Removes the batch files, lists, notes and logs of submissions; their journal entries remain.
-/// Returns the number of removed folders. `folder`: the study's.
+/// Removes the batch files, task lists, recorded exit codes and logs of submissions; their journal
+/// entries remain. Returns the number of removed folders. `folder`: the study's.
 int remove_submissions(const std::vector<std::string>& numbers,
                        const std::filesystem::path& folder);
 

@@ -10,7 +10,7 @@ namespace mien::pipeline {
 
 /// The record that a worker process writes every few seconds, and its age.
 struct WorkerReport : WorkerRecord {
-  bool has_ended = false;
+  bool has_ended = false;     ///< proven: recorded, or the process no longer exists (is_gone)
   double report_age_s = 0.0;  ///< seconds since its last record
 
   /// Whether the worker is active: it has not ended and its last record is recent.

@@ -42,10 +42,10 @@ struct BatchJob {
 /// items are in `<name>.tasks`, logs are written to log/, and ends/ has a file for each element
 /// that failed.
 ///
-/// The job forwards SIGTERM. It is requeued after worker_transient, at most most_restarts times,
-/// and held after worker_wrong_setup. It waits while the study's folder is full, read-only or
-/// unavailable (job_attempts.h), is requeued if the folder does not become usable, and is finally
-/// held.
+/// The job forwards SIGTERM to the program it runs. It is requeued after worker_transient, at most
+/// most_restarts times, and held after worker_wrong_setup. It waits while the study's folder is
+/// full, read-only or unavailable (job_attempts.h), is requeued if the folder does not become
+/// usable, and is finally held.
 std::string batch_script(const BatchJob& job, const std::filesystem::path& folder,
                          const StudyCall& call, const JobRequest& request, const SlurmSite& site);
 

@@ -50,7 +50,7 @@ class Slurm {
   /// Like queue(), but returns nothing and sets `why` if Slurm is not installed or does not answer.
   std::optional<std::vector<QueueRow>> queue_if_any(std::string& why) const;
 
-  /// Submits a batch file to run after all of these jobs have ended, successfully or not, and
+  /// Submits a batch file to run once all jobs in `after` have ended, successfully or not, and
   /// returns its job ID. `more`: additional options of sbatch. Throws SlurmQueueFull if Slurm
   /// kept refusing it, and SlurmTimeout if it is unknown whether it was submitted.
   std::string submit(const std::filesystem::path& script, const std::vector<std::string>& after,

@@ -5,7 +5,7 @@ namespace mien::pipeline {
 // Exit codes of `mien farm worker` (most numbers as in sysexits.h), and the reaction of its job.
 inline constexpr int worker_bad_input = 65;  ///< the job is not repeated
 inline constexpr int worker_disk_unavailable =
-    74;                                        ///< full, read-only or unavailable: the job waits
+    74;  ///< the disk is full, read-only or unavailable: the job waits
 inline constexpr int worker_transient = 75;    ///< stopped, or a fault of the machine: requeued
 inline constexpr int worker_wrong_setup = 78;  ///< the job is held until a user releases it
 inline constexpr int worker_gave_up = 70;  ///< exit code of a job after too many transient failures

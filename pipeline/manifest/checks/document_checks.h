@@ -13,9 +13,9 @@ namespace mien::pipeline {
 /// The kind of document that a YAML file contains.
 enum class DocumentKind { manifest, scales, set, recipes };
 
-/// Returns the kind whose schema knows most of the document's keys. If no schema knows any of them,
-/// the kind follows from the file name (my.scales.yaml, my.set.yaml, my.recipes.yaml), with
-/// manifest as the default.
+/// Returns the kind whose schema knows the largest number of the document's keys, where keys that
+/// the schema requires count twice. If no schema knows any of them, the kind follows from the file
+/// name (my.scales.yaml, my.set.yaml, my.recipes.yaml), with manifest as the default.
 DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name);
 
 /// Returns the fault for a file of another kind that was given as a manifest, with advice on how to

@@ -51,8 +51,8 @@ std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocab
 /// mutually exclusive settings. The study's scales must have been read.
 std::vector<Fault> check_questionnaire(const Manifest& manifest);
 
-/// Returns one fault for all stimuli that a questionnaire shows as videos and that are not written
-/// in any format that browsers play.
+/// Returns a single fault for those stimuli shown as videos by a questionnaire that are not written
+/// in any format that browsers play; none if there are no such stimuli.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);
 
 /// Returns warnings about valid but probably unintended settings of a questionnaire: attention

@@ -22,7 +22,7 @@ void check_layout(const Overlay& overlay, FaultList& list) {
     list.add_at_key(opacity, "figures side by side cannot be transparent",
                     "omit it, or use layout: superimposed");
   }
-  if (!scenes::looks_along_lanes(overlay.film.look.camera)) return;
+  if (!scenes::looks_across_lanes(overlay.film.look.camera)) return;
   list.add(member_path(overlay.film.path, "layout"),
            "figures side by side hide each other in a side view",
            "choose camera: front, three-quarter or follow");

@@ -9,13 +9,14 @@
 
 namespace mien::pipeline {
 
-/// Adds the faults of a motion file and of its take (empty: none). `path` is its path in the
-/// manifest, of the file name itself or of a map with `file:`.
+/// Adds the faults of a motion file and of its take; `take` is empty if none is selected. `path` is
+/// the path, in the manifest, of the file name or of the map that contains the file name as
+/// `file:`.
 void check_motion_file(const std::string& path, const std::filesystem::path& file,
                        const std::string& take, FaultList& list);
 
-/// Adds a fault if a take is given (empty: none) for a motion file whose format holds only one
-/// motion. `path` is the path of the take in the manifest.
+/// Adds a fault if a take is selected (`take` is not empty) although the motion file's format holds
+/// only one motion. `path` is the path of the take in the manifest.
 void check_take(const std::string& path, const std::filesystem::path& file, const std::string& take,
                 FaultList& list);
 
@@ -23,9 +24,9 @@ void check_take(const std::string& path, const std::filesystem::path& file, cons
 /// only files of which a take or a frame is requested, and ignores other faults of the manifest.
 std::vector<Fault> check_recordings(const Manifest& manifest);
 
-/// Returns a warning for each motion file with several takes of which none is selected; it names
-/// the default take. Reads only files that may hold several takes, and skips those that cannot be
-/// read.
+/// Returns a warning, which names the default take, for each motion file with several takes of
+/// which none is selected. Reads only files that may hold several takes, and skips those that
+/// cannot be read.
 std::vector<Fault> default_take_warnings(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -9,8 +9,8 @@ namespace mien::pipeline {
 
 /// Names that a manifest's values may refer to.
 struct Vocabulary {
-  std::vector<std::string> parameters;  ///< groups and scales
-  std::vector<std::string> features;    ///< groups and features
+  std::vector<std::string> parameters;  ///< rated groups of scales, then rated scales
+  std::vector<std::string> features;    ///< groups of features, then features
   std::vector<std::string> examples;
   std::vector<std::string> file_stems = {};  ///< file stems of the motions in the examples' folder
   bool knows_examples = true;                ///< false: the list of examples may be incomplete

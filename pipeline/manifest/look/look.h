@@ -30,10 +30,12 @@ struct Look {
   Colours colours = Colours::neutral;
 };
 
-/// Returns the name of the set, including the default one.
+/// Returns the name of the look's set or, if the look names none, of the default set of its
+/// figure's kind.
 std::string scene_of(const Look& look);
 
-/// Returns the set of the shot, with the background that the look or point lights require.
+/// Returns the set of the shot, with the background that the look states or that a point-light
+/// figure (dots) requires.
 scenes::SetPlan staged_set(const Look& look);
 
 }  // namespace mien::pipeline

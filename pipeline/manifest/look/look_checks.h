@@ -16,7 +16,8 @@ namespace mien::pipeline {
 /// The sets named by the looks of one document, by name and file, so that each is read once.
 using ReadSets = std::map<std::pair<std::string, std::filesystem::path>, scenes::SetPlan>;
 
-/// The characters named by the looks of one document that have been checked successfully.
+/// Those of the character files named by the looks of one document that have been checked
+/// successfully.
 using CheckedFiles = std::set<std::filesystem::path>;
 
 /// Reads the set that a look names; `path` is the path of the look in the document. Returns the
@@ -24,8 +25,8 @@ using CheckedFiles = std::set<std::filesystem::path>;
 std::vector<Fault> resolve_set(Look& look, const std::string& path, const Places& places,
                                ReadSets& sets);
 
-/// Returns faults of a look that the schema cannot express. `joints` are the valid joint names for
-/// point lights and traces; empty if they are unknown until the motion is read.
+/// Returns faults of a look that the schema cannot express. `joints` are the joint names that
+/// point-light figures and traces may use; empty if they are unknown until the motion is read.
 std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places,
                               const std::vector<std::string>& joints, CheckedFiles& characters);
 

@@ -17,7 +17,7 @@ void fields_of(auto&& field, MaybeConst<scenes::MannequinOptions> auto& mannequi
   field("sex", mannequin.sex, concerns::picture);
 }
 
-/// `joints:` of point lights: a keyword or a list.
+/// `joints:` of a point-light figure: a keyword or a list.
 struct JointsForm {
   static void read(const DocumentValue& given, scenes::PointLightOptions& dots);
   static nlohmann::ordered_json write(const scenes::PointLightOptions& dots,

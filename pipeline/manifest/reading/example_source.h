@@ -19,7 +19,7 @@ void refuse_unblendable(const Examples& examples);
 /// Parses the argument of --weights: "normal=0.6,proud=0.4". Throws Error.
 NamedValues parse_weights(const std::string& text);
 
-/// For help texts.
+/// The syntax of parse_examples, for help texts.
 inline constexpr char examples_help[] =
     "builtin:walks-10, a folder, or a quoted pattern such as 'captures/*walk*.bvh'";
 

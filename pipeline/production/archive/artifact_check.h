@@ -14,8 +14,8 @@ namespace mien::pipeline {
 struct ArtifactCheck {
   std::vector<Finding> findings;
   std::uint64_t bytes = 0;  ///< bytes read
-  int videos = 0;           ///< number of files decoded
-  int pictures = 0;         ///< number of files decoded
+  int videos = 0;           ///< number of videos decoded
+  int pictures = 0;         ///< number of pictures decoded
 };
 
 /// Hashes and decodes a file. `video`: the video's entry in its film's record, if the file is a

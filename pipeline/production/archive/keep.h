@@ -34,7 +34,7 @@ inline constexpr ArtifactKindName artifact_kinds[] = {{ArtifactKind::videos, "vi
                                                       {ArtifactKind::sheets, "sheets"},
                                                       {ArtifactKind::metrics, "metrics"}};
 
-/// The result of removing all artifacts of other kinds.
+/// The result of removing all artifacts except those of the kinds to be kept.
 struct Cleaning {
   std::vector<Receipt> removed;  ///< removed or to be removed, by path
   std::vector<Receipt> changed;  ///< not removed, because they have changed since they were made
@@ -50,8 +50,8 @@ int dead_links(const std::filesystem::path& folder, const Cleaning& cleaning);
 /// no receipts.
 Cleaning all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
-/// Removes these artifacts and lists them in the folder as removed on purpose. Artifacts that have
-/// changed since they were made are kept and reported as changed.
+/// Removes the artifacts that `all_but` returns and lists them in the folder as removed on purpose.
+/// Artifacts that have changed since they were made are kept and reported as changed.
 Cleaning remove_all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
 }  // namespace mien::pipeline

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 
 /// A file of a bag's payload.
 struct PayloadFile {
-  std::string path;         ///< in the study's folder
+  std::string path;         ///< relative to the study's folder
   std::uint64_t size = 0;   ///< bytes
   std::string sha256 = {};  ///< empty until it has been computed
 };
@@ -49,15 +49,15 @@ std::vector<PayloadFile> payload_of(const StudyContents& contents);
 ///   quickstart/manifest-sha256.txt, tagmanifest-sha256.txt
 ///
 /// The same study and `info` give the same bytes. Throws Error if the archive's name has an
-/// unsupported extension or lies within the study's folder, Interrupted after a stop request, and
-/// std::runtime_error if a file changes in the meantime or the archive cannot be written; no
-/// archive is left in these cases.
+/// unsupported extension or the archive would be within the study's folder, Interrupted after a
+/// stop request, and std::runtime_error if a file changes while it is packed or the archive cannot
+/// be written; no archive is left in these cases.
 void pack(const StudyContents& contents, const std::vector<PayloadFile>& payload,
           const BagInfo& info, const std::filesystem::path& archive, const std::stop_token& stop,
           const ShareDone& done);
 
-/// Throws the errors of `pack` that concern the archive's name, so that they are reported before
-/// any work.
+/// Throws the errors of `pack` that concern the archive's name and place, so that they are reported
+/// before any work.
 void refuse_archive(const StudyContents& contents, const std::filesystem::path& archive);
 
 }  // namespace mien::pipeline

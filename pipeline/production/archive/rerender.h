@@ -32,7 +32,7 @@ struct FramesToRerender {
 };
 
 /// Returns a uniform random sample of `count` distinct frames of all films, or all frames if there
-/// are no more. The sample depends only on the seed.
+/// are no more than `count`. The sample depends only on the seed.
 std::vector<FramesToRerender> sampled_frames(const std::vector<ComparableFilm>& films, int count,
                                              std::uint64_t seed);
 

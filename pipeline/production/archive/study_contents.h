@@ -41,7 +41,8 @@ struct StudyContents {
 /// study or names files outside its folder.
 StudyContents contents_of(const std::filesystem::path& study);
 
-/// Returns the study's folder, given as for contents_of.
+/// Returns the study's folder, given the folder itself, its provenance.json, or a bag that contains
+/// it.
 std::filesystem::path study_folder_of(const std::filesystem::path& study);
 
 /// Whether a path belongs to bookkeeping and not to the study: the files of the store and the farm.

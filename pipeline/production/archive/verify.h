@@ -27,10 +27,10 @@ std::string_view name_of(Finding::Kind kind);
 
 /// The result of verifying a study.
 struct Verification {
-  int artifacts = 0;  ///< number recorded in the provenance
+  int artifacts = 0;  ///< number of artifacts recorded in the provenance
   int inputs = 0;     ///< number of copies in inputs/
-  int videos = 0;     ///< number decoded
-  int pictures = 0;   ///< number decoded, including the frames of sequences
+  int videos = 0;     ///< number of videos decoded
+  int pictures = 0;   ///< number of pictures decoded, including the frames of sequences
   std::uint64_t bytes = 0;
   std::vector<Finding> findings;  ///< by kind, then by path
 

@@ -38,11 +38,12 @@ motion::Clip playback_clip(const motion::Clip& motion, const Output& output);
 
 inline constexpr char durations_task_id[] = "durations";
 
-/// Path in the store's folder of a JSON file with the duration of all films, in seconds.
+/// Path in the store's folder of a JSON file with the duration, in seconds, to which every film is
+/// cut.
 inline constexpr char duration_record_path[] = ".mien/equalized/duration.json";
 
-/// Reads the duration of all films, in seconds, from that file. Throws if it does not contain a
-/// number.
+/// Reads the duration to which every film is cut, in seconds, from that file. Throws if it does not
+/// contain a number.
 double recorded_duration(const std::filesystem::path& file);
 
 /// Passes the recorded duration in the store's folder to `motions`. Throws if there is none.

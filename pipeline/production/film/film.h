@@ -63,10 +63,11 @@ using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 /// frame waits in between, whatever the length of the shot. If a film is abandoned, the frames in
 /// flight are lost.
 ///
-/// With `store`, stored frames are not rendered again, and each new frame is stored, unless the
-/// output's frame format is none (stored frames are then PNG). The sink receives the stored
-/// pictures, so that a resumed film is identical. Throws Interrupted soon after a stop request, and
-/// whatever the tracer, the store or the sink throw.
+/// With `store`, frames that it contains are not rendered again, and each new frame is stored. If
+/// the output's frame format is none, new frames are not stored, but PNG frames that the store
+/// contains are still used. The sink receives the stored pictures, so that a resumed film is
+/// identical. Throws Interrupted soon after a stop request, and whatever the tracer, the store or
+/// the sink throw.
 void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress);

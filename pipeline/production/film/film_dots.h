@@ -17,7 +17,7 @@ extern const TableForm dots_form;
 /// Returns a table of the dot positions of a shot's point-light figures in every frame.
 std::string dots_csv(const scenes::Shot& shot);
 
-/// Whether a stimulus is shown as point lights.
+/// Whether a stimulus is shown as a point-light figure.
 bool has_dots(const Stimulus& stimulus);
 
 /// The task "dots:<id>", which makes clips/<id>.dots.csv.

@@ -22,8 +22,8 @@ struct Equalized {
   Framing framing;
 };
 
-/// The equalized properties of all films, by stimulus id; empty if a property is not equalized or
-/// has not been computed yet.
+/// The equalized properties of all films, one map per property, by stimulus id. A map is empty if
+/// its property is not equalized or has not been computed yet.
 struct EqualizedFilms {
   std::map<std::string, double> exposure_stops;
   std::map<std::string, double> figure_px;  ///< height of the standing figure in pixels
@@ -32,20 +32,21 @@ struct EqualizedFilms {
   Equalized of(const std::string& stimulus) const;
 };
 
-/// Returns those of the tasks "sizes" and "places" (metrics/sizes.csv, metrics/places.csv:
-/// film_framing.h) and "exposure" (metrics/exposure.csv: film_exposure.h) that `manifest.equalize`
-/// requires. In addition to its table, each writes all equalized properties found so far to
-/// .mien/equalized/<task>.json. They use the equalized duration (clips/finished_motions.h), whose
-/// task precedes them. They read all motions and stage all stimuli. `manifest` and `motions` must
-/// outlive them.
+/// Returns the equalizing tasks that `manifest.equalize` requires, of "sizes" and "places"
+/// (metrics/sizes.csv, metrics/places.csv: film_framing.h) and "exposure" (metrics/exposure.csv:
+/// film_exposure.h). In addition to its table, each task writes all equalized properties found so
+/// far to .mien/equalized/<task>.json. The tasks use the equalized duration
+/// (clips/finished_motions.h), whose task precedes them, read all motions and stage all stimuli.
+/// `manifest` and `motions` must outlive them.
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, FinishedMotions& motions);
 
-/// Returns the ids of these tasks and of the task "durations", for tasks that depend on them.
+/// Returns the ids of the equalizing tasks and of the task "durations", for tasks that depend on
+/// them.
 std::vector<std::string> equalizing_task_ids(const Equalize& equalize);
 
-/// Reads the records of these tasks from the store's folder; the shortest duration is passed to
-/// `motions`. Throws if a record is missing.
+/// Reads the records of the equalizing tasks from the store's folder; the shortest duration is
+/// passed to `motions`. Throws if a record is missing.
 EqualizedFilms equalized_films(const Equalize& equalize, const std::filesystem::path& folder,
                                FinishedMotions& motions);
 

@@ -21,25 +21,26 @@ namespace mien::pipeline {
 /// exposure at which its mean is the geometric mean over all films of the study, or over all with
 /// the same kind of figure.
 ///
-/// Point-light figures with the same number of dots of one size and colour on one set share an
-/// exposure, chosen for the mean over all of them. Otherwise, a scrambled figure, whose dots
-/// occlude each other less, would become darker than its original.
+/// Point-light figures whose dots are equal in number, size and colour and that stand on the same
+/// set share one exposure, chosen for the mean over all of them. With exposures of their own, a
+/// scrambled figure, whose dots occlude each other less, would become darker than its original.
 
 extern const TableForm exposure_form;
 
-/// Returns the exposure, −8 … 8 stops added to that of the tone curve, at which the mean over films
-/// of `mean_luminance` is `wanted`; the nearer limit if there is none.
+/// Returns the exposure, −8 … 8 stops added to that of the tone curve, at which the mean luminance
+/// of these frames is `wanted`; the nearer limit if there is none.
 float stops_for(const std::vector<render::Framebuffer>& films, const render::Tone& tone,
                 double wanted);
 
-/// Finds the exposure of each film and returns metrics/exposure.csv. Figures have the sizes and
-/// positions in `films`. Throws Faults if no exposure brings a film, or the films that share one,
-/// within 1 % of the mean; large deviations are detected early on small pictures.
+/// Finds the exposure of each film, stores it in `films` and returns the content of
+/// metrics/exposure.csv. Figures have the sizes and positions given in `films`. Throws Faults if no
+/// exposure brings a film, or the films that share an exposure, within 1 % of the wanted luminance;
+/// before the frames are rendered, large deviations are found with smaller ones (faults_in_light).
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
                          FinishedMotions& motions, TaskRun& run, EqualizedFilms& films);
 
-/// Returns a fault for each stimulus whose luminance no exposure equalizes, judged on small
-/// pictures; deviations below 5 % are left to exposure_csv. Throws Error.
+/// Returns a fault for each stimulus whose luminance cannot be equalized by any exposure, judged by
+/// small pictures; deviations below 5 % are left to exposure_csv. Throws Error.
 std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

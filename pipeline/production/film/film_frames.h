@@ -19,7 +19,7 @@ std::string frame_name(FrameFormat format, int frame);
 using FramePicture =
     std::variant<render::Framebuffer, render::Layers, render::Image8, render::Image16>;
 
-/// Writes one frame: light as EXR, the others as PNG.
+/// Writes one frame: light as EXR, pixels as PNG.
 void write_frame(const std::filesystem::path& file, const FramePicture& picture);
 
 /// Returns the frame as a display shows it. Throws render::Error if it cannot be decoded or has a

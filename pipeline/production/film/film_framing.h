@@ -13,14 +13,16 @@ namespace mien::pipeline {
 extern const TableForm sizes_form;
 extern const TableForm places_form;
 
-/// Computes the equalized height of all figures and returns metrics/sizes.csv.
+/// Computes the equalized height of all figures, or of the figures of each kind, stores it in
+/// `films` and returns the content of metrics/sizes.csv.
 std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
                       EqualizedFilms& films);
 
-/// Computes the equalized position of all figures: the mean of their positions in the cameras'
-/// pictures, shifted as little as necessary so that every figure that was within its picture stays
-/// within it. Figures have the heights in `films`. Returns metrics/places.csv. Throws Error if
-/// there is no such position.
+/// Computes the equalized position of all figures, or of the figures of each kind: the mean of
+/// their positions in the cameras' pictures, shifted as little as necessary so that every figure
+/// that was within its picture stays within it. Figures have the heights given in `films`. Stores
+/// the position in `films` and returns the content of metrics/places.csv. Throws Error if there is
+/// no such position.
 std::string places_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
                        EqualizedFilms& films);
 

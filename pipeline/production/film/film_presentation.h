@@ -60,13 +60,13 @@ class Presenter {
   int taken_ = 0;
 };
 
-/// The pictures around a film, on an 8-bit grey.
+/// Returns a blank picture in an 8-bit grey, as shown before and after a film.
 render::Image8 blank_picture(std::array<int, 2> size, std::uint8_t grey);
 /// Returns a cross with a width and height of `edge` pixels and a thickness of a ninth of that,
 /// black or white, whichever contrasts more with the grey.
 render::Image8 fixation_picture(std::array<int, 2> size, std::uint8_t grey, int edge);
-/// Returns a picture of centred lines of text, as large as fits, at most an 18th of the picture's
-/// height.
+/// Returns a picture of centred lines of text. The font is as large as fits, at most an 18th of the
+/// picture's height.
 render::Image8 card_picture(std::array<int, 2> size, std::uint8_t grey, const std::string& text);
 
 }  // namespace mien::pipeline

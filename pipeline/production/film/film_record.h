@@ -39,7 +39,7 @@ struct FilmRecord {
   int film_frames = 0;
   int first_film_frame = 0;  ///< index of the film's first frame in the videos
   std::vector<VideoRecord> videos;
-  /// About the figures, such as parts of a character that are not shown.
+  /// Warnings about the figures, such as parts of a character that are not shown.
   std::vector<std::string> warnings;
 };
 

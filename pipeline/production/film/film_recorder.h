@@ -44,7 +44,7 @@ class FilmRecorder {
  private:
   render::VideoFormat format_of(render::VideoKind kind) const;
   void begin_files();
-  int row_step() const;  ///< of the format that is checked most densely
+  int row_step() const;  ///< step between checked rows: the smallest that a format requires
 
   const FilmSettings& settings_;
   Presenter presenter_;

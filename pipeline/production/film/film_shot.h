@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// The required framing of the figure, which overrides its camera.
+/// The required framing of the figure, which overrides that of the camera.
 struct Framing {
   std::optional<double> figure_px;                    ///< height of the standing figure in pixels
   std::optional<std::array<double, 2>> figure_place;  ///< scenes/cameras/figure_place.h
@@ -32,7 +32,8 @@ scenes::Shot shot_of(const Stimulus& stimulus, FinishedMotions& motions, std::ui
 scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::uint64_t seed,
                      const Framing& framing);
 
-/// Returns the motions of an overlay on its stage, each shown as the overlay's own output says.
+/// Returns the motions of an overlay on its stage, with the overlay's own output settings (such as
+/// frame rate and cycles) instead of those of its stimuli.
 scenes::Shot shot_of(const Overlay& overlay, FinishedMotions& motions, std::uint64_t seed);
 
 }  // namespace mien::pipeline

@@ -74,7 +74,7 @@ void describe_ratings(MethodsText& out) {
   Range answers;
   answers.add(impressions.count.minCoeff());
   answers.add(impressions.count.maxCoeff());
-  const std::string each = told(answers, 0, " answers") + " per scale and example";
+  const std::string each = range_text(answers, 0, " answers") + " per scale and example";
   if (raters == 0) {  // a table of means
     out.say(fmt::format("{}{}",
                         impressions.simulated

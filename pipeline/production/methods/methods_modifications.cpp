@@ -80,7 +80,7 @@ void describe_steps(MethodsText& out) {
     out.say(fmt::format("The {} ({}) {} {}, at a strength of {}",
                         emotions.size() == 1 ? "recipe used" : "recipes used", recipe_book(out),
                         emotions.size() == 1 ? "was" : "were", listed(emotions),
-                        told(strengths, 2, "")));
+                        range_text(strengths, 2, "")));
   }
   describe_recipes(emotions, out);
   if (!by_hand.empty()) out.say("Manual changes: " + by_hand.text(changed));

@@ -51,7 +51,7 @@ void describe_pictures(MethodsText& out);
 /// except those that other sentences state for all films; also the number and size of point lights.
 void describe_settings(MethodsText& out);
 
-/// The settings of the folder of examples that differ from their defaults.
+/// The settings for reading the examples from a folder, as far as they differ from their defaults.
 void describe_example_settings(MethodsText& out);
 
 /// The settings of a matching experiment that differ from their defaults: the order of guesses and

@@ -30,14 +30,14 @@ void Range::add(double value) {
   ++count;
 }
 
-std::string told(const Range& range, int digits, const std::string& unit) {
+std::string range_text(const Range& range, int digits, const std::string& unit) {
   const std::string least = fmt::format("{:.{}f}", range.least, digits);
   const std::string most = fmt::format("{:.{}f}", range.most, digits);
   return least == most ? least + unit : "from " + least + " to " + most + unit;
 }
 
 std::string with_mean(const Range& range, int digits, const std::string& unit) {
-  const std::string text = told(range, digits, unit);
+  const std::string text = range_text(range, digits, unit);
   if (!text.starts_with("from ")) return text;
   return fmt::format("{} (mean {:.{}f}{})", text, range.mean(), digits, unit);
 }

@@ -30,7 +30,7 @@ struct Range {
 };
 
 /// Returns "from 1.20 to 1.40 s", or "1.20 s" if all values are equal.
-std::string told(const Range& range, int digits, const std::string& unit);
+std::string range_text(const Range& range, int digits, const std::string& unit);
 
 /// Returns "from 1.20 to 1.40 s (mean 1.31 s)", or "1.20 s" if all values are equal.
 std::string with_mean(const Range& range, int digits, const std::string& unit);

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 // Single-word facts about stimuli for tables and reports.
 
 /// Returns the kind of ratings on which a motion is based: "given", "simulated", or "none" for
-/// features, weights, files and examples (nullptr).
+/// features, weights, files and paths, and for examples, for which `stimulus` is nullptr.
 std::string ratings_of(const Stimulus* stimulus, Motions& motions);
 
 /// Returns the source of a motion: "adjectives", "features", "weights", "clip" or "path".
@@ -25,7 +25,7 @@ std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_
 /// Returns the method by which the weights were computed; empty for a motion file.
 std::string method_of(const Stimulus& stimulus);
 
-/// Returns the name of the set, "studio", or of its file.
+/// Returns the name of a look's set ("studio") or, if the set is read from a file, the file's name.
 std::string scene_name(const Look& look);
 
 /// Whether a study uses its examples.

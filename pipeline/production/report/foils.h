@@ -19,20 +19,21 @@ struct EmotionMeasures {
 
 EmotionMeasures measure_emotion(const motion::Clip& clip);
 
-/// Returns the difference between two mean postures: the largest angle, in degrees, between the
-/// mean rotations of a joint. The heading of the pelvis is ignored.
+/// Returns the difference between the mean postures of two clips: of all joints, the largest angle,
+/// in degrees, between the joint's mean rotations in the two clips. The heading of the pelvis is
+/// ignored.
 double posture_difference(const motion::Clip& a, const motion::Clip& b);
 
 /// One aspect of a foil and of its original motion.
 struct CertifiedAspect {
   FoilAspect aspect;
   const char* measure;  ///< description of the measure, with its unit
-  double of_value;      ///< NaN if only the difference is known
+  double of_value;      ///< value of the original motion; NaN if only the difference is known
   double foil_value;
   double difference;  ///< degrees for posture, otherwise relative
   double tolerance;
 
-  bool is_held() const;
+  bool is_held() const;  ///< the absolute difference is below the tolerance
 };
 
 /// All aspects of a foil, measured on the finished motions of the foil and of its original.

@@ -20,7 +20,8 @@ struct LintedMotion {
 
 /// Returns a plot of the findings over time: a row for each rule and joint with findings, and a
 /// line that names the rules without findings. Errors are dark and tall, warnings light and flat,
-/// so that they differ in greyscale and for any colour vision. Seconds are below, frames above.
+/// so that they differ in greyscale and for any colour vision. The axis below shows seconds, the
+/// one above frames.
 Plot lint_timeline(const LintedMotion& motion);
 
 }  // namespace mien::pipeline

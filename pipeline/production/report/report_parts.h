@@ -11,8 +11,8 @@ namespace mien::pipeline {
 // The report of a large study is split into pages, because no browser shows ten thousand films on
 // one.
 
-/// Maximum number of cards of one kind on a page; a study with no more of any kind has a single
-/// page.
+/// Maximum number of cards of one kind on a page. A study that has at most this number of each kind
+/// fits on a single page.
 inline constexpr std::size_t most_cards_on_a_page = 200;
 
 enum class CardKind { stimulus, overlay, comparison };

@@ -21,14 +21,14 @@ std::string stimuli_section(const std::string& title, std::span<const Stimulus> 
 std::string overlays_section(const std::string& title, std::span<const Overlay> overlays,
                              const Manifest& manifest, Motions& motions);
 
-/// The stimuli with findings or warnings, their numbers, and the first error of each; empty if
-/// there are none.
+/// Every stimulus with findings or warnings: the number of errors, the number of warnings, and the
+/// first error or, if it has no error, the first warning. Empty if there is no such stimulus.
 std::string findings_section(const Manifest& manifest, Motions& motions);
 
 /// The sheets of stills.
 std::string stills_section(const Manifest& manifest, Motions& motions);
 
-/// The results of comparisons, then the sheets.
+/// The results of these comparisons in tables, then the sheets themselves.
 std::string comparisons_section(const std::string& title, std::span<const Sheet* const> sheets,
                                 Motions& motions);
 

@@ -28,8 +28,8 @@ std::string weight_table(const Synthesis& made, Motions& motions);
 /// The distance between the motions of every comparison.
 std::string distance_table(std::span<const Sheet* const> sheets, Motions& motions);
 
-/// For comparisons with a reference: the number of features that changed in the target's direction.
-/// Empty if there are none.
+/// For comparisons with a reference: the number of features that changed from the reference in the
+/// same direction as in the target. Empty if there is no such comparison.
 std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions);
 
 /// The aspects in which the foils among the stimuli differ from their originals; empty without

@@ -57,7 +57,7 @@ class Production {
   bool is_whole() const { return options_.only.empty(); }
 
   /// Returns, for a whole production, the hashes of its input files at the time of planning
-  /// (hashes_of_inputs).
+  /// (hashes_of_inputs); empty otherwise.
   const std::map<std::string, Hash>& inputs() const { return inputs_; }
 
  private:

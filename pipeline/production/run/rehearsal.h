@@ -11,18 +11,20 @@ namespace mien::pipeline {
 
 /// Finds faults that appear only when motions are made and staged, before any frame is rendered for
 /// a film: examples that cannot be blended, clips without a human figure or without the requested
-/// frames, films shorter than their fades, figures that no position in the picture suits, and
-/// luminance that no exposure equalizes. The manifest must have no faults (checked_manifest.h).
-/// Takes as long as making the motions, and slightly longer if luminance is equalized.
+/// frames, films shorter than their fades, figures that cannot have the same position in the
+/// picture, and luminance that cannot be equalized by any exposure. The manifest must have no
+/// faults (checked_manifest.h). Takes as long as making the motions, and slightly longer if
+/// luminance is equalized.
 std::vector<Fault> rehearse(const Manifest& manifest);
 
-/// Uses `motions`, so that the motions can be reused afterwards.
+/// Does the same with `motions`, so that the motions can be reused afterwards.
 std::vector<Fault> rehearse(const Manifest& manifest, Motions& motions);
 
 /// Returns the same study with at most `most` of its stimuli: one of each kind first, then others
 /// evenly distributed over the rest. Stimuli are of one kind if they differ only in numbers: they
 /// are made from the same adjectives by the same method and shown as the same figure on the same
-/// set. Overlays are kept if their stimuli are; the first overlay is always kept with its stimuli.
+/// set. The stimuli of the first overlay are always kept, even if there are then more than `most`.
+/// An overlay is kept if all of its stimuli are.
 Manifest rehearsal_sample(const Manifest& manifest, std::size_t most);
 
 }  // namespace mien::pipeline

@@ -59,7 +59,8 @@ std::string largest_distance_text(const motion::Distance& distance);
 /// Returns "durations: target 2.07 s, created 1.40 s (-0.67 s)".
 std::string durations_text(const motion::Example& target, const motion::Example& created);
 
-/// Returns details that the mean distance may hide, the two above, with " · " between them.
+/// Returns largest_distance_text and durations_text, details that the mean distance may hide, with
+/// " · " between them.
 std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
                            const motion::Example& created);
 

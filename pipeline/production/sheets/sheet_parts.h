@@ -64,7 +64,8 @@ void draw_weights(Canvas& canvas, const SheetContent& content, const Box& box);
 /// with pelvis and heading aligned as for the distance.
 void draw_figures(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// Joint × time distances as colours, and their mean over joints as numbers.
+/// The distance of every joint at every time as a colour, and the mean over joints at each time as
+/// a number.
 void draw_heat_map(Canvas& canvas, const SheetContent& content, const Box& box);
 
 /// Mean and largest distance of each joint, next to its row of the heat map.

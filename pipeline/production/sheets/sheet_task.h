@@ -15,7 +15,7 @@ namespace mien::pipeline {
 Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
                 Motions& motions);
 
-/// Returns the artifacts of every sheet task: sheets/<id>.pdf and sheets/<id>.png, in this order.
+/// Returns the artifacts of a sheet's task: sheets/<id>.pdf and sheets/<id>.png, in this order.
 std::vector<Product> sheet_products(const Sheet& sheet);
 
 /// Stores both files after reading them back.

@@ -22,8 +22,9 @@ struct ModifiedMotion {
   std::vector<std::string> warnings;  ///< consequences of lint errors, plain sentences
 };
 
-/// Returns each of the stimulus's modifications at full strength, with poses read; an empty
-/// modification for an older method. Throws Error if a pose is not available.
+/// Returns each of the stimulus's modifications at full strength, including the differences between
+/// the poses that it names; an empty modification for a step by an older method (StyleMethod).
+/// Throws Error if a pose is not available.
 std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
                                                    const Repertoire& repertoire);
 
@@ -38,8 +39,8 @@ ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& st
 /// head-flexion 12°".
 std::string described(const ModificationStep& step);
 
-/// Returns the applied share of a modification as text, " at 40 % of that strength"; empty for all
-/// of it.
+/// Returns the applied share of a modification as text, " at 40 % of that strength"; empty for a
+/// share of 1.
 std::string share_text(double share);
 
 /// Returns the description of all steps of a stimulus, in order; empty if there are none.

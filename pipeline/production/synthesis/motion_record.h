@@ -10,7 +10,7 @@
 namespace mien::pipeline {
 
 /// The stored record of a motion: its warnings and a digest of all its numbers, so that dependent
-/// artifacts are remade exactly if the motion has changed.
+/// artifacts are remade if the motion has changed, and only then.
 struct MotionRecord {
   std::string digest;
   int shown_frames = 0;

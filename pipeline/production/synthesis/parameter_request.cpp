@@ -153,7 +153,7 @@ ParameterRequest request_of(const Stimulus& stimulus, const Repertoire& repertoi
   return request;
 }
 
-bool FeasibleParameter::holds() const {
+bool FeasibleParameter::is_feasible() const {
   return range.miss <= met_tolerance && requested > range.least - met_tolerance &&
          requested < range.most + met_tolerance;
 }
@@ -165,7 +165,7 @@ std::vector<FeasibleParameter> feasible_parameters(const ParameterRequest& reque
   std::vector<FeasibleParameter> parameters;
   for (Eigen::Index i = 0; i < requested; ++i) {
     FeasibleParameter parameter = feasible_parameter(request, all, i);
-    if (request.held > 0 && !parameter.holds()) {
+    if (request.held > 0 && !parameter.is_feasible()) {
       parameter = feasible_parameter(request, all.leftCols(requested), i);
       parameter.ignores_held = true;
     }
@@ -189,7 +189,7 @@ std::string to_sentence(const FeasibleParameter& parameter) {
 std::string to_sentence(const RequestedParameter& requested) {
   const FeasibleParameter& parameter = requested.parameter;
   return fmt::format("{}: {} {:.2f} requested{}; {}", requested.stimulus, parameter.name,
-                     parameter.requested, parameter.holds() ? "" : " but not feasible",
+                     parameter.requested, parameter.is_feasible() ? "" : " but not feasible",
                      to_sentence(parameter));
 }
 
@@ -198,9 +198,10 @@ std::string feasibility_table(const std::vector<RequestedParameter>& requested) 
   std::vector<TableLine> lines = {
       {"stimulus", "parameter", "requested", "feasible range", "condition"}};
   for (const auto& [stimulus, parameter] : requested) {
-    lines.push_back({stimulus, parameter.name,
-                     fmt::format("{}{:.2f}", parameter.holds() ? "" : "! ", parameter.requested),
-                     range_words(parameter), condition_words(parameter)});
+    lines.push_back(
+        {stimulus, parameter.name,
+         fmt::format("{}{:.2f}", parameter.is_feasible() ? "" : "! ", parameter.requested),
+         range_words(parameter), condition_words(parameter)});
   }
   std::array<std::size_t, 4> widths{};
   for (const TableLine& line : lines) {
@@ -208,7 +209,7 @@ std::string feasibility_table(const std::vector<RequestedParameter>& requested) 
   }
   std::string text;
   for (const TableLine& line : lines) text += table_line(line, widths);
-  if (!std::ranges::all_of(requested, [](const auto& one) { return one.parameter.holds(); }))
+  if (!std::ranges::all_of(requested, [](const auto& one) { return one.parameter.is_feasible(); }))
     text += "! requested value outside the feasible range\n";
   return text;
 }

@@ -36,12 +36,12 @@ struct FeasibleParameter {
   std::string name;
   double requested = 0.0;
   motion::ParameterRange range;
-  motion::ParameterRange alone;  ///< range for any values of the others
+  motion::ParameterRange alone;  ///< range over all blends, whatever their other values
   NamedValues others;            ///< the other requested parameters, and the held ones if feasible
   bool ignores_held = false;     ///< held values are infeasible and were ignored
 
   /// Whether the requested value is in the range.
-  bool holds() const;
+  bool is_feasible() const;
 };
 
 /// Returns the feasible range of each requested parameter.
@@ -66,7 +66,7 @@ std::string to_sentence(const RequestedParameter& requested);
 std::string feasibility_table(const std::vector<RequestedParameter>& requested);
 
 /// Returns the requested parameters of all stimuli made from adjectives. Loads the examples only if
-/// there are any.
+/// there is such a stimulus.
 std::vector<RequestedParameter> requested_parameters(const Manifest& manifest, Motions& motions);
 std::vector<RequestedParameter> requested_parameters(const Manifest& manifest);
 

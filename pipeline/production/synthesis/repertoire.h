@@ -16,7 +16,7 @@ namespace mien::pipeline {
 /// The repertoire of a study: its examples and their ratings.
 struct Repertoire {
   motion::ExampleSet examples;
-  motion::ExampleSet settled;                  ///< the same with locked feet (settled_feet.h)
+  motion::ExampleSet settled;                  ///< the examples with locked feet (settled_feet.h)
   std::vector<RatedExample> names;             ///< one per example
   std::vector<motion::ExampleOrigin> origins;  ///< one per example; empty for built-in ones
   ScaleSet scales;

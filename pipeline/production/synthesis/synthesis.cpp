@@ -94,7 +94,7 @@ void warn_of_missed_adjectives(const Stimulus& stimulus, Synthesis& synthesis) {
     if (i < synthesis.feasible.size()) {
       const FeasibleParameter& feasible = synthesis.feasible[i];
       text += "; " + to_sentence(feasible);
-      if (feasible.holds() && method != motion::InterpolationMethod::reach)
+      if (feasible.is_feasible() && method != motion::InterpolationMethod::reach)
         text += "; interpolation: {method: reach} reaches it";
     }
     synthesis.warnings.push_back(std::move(text));

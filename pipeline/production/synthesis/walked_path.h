@@ -28,15 +28,15 @@ class UnwalkableStep : public Error {
 /// Returns the walk along a stimulus's path by the steered walker on the standard body: a clip
 /// that does not loop, and the plants of its feet. A turn continues at the pace of the preceding
 /// walk, and is made on the spot if there is none. With a graph, the walk is assembled from the
-/// files' motions, on the body of the first; its moods are versions of all motions with an
-/// emotion's recipe applied, which are blended along the path. Throws Error; UnwalkableStep for a
-/// turn of a script that deviates by more than 10°.
+/// motions of the graph's files, on the body of the first motion; for moods, versions of all
+/// motions with the recipe of an emotion applied are blended along the path. Throws Error;
+/// UnwalkableStep for a turn of a script that deviates by more than 10°.
 motion::WalkedClip walked(const Stimulus& stimulus);
 
-/// Returns the path with moods of adjectives converted to moods of the set's walks: the blend
-/// weights of a stimulus with these adjectives, or the nearest feasible ones, by the ratings of the
-/// built-in walks on the built-in scales. Moods of walks are unchanged. Throws Error if the method
-/// cannot handle that many adjectives.
+/// Returns the path with moods given by adjectives converted to moods given by the walks of its set
+/// of built-in walks: the blend weights of a stimulus with these adjectives, or the nearest
+/// feasible ones, by the ratings of the built-in walks on the built-in scales. Moods given by walks
+/// are unchanged. Throws Error if the method cannot handle that many adjectives.
 WalkPath in_walks(WalkPath path);
 
 }  // namespace mien::pipeline

@@ -16,7 +16,8 @@ struct BodyShare {
   double moved_px = 0.0;  ///< largest displacement in the picture, in pixels
 };
 
-/// A body in a picture: the clip and frame with its joint positions in world space, and the camera.
+/// A body in a picture: the clip, the frame whose joint positions in world space are shown, and the
+/// camera.
 struct ProjectedBody {
   const motion::Clip& clip;  ///< on the canonical body, as staged
   int frame = 0;

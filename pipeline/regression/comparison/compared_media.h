@@ -30,10 +30,10 @@ struct ComparedMedia {
   /// Largest difference of a pixel's channel, as a share of full scale.
   double largest_share = 0.0;
   std::vector<FrameComparison> worst;  ///< frames with the largest RMS, at most five
-  double perceptual_limit = 0.0;
+  double perceptual_limit = 0.0;       ///< largest permitted mean ꟻLIP error of a frame, 0 … 1
 
-  /// Whether both have the same number of frames at the same times, to the time base of both files,
-  /// and no frame differs by more than the limit.
+  /// Whether `remarks` is empty and no frame exceeds `perceptual_limit`. Frame times that differ by
+  /// no more than the sum of the units in which both files store them count as the same.
   bool are_alike() const;
 };
 
@@ -46,10 +46,10 @@ ComparedMedia compared_media(const std::filesystem::path& before, const std::fil
 std::string as_text(const ComparedMedia& media);
 nlohmann::ordered_json as_json(const ComparedMedia& media);
 
-/// Compares the containers of two videos. `remarks` receives visible differences: different frame
-/// times or duration (to the time base of both containers: Matroska counts milliseconds) and
-/// colours that are displayed differently. `notes` receives invisible differences: codec and pixel
-/// format.
+/// Compares the containers of two videos. `remarks` receives visible differences: frame times or
+/// durations that differ by more than the sum of the units in which both containers store times
+/// (Matroska: milliseconds) and colours that are displayed differently. `notes` receives invisible
+/// differences: codec and pixel format.
 void compare_containers(const render::VideoSummary& before, const render::VideoSummary& now,
                         std::vector<std::string>& remarks, std::vector<std::string>& notes);
 

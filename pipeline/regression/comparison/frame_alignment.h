@@ -39,10 +39,10 @@ struct FrameNames {
 /// Returns the alignment with the lowest cost, obtained by removing and inserting frames. The cost
 /// of a removal and an insertion together is 0.9 times the typical difference between successive
 /// frames plus four times that between matching frames (which may be encoded differently). Frames
-/// are not paired if their indices differ by more than 240 or, if that is more, by 16 plus the
-/// difference of the lengths. If as many frames are missing as added between two successive pairs,
-/// they count as changed in place and are paired too, unless one of them repeats its neighbour or
-/// is exchanged.
+/// are not paired if their indices differ by more than 240 and by more than 16 plus the difference
+/// of the lengths. If as many frames are missing as added between two successive pairs, they count
+/// as changed in place and are paired too, unless an added frame repeats a neighbouring one or
+/// shows the picture of a missing one.
 FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
                      const FrameNames& names = {});
 

@@ -18,8 +18,8 @@ struct PictureSize {
 
 /// The comparison of a frame with its former state.
 struct FrameComparison {
-  int frame = 0;          ///< number of the frame before; the current frame has the same time
-  std::string name = {};  ///< name of its file before; empty for a video
+  int frame = 0;  ///< index of the former frame; it is compared with the corresponding current one
+  std::string name = {};  ///< name of the file of the former frame; empty for a video
   bool same = true;       ///< every pixel is equal
   bool same_size = true;  ///< false: only the sizes below are set
   PictureSize size_before, size_now;

@@ -40,7 +40,7 @@ ordered_json as_json(const motion::WholeBodyChange& whole) {
           {"turn_rad", whole.turn_radians},
           {"shift_m", {whole.shift.x(), whole.shift.y(), whole.shift.z()}},
           {"before", whole.before},
-          {"left", whole.left}};
+          {"left", whole.remaining}};
 }
 
 ordered_json worst_as_json(const MotionDifference& difference,

@@ -36,10 +36,10 @@ BlockStatistics read_blocks(const std::filesystem::path& file);
 
 /// The result of testing whether two pictures differ by more than their noise.
 struct NoiseTest {
-  std::size_t tests = 0;    ///< number of blocks and colours with noise or a difference
-  std::size_t outside = 0;  ///< number of those that differ individually
+  std::size_t tests = 0;    ///< one for each colour of a block that has noise or a difference
+  std::size_t outside = 0;  ///< number of tests that show a difference individually
   double largest_t = 0.0;   ///< largest absolute value of Welch's t
-  double least_p = 1.0;     ///< smallest p value of a block, without correction
+  double least_p = 1.0;     ///< smallest p value of a test, without correction
   /// P value of all blocks together, which detects a faint difference everywhere.
   double together_p = 1.0;
   double largest_bias = 0.0;  ///< largest difference of a differing block, relative to its light
@@ -54,8 +54,9 @@ inline constexpr double suite_false_alarms = 0.001;
 /// Tests each block and colour with Welch's t (1947), corrected for their number and for the number
 /// of `pictures` in a suite (Šidák), and all blocks together with χ² of the t values as normal
 /// scores. Each of the two tests is allowed half of the false alarms. The colours of a block share
-/// their noise, so χ² uses their mean. Differences below 1e-4 of the light, or below 1e-5, are
-/// treated as zero, because rounding causes them. Throws Error if the pictures differ in size.
+/// their noise, so χ² uses their mean. Differences below 1e-4 times the light, or below the linear
+/// value 1e-5, are treated as zero, because rounding causes them. Throws Error if the pictures
+/// differ in size.
 NoiseTest noise_test(const BlockStatistics& before, const BlockStatistics& now,
                      std::size_t pictures, double false_alarms = suite_false_alarms);
 

@@ -14,7 +14,7 @@ std::string plain_text(const Regression& regression);
 /// Returns the same in GitHub's Markdown, for a pull request.
 std::string markdown_text(const Regression& regression);
 
-/// Returns JUnit XML for CI systems: one test case per stimulus and one for the gate.
+/// Returns JUnit XML for CI systems: one test case per stimulus and one for the planted defects.
 std::string junit_text(const Regression& regression);
 
 /// Returns everything as JSON. Lengths are in metres, angles in radians, times in seconds.

@@ -28,8 +28,8 @@ inline constexpr std::size_t most_with_every_frame = 50;
 /// Target for the total size of a page's pictures, in bytes.
 inline constexpr std::uintmax_t most_picture_bytes = 64U << 20U;
 
-/// Returns the largest choice that fits this size. A page with very many large pictures may exceed
-/// it.
+/// Returns the largest choice whose pictures have at most this total size. A page with very many
+/// large pictures may exceed it.
 ReportPictures fitting_pictures(const Regression& regression, const ComparedPictures& pictures);
 
 /// Returns the frames of a stimulus that the page shows, ascending: those that differ and have

@@ -31,8 +31,8 @@ struct ScaleCluster {
                             ///< parameters × examples
 };
 
-/// The analysis of answers from impressions to primary parameters (adjective paper, sections 3.1 to
-/// 3.3 and 3.5).
+/// The analysis of answers: from the impression matrix to the primary parameters (adjective paper,
+/// sections 3.1 to 3.3 and 3.5).
 struct Analysis {
   Impressions impressions;            ///< the impression matrix A: scales with answers × examples
   std::vector<Quantity> quantities;   ///< one per row of A
@@ -49,7 +49,7 @@ struct Analysis {
 
 /// Analyses answers. Without given names, each cluster is named after the group of the scales file
 /// with the highest Jaccard index, or "cluster-2" if no group remains. A group names at most one
-/// cluster; the most similar pairs are matched first.
+/// cluster; the pairs of cluster and group with the highest index are matched first.
 ///
 /// Throws Error for an example without ratings on some scale, for names whose number differs from
 /// that of the clusters, and for a name that is empty, repeated or the id of a scale.

@@ -26,8 +26,9 @@ struct StimulusParameter {
   double reached = 0.0;    ///< value of the blend, from its examples' ratings; same range
 };
 
-/// Reads the parameters of a study's stimuli. `study` is its metrics/parameters.csv, or the study's
-/// folder. Adds warnings about columns with former names to `warnings`. Throws Error.
+/// Reads the parameters of a study's stimuli. `study` is the study's folder, or the file
+/// metrics/parameters.csv in it. Adds warnings about columns with former names to `warnings`.
+/// Throws Error.
 std::vector<StimulusParameter> read_stimulus_parameters(const std::filesystem::path& study,
                                                         std::vector<Fault>& warnings);
 
@@ -35,7 +36,7 @@ std::vector<StimulusParameter> read_stimulus_parameters(const std::filesystem::p
 std::set<std::string> other_stimuli(const std::filesystem::path& study,
                                     const std::vector<StimulusParameter>& made);
 
-/// The distinct stimuli, identified as in the answers.
+/// The distinct stimuli of `made`, with the ids that answers use.
 std::vector<RatedExample> stimuli_of(const std::vector<StimulusParameter>& made);
 
 /// A requested parameter with its perceived value.
@@ -67,7 +68,7 @@ struct Correction {
 };
 
 struct Calibration {
-  std::vector<PerceivedParameter> stimuli;  ///< those with at least one rating
+  std::vector<PerceivedParameter> stimuli;  ///< parameters of stimuli with at least one rating
   std::vector<Correction> corrections;      ///< one per parameter
   bool simulated = false;
 };

@@ -18,7 +18,7 @@ struct FeatureClusters {
   Eigen::MatrixXd scaled;             ///< features × examples: 0 … 1, or z-scores
   Linkage linkage;
   Partition partition;
-  std::vector<std::string> names;  ///< cluster names, from the most similar published groups
+  std::vector<std::string> names;  ///< cluster names: those of the most similar published groups
   int suggested_clusters = 1;      ///< number of clusters at the largest gap between merge heights
   double rand = 0.0;               ///< Rand index against the published groups
   double adjusted_rand = 0.0;

@@ -25,14 +25,15 @@ struct ParameterRegression {
   RidgeModel model;
   Eigen::VectorXd observed;             ///< ratings of the examples, fraction of the scale's range
   std::vector<PredictionCheck> checks;  ///< by example, and by style if a style has several takes
-  double error_90 = 0.0;          ///< 90th percentile of the absolute errors of the last check
-  double mean_leverage = 0.0;     ///< over the examples
+  double error_90 = 0.0;       ///< 90th percentile of the absolute errors of the last of `checks`
+  double mean_leverage = 0.0;  ///< over the examples
   double largest_leverage = 0.0;  ///< over the examples
 };
 
-/// Regressions that predict ratings of unrated motions (future work of the adjective paper).
+/// Regressions that predict ratings of unrated motions (proposed in the adjective paper as future
+/// work).
 struct FeatureRegression {
-  std::vector<std::string> features;  ///< ids of those that all examples have
+  std::vector<std::string> features;  ///< ids of the features that all examples have
   std::vector<int> feature_indices;
   std::vector<std::string> examples;
   std::vector<int> style_of_example;  ///< examples of one style have the same number

@@ -12,11 +12,11 @@ namespace mien::pipeline {
 /// paper.
 struct PublishedComparison {
   std::string table;         ///< "Table 2" or "Table 3"
-  int retained_in_both = 0;  ///< number of pairs
+  int retained_in_both = 0;  ///< number of adjective pairs
   int retained_only_here = 0;
   int retained_only_published = 0;
   double retention_agreement = 0.0;  ///< share of the rated pairs that both retain or both exclude
-  double rand = 0.0;                 ///< Rand index over the pairs retained in both
+  double rand = 0.0;  ///< Rand index of the clusters of the adjective pairs retained in both
   double adjusted_rand = 0.0;
 };
 

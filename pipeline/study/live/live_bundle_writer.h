@@ -16,9 +16,9 @@ namespace mien::pipeline {
 struct LiveChoice {
   std::vector<std::string> targets;  ///< stimulus ids
   Interpolation interpolation;       ///< interpolation of motions set by sliders
-  Output output;  ///< frame rate, and how often and where a clip shows the motion
+  Output output;  ///< frame rate, and whether a clip repeats the motion and removes its travel
   std::vector<std::string>
-      primary;  ///< adjectives shown initially; empty: the scales' groups, or all
+      primary;  ///< adjectives shown initially; empty: the scales' groups or, without groups, all
 };
 
 /// The manifest's settings, without targets.
@@ -35,7 +35,8 @@ nlohmann::ordered_json body_info(const motion::Skeleton& body);
 
 /// The JSON that pages load first (LiveInfo of pipeline/study/page/src/live/core.ts): body,
 /// examples, targets, and sliders with their texts and the mean value of the examples. `primary`
-/// lists the adjectives shown initially; empty: the scales' groups, or all if there are none.
+/// lists the adjectives shown initially; empty: the scales' groups, or all adjectives if there are
+/// no groups.
 nlohmann::ordered_json live_info(const motion::LiveBundle& bundle, const ScaleSet& scales,
                                  const std::vector<std::string>& primary);
 

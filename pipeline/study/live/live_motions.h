@@ -22,7 +22,8 @@ namespace mien::pipeline {
 ///     GET  info        JSON: the options of the page (live_info)
 ///     GET  bundle      the bundle (motion/live/live_bundle.h), for the live core in the browser
 ///     POST make        {"kind": "adjectives", "sliders": ["quickness"], "values": [0.7]}
-///     POST distance    as for make, and "target": "t1": D between the two motions
+///     POST distance    the members of make and "target": "t1"; returns D between the motion made
+///                      and the target
 ///     POST example     {"name": "normal"}
 ///     POST target      {"name": "t1"}
 ///
@@ -44,7 +45,7 @@ class LiveMotions {
   motion::Distance distance(const std::string& target, const motion::LiveSetting& setting);
 
  private:
-  /// Calls `ask` with a core reserved for it.
+  /// Calls `ask` with a live core that no other request uses meanwhile.
   template <class Result>
   Result with_core(const std::function<Result(motion::LiveCore&)>& ask);
   HttpResponse answer_post(const std::string& what, const std::string& body);

@@ -49,7 +49,8 @@ struct MatchingComparison {
   std::string first;
   std::string second;
   TTest difference;  ///< t and p are NaN if all differences are equal
-  Wilcoxon paper;    ///< by normal approximation without continuity correction
+  /// As in the adjective paper: by normal approximation without continuity correction.
+  Wilcoxon paper;
   Wilcoxon exact;
   /// p values of `paper` and `exact`, adjusted by Holm's method over the comparisons of the same
   /// measure. Comparisons over all targets and those of single targets are adjusted separately.
@@ -66,7 +67,8 @@ struct MatchingEvaluation {
   std::vector<MatchingMean> means;
   std::vector<MatchingShare> shares;
   std::vector<std::string> targets;  ///< targets evaluated singly; empty if there is only one
-  std::vector<MatchingComparison> comparisons;  ///< every pair of interfaces, both measures
+  std::vector<MatchingComparison> comparisons;  ///< for every pair of interfaces and both measures,
+                                                ///< over all targets and for each of `targets`
 };
 
 MatchingEvaluation evaluate(const MatchingResults& results);

@@ -13,10 +13,11 @@ namespace mien::pipeline {
 struct MatchingTrial {
   std::string participant;
   std::string target;
-  std::string interface;                ///< "weights", "adjectives", "features", …
-  std::optional<double> first_guess_d;  ///< D of the guess made without seeing the motion, metres
-  std::optional<double>
-      time_s;            ///< time until the match, or the limit without one; empty if unknown
+  std::string interface;  ///< "weights", "adjectives", "features", …
+  /// D of the first guess, which is made before the created motion is shown; metres.
+  std::optional<double> first_guess_d;
+  /// Time until the match or, without a match, the limit; empty if unknown.
+  std::optional<double> time_s;
   bool success = false;  ///< matched within the limit
 };
 
@@ -31,7 +32,7 @@ struct MatchingResults {
   bool simulated = false;
 };
 
-/// Settings of the experiment from other sources than the tables.
+/// Settings of the experiment from sources other than the tables.
 struct MatchingSettings {
   std::optional<double> limit_s;      ///< seconds allowed for a match
   std::optional<double> threshold_m;  ///< D below which motions match, metres

@@ -15,9 +15,9 @@ struct EvaluationOptions {
   /// Interpolation methods to evaluate. Each method synthesizes the targets from the same
   /// parameters. Empty: the method of `interpolation`.
   std::vector<motion::InterpolationMethod> methods;
-  std::vector<double> steps = {0.1,
-                               0.25};  ///< steps of slider grids; the nearest grid setting is tried
-  int users = 10;                      ///< number of simulated users per target and interface
+  /// Steps of slider grids; of each grid, the setting nearest to the target's is tried.
+  std::vector<double> steps = {0.1, 0.25};
+  int users = 10;  ///< number of simulated users per target and interface
   std::uint64_t seed = 0;
   double threshold = motion::distance_threshold_m;  ///< D below which motions match, metres
 };
@@ -28,16 +28,16 @@ struct InterfaceResult {
   std::string target;
   InterfaceKind kind = InterfaceKind::adjectives;
   double step = 0.0;  ///< step of the grid; 0: a simulated user
-  int user = 0;       ///< number of the simulated user, from 1; 0: the nearest grid setting
-  double first_distance = 0.0;  ///< D of the nearest setting or of the first guess, metres
+  int user = 0;       ///< number of the simulated user, from 1; 0: nearest setting of a grid
+  double first_distance = 0.0;  ///< D of the nearest grid setting or of a first guess, metres
   double distance = 0.0;        ///< final D, metres
   int views = 1;                ///< motions synthesized and viewed
   bool first_matches = false;   ///< first_distance is below the threshold
   bool matches = false;         ///< the final D is below the threshold
 };
 
-/// Interfaces with sliders for all primary adjectives, all primary features, and all examples.
-/// Adjectives are omitted if the examples have no ratings.
+/// Three interfaces: with a slider for each primary adjective, for each primary feature, and for
+/// the weight of each example. The first is omitted if the examples have no ratings.
 std::vector<SliderInterface> interfaces_of(const Repertoire& repertoire);
 
 /// Evaluates each interface on each target by simulation. Targets are points in the space of the
@@ -68,7 +68,7 @@ std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& resu
 WrittenTable results_table(const std::vector<InterfaceResult>& results);
 WrittenTable summary_table(const std::vector<InterfaceSummary>& summaries);
 
-/// Bar charts of the summaries, marked as simulated: D of the nearest slider settings and of first
+/// Bar charts of the summaries, marked as simulated: D of the nearest grid settings and of first
 /// guesses with ±1 SD and the threshold, success of first guesses, and failures (like figures 7, 8
 /// and 11 of the adjective paper).
 Plot simulated_chart(const std::vector<InterfaceSummary>& summaries, double threshold_m);

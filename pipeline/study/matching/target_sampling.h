@@ -29,7 +29,7 @@ enum class UnreachablePolicy {
   project,  ///< replaced by the nearest reachable parameters
 };
 
-/// Coordinates in which targets are spread as far as possible.
+/// Coordinates in which targets are chosen as far apart as possible.
 enum class TargetSpread {
   parameters,  ///< the parameters that define the targets
   everything,  ///< all rows of the table: all rated scales and groups, or all features

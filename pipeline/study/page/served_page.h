@@ -13,8 +13,9 @@ struct ServedFile {
   bool webassembly = false;  ///< whether the page may compile WebAssembly
 };
 
-/// The files in a page's folder that a browser needs, by name, with `mien-mode` in index.html set
-/// to "served". Throws Error if there is no index.html or it does not declare its mode.
+/// The files in a page's folder that a browser needs, by name. In index.html, the meta tag
+/// "mien-mode" is changed from "static" to "served". Throws Error if there is no index.html or it
+/// has no such tag.
 std::map<std::string, ServedFile> served_page(const std::filesystem::path& folder);
 
 }  // namespace mien::pipeline

@@ -52,8 +52,8 @@ CountRange range_over(const auto& counts, std::size_t possible) {
 }
 
 std::string range_text(CountRange range, const char* unit) {
-  return range.is_even() ? fmt::format("{} {}", range.least, unit)
-                         : fmt::format("{} to {} {}", range.least, range.most, unit);
+  return range.is_uniform() ? fmt::format("{} {}", range.least, unit)
+                            : fmt::format("{} to {} {}", range.least, range.most, unit);
 }
 
 void add_latin_sentence(const Manifest& manifest, const Balance& balance, int participants,

@@ -15,7 +15,7 @@ struct CountRange {
   int least = 0;
   int most = 0;
 
-  bool is_even() const { return least == most; }
+  bool is_uniform() const { return least == most; }
 };
 
 /// Counts over the analysed trials that show how balanced the session plans are. A subject is a

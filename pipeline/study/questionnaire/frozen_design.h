@@ -30,7 +30,8 @@ std::vector<ShownMedia> shown_media(const Manifest& manifest);
 ///     scales.csv           scales, with both ends
 ///     analysis-plan.txt    the preregistered analysis plan, as stated in the manifest
 ///     stimuli.csv          stimulus, file and SHA-256 of all media
-///     inputs/…             the manifest and the texts, scales, recipes and sets that it names
+///     inputs/…             the manifest and the files of texts, scales, recipes and scenery
+///                          (`scene:`) that it names
 ///     inputs.csv           hashes of these files and of the motions that they name
 ///     dummy-report/…       a report on simulated answers
 ///     manifest-sha256.txt  hashes of all these files

@@ -6,8 +6,9 @@
 
 namespace mien::pipeline {
 
-/// An incomplete block design: assigns `treatments` to blocks of `size` each (a participant's
-/// share), block by block, so that after every block
+/// An incomplete block design: assigns treatments, numbered from 0 to `treatments` − 1, to blocks
+/// of `size` treatments (a block is a participant's share), block by block, so that after every
+/// block
 ///
 /// - the numbers of occurrences of the treatments differ by at most one, and
 /// - the numbers of blocks shared by two treatments are as equal over all pairs of treatments as a

@@ -15,9 +15,9 @@ struct MainTrial {
   bool repeated = false;  ///< a repetition of an earlier trial
 };
 
-/// The main part for participant `index`: warm-up trials, then the subjects of `share` in order,
-/// with repetitions inserted. Throws Error if no order satisfies `questionnaire.no_repeats` or
-/// `questionnaire.retest.repeat`.
+/// The main part for participant `index`: warm-up trials, then the subjects of `share` in the order
+/// that `questionnaire.order` determines, with repetitions inserted. Throws Error if no order
+/// satisfies `questionnaire.no_repeats` or `questionnaire.retest.repeat`.
 std::vector<MainTrial> main_part(const Manifest& manifest, const TrialSubjects& subjects,
                                  const std::vector<std::size_t>& share, int index);
 

@@ -43,8 +43,8 @@ struct PowerEstimate {
   SimulatedShare false_positives;  ///< at the planned number, without a true difference
   double usable = 0.0;             ///< mean number of participants who saw both stimuli or levels
   int needed = 0;       ///< smallest number with the intended power; 0: more than max_participants
-  int needed_low = 0;   ///< `needed` by the upper limit of the Monte-Carlo interval
-  int needed_high = 0;  ///< `needed` by the lower limit; 0: more than max_participants
+  int needed_low = 0;   ///< smallest number for which the power's upper limit is high enough
+  int needed_high = 0;  ///< the same for its lower limit; 0: more than max_participants
 };
 
 /// Estimates the power of the test by simulation, and the number of participants needed.

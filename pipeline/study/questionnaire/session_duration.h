@@ -7,8 +7,8 @@
 
 namespace mien::pipeline {
 
-/// Maximum expected duration of a session without a warning, seconds. Participants of the emotion
-/// thesis found 40 videos too long.
+/// Sessions with a longer expected duration, in seconds, cause a warning. Participants of the
+/// emotion thesis found 40 videos too long.
 inline constexpr double recommended_session_seconds = 20.0 * 60.0;
 
 /// Expected duration of a session, seconds: reading texts, answering questions about the
@@ -21,7 +21,7 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
 double word_count(std::string_view text);
 
 /// Duration of the video of each stimulus in seconds, including title card, fixation cross and
-/// blanks. Synthesizes the motions. Throws Error.
+/// blanks. Synthesizes the motions. Throws Error if one cannot be synthesized.
 VideoSeconds video_seconds(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -28,9 +28,9 @@ struct SessionPlan {
 using VideoSeconds = std::map<std::string, double>;
 inline constexpr double usual_video_seconds = 4.0;
 
-/// The session plans of all planned participants, or of `count` unless it is 0. Each plan is a pure
-/// function of (manifest, index), so further participants do not change earlier plans. The manifest
-/// must have a valid questionnaire.
+/// The session plans of `count` participants, or of all planned ones if `count` is 0. Each plan is
+/// a pure function of (manifest, index), so further participants do not change earlier plans. The
+/// manifest must have a valid questionnaire.
 ///
 /// Throws Error if no order satisfies `questionnaire.no_repeats`.
 std::vector<SessionPlan> plan_sessions(const Manifest& manifest, const VideoSeconds& seconds = {},

@@ -67,10 +67,11 @@ class SimulatedSession {
 
   SimulatedView view_of(const Question& question) const {
     const auto& [trial, item, scale, choices] = question;
-    return {.opinion = [this, question](std::size_t which) { return opinion(question, which); },
-            .shown = level_of(manifest_, trial.stimuli[0], item.item),
-            .is_recognised = uniform(plan_.seed, name("seen", trial, item)) < people_.seen,
-            .chance = uniform(plan_.seed, name("chosen", trial, item))};
+    return {
+        .opinion = [this, question](std::size_t which) { return opinion(question, which); },
+        .shown = level_of(manifest_, trial.stimuli[0], item.item),
+        .is_recognised = uniform(plan_.seed, name("seen", trial, item)) < people_.recognition_rate,
+        .chance = uniform(plan_.seed, name("chosen", trial, item))};
   }
 
   /// The participant's opinion of a stimulus of the trial, in the scale's own range.

@@ -21,17 +21,17 @@ using StatedTruth = std::map<std::pair<std::string, std::string>, double>;
 StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& file);
 
 /// True ratings by the model of simulated raters (simulated_raters.h) from features of the motions,
-/// which are synthesized. Throws Error if that fails or the model lacks a scale.
+/// which are synthesized. Throws Error if a motion cannot be synthesized or the model lacks a
+/// scale.
 StatedTruth measured_truth(const Manifest& manifest);
 
 /// Parameters of the responses of simulated participants. Standard deviations are in scale points.
 struct SimulatedParticipants {
-  RatingSpread spread = {.participant = 0.3,
-                         .stimulus = 0.0,
-                         .residual = 0.7};  ///< no stimulus effect beyond the truth
-  double attention_pass_rate = 0.98;        ///< probability of passing an attention check, 0 to 1
-  double seen = 0.6;  ///< probability of choosing the intended emotion in an emotion trial, 0 to 1
-  double answer_seconds = 2.5;  ///< median response time of an item, seconds
+  /// Its `stimulus` is not used: the truth contains the differences between stimuli.
+  RatingSpread spread = {.participant = 0.3, .stimulus = 0.0, .residual = 0.7};
+  double attention_pass_rate = 0.98;  ///< probability of passing an attention check, 0 to 1
+  double recognition_rate = 0.6;      ///< probability of choosing the intended emotion, 0 to 1
+  double answer_seconds = 2.5;        ///< median response time of an item, seconds
 };
 
 /// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the

@@ -19,8 +19,8 @@ struct TrialSubjects {
   std::size_t size() const { return stimuli.size(); }
 };
 
-/// The subjects of a manifest. A pair has the level shared by its stimuli, or else a combined
-/// level.
+/// The subjects of a manifest. Of each factor, a pair has the level that its stimuli share or, if
+/// their levels differ, a combined level.
 TrialSubjects trial_subjects(const Manifest& manifest);
 
 /// Number of analysed subjects per participant.

@@ -101,10 +101,11 @@ struct AnswerSet {
   bool without_unfinished = false;
   std::set<std::string> worded_questions;  ///< ids of demographic questions answered in words
   TestCorrection correction = TestCorrection::holm;
-  double alpha = 0.05;
+  double alpha = 0.05;  ///< significance level
   bool simulated = false;
   std::string design;              ///< design hash of the answers; may be empty
-  std::vector<std::string> notes;  ///< sentences about answers that were left out or separated
+  std::vector<std::string> notes;  ///< a sentence for each participant id that was split, because
+                                   ///< several sessions used it (separate_participants)
 };
 
 /// Validates answers against the manifest's questionnaire and collects them for analysis.

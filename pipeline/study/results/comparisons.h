@@ -18,10 +18,10 @@ enum class ComparisonFamily {
   modified_acted,    ///< a modified and the acted motion of the same emotion and setting
   modified_neutral,  ///< a modified and the neutral motion of the same setting
   acted_neutral,     ///< an acted and the neutral motion of the same setting
-  modified_best,     ///< a modified motion and the unmodified one of the same setting with the
-                     ///< highest mean rating of the emotion
-  between_levels,    ///< stimuli that differ only in the level of one factor, such as the actor
-                     ///< (differing_factor)
+  modified_best,   ///< a modified motion and, of the unmodified ones of the same setting, that with
+                   ///< the highest mean rating towards the modified motion's emotion
+  between_levels,  ///< stimuli that differ only in the level of one factor, such as the actor
+                   ///< (differing_factor)
 };
 
 inline constexpr Words<ComparisonFamily> family_words = {
@@ -32,8 +32,8 @@ inline constexpr Words<ComparisonFamily> family_words = {
     {"modified-best", ComparisonFamily::modified_best},
     {"between-levels", ComparisonFamily::between_levels}};
 
-/// The family to which a comparison of two stimuli of one setting belongs; nullopt if they are not
-/// compared.
+/// The family of the comparison of `one` with `other`: modified_acted, modified_neutral or
+/// acted_neutral; nullopt if none of these compares them.
 std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
                                           const ReportedStimulus& other);
 
@@ -97,19 +97,20 @@ struct Comparison {
 /// two answers about either stimulus are omitted.
 std::vector<Comparison> compare(const AnswerSet& answer_set);
 
-/// A comparison of two levels of the factor `made` over all settings, by ratings towards the
-/// intended emotion (positive, in scale points). Each participant contributes the mean over the
-/// cells (settings and emotions) in which motions of both levels were rated; other cells are
-/// excluded.
+/// A comparison of two levels of the factor `made` over all settings, by ratings in scale points,
+/// counted positive towards the intended emotion. A cell is a setting together with an emotion.
+/// Each participant contributes the mean over the cells in which they rated motions of both levels;
+/// other cells are excluded.
 struct OverallComparison {
   ComparisonFamily family = ComparisonFamily::modified_acted;
   std::string emotion;  ///< empty: all emotions
-  int matched = 0;      ///< number of cells of all participants with both levels rated
-  int unmatched = 0;    ///< participants who rated both levels, but never in the same cell
-  double mean = 0.0;    ///< mean of the participants' means
+  int matched = 0;      ///< cells with both levels rated, summed over participants
+  int unmatched = 0;  ///< number of participants who rated both levels, but never in the same cell
+  double mean = 0.0;  ///< mean of the participants' means
   double mean_against = 0.0;
   WithinParticipants within;
-  double paired_adjusted = 1.0;  ///< p adjusted within the family; all emotions by itself
+  double paired_adjusted = 1.0;  ///< p adjusted over the single emotions of the family; not
+                                 ///< adjusted if `emotion` is empty
   double wilcoxon_adjusted = 1.0;
 };
 

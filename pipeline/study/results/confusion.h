@@ -15,16 +15,16 @@ struct ConfusionRow {
   std::vector<double> points;  ///< points by column
   double total = 0.0;          ///< sum of the points
   int own = -1;                ///< column of the emotion itself; −1 if there is none
-  /// Share of the points in the emotion's own column; NaN if there is none, or no points.
+  /// Share of the points in the emotion's own column; NaN without such a column or without points.
   double recall = 0.0;
   /// Wilson's 95 % interval of the recall, with `judged` as the number of trials.
   double low = 0.0;
   double high = 1.0;
   // A presentation is a stimulus of this emotion, answered by one participant.
-  int showings = 0;       ///< number of presentations
-  int judged = 0;         ///< number of presentations with any points
-  int hits = 0;           ///< number of presentations with most points, without ties, in `own`
-  double p = 1.0;         ///< of an exact two-sided binomial test of the hits against chance
+  int showings = 0;  ///< number of presentations
+  int judged = 0;    ///< number of presentations with any points
+  int hits = 0;    ///< number of presentations in which `own` has more points than any other column
+  double p = 1.0;  ///< p of an exact two-sided binomial test of the hits against chance
   double adjusted = 1.0;  ///< p adjusted over the rows of the matrix
 };
 
@@ -37,9 +37,9 @@ struct Confusion {
   std::vector<ConfusionRow> rows;
 };
 
-/// Confusion matrices for each level of the factor `made` with emotions, if there are several, and
-/// for all levels together: from ratings by the points rule of the emotion thesis, and from
-/// choices.
+/// Confusion matrices for each level of the factor `made` whose stimuli show emotions, if there are
+/// several such levels, and for all stimuli together: from ratings by the points rule of the
+/// emotion thesis, and from choices.
 ///
 /// By the points rule, a rating contributes up to 2 points to the nearer end of its scale, in
 /// proportion to its distance from the middle: 2 at the end, 1 half way. Shares refer to all points

@@ -17,8 +17,8 @@ struct PreferenceCount {
   int for_one = 0;   ///< number of choices of `one`
   double low = 0.0;  ///< Wilson's 95 % interval of the share of `one`
   double high = 1.0;
-  double p = 1.0;         ///< of an exact two-sided binomial test against one half
-  double adjusted = 1.0;  ///< p adjusted over all counts
+  double p = 1.0;         ///< p of an exact two-sided binomial test of `for_one` against one half
+  double adjusted = 1.0;  ///< p adjusted over all pairs of stimuli and all items
 };
 
 /// The question about a pair: which stimulus is closer to the scale's high end.

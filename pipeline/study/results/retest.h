@@ -13,8 +13,8 @@ namespace mien::pipeline {
 /// (`questionnaire.retest.repeat`). Attention checks are not included.
 struct RetestAnswer {
   std::string participant;
-  bool is_excluded =
-      false;  ///< excluded by the attention rule: listed, but not summarised over all
+  bool is_excluded = false;  ///< the participant is excluded by the attention rule; the answers are
+                             ///< listed, and summarised for the participant alone
   std::string stimulus;
   std::string against;  ///< second stimulus of a pair, or the reference; may be empty
   std::string item;

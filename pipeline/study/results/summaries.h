@@ -37,7 +37,7 @@ std::vector<std::vector<AnalysedRating>> ratings_by_stimulus(const AnswerSet& an
 /// Inter-rater reliability on one scale.
 struct Reliability {
   std::size_t scale = 0;
-  Intraclass intraclass;    ///< of all answers; missing cells as in agreement.h
+  Intraclass intraclass;  ///< of all answers; missing answers are treated as agreement.h describes
   int complete_people = 0;  ///< participants who rated every rated stimulus
   double alpha = 0.0;       ///< Cronbach's alpha over these participants; NaN for fewer than two
 };

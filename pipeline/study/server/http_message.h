@@ -15,7 +15,7 @@ namespace mien::pipeline {
 struct HttpRequest {
   std::string method;             ///< "GET", "HEAD", "POST", …
   std::vector<std::string> path;  ///< segments: {"s", "a1", ""} for "/s/a1/" (plain_path)
-  std::map<std::string, std::string> headers;  ///< by name in lower case; first of repeated headers
+  std::map<std::string, std::string> headers;  ///< by lower-case name; the first of repeated ones
   std::string body;
   std::string address;  ///< IP address of the client: "127.0.0.1"
 };
@@ -62,8 +62,8 @@ HttpResponse http_value(const nlohmann::ordered_json& value, int status = 200);
 std::string header_of(const HttpRequest& request, const std::string& name);
 
 /// A response with a file, or with the byte range that a "Range" header requests (RFC 9110 §14).
-/// For several ranges, the whole file is sent. The status is 416 for a range beyond its end and 404
-/// for a missing file.
+/// For several ranges, the whole file is sent. The status is 416 for a range beyond the end of the
+/// file and 404 for a missing file.
 HttpResponse http_file(const HttpRequest& request, const std::filesystem::path& file,
                        const std::string& type);
 

@@ -31,8 +31,9 @@ using HttpHandler = std::function<HttpResponse(const HttpRequest&)>;
 using HttpFailureHandler = std::function<void(const std::string&)>;
 
 /// A web server. Each request is read completely, within limits, before it is handled. Paths
-/// rejected by plain_path are refused. Each response has headers that prevent browsers from running
-/// or framing content of other origins and from caching.
+/// rejected by plain_path are refused. Each response has headers by which browsers run no content
+/// of other origins, do not show the page in a frame of another page, and store nothing in their
+/// caches.
 class HttpServer {
  public:
   /// Starts listening. Throws Error if the address cannot be bound.

@@ -25,12 +25,12 @@ class RateLimit {
 
  private:
   struct Bucket {
-    double left = 0;
+    double tokens = 0;  ///< at the time `filled`
     Clock::time_point filled;
   };
 
   void remove_full_buckets(Clock::time_point now);
-  double left(const Bucket& bucket, Clock::time_point now) const;
+  double tokens_at(const Bucket& bucket, Clock::time_point now) const;
 
   Rate rate_;
   std::mutex mutex_;

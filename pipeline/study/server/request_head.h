@@ -29,7 +29,7 @@ struct RequestHead {
       false;  ///< "Expect: 100-continue": the body is sent only after an interim response
   bool lacks_host = false;      ///< the request is refused because it has no Host header
   std::size_t body_length = 0;  ///< bytes
-  std::map<std::string, std::string> headers;  ///< by name in lower case; first of repeated headers
+  std::map<std::string, std::string> headers;  ///< by lower-case name; the first of repeated ones
 };
 
 /// Parses the head of a request. Refused are malformed lines, a missing Host header, a body without

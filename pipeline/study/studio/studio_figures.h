@@ -18,10 +18,11 @@ struct StudioFigure {
   /// Identifies the GLB file; empty: the page uses its own figure.
   std::string key;
 
-  int joints = 0;  ///< number of joints of the GLB file; 0 if they are the body's
+  int joints = 0;  ///< number of joints of the GLB file; 0 if it has the joints of the body
 
-  /// World-space poses of these joints as in the film, little-endian f32: positions (frames ×
-  /// joints × 3, metres), then rotations as quaternions (frames × joints × 4: x, y, z, w).
+  /// World-space poses of these joints as in the film; empty if `joints` is 0. Little-endian f32:
+  /// positions (frames × joints × 3, metres), then rotations as quaternions (frames × joints × 4:
+  /// x, y, z, w).
   std::string poses;
 };
 

@@ -109,14 +109,14 @@ struct ItemResponse {
 /// What a simulated participant perceives of one item of a trial.
 struct SimulatedView {
   std::function<double(std::size_t)>
-      opinion;        ///< value on the scale of the stimulus with this index in the trial
+      opinion;        ///< value, on the item's scale, of the stimulus with this index in the trial
   std::string shown;  ///< level of the first stimulus in the factor with the name of the item
   bool is_recognised = false;  ///< the participant recognises the shown level
   double chance = 0.0;         ///< random number from 0 to 1 for the simulated response
 };
 
 /// A kind of trial: defines how responses are checked, completed and simulated. An attention check
-/// is a trial of the same kind without stimuli.
+/// is a trial of the kind that it resembles, but without stimuli.
 struct TrialKind {
   std::string_view name;
   const TrialForm* form = nullptr;  ///< the form in a manifest; nullptr for matching trials

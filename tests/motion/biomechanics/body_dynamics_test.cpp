@@ -23,7 +23,7 @@ Clip standing(double rate = 100.0, int frames = 200) {
 }
 
 TEST(BodyDynamics, OfStandingStillIsWeight) {
-  const std::vector<BodyDynamics> body = body_dynamics(lint_subject(standing()));
+  const std::vector<BodyDynamics> body = body_dynamics(lint_motion(standing()));
   for (const BodyDynamics& moment : body) {
     EXPECT_TRUE(moment.ground_reaction.isApprox(Vec3(0, gravity, 0), 1e-9));
     EXPECT_NEAR(moment.zero_moment_point.x(), moment.centre_of_mass.x(), 1e-9);
@@ -37,7 +37,7 @@ TEST(BodyDynamics, OfFreeFallIsNothing) {
     const double seconds = t / clip.frames_per_second;
     clip.poses[t].root_position += Vec3(seconds, 5.0 - 0.5 * gravity * seconds * seconds, 0);
   }
-  const std::vector<BodyDynamics> body = body_dynamics(lint_subject(clip));
+  const std::vector<BodyDynamics> body = body_dynamics(lint_motion(clip));
   for (int t = 40; t < 160; ++t) EXPECT_LT(body[t].ground_reaction.norm(), 0.05) << t;
 }
 
@@ -48,7 +48,7 @@ TEST(BodyDynamics, OfAPushedBodyMovesTheZeroMomentPointByHeightTimesAcceleration
     const double seconds = t / clip.frames_per_second;
     clip.poses[t].root_position.z() += 0.5 * push * seconds * seconds;
   }
-  const std::vector<BodyDynamics> body = body_dynamics(lint_subject(clip));
+  const std::vector<BodyDynamics> body = body_dynamics(lint_motion(clip));
   const BodyDynamics& moment = body[100];
   const double expected = moment.centre_of_mass.z() - moment.centre_of_mass.y() * push / gravity;
   EXPECT_NEAR(moment.zero_moment_point.z(), expected, 1e-3);
@@ -60,7 +60,7 @@ TEST(BodyDynamics, OfATurnAboutTheVerticalNeedsAMomentOnlyWhileItChanges) {
   for (int t = 0; t < clip.frame_count(); ++t) {
     clip.poses[t].rotations[Pelvis] = exp(Vec3(0, 1.0 * t / clip.frames_per_second, 0));
   }
-  const std::vector<BodyDynamics> body = body_dynamics(lint_subject(clip));
+  const std::vector<BodyDynamics> body = body_dynamics(lint_motion(clip));
   double rate = 0.0;
   for (int s = 0; s < segment_count; ++s) rate += std::abs(body[100].momentum_rate[s].y());
   EXPECT_LT(rate, 1e-6);
@@ -68,11 +68,11 @@ TEST(BodyDynamics, OfATurnAboutTheVerticalNeedsAMomentOnlyWhileItChanges) {
 
 TEST(InverseDynamics, OfAnArmHeldOutIsItsWeightTimesItsLever) {
   const Clip clip = standing();
-  const LintSubject subject = lint_subject(clip);
-  const std::vector<BodyDynamics> body = body_dynamics(subject);
-  const std::vector<SegmentMass> segments = segment_masses(clip.body, subject.world[100]);
-  const double shoulder = subject.world[100].positions[LeftShoulder].x();
-  const double elbow = subject.world[100].positions[LeftElbow].x();
+  const LintMotion motion = lint_motion(clip);
+  const std::vector<BodyDynamics> body = body_dynamics(motion);
+  const std::vector<SegmentMass> segments = segment_masses(clip.body, motion.world[100]);
+  const double shoulder = motion.world[100].positions[LeftShoulder].x();
+  const double elbow = motion.world[100].positions[LeftElbow].x();
   double about_shoulder = 0.0;
   double about_elbow = 0.0;
   for (const SegmentMass& segment : segments) {
@@ -83,7 +83,7 @@ TEST(InverseDynamics, OfAnArmHeldOutIsItsWeightTimesItsLever) {
       about_shoulder += weight * (segment.centre.x() - shoulder);
     }
   }
-  const std::vector<double> torques = joint_torques(body[100], supports(subject)[100]);
+  const std::vector<double> torques = joint_torques(body[100], supports(motion)[100]);
   const auto& joints = torque_joints();
   for (size_t j = 0; j < joints.size(); ++j) {
     if (joints[j].joint == LeftShoulder) {
@@ -98,20 +98,20 @@ TEST(InverseDynamics, OfAnArmHeldOutIsItsWeightTimesItsLever) {
 }
 
 TEST(InverseDynamics, OfStandingOnTwoLegsNeedsLittle) {
-  const LintSubject subject = lint_subject(standing());
+  const LintMotion motion = lint_motion(standing());
   const std::vector<double> torques =
-      joint_torques(body_dynamics(subject)[100], supports(subject)[100]);
-  ASSERT_FALSE(supports(subject)[100].empty());
+      joint_torques(body_dynamics(motion)[100], supports(motion)[100]);
+  ASSERT_FALSE(supports(motion)[100].empty());
   for (size_t j = 0; j < torques.size(); ++j) EXPECT_LT(70 * torques[j], 45.0) << j;
 }
 
 TEST(InverseDynamics, OfNormalWalkingIsWhatGaitLaboratoriesMeasure) {
-  const LintSubject subject = lint_subject(builtin_walks()[0]);
-  const std::vector<BodyDynamics> body = body_dynamics(subject);
-  const std::vector<Support> floor = supports(subject);
+  const LintMotion motion = lint_motion(builtin_walks()[0]);
+  const std::vector<BodyDynamics> body = body_dynamics(motion);
+  const std::vector<Support> floor = supports(motion);
   double ankle = 0.0;
   double force = 0.0;
-  for (int t = subject.start; t < subject.start + subject.frames; ++t) {
+  for (int t = motion.start; t < motion.start + motion.frames; ++t) {
     ankle = std::max(ankle, joint_torques(body[t], floor[t])[5]);
     force = std::max(force, body[t].ground_reaction.y() / gravity);
   }

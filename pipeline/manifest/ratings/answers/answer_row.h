@@ -53,7 +53,8 @@ struct AnswerRow {
   bool simulated = false;
   Place place;  ///< position of the value in the source file; not written
 
-  /// Whether the row is analysed: it is not empty and not part of practice, warm-up or a check.
+  /// Whether the row is analysed: its value is not empty, and it is not part of practice, warm-up
+  /// or a check.
   bool counts() const;
 };
 
@@ -71,9 +72,9 @@ std::vector<std::string> fields_of_row(const AnswerRow& row);
 
 enum class DuplicateAnswers { refused, allowed };
 
-/// Reads the output of to_csv, also of earlier versions, in which `is_check` was called `is_catch`:
-/// a warning is added to `warnings`, if given. Columns may be in any order; unknown columns are
-/// ignored.
+/// Reads the output of to_csv, also of earlier versions, in which `is_check` was called `is_catch`.
+/// In that case, a warning is added to `warnings` unless it is null. Columns may be in any order;
+/// unknown columns are ignored.
 ///
 /// Throws Faults with every fault at once, at file:line:column: missing columns, no rows, an empty
 /// participant or item, an invalid kind, pole or boolean, numbers that are malformed, negative or

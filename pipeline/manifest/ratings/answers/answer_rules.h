@@ -13,7 +13,8 @@ namespace mien::pipeline {
 
 /// The treatment of answers that do not conform to the study's plan. Every treatment is reported.
 struct AnswerRules {
-  /// `first` and `last` refer to `order` if given, otherwise to the line.
+  /// `first` and `last` refer to the answers' `order` or, where it is absent or equal, to their
+  /// line.
   enum class Repeated { refuse, first, last, mean };
   enum class Unknown { refuse, ignore };  ///< unknown scales and stimuli
   enum class Constant { keep, drop };     ///< participants who give the same answer throughout
@@ -24,8 +25,8 @@ struct AnswerRules {
   Constant constant = Constant::keep;
   Missing missing = Missing::ignore;
 
-  /// For a manifest's ratings: only participant, stimulus, scale and value are read, and suggested
-  /// remedies name manifest keys instead of options of `mien study analyze`.
+  /// For a manifest's ratings: only participant, stimulus, scale, value and simulated are read, and
+  /// suggested remedies name manifest keys instead of options of `mien study analyze`.
   bool plain = false;
 
   /// Known stimuli that are not examples; answers about them are ignored.
@@ -62,7 +63,8 @@ struct StudyAnswers {
   Answers plain() const;
 };
 
-/// Replaces repeated answers by one of them or by their mean, at the position of the first.
+/// Replaces repeated answers by one of them or by their mean, at the position of the first; adds a
+/// fault for each if the rules refuse them.
 void settle_repeated(StudyAnswers& study, const AnswerRules& rules, std::vector<Fault>& faults);
 
 /// Reports participants with at least three answers, all at the same position on their scales, and

@@ -23,15 +23,16 @@ struct CountedAnswers {
   std::vector<Fault> warnings;     ///< about former names of columns
 };
 
-/// Returns the ratings without practice, warm-up, checks, repeated stimuli, empty answers, choices
-/// (of an emotion or from a pair) and all answers of participants excluded by the default
-/// AttentionRule. Throws Faults as answer_rows does and for values that contradict their raw
-/// answers, and Error if nothing remains.
+/// Returns the ratings, except those of practice, warm-up, checks and repeated stimuli, empty
+/// answers, choices (of an emotion or from a pair), and every answer of a participant whom the
+/// default AttentionRule excludes. Throws Faults as answer_rows does and for values that contradict
+/// their raw answers, and Error if nothing remains.
 CountedAnswers counted_answers(const CsvTable& answer_rows, const ScaleSet& scales);
 
 /// Returns a fault for each answer on a scale whose value contradicts its raw answer, taking the
 /// side of the poles into account. Whether a slider or a number of points was used is inferred from
-/// the rows: it is the form that most of them agree with.
+/// the rows: it is the form that most of them agree with. If not even half of them agree with one
+/// form, no faults are returned.
 std::vector<Fault> contradicted_values(const std::vector<AnswerRow>& rows, const ScaleSet& scales);
 
 /// The rule by which inattentive participants are excluded.

@@ -16,13 +16,13 @@ namespace mien::pipeline {
 /// (answer_row.h) are accepted as written; counted_answers selects those that count. Stimuli are
 /// examples, by name or file stem.
 ///
-/// An answer is also missing if a participant did not rate a stimulus that they saw on some scale
-/// or, when at least half of the participants saw every example, did not see an example. A
-/// participant is constant if they gave at least three answers, all at the same position on their
-/// scales.
+/// An answer is also missing if a participant left out a scale of a stimulus that they saw. If at
+/// least half of the participants saw every example, answers of the other participants about
+/// examples that they did not see are missing too. A participant is constant if they gave at least
+/// three answers, all at the same position on their scales.
 ///
-/// If `examples` is empty, any stimulus is accepted. For plain answers (rules.plain), the other
-/// columns are ignored, and missing or constant answers are not reported.
+/// If `examples` is empty, any stimulus is accepted. For plain answers (rules.plain), rt_ms, order
+/// and comment are ignored too, and neither missing answers nor constant participants are reported.
 ///
 /// Throws Faults with every fault at once: a missing column, a value that is not a number or
 /// outside the scale's range, and everything that the rules refuse.

@@ -12,7 +12,7 @@
 namespace mien::pipeline {
 
 /// Collects unknown names in a table. Each is reported once, with the number of rows that use it.
-/// If there are more than five, only the first five are reported, and how many others there are.
+/// If there are more than five, the first five are reported, followed by the number of the others.
 class UnknownNames {
  public:
   /// `singular` and `plural` name the expected kind: "stimulus", "stimuli".

@@ -23,17 +23,17 @@ struct MatchingStudy {
   motion::LiveBundle bundle;
 };
 
-/// Plans the sessions of `participants` participants (0: as planned) and synthesizes the target
-/// motions without rendering them. Throws Error if an adjective has no rating or the examples
-/// cannot be blended.
+/// Plans the sessions of `participants` participants (0: the number in the manifest) and
+/// synthesizes the target motions without rendering them. Throws Error if an adjective has no
+/// rating or the examples cannot be blended.
 MatchingStudy matching_study(const Manifest& manifest, Motions& motions, int participants = 0);
 
 /// The study as a server serves it, with the pages in the folder `pages` (page_bundle("matching")).
 /// The server synthesizes the motions.
 ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pages);
 
-/// The sessions of a matching experiment for all planned participants, or for `count` when that is
-/// not 0. A trial is a target (its stimulus) and an interface (its item).
+/// The sessions of a matching experiment for `count` participants, or for all planned ones if
+/// `count` is 0. A trial is a target (its stimulus) and an interface (its item).
 ///
 /// A session begins with practice, which cycles through the practice motions and through the
 /// interfaces in the participant's order until each has occurred. One block per interface follows,
@@ -53,9 +53,9 @@ std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count = 0);
 ///     index.html, matching.js, …        the page for participants, on disk or on any web server
 ///     experiment.js, experiment.json    all sessions, for the page and for other programs
 ///     live_core.js                      the live core (WebAssembly) and the live bundle
-///     <study>.jzip                      the same for JATOS
+///     <study>.jzip                      page, sessions and live core as an archive for JATOS
 ///     plans.csv                         every trial of every participant
-///     answers/data/README.md            instructions: participants' files are collected here
+///     answers/data/README.md            instructions to collect the participants' files here
 ///     README.txt                        instructions for the experimenter
 ///
 /// `pages` is the folder of the built page, `module` the live core (live_module()). The same

@@ -18,10 +18,10 @@ namespace mien::pipeline {
 ///     index.html, questionnaire.js, …   the page for participants, on disk or on any web server
 ///     experiment.js, experiment.json    all sessions, for the page and for other programs
 ///     media/<token>.mp4                 media of the stimuli; 3-D clips also as a script
-///     <study>.jzip                      the same for JATOS
+///     <study>.jzip                      page, sessions and media as an archive for JATOS
 ///     plans.csv                         every trial of every participant
 ///     answers/dataset_description.json  codebook of the answers (Psych-DS, JSON-LD)
-///     answers/data/README.md            instructions: participants' answers are collected here
+///     answers/data/README.md            instructions to collect the participants' files here
 ///     README.txt                        instructions for the experimenter
 ///
 /// `pages` is the folder of the built pages (page_bundle). The same study results in the same
@@ -32,7 +32,7 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
 /// Name of the file in an export's folder that lists the export's files, one path per line.
 inline constexpr char export_marker[] = ".mien-questionnaire";
 
-/// Throws Error for a folder that is not empty and not an earlier export, whose files might be
+/// Throws Error for a folder that is neither empty nor an earlier export, since its files might be
 /// overwritten.
 void refuse_foreign_folder(const std::filesystem::path& folder);
 

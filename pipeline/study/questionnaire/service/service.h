@@ -40,7 +40,7 @@ class QuestionnaireService {
   /// is shown on the experimenter's page (last_failure()).
   HttpResponse answer(const HttpRequest& request);
 
-  /// The last storage failure; empty if a record has been stored since.
+  /// The last storage failure; empty if there was none, or a record has been stored since.
   std::string last_failure() const;
 
   const StudySessions& sessions() const { return sessions_; }

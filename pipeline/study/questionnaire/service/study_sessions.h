@@ -46,8 +46,9 @@ struct SubmissionResult {
 /// The sessions of a served study: links and progress. Thread-safe.
 class StudySessions {
  public:
-  /// Initialises a new store. Throws Error if the store belongs to another study or to another
-  /// design of this study. `study` and `store` must outlive this object.
+  /// Opens the sessions in `store`; if it is new, first writes the planned sessions to it. Throws
+  /// Error if the store belongs to another study or to another design of this study. `study` and
+  /// `store` must outlive this object.
   StudySessions(const ServedStudy& study, SessionStore& store, ClockSeconds clock);
 
   /// The session with this link, or nullopt.
@@ -63,7 +64,8 @@ class StudySessions {
   SubmissionResult submit(int session, const PageRecord& record, const std::string& content);
 
   /// Adds a session for a participant who gave consent on the page of the shared link. It follows
-  /// the plan with the fewest participants, not counting those who have left or refused. Planned
+  /// the plan that the fewest participants have finished or are following (next_plan). Participants
+  /// who have refused consent, or are offline without having finished, are not counted. Planned
   /// sessions are never used, since their links may have been handed out. If the same consent is
   /// sent again, the same session is returned. Nullopt if has_enough().
   std::optional<SessionState> join(const PageRecord& consent, const std::string& content);

@@ -11,8 +11,8 @@ namespace mien::pipeline {
 struct RatingPanel {
   std::vector<int> counts;  ///< number of answers by scale point; empty: not rated
   double mean = 0.0;        ///< 0 at the low end … 1 at the high end
-  double low = 0.0;         ///< lower limit of its interval; NaN if there is none
-  double high = 0.0;        ///< upper limit
+  double low = 0.0;         ///< lower limit of the mean's interval; NaN if there is none
+  double high = 0.0;        ///< upper limit of the interval
   bool is_marked = false;   ///< an end of the scale is the stimulus's intended emotion
 };
 

@@ -10,7 +10,7 @@ namespace mien::pipeline {
 
 // Numbers as printed on the page of results: with a typographic minus sign, and "–" for NaN.
 
-/// "−0.25": with that number of decimals
+/// "−0.25": with `digits` decimals
 std::string decimal(double value, int digits = 2);
 /// "[0.10, 0.42]"
 std::string interval_text(double low, double high, int digits = 2);
@@ -42,8 +42,8 @@ class HtmlRow {
   std::string cells_;
 };
 
-/// A horizontally scrollable HTML table; empty if there are no rows. A heading that begins with "<"
-/// is left-aligned, for a column of text.
+/// A horizontally scrollable HTML table; empty if there are no rows. A "<" at the beginning of a
+/// heading is not shown; it aligns the heading to the left, for a column of text.
 std::string wide_table(const std::vector<std::string_view>& heads, const std::string& rows);
 
 }  // namespace mien::pipeline

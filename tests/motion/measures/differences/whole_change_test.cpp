@@ -41,7 +41,7 @@ TEST(WholeChange, TellsTheMoveOfAFigureThatStandsElsewhere) {
   EXPECT_EQ(moved.kind, WholeChange::moved);
   EXPECT_NEAR(moved.turn_radians, 0.2, 1e-9);
   EXPECT_TRUE(moved.shift.isApprox(Vec3(0.1, 0.02, -0.3), 1e-9));
-  EXPECT_LT(moved.left, 1e-9);
+  EXPECT_LT(moved.remaining, 1e-9);
 }
 
 TEST(WholeChange, TellsAMirroredMotionWhereverItStands) {
@@ -49,7 +49,7 @@ TEST(WholeChange, TellsAMirroredMotionWhereverItStands) {
   const Clip mirror = mirrored(walk);
   EXPECT_EQ(whole(walk, mirror).kind, WholeChange::mirrored);
   EXPECT_EQ(whole(walk, set_elsewhere(mirror, Vec3(2, 0, 1), 1.0)).kind, WholeChange::mirrored);
-  EXPECT_LT(whole(walk, mirror).left, 1e-9);
+  EXPECT_LT(whole(walk, mirror).remaining, 1e-9);
   EXPECT_GT(whole(walk, mirror).before, 0.01);
 }
 

@@ -185,7 +185,7 @@ TEST(FeasibleParameters, AreThoseThatCanBeMade) {
   EXPECT_NEAR(made_with(range.most - 1e-4).reached[0].second, range.most - 1e-4, 1e-6);
   EXPECT_NEAR(made_with(range.least + 1e-4).reached[0].second, range.least + 1e-4, 1e-6);
   const Synthesis beyond = made_with(range.most + 0.1);
-  EXPECT_FALSE(beyond.feasible[0].holds());
+  EXPECT_FALSE(beyond.feasible[0].is_feasible());
   ASSERT_FALSE(beyond.warnings.empty());
   EXPECT_NE(beyond.warnings[0].find("with largeness 0.50"), std::string::npos)
       << beyond.warnings[0];
@@ -196,7 +196,7 @@ TEST(FeasibleParameters, GiveUpWhatIsHeldWhereItAloneForbids) {
   const Manifest manifest = parsed("  - {id: a, adjectives: {quickness: 0.6}, hold: others}\n");
   const Synthesis made = synthesize(manifest.stimuli[0], repertoire());
   ASSERT_EQ(made.feasible.size(), 1u);
-  EXPECT_TRUE(made.feasible[0].holds());
+  EXPECT_TRUE(made.feasible[0].is_feasible());
   EXPECT_NEAR(made.reached[0].second, 0.6, 1e-3);
   EXPECT_LE(made.feasible[0].range.least, made.reached[0].second);
   EXPECT_GE(made.feasible[0].range.most, made.reached[0].second);
@@ -216,7 +216,7 @@ TEST(FeasibleParameters, SayThatTheOthersCannotBeHad) {
   wish.settings << 0.9, 0.9, 0.5;
   const FeasibleParameter r = feasible_parameters(wish, table).at(2);
   EXPECT_GT(r.range.miss, 0.5);
-  EXPECT_FALSE(r.holds());
+  EXPECT_FALSE(r.is_feasible());
   EXPECT_NE(to_sentence(r).find("; no blend has "), std::string::npos) << to_sentence(r);
 }
 

@@ -126,11 +126,11 @@ TEST(SessionPlan, SaysAtItsKeyThatAStimulusCannotBeSeenTwice) {
 TEST(SessionPlan, OfALatinSquareIsBalancedWhereItCanBe) {
   const Manifest even = asked_study(6, "participants: 12, scales: [sad-happy], order: latin");
   const Balance balance = balance_of(even, plan_sessions(even));
-  EXPECT_TRUE(position_range(balance).is_even());
+  EXPECT_TRUE(position_range(balance).is_uniform());
   EXPECT_EQ(position_range(balance).least, 2);
-  EXPECT_TRUE(succession_range(balance).is_even());
+  EXPECT_TRUE(succession_range(balance).is_uniform());
   const Manifest odd = asked_study(5, "participants: 10, scales: [sad-happy], order: latin");
-  EXPECT_TRUE(succession_range(balance_of(odd, plan_sessions(odd))).is_even());
+  EXPECT_TRUE(succession_range(balance_of(odd, plan_sessions(odd))).is_uniform());
   const Manifest uneven = asked_study(5, "participants: 7, scales: [sad-happy], order: latin");
   const auto sentences = balance_sentences(uneven, balance_of(uneven, plan_sessions(uneven)), 7);
   EXPECT_NE(sentences.back().find("multiple of 5"), std::string::npos) << sentences.back();
@@ -142,7 +142,7 @@ TEST(SessionPlan, TurnsEachScaleForHalfOfTheParticipants) {
   const Balance balance = balance_of(manifest, plans);
   EXPECT_EQ(balance.flipped.size(), 41u);
   EXPECT_EQ(flipped_range(balance).least, 6);
-  EXPECT_TRUE(flipped_range(balance).is_even());
+  EXPECT_TRUE(flipped_range(balance).is_uniform());
   EXPECT_EQ(plans[0].trials[0].items, plans[0].trials[3].items);
   std::set<bool> sides;
   for (const TrialItem& item : plans[0].trials[0].items) sides.insert(item.flipped);
@@ -154,7 +154,7 @@ TEST(SessionPlan, OfPairsPutsEachStimulusLeftForHalfOfTheParticipants) {
   const Balance balance = balance_of(manifest, plan_sessions(manifest));
   EXPECT_EQ(balance.subjects.size(), 6u);
   EXPECT_EQ(left_range(balance).least, 6);
-  EXPECT_TRUE(left_range(balance).is_even());
+  EXPECT_TRUE(left_range(balance).is_uniform());
 }
 
 TEST(SessionPlan, AsksForAnAnswerThatThereIs) {

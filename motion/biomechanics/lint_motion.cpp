@@ -1,4 +1,4 @@
-#include "motion/biomechanics/subject.h"
+#include "motion/biomechanics/lint_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,55 +43,55 @@ Clip off_treadmill(Clip motion, const Vec3& floor) {
 
 }  // namespace
 
-std::vector<Vec3> LintSubject::path(int joint) const {
+std::vector<Vec3> LintMotion::path(int joint) const {
   std::vector<Vec3> positions;
   positions.reserve(world.size());
   for (const JointTransforms& frame : world) positions.push_back(frame.positions[joint]);
   return positions;
 }
 
-LintSubject lint_subject(const Clip& motion) {
-  LintSubject subject;
-  subject.frames = motion.frame_count();
-  subject.was_loop = motion.loops;
-  subject.clip = motion;
-  for (Pose& pose : subject.clip.poses) {
+LintMotion lint_motion(const Clip& motion) {
+  LintMotion prepared;
+  prepared.frames = motion.frame_count();
+  prepared.was_loop = motion.loops;
+  prepared.clip = motion;
+  for (Pose& pose : prepared.clip.poses) {
     for (Quat& rotation : pose.rotations) rotation.normalize();
   }
   const bool is_human = is_body(motion.body);
   if (is_human) {
-    subject.floor = treadmill_under(subject.clip);
-    subject.clip = off_treadmill(std::move(subject.clip), subject.floor);
-    subject.scale = relative_stature(motion.body);
+    prepared.floor = treadmill_under(prepared.clip);
+    prepared.clip = off_treadmill(std::move(prepared.clip), prepared.floor);
+    prepared.scale = relative_stature(motion.body);
   }
   if (motion.loops) {
-    subject.clip = repeated(subject.clip, laps);
-    subject.start = subject.frames;
+    prepared.clip = repeated(prepared.clip, laps);
+    prepared.start = prepared.frames;
   }
-  subject.world.reserve(subject.clip.poses.size());
-  for (const Pose& pose : subject.clip.poses) {
-    subject.world.push_back(world_transforms(subject.clip.body, pose));
+  prepared.world.reserve(prepared.clip.poses.size());
+  for (const Pose& pose : prepared.clip.poses) {
+    prepared.world.push_back(world_transforms(prepared.clip.body, pose));
   }
-  return subject;
+  return prepared;
 }
 
 namespace {
 
 /// Duration of the given motion, frames.
-double duration_frames(const LintSubject& subject) {
-  return subject.was_loop ? subject.frames : std::max(subject.frames - 1, 1);
+double duration_frames(const LintMotion& motion) {
+  return motion.was_loop ? motion.frames : std::max(motion.frames - 1, 1);
 }
 
 }  // namespace
 
-double corresponding_frame(const LintSubject& subject, double frame, const LintSubject& other) {
-  const double share = (frame - subject.start) / duration_frames(subject);
+double corresponding_frame(const LintMotion& motion, double frame, const LintMotion& other) {
+  const double share = (frame - motion.start) / duration_frames(motion);
   const double there = other.start + share * duration_frames(other);
   return std::clamp(there, 0.0, other.frame_count() - 1.0);
 }
 
-double pace(const LintSubject& subject, const LintSubject& other) {
-  const double seconds = duration_frames(subject) / subject.rate();
+double pace(const LintMotion& motion, const LintMotion& other) {
+  const double seconds = duration_frames(motion) / motion.rate();
   return duration_frames(other) / other.rate() / seconds;
 }
 

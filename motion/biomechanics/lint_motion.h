@@ -12,10 +12,10 @@ inline constexpr double slowest_treadmill_m_s = 0.25;
 /// A motion prepared for the checks: its rotations are normalised; a loop is repeated to three
 /// laps, so that the middle lap has neighbours on both sides; a walk in place is converted to a
 /// travelling walk.
-struct LintSubject {
+struct LintMotion {
   Clip clip;       ///< does not loop
-  int frames = 0;  ///< number of frames of the original motion
-  int start = 0;   ///< first frame of the original motion in `clip`: of the middle lap if it loops
+  int frames = 0;  ///< number of frames of the motion as given
+  int start = 0;   ///< index in `clip` of the first of these frames; of a loop: in the middle lap
   bool was_loop = false;
   std::vector<JointTransforms> world;  ///< world transforms for every frame of `clip`
   double scale = 1.0;         ///< stature divided by 1.75 m; 1 if the body is not the canonical one
@@ -29,13 +29,13 @@ struct LintSubject {
 
 /// Prepares a motion. Its numbers must be finite and its rotations non-zero, and it must have at
 /// least one frame.
-LintSubject lint_subject(const Clip& motion);
+LintMotion lint_motion(const Clip& motion);
 
-/// The frame of `other` that corresponds to `frame` of `subject`: at the same fraction of the
+/// The frame of `other` that corresponds to `frame` of `motion`: at the same fraction of the
 /// motion's duration, in the same lap.
-double corresponding_frame(const LintSubject& subject, double frame, const LintSubject& other);
+double corresponding_frame(const LintMotion& motion, double frame, const LintMotion& other);
 
-/// Seconds of `other` that correspond to one second of `subject`: 1 unless the tempo was changed.
-double pace(const LintSubject& subject, const LintSubject& other);
+/// Seconds of `other` that correspond to one second of `motion`: 1 unless the tempo was changed.
+double pace(const LintMotion& motion, const LintMotion& other);
 
 }  // namespace mien::motion
