@@ -21,7 +21,8 @@ const std::vector<LintCheck>& lint_checks() {
       {"jerk", "hands, feet or head jerkier than in the original", true},
       {"self-intersection", "interpenetrating body parts"},
       {"on-the-spot",
-       "walking in place (not a fault); reports the speed of the belt that would fit"},
+       "walking in place (not a fault); reports the speed of the belt on which the feet would not "
+       "slide"},
       {"drift", "steady drift of the whole body"},
       {"foot-skate", "planted feet that slide"},
       {"penetration", "feet below the floor"},

@@ -159,7 +159,7 @@ Command check_command() {
       .summary = "Check a manifest, or a file that it names, and list all faults",
       .options =
           {argument("manifest", &options->manifests,
-                    "Manifests, or files of scales, recipes or a set (YAML)"),
+                    "Manifests, or files of scales, of recipes or of a set (YAML)"),
            option("--out,-o", &options->out, "Output folder, as for mien run").with_default(),
            flag("--quick", &options->quick, "Check the files only; synthesize no motions"),
            flag("--thorough", &options->thorough,

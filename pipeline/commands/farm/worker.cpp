@@ -176,7 +176,7 @@ Command farm_worker_command() {
       .options = all_of(
           manifest_options(arguments->production),
           option("--tasks", &arguments->tasks,
-                 "Tasks of mien plan (film:walk-1), or chunks of a film's frames "
+                 "Tasks listed by mien plan (film:walk-1), or chunks of a film's frames "
                  "(film:walk-1[3/12])"),
           option("--list", &arguments->list, "File with one line of tasks per job").needs("--line"),
           option("--line", &arguments->line, "Number of the line whose tasks to run, from 1")

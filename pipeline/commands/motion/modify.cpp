@@ -120,7 +120,7 @@ Command motion_emotions_command() {
                           .with_default(),
                       flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
                       flag("--posture", &options->posture,
-                           "List the rotations that posture: may name")},
+                           "List the rotations that can be named in `posture:`")},
           .notes =
               "To start your own file of recipes:\n"
               "  mien motion emotions --yaml > my.recipes.yaml",

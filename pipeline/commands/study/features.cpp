@@ -76,7 +76,7 @@ Command study_features_command() {
       .notes =
           "Writes features.csv, linkage.csv, clusters.csv and dendrogram.pdf, .svg, .png, and "
           "prints the agreement\n"
-          "of the clusters with the four published groups, which features: in a manifest uses.\n\n"
+          "of the clusters with the four published groups, used by `features:` in a manifest.\n\n"
           "Example:\n"
           "  mien study features --examples builtin:walks-27 -o out/features",
       .run = [options](const Console& console) { return cluster(*options, console); }};

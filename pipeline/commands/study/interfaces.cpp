@@ -108,7 +108,8 @@ Command study_interfaces_command() {
           option("-o,--output", &options->out, "Folder for the tables and the figure")),
       .notes =
           "For every target (sampled as by mien study targets) and interface: the distance D "
-          "of the nearest slider setting, and of simulated users. A simulated user estimates "
+          "of the nearest slider setting, and that reached by simulated users. A simulated user "
+          "estimates "
           "the settings of the target with an error of 0.15 (SD), then moves one slider at a "
           "time up and down by 0.2, later by less, keeping whichever looks closer (perceived "
           "distances have an error of 10 %), over at most 100 motions. This shows what the "

@@ -67,7 +67,7 @@ Command study_methods_command() {
                  "Parameters, separated by commas (default: the primary groups)")
               .with_commas(),
           methods_option(options->methods, "default: all"),
-          option("--settings", &options->trial.settings, "Number of parameter settings to try")
+          option("--settings", &options->trial.settings, "Number of requests (settings) to try")
               .formerly("--wishes")
               .between(2, 10000)
               .with_default(),

@@ -125,7 +125,7 @@ Command study_targets_command() {
               "--spread", options->sampling.spread,
               {{"parameters", TargetSpread::parameters}, {"everything", TargetSpread::everything}},
               "Space in which targets are spread as far apart as possible: their own parameters, "
-              "or everything rated (with --from features: measured)"),
+              "or everything: all rated scales and groups or, with --from features, all features"),
           option("--seed", &options->seed, "Seed of the sampling; default: as in the manifest"),
           option("-o,--output", &options->out,
                  "Folder for targets.csv and targets.yaml, a manifest of the targets")),

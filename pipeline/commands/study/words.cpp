@@ -137,11 +137,11 @@ Command study_words_command() {
                          "Value of an answer on scales that it does not mention: neutral (the "
                          "middle) or no-answer")},
       .notes =
-          "A word scores 1 of 2 points towards its end of the scale, a strengthened one (\"very\") "
-          "2, a softened\n"
-          "one (\"a little\") 1; a negated word scores towards the opposite end. The strongest "
-          "mention of a scale in an "
-          "answer counts. "
+          "On a scale from -2 to 2, a word counts 1 towards its end, also if softened (\"a "
+          "little\"), and 2 if\n"
+          "strengthened (\"very\"); a negated word counts towards the opposite end. The strongest "
+          "mention of a scale\n"
+          "in an answer counts.\n\n"
           "Example:\n"
           "  mien study words words.csv --lexicon manifests/walking-words.scales.yaml -o "
           "answers.csv",

@@ -110,7 +110,8 @@ std::string findings_section(const Manifest& manifest, Motions& motions) {
   }
   if (rows.empty()) return "";
   constexpr std::size_t most_open = 12;
-  const std::string table = html_table({"stimulus", ">errors", ">warnings", "first"}, rows);
+  const std::string table =
+      html_table({"stimulus", ">errors", ">warnings", "first error, else first warning"}, rows);
   return titled_section(
       "Findings",
       count <= most_open

@@ -149,7 +149,7 @@ std::string distance_table(std::span<const Sheet* const> sheets, Motions& motion
   }
   return html_table(
       {"target", "created", ">D (m)", ">D_sum (m): sum over joints and moments", ">MPJPE (m)",
-       "D &lt; 0.06 m (the matching threshold)", "joint with the largest difference; durations"},
+       "D &lt; 0.06 m (the matching threshold)", "joint with the largest mean distance; durations"},
       rows);
 }
 

@@ -44,7 +44,7 @@ std::string largest_distance_text(const motion::Distance& distance) {
   const auto worst = std::max_element(by_joint.begin(), by_joint.end());
   std::string joint = spoken_name(motion::BodyJoint(worst - by_joint.begin() + 1));
   joint[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(joint[0])));
-  return fmt::format("largest: {}, {:.3f} m", joint, *worst);
+  return fmt::format("largest mean distance: {}, {:.3f} m", joint, *worst);
 }
 
 std::string durations_text(const motion::Example& target, const motion::Example& created) {
@@ -56,8 +56,7 @@ std::string durations_text(const motion::Example& target, const motion::Example&
 
 std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
                            const motion::Example& created) {
-  return "mean joint distance, " + largest_distance_text(distance) + "  ·  " +
-         durations_text(target, created);
+  return largest_distance_text(distance) + "  ·  " + durations_text(target, created);
 }
 
 std::string sheet_as_pdf(const SheetContent& content) {

@@ -53,7 +53,8 @@ struct SheetContent {
 /// Numbers have as many digits as the printed comparison needs to be true.
 std::string verdict(const motion::Distance& distance);
 
-/// Returns the joint with the largest mean distance: "largest: left wrist, 0.132 m".
+/// Returns the joint whose mean distance over time is the largest: "largest mean distance: left
+/// wrist, 0.132 m".
 std::string largest_distance_text(const motion::Distance& distance);
 
 /// Returns "durations: target 2.07 s, created 1.40 s (-0.67 s)".

@@ -86,17 +86,17 @@ void draw_verdict(Canvas& canvas, const SheetContent& content, const Box& box) {
   const std::size_t colon = sentence.find(':') + 1;
   const double left = box.x + 14.0;
   const double room = box.width - 28.0;
-  canvas.text({left, box.y + 20.0}, sentence.substr(0, colon), {.size = 10.0, .max_width = room});
-  canvas.text({left, box.y + 44.0}, sentence.substr(colon + 1),
+  canvas.text({left, box.y + 18.0}, sentence.substr(0, colon), {.size = 10.0, .max_width = room});
+  canvas.text({left, box.y + 41.0}, sentence.substr(colon + 1),
               {.size = 17.0, .bold = true, .max_width = room});
-  draw_gauge(canvas, content.distance, {left, box.y + 56.0, room, 5.0});
+  draw_gauge(canvas, content.distance, {left, box.y + 52.0, room, 5.0});
   const TextStyle small = {.size = 8.0, .colour = quiet_ink, .max_width = room};
+  canvas.text({left, box.bottom() - 26.0}, largest_distance_text(content.distance), small);
   canvas.text(
-      {left, box.bottom() - 18.0},
-      fmt::format("{}; MPJPE {:.3f} m; D_sum {:.2f} m", largest_distance_text(content.distance),
-                  content.distance.mpjpe, content.distance.sum),
+      {left, box.bottom() - 16.0},
+      fmt::format("MPJPE {:.3f} m; D_sum {:.2f} m", content.distance.mpjpe, content.distance.sum),
       small);
-  canvas.text({left, box.bottom() - 6.5},
+  canvas.text({left, box.bottom() - 6.0},
               durations_text(content.target.motion, content.created.motion), small);
 }
 

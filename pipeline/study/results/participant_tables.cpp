@@ -73,7 +73,7 @@ constexpr auto retest_columns = result_table<RetestRow>(
      {"equal", "", "1 if both answers are the same", [](auto& r) { return r.of.is_equal(); }}});
 
 constexpr auto retest_summary_columns = result_table<RetestSummaryRow>(
-    "results/retest_summary.csv", "participant with repeated answers and item, and per total",
+    "results/retest_summary.csv", "participant and item with repeated answers, and per total",
     {{"participant", "", "participant id; empty: all participants analysed",
       [](auto& r) { return r.of.participant; }},
      {"item", "", "scale or question id; empty: all", [](auto& r) { return r.of.item; }},

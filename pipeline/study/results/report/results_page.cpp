@@ -205,15 +205,14 @@ std::string differences_html(const Results& results, const PageParts& parts) {
   add(ComparisonFamily::acted_neutral, "");
   if (html.empty()) return "";
   return paragraph(
-             "How strongly the intended emotion is perceived. The first table is over all "
-             "settings; its values are scale points from the middle of the scale towards the "
-             "emotion. A setting is a combination of levels of all factors except “made”, "
-             "“emotion” and “strength”. For "
-             "each participant, it takes the mean over the settings and emotions for which the "
-             "participant rated both motions compared (matched pairs: their number, summed over "
-             "participants). The second table is video by video, for participants who saw both "
-             "videos; its values are on the scale itself, positive towards its high end. The "
-             "highest-rated video is the unmodified video of the setting rated "
+             "How strongly the intended emotion is perceived. A setting is a combination of "
+             "levels of all factors except “made”, “emotion” and “strength”. The first table is "
+             "over all settings; its values are scale points from the middle of the scale towards "
+             "the emotion. It is based on each participant’s means over the settings and emotions "
+             "for which the participant rated both motions compared (matched pairs: their number, "
+             "summed over participants). The second table is video by video, for participants who "
+             "saw both videos; its values are on the scale itself, positive towards its high end. "
+             "The highest-rated video is the unmodified video of the setting rated "
              "farthest towards the emotion; it was selected "
              "using the same answers, so its ratings are biased upwards. The other scales are in "
              "results/comparisons.csv. Where all within-participant differences are equal, no t "
@@ -278,9 +277,9 @@ std::string agreement_part(const Results& results) {
              "Intraclass correlations (Shrout and Fleiss); k is the number of ratings per video. "
              "Where participants saw only some of the videos, all ratings are used and none are "
              "imputed: ICC(1) comes from the one-way analysis of variance, ICC(2) and ICC(3) from "
-             "variance components estimated by fitting constants (Henderson’s method 3), which for "
-             "complete data equal the usual mean squares. Cronbach’s α is computed over the "
-             "participants who rated all videos.") +
+             "variance components estimated by fitting constants (Henderson’s method 3); for "
+             "complete data they equal those from the usual mean squares. Cronbach’s α is computed "
+             "over the participants who rated all videos.") +
          table;
 }
 

@@ -29,13 +29,13 @@ struct ListedFigure {
 };
 
 constexpr auto figures_columns = table_of<ListedFigure>(
-    "figures.csv", "figure, or a table that is like one",
-    {{"file", "", "the file; of figures without its ending", [](auto& r) { return r.file; }},
+    "figures.csv", "figure, or table that corresponds to a figure of the emotion thesis",
+    {{"file", "", "file; for figures, its name without extension", [](auto& r) { return r.file; }},
      {"title", "", "title of the figure", [](auto& r) { return r.title; }},
-     {"thesis_figure", "", "number of the figure of the emotion thesis that it is like",
+     {"thesis_figure", "", "number of the corresponding figure of the emotion thesis",
       [](auto& r) { return r.thesis; }},
-     {"earlier_name", "", "what its file was called before", [](auto& r) { return r.former_name; }},
-     {"simulated", "0/1", "1: made of simulated answers", [](auto& r) { return r.simulated; }}});
+     {"earlier_name", "", "former name of its file", [](auto& r) { return r.former_name; }},
+     {"simulated", "0/1", "1: made from simulated answers", [](auto& r) { return r.simulated; }}});
 
 /// The list of figures with captions and the corresponding figures of the thesis.
 std::string figure_list(const std::vector<ResultFigure>& figures, const Results& results) {
