@@ -5,13 +5,57 @@
 #include <cmath>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include "render/error.h"
+#include "render/geometry/box.h"
 #include "render/geometry/embree_api.h"
 #include "render/math/constants.h"
 
 namespace mien::render {
+
+struct EmbreeScene::Contents {
+  explicit Contents(Shapes traced);
+
+  Shapes shapes;
+  std::vector<TrianglePatch> patches;  // of the triangles, when the shutter opens
+
+  /// Padded boxes of the primitives of Embree's two geometries, round cones and patches of
+  /// triangles, when the shutter opens and, if they move, when it closes.
+  std::array<std::vector<Box>, 2> cone_boxes;
+  std::array<std::vector<Box>, 2> patch_boxes;
+};
+
 namespace {
+
+using Contents = EmbreeScene::Contents;
+
+const Contents& contents_of(const void* user) { return *static_cast<const Contents*>(user); }
+
+template <class Shape>
+std::vector<Box> boxes_of(const std::vector<Shape>& shapes, std::size_t together) {
+  std::vector<Box> boxes;
+  for (std::size_t first = 0; first < shapes.size(); first += together) {
+    Box box = box_of(shapes[first]);
+    for (std::size_t i = first + 1; i < std::min(first + together, shapes.size()); ++i)
+      box = hull(box, box_of(shapes[i]));
+    boxes.push_back(padded(box));
+  }
+  return boxes;
+}
+
+template <std::array<std::vector<Box>, 2> Contents::*boxes>
+void bounds_of(const RTCBoundsFunctionArguments* arguments) {
+  const auto& [opening, closing] = contents_of(arguments->geometryUserPtr).*boxes;
+  const Box& box = (arguments->timeStep > 0 ? closing : opening)[arguments->primID];
+  RTCBounds& bounds = *arguments->bounds_o;
+  bounds.lower_x = box.lower.x();
+  bounds.lower_y = box.lower.y();
+  bounds.lower_z = box.lower.z();
+  bounds.upper_x = box.upper.x();
+  bounds.upper_y = box.upper.y();
+  bounds.upper_z = box.upper.z();
+}
 
 bool machine_has(const std::string& instruction_set) {
   if (instruction_set == "sse2") return __builtin_cpu_supports("sse2");
@@ -21,51 +65,6 @@ bool machine_has(const std::string& instruction_set) {
   if (instruction_set == "avx512") return __builtin_cpu_supports("avx512f");
   throw Error("unknown instruction set \"" + instruction_set +
               "\"; Embree knows sse2, sse4.2, avx, avx2 and avx512");
-}
-
-struct Box {
-  Eigen::Array3f lower;
-  Eigen::Array3f upper;
-};
-
-Box box_of(const PreparedCone& cone) {
-  const Eigen::Array3f a = cone.a.array(), b = cone.b().array();
-  return {(a - cone.radius_a).min(b - cone.radius_b), (a + cone.radius_a).max(b + cone.radius_b)};
-}
-
-Box box_of(const Triangle& triangle) {
-  const Eigen::Array3f a = triangle.a.array(), b = triangle.b.array(), c = triangle.c.array();
-  return {a.min(b).min(c), a.max(b).max(c)};
-}
-
-Box hull(const Box& a, const Box& b) { return {a.lower.min(b.lower), a.upper.max(b.upper)}; }
-
-void set_bounds(const Box& box, RTCBounds& bounds) {
-  // Wider than any rounding, in Embree or in the intersection, so that no box hides a hit.
-  const float padding =
-      1e-4f * std::max(1.0f, std::max(box.lower.abs().maxCoeff(), box.upper.abs().maxCoeff()));
-  bounds.lower_x = box.lower.x() - padding;
-  bounds.lower_y = box.lower.y() - padding;
-  bounds.lower_z = box.lower.z() - padding;
-  bounds.upper_x = box.upper.x() + padding;
-  bounds.upper_y = box.upper.y() + padding;
-  bounds.upper_z = box.upper.z() + padding;
-}
-
-void bounds_of_cone(const RTCBoundsFunctionArguments* arguments) {
-  const Shapes& shapes = static_cast<const EmbreeScene*>(arguments->geometryUserPtr)->shapes();
-  const auto& cones = arguments->timeStep > 0 ? shapes.closing_cones : shapes.cones;
-  set_bounds(box_of(cones[arguments->primID]), *arguments->bounds_o);
-}
-
-void bounds_of_patch(const RTCBoundsFunctionArguments* arguments) {
-  const Shapes& shapes = static_cast<const EmbreeScene*>(arguments->geometryUserPtr)->shapes();
-  const auto& triangles = arguments->timeStep > 0 ? shapes.closing_triangles : shapes.triangles;
-  const std::size_t first = arguments->primID * patch_size;
-  const std::size_t last = std::min(first + patch_size, triangles.size());
-  Box box = box_of(triangles[first]);
-  for (std::size_t i = first + 1; i < last; ++i) box = hull(box, box_of(triangles[i]));
-  set_bounds(box, *arguments->bounds_o);
 }
 
 // Embree's ray packets of N rays are arrays of N values, field by field.
@@ -102,15 +101,19 @@ void cone_crossings(const Shapes& shapes, std::size_t index, const PacketFields&
   crossings_beyond(packet.near_distance(), enter, leave, packet.lanes, distances);
 }
 
-void patch_crossings(const EmbreeScene& scene, std::size_t index, const PacketFields& packet,
-                     unsigned lane, float* distances) {
-  const RayLanes ray = packet.rays(lane);
-  const Vec3 origin{*ray.origin_x, *ray.origin_y, *ray.origin_z};
-  const Vec3 direction{*ray.direction_x, *ray.direction_y, *ray.direction_z};
-  const TrianglePatch& patch = scene.patches()[index];
-  if (scene.closing_patches().empty()) return intersect_patch(patch, origin, direction, distances);
-  intersect_patch(patch_between(patch, scene.closing_patches()[index], packet.time()[lane]), origin,
-                  direction, distances);
+/// As intersect_patch, at the time of the ray.
+float patch_crossings(const Contents& scene, std::size_t index, const PacketFields& packet,
+                      unsigned lane, float* distances) {
+  const TrianglePatch& patch = scene.patches[index];
+  const Shapes& shapes = scene.shapes;
+  if (shapes.closing_triangles.empty())
+    return intersect_patch(patch, packet.rays(), lane, distances);
+  TrianglePatch moved;
+  const std::size_t first = index * patch_size;
+  const std::size_t count = std::min(patch_size, shapes.triangles.size() - first);
+  for (std::size_t i = 0; i < count; ++i)
+    moved.set(i, shapes.triangle_at(first + i, packet.time()[lane]));
+  return intersect_patch(moved, packet.rays(), lane, distances);
 }
 
 bool is_there(const Shapes& shapes, std::size_t shape, const PacketFields& packet, unsigned lane) {
@@ -151,44 +154,48 @@ class PacketHits {
 };
 
 void intersect_cone(const RTCIntersectFunctionNArguments* arguments) {
-  const Shapes& shapes = static_cast<const EmbreeScene*>(arguments->geometryUserPtr)->shapes();
+  const Contents& scene = contents_of(arguments->geometryUserPtr);
   PacketHits hits(arguments);
   float distances[max_lanes];
-  cone_crossings(shapes, arguments->primID, hits.packet, distances);
+  cone_crossings(scene.shapes, arguments->primID, hits.packet, distances);
   for (unsigned i = 0; i < hits.packet.lanes; ++i)
-    if (arguments->valid[i] != 0) hits.offer(shapes, i, arguments->primID, distances[i]);
+    if (arguments->valid[i] != 0) hits.offer(scene.shapes, i, arguments->primID, distances[i]);
 }
 
 void occlude_by_cone(const RTCOccludedFunctionNArguments* arguments) {
-  const Shapes& shapes = static_cast<const EmbreeScene*>(arguments->geometryUserPtr)->shapes();
+  const Contents& scene = contents_of(arguments->geometryUserPtr);
   const PacketFields packet{reinterpret_cast<float*>(arguments->ray), arguments->N};
   float distances[max_lanes];
-  cone_crossings(shapes, arguments->primID, packet, distances);
+  cone_crossings(scene.shapes, arguments->primID, packet, distances);
   float* reach = packet.far_distance();
   for (unsigned i = 0; i < packet.lanes; ++i)
     if (arguments->valid[i] != 0 && distances[i] < reach[i] &&
-        is_there(shapes, arguments->primID, packet, i))
+        is_there(scene.shapes, arguments->primID, packet, i))
       reach[i] = -infinity;
 }
 
 void intersect_triangles(const RTCIntersectFunctionNArguments* arguments) {
-  const EmbreeScene& scene = *static_cast<const EmbreeScene*>(arguments->geometryUserPtr);
+  const Contents& scene = contents_of(arguments->geometryUserPtr);
   PacketHits hits(arguments);
   alignas(32) float distances[patch_size];
   for (unsigned i = 0; i < hits.packet.lanes; ++i) {
     if (arguments->valid[i] == 0) continue;
-    patch_crossings(scene, arguments->primID, hits.packet, i, distances);
+    const float nearest = patch_crossings(scene, arguments->primID, hits.packet, i, distances);
+    if (nearest > hits.packet.far_distance()[i]) continue;
     for (unsigned k = 0; k < patch_size; ++k)
       if (distances[k] < infinity)
-        hits.offer(scene.shapes(), i, arguments->primID * unsigned{patch_size} + k, distances[k]);
+        hits.offer(scene.shapes, i, arguments->primID * unsigned{patch_size} + k, distances[k]);
   }
 }
 
 void occlude_by_triangles(const RTCOccludedFunctionNArguments* arguments) {
-  const EmbreeScene& scene = *static_cast<const EmbreeScene*>(arguments->geometryUserPtr);
-  const Shapes& shapes = scene.shapes();
+  const Contents& scene = contents_of(arguments->geometryUserPtr);
+  const Shapes& shapes = scene.shapes;
   const PacketFields packet{reinterpret_cast<float*>(arguments->ray), arguments->N};
   float* reach = packet.far_distance();
+  if (shapes.all_present && shapes.closing_triangles.empty())
+    return occlude_by_patch(scene.patches[arguments->primID], packet.rays(), arguments->valid,
+                            packet.lanes, reach);
   alignas(32) float distances[patch_size];
   for (unsigned i = 0; i < packet.lanes; ++i) {
     if (arguments->valid[i] == 0) continue;
@@ -259,18 +266,22 @@ void RayPacket::push(const Vec3& origin, const Vec3& direction, float distance, 
   ++count;
 }
 
+EmbreeScene::Contents::Contents(Shapes traced)
+    : shapes(std::move(traced)),
+      patches(patches_of(shapes.triangles)),
+      cone_boxes{boxes_of(shapes.cones, 1), boxes_of(shapes.closing_cones, 1)},
+      patch_boxes{boxes_of(shapes.triangles, patch_size),
+                  boxes_of(shapes.closing_triangles, patch_size)} {}
+
 EmbreeScene::EmbreeScene(const EmbreeDevice& device, Shapes shapes)
-    : shapes_(std::move(shapes)),
-      patches_(patches_of(shapes_.triangles)),
-      closing_patches_(patches_of(shapes_.closing_triangles)),
-      scene_(rtcNewScene(device.get())) {
+    : contents_(std::make_unique<Contents>(std::move(shapes))), scene_(rtcNewScene(device.get())) {
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-  const auto attach = [&](std::size_t count, bool moves, RTCBoundsFunction bounds,
+  const auto attach = [&](const std::array<std::vector<Box>, 2>& boxes, RTCBoundsFunction bounds,
                           RTCIntersectFunctionN hit, RTCOccludedFunctionN blocked) {
     RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
-    rtcSetGeometryTimeStepCount(geometry, moves ? 2 : 1);
-    rtcSetGeometryUserData(geometry, this);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes[0].size()));
+    rtcSetGeometryTimeStepCount(geometry, boxes[1].empty() ? 1 : 2);
+    rtcSetGeometryUserData(geometry, contents_.get());
     rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
     rtcSetGeometryIntersectFunction(geometry, hit);
     rtcSetGeometryOccludedFunction(geometry, blocked);
@@ -279,13 +290,14 @@ EmbreeScene::EmbreeScene(const EmbreeDevice& device, Shapes shapes)
     rtcReleaseGeometry(geometry);
   };
   // In the order of their numbers.
-  attach(shapes_.cones.size(), !shapes_.closing_cones.empty(), bounds_of_cone, intersect_cone,
-         occlude_by_cone);
-  attach(patches_.size(), !closing_patches_.empty(), bounds_of_patch, intersect_triangles,
+  attach(contents_->cone_boxes, bounds_of<&Contents::cone_boxes>, intersect_cone, occlude_by_cone);
+  attach(contents_->patch_boxes, bounds_of<&Contents::patch_boxes>, intersect_triangles,
          occlude_by_triangles);
   rtcCommitScene(scene_);
   throw_on_error(device.get(), "build a scene");
 }
+
+const Shapes& EmbreeScene::shapes() const { return contents_->shapes; }
 
 EmbreeScene::~EmbreeScene() { rtcReleaseScene(scene_); }
 
@@ -301,8 +313,9 @@ Hits EmbreeScene::intersect(const RayPacket& rays) const {
     hits.distance[i] = packet.ray.tfar[i];
     const unsigned geometry = packet.hit.geomID[i];
     hits.shape[i] = geometry == RTC_INVALID_GEOMETRY_ID ? -1
-                    : geometry == 0                     ? static_cast<int>(packet.hit.primID[i])
-                                    : static_cast<int>(shapes_.cones.size() + packet.hit.primID[i]);
+                    : geometry == 0
+                        ? static_cast<int>(packet.hit.primID[i])
+                        : static_cast<int>(contents_->shapes.cones.size() + packet.hit.primID[i]);
   }
   return hits;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
-#include <vector>
 
 #include "render/geometry/shapes.h"
 
@@ -60,20 +60,18 @@ struct Hits {
 
 /// Shapes in an Embree bounding volume hierarchy. Embree proposes candidates by padded bounding
 /// boxes, our own intersection tests decide, and of two equally near hits the shape with the lower
-/// index wins, so that hits do not depend on Embree's version or instruction set.
+/// index wins, so that hits do not depend on Embree's version or instruction set. Its primitives
+/// are round cones and patches of eight triangles.
 class EmbreeScene {
  public:
+  struct Contents;  // what Embree's callbacks see
+
   EmbreeScene(const EmbreeDevice& device, Shapes shapes);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  const Shapes& shapes() const { return shapes_; }
-
-  /// The triangles of the shapes in patches (patches_of), which are Embree's primitives; with
-  /// motion blur also their positions at shutter close.
-  const std::vector<TrianglePatch>& patches() const { return patches_; }
-  const std::vector<TrianglePatch>& closing_patches() const { return closing_patches_; }
+  const Shapes& shapes() const;
 
   /// Returns the nearest hit of each ray. Optimised for coherent rays, such as neighbouring primary
   /// rays.
@@ -83,9 +81,7 @@ class EmbreeScene {
   std::uint32_t occluded(const RayPacket& rays) const;
 
  private:
-  Shapes shapes_;
-  std::vector<TrianglePatch> patches_;
-  std::vector<TrianglePatch> closing_patches_;
+  std::unique_ptr<Contents> contents_;
   RTCSceneTy* scene_ = nullptr;
 };
 

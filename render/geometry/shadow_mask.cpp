@@ -10,28 +10,20 @@
 namespace mien::render {
 namespace {
 
-// Points whose hull holds a piece.
-struct HullPoints {
-  std::array<Vec3, 8> points;
-  std::size_t count = 0;
-};
+std::array<Vec3, 8> corners_of(const Box& box) {
+  std::array<Vec3, 8> corners;
+  for (unsigned i = 0; i < 8; ++i)
+    corners[i] = {i & 1u ? box.upper.x() : box.lower.x(), i & 2u ? box.upper.y() : box.lower.y(),
+                  i & 4u ? box.upper.z() : box.lower.z()};
+  return corners;
+}
 
 template <std::size_t count>
-HullPoints hull_points(const std::array<Ball, count>& balls) {
-  HullPoints hull;
-  if (balls[0].radius == 0.0f) {
-    for (const Ball& ball : balls) hull.points[hull.count++] = ball.centre;
-    return hull;
-  }
-  Eigen::Array3f low = Eigen::Array3f::Constant(infinity), high = -low;
-  for (const Ball& ball : balls) {
-    low = low.min(ball.centre.array() - ball.radius);
-    high = high.max(ball.centre.array() + ball.radius);
-  }
-  for (unsigned i = 0; i < 8; ++i)
-    hull.points[hull.count++] = {i & 1u ? high.x() : low.x(), i & 2u ? high.y() : low.y(),
-                                 i & 4u ? high.z() : low.z()};
-  return hull;
+Box box_around(const std::array<Ball, count>& balls) {
+  Box box{Eigen::Array3f::Constant(infinity), Eigen::Array3f::Constant(-infinity)};
+  for (const Ball& ball : balls)
+    box = hull(box, {ball.centre.array() - ball.radius, ball.centre.array() + ball.radius});
+  return box;
 }
 
 constexpr FloorArea nowhere{infinity, -infinity, infinity, -infinity};
@@ -40,10 +32,9 @@ constexpr FloorArea anywhere{-infinity, infinity, -infinity, infinity};
 // The shadow of a convex body from a convex light lies in the hull of the shadows of its corners
 // from the light's corners: for each light point the projection onto the floor keeps lines
 // straight, and so it does in the light point for each point of the body.
-FloorArea shadow_area(const AreaLight& light, const HullPoints& hull) {
+FloorArea shadow_area(const AreaLight& light, const Box& box) {
   FloorArea area = nowhere;
-  for (std::size_t i = 0; i < hull.count; ++i) {
-    const Vec3& corner = hull.points[i];
+  for (const Vec3& corner : corners_of(box)) {
     for (const float u : {-1.0f, 1.0f}) {
       for (const float v : {-1.0f, 1.0f}) {
         const Vec3 lamp = light.centre + u * light.half_u + v * light.half_v;
@@ -81,8 +72,8 @@ bool is_behind(const AreaLight& light, const PreparedCone& solid) {
 ShadowMask::ShadowMask(const AreaLight& light, const Shapes& shapes) {
   std::vector<FloorArea> areas;
   area_ = nowhere;
-  const auto add = [&](const auto& balls) {
-    const FloorArea area = shadow_area(light, hull_points(balls));
+  const auto add = [&](const Box& box) {
+    const FloorArea area = shadow_area(light, box);
     areas.push_back(area);
     area_.x_min = std::min(area_.x_min, area.x_min);
     area_.x_max = std::max(area_.x_max, area.x_max);
@@ -92,13 +83,13 @@ ShadowMask::ShadowMask(const AreaLight& light, const Shapes& shapes) {
   for (std::size_t i = 0; i < shapes.cones.size(); ++i) {
     if (shapes.closing_cones.empty() && is_behind(light, shapes.cones[i])) continue;
     visit_cone_pieces(shapes, i, [&](const auto& balls) {
-      add(balls);
+      add(box_around(balls));
       float height = infinity;
       for (const Ball& ball : balls) height = std::min(height, ball.centre.y() - ball.radius);
       casters_.push_back({areas.back(), static_cast<int>(i), std::max(height, 0.0f)});
     });
   }
-  visit_triangle_pieces(shapes, add);
+  visit_patch_boxes(shapes, add);
   if (areas.empty()) return;
   everywhere_ = !std::isfinite(area_.x_max - area_.x_min + area_.z_max - area_.z_min);
   if (everywhere_) return;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/geometry/box.h"
 #include "render/geometry/shapes.h"
 
 namespace mien::render {
@@ -58,6 +59,20 @@ void visit_triangle_pieces(const Shapes& shapes, Visit visit) {
   for (std::size_t i = 0; i < shapes.triangles.size(); ++i)
     visit_pieces(shapes.triangles[i],
                  shapes.closing_triangles.empty() ? nullptr : &shapes.closing_triangles[i], visit);
+}
+
+/// Calls `visit` with the box around each patch of eight consecutive triangles.
+template <class Visit>
+void visit_patch_boxes(const Shapes& shapes, Visit visit) {
+  const std::size_t count = shapes.triangles.size();
+  for (std::size_t first = 0; first < count; first += patch_size) {
+    Box box = box_of(shapes.triangles[first]);
+    for (std::size_t i = first; i < std::min(first + patch_size, count); ++i) {
+      box = hull(box, box_of(shapes.triangles[i]));
+      if (!shapes.closing_triangles.empty()) box = hull(box, box_of(shapes.closing_triangles[i]));
+    }
+    visit(box);
+  }
 }
 
 template <class Visit>

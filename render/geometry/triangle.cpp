@@ -1,57 +1,34 @@
 #include "render/geometry/triangle.h"
 
+#include <algorithm>
+
 #include "render/math/constants.h"
 #include "render/math/for_avx2.h"
 
 namespace mien::render {
 
-std::vector<TrianglePatch> patches_of(const std::vector<Triangle>& triangles) {
-  std::vector<TrianglePatch> patches((triangles.size() + patch_size - 1) / patch_size);
-  const auto set = [](TrianglePatch::Corners& corners, std::size_t lane, const Vec3& corner) {
-    corners.x[lane] = corner.x();
-    corners.y[lane] = corner.y();
-    corners.z[lane] = corner.z();
-  };
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    TrianglePatch& patch = patches[i / patch_size];
-    set(patch.a, i % patch_size, triangles[i].a);
-    set(patch.b, i % patch_size, triangles[i].b);
-    set(patch.c, i % patch_size, triangles[i].c);
-  }
-  return patches;
-}
+namespace {
 
-TrianglePatch patch_between(const TrianglePatch& from, const TrianglePatch& to, float time) {
-  TrianglePatch patch;
-  const auto move = [time](const TrianglePatch::Corners& opening,
-                           const TrianglePatch::Corners& closing, TrianglePatch::Corners& moved) {
-    for (std::size_t i = 0; i < patch_size; ++i) {
-      moved.x[i] = opening.x[i] + time * (closing.x[i] - opening.x[i]);
-      moved.y[i] = opening.y[i] + time * (closing.y[i] - opening.y[i]);
-      moved.z[i] = opening.z[i] + time * (closing.z[i] - opening.z[i]);
-    }
-  };
-  move(from.a, to.a, patch.a);
-  move(from.b, to.b, patch.b);
-  move(from.c, to.c, patch.c);
-  return patch;
-}
+/// Where a ray crosses the planes of the triangles, as the distance times the cosine between ray
+/// and normal, and this cosine; whether within the triangle.
+struct Crossings {
+  alignas(32) float scaled[patch_size];
+  alignas(32) float facing[patch_size];
+  alignas(32) int inside[patch_size];
+};
 
-MIEN_FOR_AVX2_TOO void intersect_patch(const TrianglePatch& patch, const Vec3& origin,
-                                       const Vec3& direction, float* distance) {
-  const float dx = direction.x(), dy = direction.y(), dz = direction.z();
-  const float ox = origin.x(), oy = origin.y(), oz = origin.z();
-#pragma omp simd
+[[gnu::always_inline]] inline int cross(const TrianglePatch& patch, const RayLanes& rays,
+                                        unsigned lane, Crossings& found) {
+  const float dx = rays.direction_x[lane], dy = rays.direction_y[lane];
+  const float dz = rays.direction_z[lane];
+  const float ox = rays.origin_x[lane], oy = rays.origin_y[lane], oz = rays.origin_z[lane];
+  int any = 0;
+#pragma omp simd reduction(| : any)
   for (std::size_t i = 0; i < patch_size; ++i) {
-    const float ax = patch.a.x[i], ay = patch.a.y[i], az = patch.a.z[i];
-    const float bx = patch.b.x[i], by = patch.b.y[i], bz = patch.b.z[i];
-    const float cx = patch.c.x[i], cy = patch.c.y[i], cz = patch.c.z[i];
-    const float nx = (by - ay) * (cz - az) - (bz - az) * (cy - ay);
-    const float ny = (bz - az) * (cx - ax) - (bx - ax) * (cz - az);
-    const float nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-    const float pax = ax - ox, pay = ay - oy, paz = az - oz;
-    const float pbx = bx - ox, pby = by - oy, pbz = bz - oz;
-    const float pcx = cx - ox, pcy = cy - oy, pcz = cz - oz;
+    const float nx = patch.normal.x[i], ny = patch.normal.y[i], nz = patch.normal.z[i];
+    const float pax = patch.a.x[i] - ox, pay = patch.a.y[i] - oy, paz = patch.a.z[i] - oz;
+    const float pbx = patch.b.x[i] - ox, pby = patch.b.y[i] - oy, pbz = patch.b.z[i] - oz;
+    const float pcx = patch.c.x[i] - ox, pcy = patch.c.y[i] - oy, pcz = patch.c.z[i] - oz;
     // Edge p → q: (q − p) × (q + p) · d.
     const auto side = [&](float px, float py, float pz, float qx, float qy, float qz) {
       const float ex = qx - px, ey = qy - py, ez = qz - pz;
@@ -61,11 +38,56 @@ MIEN_FOR_AVX2_TOO void intersect_patch(const TrianglePatch& patch, const Vec3& o
     const float u = side(pbx, pby, pbz, pcx, pcy, pcz);
     const float v = side(pcx, pcy, pcz, pax, pay, paz);
     const float w = side(pax, pay, paz, pbx, pby, pbz);
-    const bool inside =
-        ((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f));
-    const float facing = nx * dx + ny * dy + nz * dz;
-    const float t = (nx * pax + ny * pay + nz * paz) / facing;
-    distance[i] = inside & (facing != 0.0f) & (t > 0.0f) ? t : infinity;
+    found.scaled[i] = nx * pax + ny * pay + nz * paz;
+    found.facing[i] = nx * dx + ny * dy + nz * dz;
+    found.inside[i] =
+        (((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f))) &
+        (found.facing[i] != 0.0f);
+    any |= found.inside[i];
+  }
+  return any;
+}
+
+}  // namespace
+
+void TrianglePatch::set(std::size_t lane, const Triangle& triangle) {
+  a.set(lane, triangle.a);
+  b.set(lane, triangle.b);
+  c.set(lane, triangle.c);
+  normal.set(lane, (triangle.b - triangle.a).cross(triangle.c - triangle.a));
+}
+
+std::vector<TrianglePatch> patches_of(const std::vector<Triangle>& triangles) {
+  std::vector<TrianglePatch> patches((triangles.size() + patch_size - 1) / patch_size);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    patches[i / patch_size].set(i % patch_size, triangles[i]);
+  return patches;
+}
+
+MIEN_FOR_AVX2_TOO float intersect_patch(const TrianglePatch& patch, const RayLanes& rays,
+                                        unsigned lane, float* distances) {
+  Crossings found;
+  std::fill_n(distances, patch_size, infinity);
+  if (cross(patch, rays, lane, found) == 0) return infinity;
+  float nearest = infinity;
+  for (std::size_t i = 0; i < patch_size; ++i) {
+    const float t = found.scaled[i] / found.facing[i];
+    if (found.inside[i] == 0 || !(t > 0.0f)) continue;
+    distances[i] = t;
+    nearest = std::min(nearest, t);
+  }
+  return nearest;
+}
+
+MIEN_FOR_AVX2_TOO void occlude_by_patch(const TrianglePatch& patch, const RayLanes& rays,
+                                        const int* valid, unsigned count, float* reach) {
+  Crossings found;
+  for (unsigned ray = 0; ray < count; ++ray) {
+    if (valid[ray] == 0 || cross(patch, rays, ray, found) == 0) continue;
+    for (std::size_t i = 0; i < patch_size; ++i) {
+      const float t = found.scaled[i] / found.facing[i];
+      if (found.inside[i] != 0 && t > 0.0f && t < reach[ray]) reach[ray] = -infinity;
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "render/geometry/prepared_cone.h"
 #include "render/math/vector.h"
 
 namespace mien::render {
@@ -19,33 +20,45 @@ inline constexpr std::size_t patch_size = 8;
 /// Up to eight triangles, one per lane. Unused lanes hold triangles without area, which no ray
 /// hits.
 struct TrianglePatch {
-  struct Corners {
+  struct Vectors {
     alignas(32) float x[patch_size] = {};
     alignas(32) float y[patch_size] = {};
     alignas(32) float z[patch_size] = {};
+
+    void set(std::size_t lane, const Vec3& vector) {
+      x[lane] = vector.x();
+      y[lane] = vector.y();
+      z[lane] = vector.z();
+    }
+    Vec3 at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
   };
-  Corners a;
-  Corners b;
-  Corners c;
+  Vectors a;
+  Vectors b;
+  Vectors c;
+  Vectors normal;  ///< (b − a) × (c − a)
+
+  void set(std::size_t lane, const Triangle& triangle);
+  Triangle at(std::size_t lane) const { return {a.at(lane), b.at(lane), c.at(lane)}; }
 };
 
 /// Returns the triangles in patches of consecutive ones: triangle i is lane i mod 8 of patch i / 8.
 std::vector<TrianglePatch> patches_of(const std::vector<Triangle>& triangles);
 
-/// Returns the patch between two positions, moved there from `from` (time 0) to `to` (time 1) in
-/// straight lines.
-TrianglePatch patch_between(const TrianglePatch& from, const TrianglePatch& to, float time);
-
-/// Writes, for each triangle of the patch, the distance at which the ray hits it; infinity where it
-/// misses, also if its line crosses the triangle behind the origin. Results are bit-identical on
-/// every machine.
+/// Writes, for each triangle of the patch, the distance at which one of the rays hits it; infinity
+/// where it misses, also if its line crosses the triangle behind the origin. Returns the least of
+/// these distances. Results are bit-identical on every machine.
 ///
 /// The test is watertight: the side on which the line passes an edge is the sign of a product that
 /// depends on the line and this edge alone and changes sign exactly when the edge is reversed. A
 /// line through an edge that two triangles share therefore hits at least one of them (Plücker
 /// coordinates; Shoemake 1998).
-void intersect_patch(const TrianglePatch& patch, const Vec3& origin, const Vec3& direction,
-                     float* distance);
+float intersect_patch(const TrianglePatch& patch, const RayLanes& rays, unsigned lane,
+                      float* distances);
+
+/// Sets `reach` to −infinity for each ray, of `count` with valid ≠ 0, that hits a triangle of the
+/// patch at a distance below its reach. The test is that of intersect_patch.
+void occlude_by_patch(const TrianglePatch& patch, const RayLanes& rays, const int* valid,
+                      unsigned count, float* reach);
 
 /// Barycentric weights of b and c at a point of the triangle's plane.
 struct Barycentric {

@@ -53,13 +53,15 @@ struct RoundCone {
 
 /// A surface of triangles, lit on both sides.
 struct Mesh {
-  std::vector<Vec3> positions;                ///< positions of the vertices, metres
-  std::vector<Vec3> normals;                  ///< unit, one per vertex
-  std::vector<std::array<float, 2>> uv;       ///< one per vertex; empty: no texture
-  std::vector<std::array<int, 3>> triangles;  ///< indices of vertices
-  std::vector<int> triangle_parts;            ///< one per triangle; empty: `part` for all
-  int material = 0;                           ///< index into Scene::materials
-  int part = 0;                               ///< index into Scene::parts
+  std::vector<Vec3> positions;           ///< positions of the vertices, metres
+  std::vector<Vec3> normals;             ///< unit, one per vertex
+  std::vector<std::array<float, 2>> uv;  ///< one per vertex; empty: no texture
+  /// Indices of vertices. The tracer bounds eight consecutive triangles together: it is fast if
+  /// these are near each other.
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> triangle_parts;  ///< one per triangle; empty: `part` for all
+  int material = 0;                 ///< index into Scene::materials
+  int part = 0;                     ///< index into Scene::parts
 };
 
 /// The shapes that rays can hit.

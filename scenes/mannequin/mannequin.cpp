@@ -166,6 +166,7 @@ Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& o
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     mesh.uv.push_back(paint_uv(body, mannequin.bind, mesh.positions[v], mesh.influences[v]));
   }
+  cluster_triangles(mesh);
   mannequin.paint = mannequin_paint(colours);
   return mannequin;
 }

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
+
+#include <Eigen/Geometry>
 
 namespace mien::scenes {
 
@@ -37,6 +41,29 @@ Vec3 turned_normal(const Mat3& linear, const Vec3& normal) {
   const Vec3 turned = cofactors(linear) * normal;
   const double length = turned.norm();
   return length > 1e-20 ? Vec3(turned / length) : normal;
+}
+
+/// Halves the triangles of a range across the longest side of the box around their centres, to the
+/// last eight: the tracer bounds so many together.
+void cluster(const std::vector<Vec3>& centres, std::vector<int>::iterator first,
+             std::vector<int>::iterator last) {
+  constexpr std::ptrdiff_t together = 8;
+  const std::ptrdiff_t count = last - first;
+  if (count <= together) return;
+  const auto centre = [&](int triangle) -> const Vec3& {
+    return centres[static_cast<size_t>(triangle)];
+  };
+  Eigen::AlignedBox3d box;
+  for (auto it = first; it != last; ++it) box.extend(centre(*it));
+  Eigen::Index axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const auto middle = first + (count / 2 + together - 1) / together * together;
+  std::nth_element(first, middle, last, [&](int a, int b) {
+    const double x = centre(a)[axis], y = centre(b)[axis];
+    return x < y || (x == y && a < b);
+  });
+  cluster(centres, first, middle);
+  cluster(centres, middle, last);
 }
 
 void require(bool holds, const char* wrong) {
@@ -125,6 +152,25 @@ void normalize(std::vector<Influence>& influences) {
   float sum = 0.0f;
   for (const Influence& influence : influences) sum += influence.weight;
   for (Influence& influence : influences) influence.weight /= sum;
+}
+
+void cluster_triangles(SkinnedMesh& mesh) {
+  std::vector<Vec3> centres;
+  for (const auto& [a, b, c] : mesh.triangles)
+    centres.push_back((mesh.positions[static_cast<size_t>(a)] +
+                       mesh.positions[static_cast<size_t>(b)] +
+                       mesh.positions[static_cast<size_t>(c)]) /
+                      3.0);
+  std::vector<int> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  cluster(centres, order.begin(), order.end());
+  const auto reorder = [&](auto& list) {
+    auto ordered = list;
+    for (size_t i = 0; i < order.size(); ++i) ordered[i] = list[static_cast<size_t>(order[i])];
+    list = std::move(ordered);
+  };
+  reorder(mesh.triangles);
+  if (!mesh.triangle_parts.empty()) reorder(mesh.triangle_parts);
 }
 
 void validate(const SkinnedMesh& mesh, int joint_count) {

@@ -1,7 +1,10 @@
 #include "render/geometry/triangle.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -9,8 +12,10 @@ namespace mien::render {
 namespace {
 
 float distance_to(const Triangle& triangle, const Vec3& origin, const Vec3& direction) {
+  const RayLanes ray{&origin.x(),    &origin.y(),    &origin.z(),
+                     &direction.x(), &direction.y(), &direction.z()};
   float found[patch_size];
-  intersect_patch(patches_of({triangle})[0], origin, direction, found);
+  intersect_patch(patches_of({triangle})[0], ray, 0, found);
   return found[0];
 }
 
@@ -60,6 +65,92 @@ TEST_F(Triangles, LetNoRayThroughAnEdgeThatTheyShare) {
                      std::isfinite(distance_to({b, a, right}, origin, direction));
     EXPECT_TRUE(hit) << "trial " << trial;
   }
+}
+
+/// A ray of random origin and direction towards the middle.
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;
+
+  RayLanes lanes() const {
+    return {&origin.x(),    &origin.y(),    &origin.z(),
+            &direction.x(), &direction.y(), &direction.z()};
+  }
+};
+
+// Möller and Trumbore's test, in double precision, away from edges, where rounding may differ.
+TEST_F(Triangles, AreHitInPatchesAsOneByOne) {
+  int hits = 0, misses = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 11; ++i) triangles.push_back({place(1.0f), place(1.0f), place(1.0f)});
+    const std::vector<TrianglePatch> patches = patches_of(triangles);
+    ASSERT_EQ(patches.size(), 2u);
+    Ray ray{4.0f * place(1.0f), Vec3::Zero()};
+    ray.direction = (place(0.5f) - ray.origin).normalized();
+    for (std::size_t patch = 0; patch < 2; ++patch) {
+      float found[patch_size];
+      const float nearest = intersect_patch(patches[patch], ray.lanes(), 0, found);
+      EXPECT_EQ(nearest, *std::min_element(found, found + patch_size));
+      for (std::size_t k = 0; k < patch_size; ++k) {
+        const std::size_t number = patch * patch_size + k;
+        if (number >= triangles.size()) {
+          EXPECT_TRUE(std::isinf(found[k])) << "an unused lane";
+          continue;
+        }
+        const Eigen::Vector3d a = triangles[number].a.cast<double>();
+        const Eigen::Vector3d ab = triangles[number].b.cast<double>() - a;
+        const Eigen::Vector3d ac = triangles[number].c.cast<double>() - a;
+        const Eigen::Vector3d d = ray.direction.cast<double>();
+        const Eigen::Vector3d from = ray.origin.cast<double>() - a;
+        const double volume = ab.dot(d.cross(ac));
+        const double b = from.dot(d.cross(ac)) / volume, c = d.dot(from.cross(ab)) / volume;
+        const double t = ac.dot(from.cross(ab)) / volume;
+        const double inside = std::min({b, c, 1.0 - b - c});
+        if (std::abs(inside) < 1e-3 || std::abs(t) < 1e-3 || std::abs(volume) < 1e-2) continue;
+        const bool is_hit = inside > 0.0 && t > 0.0;
+        EXPECT_EQ(std::isfinite(found[k]), is_hit) << "trial " << trial << ", triangle " << number;
+        if (is_hit) EXPECT_NEAR(found[k], t, 1e-3 * (1.0 + t));
+        ++(is_hit ? hits : misses);
+      }
+    }
+  }
+  EXPECT_GT(hits, 500);
+  EXPECT_GT(misses, 5000);
+}
+
+TEST_F(Triangles, OccludeRaysThatTheyHitWithinReach) {
+  int blocked = 0, out_of_reach = 0, missed = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 5; ++i) triangles.push_back({place(1.0f), place(1.0f), place(1.0f)});
+    const TrianglePatch patch = patches_of(triangles)[0];
+    float origins[3][max_lanes], directions[3][max_lanes], reach[max_lanes], before[max_lanes];
+    int valid[max_lanes];
+    const RayLanes rays{origins[0],    origins[1],    origins[2],
+                        directions[0], directions[1], directions[2]};
+    for (unsigned i = 0; i < max_lanes; ++i) {
+      const Vec3 origin = 4.0f * place(1.0f), direction = (place(0.5f) - origin).normalized();
+      for (int axis = 0; axis < 3; ++axis) {
+        origins[axis][i] = origin[axis];
+        directions[axis][i] = direction[axis];
+      }
+      before[i] = reach[i] = uniform(0.0f, 8.0f);
+      valid[i] = i % 5 == 4 ? 0 : -1;
+    }
+    occlude_by_patch(patch, rays, valid, max_lanes, reach);
+    for (unsigned i = 0; i < max_lanes; ++i) {
+      float found[patch_size];
+      const float nearest = intersect_patch(patch, rays, i, found);
+      const bool is_blocked = valid[i] != 0 && nearest < before[i];
+      EXPECT_EQ(reach[i], is_blocked ? -std::numeric_limits<float>::infinity() : before[i]);
+      if (valid[i] == 0) continue;
+      ++(is_blocked ? blocked : std::isfinite(nearest) ? out_of_reach : missed);
+    }
+  }
+  EXPECT_GT(blocked, 200);
+  EXPECT_GT(out_of_reach, 200);
+  EXPECT_GT(missed, 200);
 }
 
 }  // namespace

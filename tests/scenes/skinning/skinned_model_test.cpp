@@ -1,5 +1,6 @@
 #include "scenes/skinning/skinned_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -199,6 +200,57 @@ TEST(ASkinnedMesh, IsRefusedWithAJointThatIsNotThere) {
   mesh = tube();
   mesh.positions[5].y() = std::nan("");
   EXPECT_THROW(validate(mesh, 2), std::invalid_argument);
+}
+
+/// Sum of the diagonals of the boxes around every eight consecutive triangles, metres.
+double box_diagonals(const SkinnedMesh& mesh) {
+  double sum = 0.0;
+  for (size_t first = 0; first < mesh.triangles.size(); first += 8) {
+    Eigen::AlignedBox3d box;
+    for (size_t i = first; i < std::min(first + 8, mesh.triangles.size()); ++i)
+      for (const int vertex : mesh.triangles[i])
+        box.extend(mesh.positions[static_cast<size_t>(vertex)]);
+    sum += box.diagonal().norm();
+  }
+  return sum;
+}
+
+TEST(ClusteredTriangles, AreTheSameTrianglesCloserTogether) {
+  SkinnedMesh mesh = tube();
+  for (size_t i = 0; i < mesh.triangles.size(); ++i)
+    mesh.triangle_parts.push_back(static_cast<int>(i));
+  const SkinnedMesh before = mesh;
+  std::mt19937_64 random(4);
+  std::shuffle(mesh.triangle_parts.begin(), mesh.triangle_parts.end(), random);
+  for (size_t i = 0; i < mesh.triangles.size(); ++i)
+    mesh.triangles[i] = before.triangles[static_cast<size_t>(mesh.triangle_parts[i])];
+  const SkinnedMesh shuffled = mesh;
+
+  cluster_triangles(mesh);
+  EXPECT_LT(box_diagonals(mesh), 0.2 * box_diagonals(shuffled));
+  EXPECT_LT(box_diagonals(mesh), box_diagonals(before));
+  std::vector<int> parts = mesh.triangle_parts;
+  for (size_t i = 0; i < parts.size(); ++i)
+    EXPECT_EQ(mesh.triangles[i], before.triangles[static_cast<size_t>(parts[i])])
+        << "each triangle keeps its part";
+  std::sort(parts.begin(), parts.end());
+  EXPECT_EQ(parts, before.triangle_parts) << "none is lost or twice there";
+}
+
+TEST(ClusteredTriangles, StayCloseWhenClusteredAgain) {
+  SkinnedMesh once = tube();
+  cluster_triangles(once);
+  SkinnedMesh again = once;
+  cluster_triangles(again);
+  EXPECT_NEAR(box_diagonals(again), box_diagonals(once), 0.2 * box_diagonals(once));
+  // Few and coinciding triangles are no special case.
+  SkinnedMesh one = tube();
+  one.triangles.assign(17, one.triangles[0]);
+  cluster_triangles(one);
+  EXPECT_EQ(one.triangles, std::vector(17, tube().triangles[0]));
+  one.triangles.clear();
+  cluster_triangles(one);
+  EXPECT_TRUE(one.triangles.empty());
 }
 
 }  // namespace
