@@ -34,8 +34,7 @@ class FaultList {
   bool was_given(const std::string& path) const { return places_.values.contains(path); }
 
   /// Adds a fault unless `name` is among `known`; `what` is the kind of name: "example". Does
-  /// nothing if `known` is empty, since the
-  /// reason for that has been reported already.
+  /// nothing if `known` is empty, since the reason for that has been reported already.
   void check_known_name(const std::string& path, const std::string& name, const std::string& what,
                         const std::vector<std::string>& known);
   /// Adds a fault unless `file` is a regular file of at most `most_bytes` bytes. `expected` names

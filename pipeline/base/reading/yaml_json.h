@@ -14,9 +14,9 @@ namespace mien::pipeline {
 
 /// A YAML document as JSON, by the core schema of YAML 1.2: plain scalars become null, booleans
 /// (true, false), decimal numbers (integers if whole) or text; hexadecimal and octal numbers remain
-/// text. Environment variables are expanded first; an expanded scalar
-/// becomes text where the schema accepts text, even if it looks like a number. Members that are
-/// written with a former name are stored with the present one.
+/// text. Environment variables are expanded first; an expanded scalar becomes text where the schema
+/// accepts text, even if it looks like a number. Members that are written with a former name are
+/// stored with the present one.
 struct JsonReading {
   nlohmann::json document;
   Places places;
