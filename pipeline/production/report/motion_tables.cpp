@@ -116,8 +116,8 @@ constexpr auto parameters_columns = table_of<ParameterRow>(
       "the examples; for a modified motion, before modification",
       [](auto& r) { return shortest_measured(r.reached); }},
      {"least", "0–1",
-      "lower end of the feasible range: the lowest value of all blends of the examples that have "
-      "the other requested values",
+      "lower end of the feasible range: the lowest value among those blends of the examples that "
+      "have the other requested values",
       [](auto& r) { return r.possible ? r.possible->least : NAN; }},
      {"most", "0–1", "upper end of the feasible range",
       [](auto& r) { return r.possible ? r.possible->most : NAN; }},
