@@ -87,7 +87,8 @@ constexpr auto impressions_columns = table_of<Impression>(
       "mean answer in the units of the scale; on a scale from −2 to 2, negative towards the low "
       "end",
       [](auto& r) { return rounded(r.scale.least + r.range() * r.mean()); }},
-     {"sd_answer", "scale", "its standard deviation in the same unit; empty for given means",
+     {"sd_answer", "scale",
+      "standard deviation of the answers in the same units; empty for given means",
       [](auto& r) { return rounded(r.range() * r.deviation()); }}});
 
 }  // namespace
