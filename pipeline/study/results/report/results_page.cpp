@@ -126,9 +126,12 @@ std::string method_html(const AnswerSet& answer_set) {
   return paragraph(
       fmt::format("All tests are two-sided with α = {:g}. Correction for multiple comparisons: {}, "
                   "within each family of comparisons. In this section, the comparisons of all "
-                  "videos on all scales form one family. In the other sections there are two: "
-                  "those on the intended emotion's scale, and those on all other scales. Rows "
-                  "marked * are significant by the paired t test after correction.",
+                  "videos on all scales form one family. In the sections on modified, acted and "
+                  "neutral motions and on actors and other factors, each kind of comparison (such "
+                  "as modified vs. acted) forms two families: on the intended emotion's scale, and "
+                  "on all other scales. In tables over all settings, the emotions form one family "
+                  "for each kind of comparison, and the row “all” is not corrected. In these "
+                  "sections, rows marked * are significant by the paired t test after correction.",
                   answer_set.alpha, name_of(answer_set.correction)));
 }
 
@@ -168,7 +171,7 @@ std::string title_of(ComparisonFamily family) {
     case ComparisonFamily::modified_neutral:
       return "Modified vs. neutral motions";
     case ComparisonFamily::modified_best:
-      return "Modified motions vs. the highest-rated video";
+      return "Modified motions vs. the highest-rated unmodified video";
     case ComparisonFamily::acted_neutral:
       return "Acted vs. neutral motions";
     default:
@@ -206,15 +209,16 @@ std::string differences_html(const Results& results, const PageParts& parts) {
   if (html.empty()) return "";
   return paragraph(
              "How strongly the intended emotion is perceived. A setting is a combination of "
-             "levels of all factors except “made”, “emotion” and “strength”. The first table is "
-             "over all settings; its values are scale points from the middle of the scale towards "
+             "levels of all factors except “made”, “emotion”, “strength”, “example” and “clip”. "
+             "The first table is over all settings; its values are scale points from the middle of "
+             "the scale towards "
              "the emotion. It is based on each participant’s means over the settings and emotions "
              "for which the participant rated both motions compared (matched pairs: their number, "
              "summed over participants). The second table is video by video, for participants who "
              "saw both videos; its values are on the scale itself, positive towards its high end. "
-             "The highest-rated video is the unmodified video of the setting rated "
-             "farthest towards the emotion; it was selected "
-             "using the same answers, so its ratings are biased upwards. The other scales are in "
+             "The highest-rated unmodified video is, of the setting’s unmodified videos, the one "
+             "rated farthest towards the emotion; it was selected using the same answers, so its "
+             "ratings are biased upwards. The other scales are in "
              "results/comparisons.csv. Where all within-participant differences are equal, no t "
              "test is possible (“all equal”).") +
          unmatched_html(results) + html;
