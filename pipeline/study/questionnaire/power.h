@@ -46,7 +46,9 @@ struct PowerEstimate {
   /// Smallest number for which the upper limit of the power's interval reaches the intended power;
   /// 0: more than max_participants.
   int needed_low = 0;
-  int needed_high = 0;  ///< the same for the lower limit of the interval
+  /// Smallest number for which the lower limit of the power's interval reaches the intended power;
+  /// 0: more than max_participants.
+  int needed_high = 0;
 };
 
 /// Estimates the power of the test by simulation, and the number of participants needed.
