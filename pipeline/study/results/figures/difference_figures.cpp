@@ -132,8 +132,7 @@ void add_difference_figures(const Results& results, std::vector<ResultFigure>& f
       {ComparisonFamily::modified_best, "36", "",
        "Modified motions vs. the highest-rated unmodified video",
        within + " The highest-rated unmodified video was selected using the same answers, so its "
-                "ratings are "
-                "biased upwards."},
+                "ratings are biased upwards."},
       {ComparisonFamily::acted_neutral, "", "", "Acted vs. neutral motions", within}};
   for (const DifferenceFigure& one : drawn) {
     add_overall(results, one.family, one.title, figures);
