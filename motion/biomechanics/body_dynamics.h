@@ -37,9 +37,10 @@ struct BodyDynamics {
   Vec3 zero_moment_point = Vec3::Zero();
 };
 
-/// Dynamics of a motion of the canonical body, one entry per frame. The root positions and joint
-/// rotations are first low-pass filtered at 6 Hz (`gait_cutoff_hz`; Winter 2009). Segments are
-/// rotationally symmetric about their long axes, with the radii of gyration of de Leva (1996).
+/// Dynamics of a motion of the canonical body, one entry per frame of its prepared clip. The root
+/// positions and joint rotations are first low-pass filtered at `gait_cutoff_hz` (6 Hz at 30 frames
+/// per second or more; Winter 2009). Segments are rotationally symmetric about their long axes,
+/// with the radii of gyration of de Leva (1996).
 std::vector<BodyDynamics> body_dynamics(const LintMotion& motion);
 
 }  // namespace mien::motion

@@ -18,8 +18,9 @@ const std::vector<TorqueJoint>& torque_joints();
 
 /// Magnitudes of the net joint torques of muscles and ligaments, newton metres per kg of body mass,
 /// in the order of `torque_joints`; by inverse dynamics (Newton–Euler, summed over the distal
-/// segments). The ground reaction force acts on each planted foot at the point of its sole nearest
-/// to the zero-moment point; with two planted feet it is divided between them by the lever rule.
+/// segments). The ground reaction force acts on each foot that bears weight, at the point of its
+/// contact area nearest to the zero-moment point; if both feet bear weight, the force is divided
+/// between them by the lever rule.
 std::vector<double> joint_torques(const BodyDynamics& moment, const Support& support);
 
 }  // namespace mien::motion

@@ -10,8 +10,8 @@ namespace mien::motion {
 inline constexpr double slowest_treadmill_m_s = 0.25;
 
 /// A motion prepared for the checks: its rotations are normalised; a loop is repeated to three
-/// laps, so that the middle lap has neighbours on both sides; a walk in place is converted to a
-/// travelling walk.
+/// laps, so that the middle lap has neighbours on both sides; if the body is the canonical one, a
+/// walk in place is converted to a travelling walk.
 struct LintMotion {
   Clip clip;       ///< does not loop
   int frames = 0;  ///< number of frames of the motion as given
@@ -32,7 +32,7 @@ struct LintMotion {
 LintMotion lint_motion(const Clip& motion);
 
 /// The frame of `other` that corresponds to `frame` of `motion`: at the same fraction of the
-/// motion's duration, in the same lap.
+/// motion's duration, in the same lap; fractional, and within the frames of `other.clip`.
 double corresponding_frame(const LintMotion& motion, double frame, const LintMotion& other);
 
 /// Seconds of `other` that correspond to one second of `motion`: 1 unless the tempo was changed.

@@ -18,19 +18,20 @@ struct Support {
   std::vector<Vec3> all() const;
 };
 
-/// The base of support in every frame. The contact area of a bearing foot is the part of the sole
-/// within 0.03 m of its lowest point, with a width of 0.09 m (at a stature of 1.75 m).
+/// The base of support in every frame of the prepared clip. The contact area of a foot that bears
+/// weight is the part of the sole less than 0.03 m above its lowest point, with a width of 0.09 m;
+/// both lengths are for a stature of 1.75 m.
 std::vector<Support> supports(const LintMotion& motion);
 
-/// Horizontal distance of a point from the convex hull of the corners, metres; negative inside.
-/// `corners` must not be empty.
+/// Horizontal distance of a point from the convex hull of the corners, metres; inside the hull,
+/// minus the distance to its edge. `corners` must not be empty.
 double signed_distance_to_hull(const Vec3& point, const std::vector<Vec3>& corners);
 
 /// The point of the convex hull nearest to `point`, on the floor. `corners` must not be empty.
 Vec3 nearest_in_hull(const Vec3& point, const std::vector<Vec3>& corners);
 
-/// Dynamics and base of support of a motion, one entry per frame: the input of the balance and
-/// force checks.
+/// Dynamics and base of support of a motion, one entry per frame of its prepared clip: the input of
+/// the balance and force checks.
 struct BodyOnFloor {
   std::vector<BodyDynamics> moments;
   std::vector<Support> supports;

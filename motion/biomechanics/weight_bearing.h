@@ -13,7 +13,7 @@ struct WeightBearing {
   std::vector<bool> right;      ///< the right foot bears weight
   std::vector<bool> planted;    ///< at least one foot is planted
   std::vector<bool> elsewhere;  ///< a knee, a hand or the pelvis rests on the floor
-  std::vector<bool> falls;      ///< free fall: nothing bears weight, as in running or jumping
+  std::vector<bool> falls;      ///< the acceleration is that of free fall, as in running or jumping
 
   /// Whether nothing bears the weight in a frame although the body is not in free fall.
   bool is_unsupported(int frame) const {
@@ -22,11 +22,11 @@ struct WeightBearing {
 };
 
 /// Determines weight bearing in each frame. A foot bears weight while it is planted (contact.h).
-/// Where neither foot is planted although the body is not in free fall, the slower foot near the
-/// floor bears weight, and so does the other foot if it is near the floor and not faster by more
-/// than 0.15 m/s; skating feet thus count as standing. The body is in free fall while its vertical
-/// ground reaction force, computed from the acceleration of its centre of mass after a 6 Hz
-/// low-pass filter, is less than half its weight.
+/// Where neither foot is planted although the body is not in free fall and rests on nothing else,
+/// the slower foot near the floor bears weight, and so does the other foot if it is near the floor
+/// and not faster by more than 0.15 m/s; skating feet thus count as standing. The body is in free
+/// fall while its vertical ground reaction force, computed from the acceleration of its centre of
+/// mass low-pass filtered at `gait_cutoff_hz`, is less than half its weight.
 WeightBearing weight_bearing_of(const LintMotion& motion);
 
 /// The intervals in which a foot bears weight, in order of time; intervals shorter than 0.1 s are

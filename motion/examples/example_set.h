@@ -22,13 +22,14 @@ struct ExampleFolder {
   bool shorten_names = true;  ///< name examples by the part of the file name in which they differ
   std::vector<std::pair<std::string, std::string>> names;  ///< file stem → name; takes precedence
   /// File stem → manual keytimes, seconds (make_example.h). If empty, keytimes are detected;
-  /// otherwise every file must have the same number of them.
+  /// otherwise every file must have some and, if the set is blendable, the same number.
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;
   /// False: each motion keeps its own body and keytimes.
   bool blendable = true;
 };
 
-/// The selected motion files, sorted by name. Throws Error if the folder or files do not exist.
+/// The selected motion files, sorted by name. Throws Error if the folder cannot be read or contains
+/// no such files.
 std::vector<std::filesystem::path> example_files(const ExampleFolder& folder);
 
 /// Names of the examples of the selected files, in the order of `example_files`. Throws Error if a
@@ -54,9 +55,10 @@ struct LoadedExamples {
 
 /// Loads a set of examples: reads the files, maps all files of one rig together, and cuts and
 /// straightens each motion (make_example.h). If the set is blendable, all motions are retargeted to
-/// the body of the first one (retarget.h). Throws Error naming the file if one is unreadable, is
-/// not human or has a different number of keytimes than the first, if a name occurs twice, or if
-/// manual keytimes refer to a file that does not exist.
+/// the body of the first one (retarget.h), and the detected keytimes of performances are reduced to
+/// the same number (`even_keytimes`). Throws Error naming the file if one is unreadable, is not
+/// human or, in a blendable set, has a different number of keytimes than the first; if a name
+/// occurs twice; and if manual keytimes are missing for a file or refer to one that does not exist.
 LoadedExamples load_examples(const ExampleFolder& folder);
 
 /// Whether a file name matches a pattern of `*` (any characters), `?` (any one character), `[abc]`
@@ -67,7 +69,7 @@ bool matches_glob(std::string_view pattern, std::string_view name);
 /// Short labels for a group of files: the prefix and suffix common to all stems (file names without
 /// extension) are removed, in whole parts separated by "_", "." or spaces.
 /// {"dataset-1_walk_sad_001", "dataset-1_walk_proud_001"} becomes {"sad", "proud"}. A single stem
-/// is returned unchanged.
+/// is returned unchanged, and so are all stems if nothing would remain of one.
 std::vector<std::string> labels_from_names(std::span<const std::string> stems);
 
 }  // namespace mien::motion

@@ -21,28 +21,31 @@ struct FrameRange {
 
 struct ExampleOptions {
   CycleChoice cycle = CycleChoice::automatic;
-  std::optional<FrameRange> frames;  ///< a manual cycle: frame `last` is one cycle after `first`
-  std::vector<double> keytimes;      ///< manual, seconds, ascending; empty: detected
+  /// A manual cycle, used as it is: frame `last` is one cycle after `first`.
+  std::optional<FrameRange> frames;
+  std::vector<double> keytimes;  ///< manual, seconds, ascending; empty: detected
 };
 
 /// A motion prepared for blending, and the part of the clip it was cut from.
 struct PreparedExample {
   Example example;                 ///< `example.clip.name` remains that of the take
-  std::optional<GaitCycle> cycle;  ///< the gait cycle that was cut out; none for a whole clip
+  std::optional<GaitCycle> cycle;  ///< the gait cycle of the example; none if it has no gait cycle
   FrameRange frames;               ///< the frames of the take that were used
 };
 
-/// Prepares a clip for blending. One gait cycle is cut out; of the frames up to 3 away from its
-/// heel strikes, those with the lowest seam cost (gait/loop.h) are used. It is closed into a loop
-/// that begins at the left heel strike, and straightened (along +Z from the origin); it has the 7
-/// keytimes of gait.h. A clip without a gait cycle is used whole and straightened; its keytimes are
-/// the start, the minima of speed (`speed_minima`) and the end or, with start_peak_end, the start,
-/// `peak_seconds` and the end. With manual keytimes, the part of the clip from the first keytime to
-/// the last is used and straightened.
+/// Prepares a clip for blending. One gait cycle is cut out; if it is detected and complete, the cut
+/// is made at the frames with the lowest seam cost (gait/loop.h) up to 3 away from its heel
+/// strikes. It is closed into a loop that begins at the left heel strike, and straightened (along
+/// +Z from the origin); it has the 7 keytimes of gait.h. A clip without a gait cycle is used whole
+/// and straightened; its keytimes are the start, the minima of speed (`speed_minima`) and the end
+/// or, with start_peak_end, the start, `peak_seconds` and the end. With manual keytimes, the part
+/// of the clip from the first keytime to the last is used and straightened. A clip that loops is
+/// not cut; without a gait cycle, its keytimes are its start and its end.
 ///
-/// Throws Error naming the clip if it has fewer than two frames; if manual frames lie outside it or
-/// contain no gait cycle; if manual keytimes lie outside it or are less than one frame apart; or if
-/// no hand or foot moves far enough to have a peak.
+/// Throws Error naming the clip if it has fewer than two frames; if manual frames lie outside it,
+/// are less than 8 apart or contain no gait cycle; if manual keytimes are fewer than two, lie
+/// outside it or are less than one frame apart; or if, with start_peak_end, no hand or foot moves
+/// far enough to have a peak.
 PreparedExample prepare_example(const Clip& clip, const ExampleOptions& options = {});
 
 Example make_example(const Clip& clip, const ExampleOptions& options = {});
@@ -53,8 +56,9 @@ Example make_example(const Clip& clip, const ExampleOptions& options = {});
 void even_keytimes(std::vector<Example>& examples);
 
 /// The peak of a performance, seconds: the time at which a hand or foot (relative to the pelvis,
-/// low-pass filtered at 3 Hz) is farthest from the straight line between its first and last
-/// positions. At least two frames from either end; empty if this distance is never more than 2 cm.
+/// low-pass filtered at 3 Hz) is farthest from where it would be if it moved straight from its
+/// first position to its last at constant velocity. At least two frames from either end; empty if
+/// this distance is never more than 2 cm.
 std::optional<double> peak_seconds(const Clip& clip);
 
 /// A pause of a motion: a local minimum of speed.

@@ -32,11 +32,12 @@ struct AcclaimOptions {
 ///
 /// Throws mien::Error with file, line and column for faults in either file, for example a frame in
 /// which a bone is missing or occurs twice, frame numbers that do not increase by one, bones that
-/// are not connected by the hierarchy, or degrees of freedom other than rotations below the root.
+/// are not connected by the hierarchy, or bones other than the root that have degrees of freedom
+/// other than rotations.
 Recording read_amc(const std::filesystem::path& path, const AcclaimOptions& options = {});
 
-/// The skeleton of an AMC file, in the same folder: `02.asf` for `02_01.amc`, otherwise `walk.asf`
-/// for `walk.amc`, otherwise the only .asf file. Throws mien::Error if there is no .asf file, or
+/// The skeleton of an AMC file, in the same folder: for `02_01.amc` it is `02.asf`, otherwise
+/// `02_01.asf`, otherwise the only .asf file. Throws mien::Error if there is no .asf file, or
 /// several of which none has such a name.
 std::filesystem::path find_asf(const std::filesystem::path& amc);
 

@@ -22,11 +22,11 @@ namespace mien::motion {
 /// numbers than there are channels, or a `Frames:` that differs from the actual number of frames.
 Recording read_bvh(const std::filesystem::path& path);
 
-/// As `read_bvh`, for a text in memory; `file_name` is used in error messages and as the name of
-/// the recording.
+/// As `read_bvh`, for a text in memory; `file_name` is used in error messages and, without folder
+/// and extension, as the name of the recording.
 Recording parse_bvh(std::string_view text, const std::string& file_name);
 
-/// Number of decimals written for positions, angles (degrees) and the frame time (seconds).
+/// Maximum number of decimals written for positions, angles (degrees) and the frame time (seconds).
 inline constexpr int bvh_position_decimals = 7;
 inline constexpr int bvh_angle_decimals = 9;
 inline constexpr int bvh_time_decimals = 12;
@@ -34,7 +34,8 @@ inline constexpr int bvh_time_decimals = 12;
 /// The recording as BVH text, joints depth first. The root has the channels X, Y, Z position and Z,
 /// X, Y rotation; other joints have the Z, X, Y rotation only, or all six channels if their offset
 /// changes over the poses. Angles continue beyond ±180°, so that interpolated curves do not jump.
-/// Positions have 7 decimals, angles 9. Control characters and braces in names are replaced by '_'.
+/// Positions have up to 7 decimals, angles up to 9; zeros at the end are omitted. Control
+/// characters and braces in names are replaced by '_'.
 ///
 /// The recording has at least one pose. The same recording always produces the same text.
 std::string to_bvh(const Recording& recording);

@@ -32,10 +32,10 @@ class BvhStream {
   void push(std::string_view piece);
 
   /// Marks the end of the input; the last line need not end with a line break. Throws mien::Error
-  /// if the header or a frame is incomplete.
+  /// if the header is incomplete; `next` throws for an incomplete last frame.
   void finish();
 
-  /// The header; empty until "Frame Time:" and its number have been parsed.
+  /// The header; empty until `next` or `finish` has parsed "Frame Time:" and its number.
   const std::optional<BvhHead>& head() const { return head_; }
 
   /// The next available frame, if any.

@@ -16,14 +16,15 @@ namespace mien::motion {
 /// "Walk 2". Units and axes are those of glTF: metres, +Y up.
 ///
 /// - The skeleton consists of the joints of the skins and the nodes between them, parents first and
-///   children in the order of the file. Without a skin, it consists of all nodes of the tree that
-///   the animation moves (gltf_figure.h). If there are two figures, the larger one is used, and
-///   `notes` gets a sentence about this. A node without a name is called "joint_0", "joint_1", … by
-///   its index in the skeleton. If the only child of a leaf joint is a node that is not animated,
-///   has no children and has no mesh, its position is the `tip` of the joint.
-/// - World positions are exact for any scales and matrices: nodes above the root become part of the
-///   root's pose, and scales become part of the offsets. Poses get `offsets` only if a joint moves
-///   relative to its parent by more than a millionth of the longest offset.
+///   children in the order of the file. Without a skin, it consists of the nodes of the tree that
+///   the animation moves, with exceptions (gltf_figure.h). If there are several figures, the one
+///   with the most joints is used, and `notes` gets a sentence about this. A node without a name is
+///   called "joint_0", "joint_1", … by its index in the skeleton. If the only child of a leaf joint
+///   is a node that is not animated and has no children, mesh or camera, its position is the `tip`
+///   of the joint.
+/// - World positions are exact for any scales and for matrices without shear: nodes above the root
+///   become part of the root's pose, and scales become part of the offsets. Poses get `offsets`
+///   only if a joint moves relative to its parent by more than a millionth of the longest offset.
 /// - Supported are STEP, LINEAR and CUBICSPLINE interpolation, float and integer values, sparse
 ///   accessors, and buffer views compressed by meshopt.
 /// - Frames extend from the first key to the last. Their rate is that of the keys if the track with
@@ -37,8 +38,9 @@ namespace mien::motion {
 Recording read_gltf(const std::filesystem::path& path,
                     const std::optional<std::string>& take = std::nullopt);
 
-/// As `read_gltf`, for a file in memory; `file_name` is used in error messages and as the name of
-/// the recording. A file that refers to other files for its buffers is refused.
+/// As `read_gltf`, for a file in memory; `file_name` is used in error messages and, without folder
+/// and extension, as the name of the recording. A file that refers to other files for its buffers
+/// is refused.
 Recording parse_gltf(std::string_view bytes, const std::string& file_name,
                      const std::optional<std::string>& take = std::nullopt);
 
@@ -52,7 +54,7 @@ Recording parse_gltf(std::string_view bytes, const std::string& file_name,
 /// The recording has at least one pose. The same recording always produces the same bytes.
 std::string to_glb(const Recording& recording);
 
-/// Writes a recording as a GLB file. Throws mien::Error if the file cannot be written.
+/// Writes a recording as a GLB file. Throws WriteFailure if the file cannot be written.
 void write_glb(const Recording& recording, const std::filesystem::path& path);
 
 }  // namespace mien::motion

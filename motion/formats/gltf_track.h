@@ -60,9 +60,9 @@ struct TrackTiming {
 
 /// The sampling times of tracks (at least one). The frame rate is that of the track with the most
 /// keys if they are evenly spaced at 10 per second or more. A lower rate is accepted only if it
-/// equals `stated`, or if all tracks have the same eight keys or more and none is a cubic spline,
-/// which indicates a recording rather than sparse keyframes. Otherwise the rate is `stated`, or 30
-/// frames per second if `stated` is 0.
+/// equals `stated`, or if all tracks have the same key times (at least eight) and none is a cubic
+/// spline, which indicates a recording rather than sparse keyframes. Otherwise the rate is
+/// `stated`, or 30 frames per second if `stated` is 0.
 TrackTiming timing_of(const std::vector<GltfTrack>& tracks, double stated = 0.0);
 
 /// Number of frames from the first key to the last, inclusive.

@@ -55,7 +55,8 @@ Recording read_take(const std::filesystem::path& path, const std::string& take);
 /// Whether a file with this extension may contain several motions (takes).
 bool may_hold_takes(const std::filesystem::path& path);
 
-/// Writes a motion in the format of the file's extension. Throws mien::Error.
+/// Writes a motion in the format of the file's extension. Throws mien::Error if that format is not
+/// written, WriteFailure if the file cannot be written.
 void write_motion(const Recording& recording, const std::filesystem::path& path);
 
 }  // namespace mien::motion

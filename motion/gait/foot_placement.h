@@ -23,8 +23,9 @@ struct FootTrajectory {
 
 /// Moves the feet to given targets by leg IK. Corrections at the ends of an interval fade over
 /// `blend_seconds`; the pelvis is lowered smoothly where a leg cannot reach; knees stay in their
-/// planes and bones keep their lengths (after Kovar, Schreiner and Gleicher 2002). `lowered` holds
-/// the metres by which the left and the right foot are lowered in all frames.
+/// planes, except that knees bent backwards are bent forwards, and bones keep their lengths (after
+/// Kovar, Schreiner and Gleicher 2002). `lowered` holds the metres by which the left and the right
+/// foot are lowered in all frames.
 Clip with_feet_placed(const Clip& clip, const std::vector<FootTrajectory>& stretches,
                       const FootLockOptions& options = {},
                       const std::array<double, 2>& lowered = {0.0, 0.0});

@@ -24,7 +24,7 @@ struct GaitCycle {
   int start_frame = 0;       ///< frame nearest to the first heel strike
   int end_frame = 0;         ///< frame nearest to the next heel strike of the same foot
   bool starts_left = true;   ///< cut at left heel strikes; false: at right ones
-  double left_strike = 0.0;  ///< frame of the left heel strike in [start_frame, end_frame)
+  double left_strike = 0.0;  ///< frame of the left heel strike; < end_frame unless `is_half`
   std::array<double, gait_keytime_count> keytimes{};
   double speed_m_s = 0.0;   ///< pelvis displacement over the cycle divided by the period
   bool is_half = false;     ///< one step only; the other is its mirror image (`mirrored_loop`)
@@ -34,14 +34,14 @@ struct GaitCycle {
 };
 
 /// All complete cycles in order of time: from left heel strike to left heel strike or, if there are
-/// none of these, from right to right. Feet that stay in place take no steps, so a standing motion
-/// has no cycles.
+/// none of these, from right to right; of a loop, the result of `cycle_of_loop`. Feet that stay in
+/// place take no steps, so a standing motion has no cycles.
 std::vector<GaitCycle> gait_cycles(const Clip& clip);
 
-/// The steadiest cycle; empty if no cycle is a walk or run (steadiness ≥ 0.1). In a take of up to 4
-/// s without two strikes of one foot, the cycle extends between the two most similar poses, 0.5–2 s
-/// apart, if they enclose a left and a right step; otherwise one step and its mirror image are used
-/// (`is_half`).
+/// The steadiest cycle; empty if no cycle is a walk or run (steadiness ≥ 0.1). In a take without
+/// cycles that lasts up to 4 s, the cycle extends between the two most similar poses, 0.5–2 s
+/// apart, if they enclose a left and a right step. In all remaining takes without cycles, the last
+/// step and its mirror image are used (`is_half`).
 std::optional<GaitCycle> steadiest_cycle(const Clip& clip);
 
 /// The cycle of a looping clip that contains exactly one gait cycle: `start_frame` is 0,

@@ -26,7 +26,8 @@ struct GaitEvent {
   enum class Kind { heel_strike, toe_off };
   Kind kind = Kind::heel_strike;
   bool left = true;
-  double frame = 0.0;      ///< fractional; by a parabola through the three nearest frames
+  double frame = 0.0;  ///< fractional; by a parabola through the three nearest frames, or at the
+                       ///< edge of a flight
   bool confirmed = false;  ///< a contact of the foot begins or ends within 0.1 s
 };
 
@@ -47,8 +48,9 @@ std::vector<Vec3> walking_directions(const Clip& clip);
 FootProgress foot_progress(const Clip& clip);
 
 /// Heel strikes and toe offs in order of time (Zeni et al. 2008): a heel strike is where the heel
-/// is farthest in front of the pelvis, a toe off where the toe is farthest behind it. Works for
-/// clips in place too. Events of a looping clip lie in [0, frames).
+/// is farthest in front of the pelvis, a toe off where the toe is farthest behind it; next to a
+/// flight, they are moved to the end and the beginning of contact. Works for clips in place too.
+/// Events of a looping clip lie in [0, frames).
 std::vector<GaitEvent> gait_events(const Clip& clip);
 
 }  // namespace mien::motion

@@ -20,8 +20,8 @@ CycleRange best_cut(const Clip& clip, CycleRange near, int search = 3);
 
 /// Frames `start` to `end` of a clip as a loop. Frame `end` is the first frame of the next cycle,
 /// so the loop has end − start frames. The seam is smoothed: the difference between the two frames
-/// is distributed over the cycle (rotations by their logarithms, the height, lateral position and
-/// heading of the root), then the difference between the velocities fades over 0.2 s on either side
+/// is distributed over the cycle (rotations, including the heading, by their logarithms, and the
+/// height of the root), then the difference between the velocities fades over 0.2 s on either side
 /// (after Holden's looping demonstration). A motion that repeats exactly is unchanged. The
 /// horizontal displacement from `start` to `end` becomes `cycle_displacement`.
 ///

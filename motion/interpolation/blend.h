@@ -35,9 +35,9 @@ std::vector<double> mean_keytimes(const ExampleSet& set, const Eigen::VectorXd& 
 /// positions are taken.
 ///
 /// `weights` has one entry per example, all ≥ 0 and summing to 1. All examples have the same body
-/// and the same number of keytimes. The duration of a loop is rounded to whole frames and its
-/// keytimes are scaled accordingly, so that it can be played without a seam. With all weight on one
-/// example, and at its frame rate, the result is that example.
+/// and the same number of keytimes. The duration is rounded to whole frames, so that a loop can be
+/// played without a seam, and the keytimes are scaled accordingly. With all weight on one example,
+/// and at its frame rate, the result is that example.
 Example blend(const ExampleSet& set, const Eigen::VectorXd& weights,
               const BlendOptions& options = {});
 

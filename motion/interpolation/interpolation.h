@@ -47,7 +47,8 @@ struct Interpolator {
 /// The blend weights of the examples at given parameters.
 struct InterpolatedWeights {
   Eigen::VectorXd weights;  ///< one per example, ≥ 0, sum 1; for `pca` also negative
-  std::optional<double> expected_error_m;  ///< kriging: expected RMS joint distance, metres
+  std::optional<double> expected_error_m;  ///< kriging of at least three distinct positions:
+                                           ///< expected RMS joint distance, metres
   std::vector<std::string> remarks;        ///< sentences about this query
 };
 

@@ -37,8 +37,8 @@ inline std::string_view name_of(InterpolationMethod method) {
 }
 
 struct NearestNeighboursOptions {
-  int neighbours = 0;  ///< number of neighbours, the farthest of which has weight 0; 0: two more
-                       ///< than there are parameters
+  int neighbours = 0;  ///< number of neighbours, at least 3, the farthest of which has weight 0; 0:
+                       ///< two more than there are parameters
   int trials = 300;    ///< random blends to try as additional samples; 0 for none
   double least_distance = 0.05;  ///< minimum distance of a blend's parameters from other samples
   std::uint64_t seed = 0;

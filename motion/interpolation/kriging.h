@@ -23,7 +23,7 @@ struct Variogram {
 struct Kriging {
   Eigen::MatrixXd places;      ///< distinct parameters of the examples, K × M
   Eigen::RowVectorXd mean;     ///< mean of `places`
-  Eigen::MatrixXd drift_axes;  ///< M × r: directions in which `places` vary
+  Eigen::MatrixXd drift_axes;  ///< M × r: axes along which `places` vary; ordinary: r = 0
   Variogram variogram;
   bool fitted = false;  ///< whether the variogram was fitted to dissimilarities of motions; if not,
                         ///< its sill is 1 and its range follows from the median distance
@@ -40,10 +40,10 @@ struct KrigedWeights {
 
 /// Fits universal kriging. `places` holds the parameters of the examples, one row each, all
 /// different. `half_squared_differences` (K × K) holds the dissimilarities ½‖m_i − m_k‖² of the
-/// motions, to which the variogram is fitted by least squares over all pairs. Without it, the range
-/// is derived from the median distance of the rows, and the variance is only relative. If rows are
-/// collinear, or there are more parameters than rows, the drift is restricted to the directions in
-/// which the rows vary.
+/// motions, to which the variogram is fitted by least squares over all pairs. Without it, or with
+/// fewer than three rows, the range is derived from the median distance of the rows, and the
+/// variance is only relative. If rows are collinear, or there are more parameters than rows, the
+/// drift is restricted to the directions in which the rows vary.
 Kriging fit_kriging(const Eigen::MatrixXd& places, const KrigingOptions& options = {},
                     const std::optional<Eigen::MatrixXd>& half_squared_differences = {});
 

@@ -20,10 +20,11 @@ struct NearestNeighbours {
 };
 
 /// Samples parameter space. `places` holds the parameters of the examples, all different (N × M).
-/// Each random blend combines M + 1 examples and is kept if its parameters are farther than
-/// `least_distance` from all previous samples. Its parameters are determined by `measure` or, if
-/// `measure` is empty, are the weighted mean of the examples' parameters. The random draws depend
-/// on the seed and on the parameters of the examples, but not on their order.
+/// Each random blend combines M + 1 examples (or all if there are fewer) and is kept if its
+/// parameters are farther than `least_distance` from all previous samples. Its parameters are
+/// determined by `measure` or, if `measure` is empty, are the weighted mean of the examples'
+/// parameters. The random draws depend on the seed and on the parameters of the examples, but not
+/// on their order.
 NearestNeighbours fit_nearest_neighbours(const Eigen::MatrixXd& places,
                                          const NearestNeighboursOptions& options = {},
                                          const MeasureBlend& measure = {});

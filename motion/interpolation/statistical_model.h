@@ -47,7 +47,8 @@ StatisticalModel fit_statistical_model(const ExampleSet& set, const Eigen::Matri
 /// Coordinates at given parameters, expected or most likely.
 Eigen::VectorXd coordinates_at(const StatisticalModel& model, const Eigen::RowVectorXd& parameters);
 
-/// The motion with given coordinates. The duration of a loop is rounded to whole frames.
+/// The motion with given coordinates. The duration is rounded to whole frames, and the keytimes are
+/// scaled accordingly.
 Example motion_of(const StatisticalModel& model, const Eigen::VectorXd& coordinates,
                   double frames_per_second);
 

@@ -7,7 +7,8 @@
 
 namespace mien::motion {
 
-/// One click on a word: a request to increase (+1) or decrease (−1) a parameter by one step.
+/// What a click on a word requests for one parameter: to increase (+1) or decrease (−1) it by one
+/// step.
 struct Click {
   int parameter = 0;
   int sign = 1;
@@ -17,7 +18,8 @@ struct Click {
 
 /// Incremental control by words (after Förger and Takala 2012). Each click applies the smallest
 /// change of weights that changes the named parameters by one step and preserves the sum of the
-/// weights, computed with the pseudo-inverse. The result depends on the sequence of clicks.
+/// weights, computed with the pseudo-inverse; the weights are then clipped to [0, 1] and
+/// normalised. The result depends on the sequence of clicks.
 struct WordClicks {
   Eigen::MatrixXd standardised;  ///< M × N: parameters of examples, mean 0 and SD 1 per row
   Eigen::VectorXd mean;          ///< M: means of the parameters
@@ -41,7 +43,8 @@ struct ClickPath {
 };
 
 /// Simulates a patient user who starts from equal weights and repeatedly clicks on the parameter
-/// farthest from the request, as long as that reduces the total deviation.
+/// farthest from the request, passing over parameters whose click would not reduce the total
+/// deviation. Ends when every parameter is within half a step of the request, or no click helps.
 ClickPath click_towards(const WordClicks& words, const Eigen::RowVectorXd& request);
 
 }  // namespace mien::motion

@@ -70,15 +70,16 @@ Findings find_drift(const LintMotion& motion, const LintOptions& options,
                     const LintMotion* original);
 
 /// Finds steady rising or sinking of the whole body over the take: a line fitted to the height of
-/// the lower sole rises by more than the threshold and explains half of the variance, and the
-/// median change per frame agrees with the slope of the line. On stairs and slopes they disagree,
-/// because the lower sole keeps its height while a foot stands. No finding for loops.
+/// the lower sole rises or sinks by more than the threshold and explains half of the variance, and
+/// the median change per frame agrees with the slope of the line. On stairs and slopes they
+/// disagree, because the lower sole keeps its height while a foot stands. No finding for loops.
 Findings find_rise(const LintMotion& motion, const LintMotion* original);
 
 /// Finds a jump at the seam of a loop, compared with the changes per frame elsewhere in the loop.
 Findings find_broken_seam(const LintMotion& motion, const LintOptions& options);
 
-/// Finds joint angles beyond the healthy range (joint_angles.h) and beyond those of the original.
+/// Finds joint angles beyond the healthy range (joint_angles.h) and beyond those that the original
+/// reaches. Wrists are measured from their mean direction and are not compared with the original.
 Findings find_joints_beyond_limits(const LintMotion& motion, const LintOptions& options,
                                    const LintMotion* original);
 
@@ -102,7 +103,8 @@ Findings find_sunken_feet(const LintMotion& motion, const LintOptions& options,
 Findings find_floating(const LintMotion& motion, const LintOptions& options,
                        const LintMotion* original);
 
-/// Finds joints that rotate faster than humans can, and faster than in the original.
+/// Finds joints, other than wrists and toes, that rotate faster than humans can, and faster than in
+/// the original.
 Findings find_fast_joints(const LintMotion& motion, const LintOptions& options,
                           const LintMotion* original);
 
@@ -133,7 +135,8 @@ Findings find_shifted_contacts(const LintMotion& motion, const LintOptions& opti
 
 /// Finds hands, feet and head that move earlier or later than in the original. The shift is the one
 /// with the highest correlation between the limb's path and its original path, in windows of 2 s,
-/// minus the shift that all limbs share. Also finds limbs whose correlation is low at any shift.
+/// minus the median shift of the limbs (if at least three correlate well). Also finds limbs whose
+/// correlation is low at any shift.
 Findings find_shifted_limbs(const LintMotion& motion, const LintOptions& options,
                             const LintMotion& original);
 

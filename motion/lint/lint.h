@@ -26,7 +26,8 @@ const std::vector<LintCheck>& lint_checks();
 ///
 /// The clip is in metres, +Y up, with the floor at y = 0. A loop is treated as repeating
 /// indefinitely, and a loop that walks in place as a walk on a treadmill. If the skeleton is not
-/// the canonical body, only the validity of the data is checked.
+/// the canonical body, only invalid data, a calibration pose, frozen intervals, jumps and seams are
+/// checked.
 ///
 /// With an `original` (the motion before modification, on any canonical body), faults of the
 /// original count less, and contact timing, limb phases and jerk are compared with it. The
@@ -40,9 +41,9 @@ std::vector<Finding> lint(const Clip& clip, const LintOptions& options = {},
 /// non-finite numbers.
 std::optional<Finding> calibration_pose(const Clip& clip);
 
-/// Checks the data of a recording as read from a file for non-finite numbers and changing bone
-/// lengths. After conversion to the canonical body such changes can no longer be detected, because
-/// its bone lengths are constant.
+/// Checks the data of a recording as read from a file for non-finite numbers, invalid rotations and
+/// changing bone lengths. After conversion to the canonical body such changes can no longer be
+/// detected, because its bone lengths are constant.
 std::vector<Finding> lint(const Recording& recording, const LintOptions& options = {});
 
 }  // namespace mien::motion

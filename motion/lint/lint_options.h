@@ -15,11 +15,11 @@ struct LintOptions {
   // Data.
   Levels unit_error = {1e-6, 1e-3};   ///< deviation of quaternion length from 1
   Levels bone_drift = {0.001, 0.01};  ///< change of bone length, as a fraction of the median length
-  /// Deviation of a change per frame from the mean of its neighbours; at frame rates below 30 Hz
-  /// scaled by 30 Hz / rate.
+  /// Deviation of a change per frame from the mean of its neighbours, less what fast movement
+  /// explains; at frame rates below 30 Hz scaled by 30 Hz / rate.
   Levels jump_degrees = {20.0, 30.0};
-  Levels jump_metres = {0.05, 0.1};   ///< the same for root positions
-  Levels seam_degrees = {3.0, 8.0};   ///< change at the seam of a loop beyond that elsewhere
+  Levels jump_metres = {0.05, 0.1};  ///< the same for root positions
+  Levels seam_degrees = {3.0, 8.0};  ///< deviation at a loop's seam, less twice the usual deviation
   Levels seam_metres = {0.01, 0.03};  ///< the same for root positions
 
   // Joints and body parts.

@@ -42,7 +42,8 @@ Finding graded_finding(std::string_view check, double measured, const std::strin
                        const Levels& levels);
 
 /// Adds a finding whose frames are those of the motion's clip, converting them to frames of the
-/// motion as given. For loops, findings that do not begin in the middle lap are discarded.
+/// motion as given. For loops, findings are discarded that neither begin in the middle lap nor
+/// cover all of it.
 void add_finding(std::vector<Finding>& findings, const LintMotion& motion, Finding finding);
 
 /// The levels raised so that the warning level is not below the largest value of the original,

@@ -46,8 +46,8 @@ FittedInterface fit_interface(const SliderInterface& interface, const SynthesisO
                               const ExampleSet& examples, const ParameterTable& table,
                               Eigen::Index held = 0);
 
-/// The motion for slider values, without foot locking (synthesis.h). If all weights are 0, the mean
-/// of all examples.
+/// The motion for slider values; its feet are not locked (synthesis.h locks them). If all weights
+/// are 0, the mean of all examples.
 Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
                   const SynthesisOptions& how, const ExampleSet& examples,
                   double frames_per_second = 30.0);

@@ -61,8 +61,8 @@ std::vector<Value> smoothed_once(const std::vector<Value>& signal, int level, Si
   return smooth;
 }
 
-/// The signal, padded at both ends with its end values. The padding is as wide as the support of a
-/// filter with `levels` bands.
+/// The signal, padded at both ends with its end values. The padding at each end is as wide as a
+/// filter with `levels` bands reaches to one side.
 template <typename Value>
 std::vector<Value> with_repeated_ends(std::span<const Value> signal, int levels) {
   const auto pad = static_cast<std::size_t>(2 * ((1L << levels) - 1));

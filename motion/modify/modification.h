@@ -100,9 +100,10 @@ void check(const Modification& modification);
 
 /// The modified clip of the canonical body. Steps in the order of the emotion thesis: path lengths,
 /// hip shift, limb timing, and bilinear interpolation on the grid of nine motions (nine_grid.h);
-/// then variation, tempo, posture, joint limits and foot repair. Bone lengths never change; a loop
-/// stays a loop. Clips may walk in place. Throws mien::Error as `check` does, and for a
-/// skeleton other than the canonical body.
+/// then variation, tempo, posture, joint limits and foot repair. Hips are adducted less than
+/// requested if steps would otherwise become narrower than a foot (feet_apart.h). Bone lengths
+/// never change; a loop stays a loop. Clips may walk in place. Throws mien::Error as `check` does,
+/// and for a skeleton other than the canonical body.
 ModifiedClip modify(const Clip& clip, const Modification& modification);
 
 /// Like `modify`, without the report.

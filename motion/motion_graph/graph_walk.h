@@ -12,12 +12,13 @@ namespace mien::motion {
 struct GraphWalkOptions {
   Vec3 place = Vec3::Zero();  ///< floor position of the pelvis in the first frame, metres
   double heading = 0.0;       ///< of the pelvis in the first frame, radians about +Y from +Z
-  /// Whether to lock feet (gait/foot_lock.h) in plants that overlap a transition, so that a foot
-  /// planted before and after the transition stands still throughout and other feet do not slide
-  /// after landing.
+  /// Whether to lock feet (gait/foot_lock.h) in plants that overlap a transition (in all plants, if
+  /// several versions of a graph are blended), so that a foot planted before and after the
+  /// transition stands still throughout and other feet do not slide after landing.
   bool lock_feet = true;
   /// Additional heading of each frame, radians to the left; it bends the path too. Empty: none. If
-  /// given, all planted feet are locked, so that they stand still while the body turns above them.
+  /// given, `lock_feet` locks the feet in all plants, so that they stand still while the body turns
+  /// above them.
   std::vector<double> added_headings;
 };
 
@@ -25,7 +26,8 @@ struct GraphWalkOptions {
 /// and rotations of the clips from frame to frame (their weighted mean in transitions), so that
 /// transitions add no jumps; joint rotations and height are interpolated. Frames last as long as
 /// the graph's `frame_seconds` states; the result is sampled at the graph's frame rate. Throws
-/// mien::Error for a walk without frames, and for edges that are not consecutive.
+/// mien::Error for a walk without frames, for edges that are not consecutive, and for another
+/// number of added headings than of frames.
 Clip motion_of(const MotionGraph& graph, const GraphWalk& walk,
                const GraphWalkOptions& options = {});
 

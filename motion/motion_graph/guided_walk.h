@@ -53,11 +53,12 @@ GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec
                       std::span<const MoodChange> moods, const GuidedWalkOptions& options = {});
 
 /// A walk that follows a script (scripted_walk.h), found by the same search: its speed and heading
-/// follow the script at every time. A segment's `pace` of 1 is the speed of the fastest tenth of
-/// the graph's frames; turns are made at 60°/s, or 45°/s on the spot. The heading error at the end
-/// of each segment is corrected evenly over the segment, up to 25° and 12°/s, by rotating the body
-/// and locking the feet. The turn with the largest remaining error above 5° is reported (`missed`).
-/// Moods are ignored. Throws as above, and for an empty script.
+/// follow the script at every time. A segment's `pace` of 1 is the speed that a tenth of the
+/// graph's frames exceed; turns are made at 60°/s, or 45°/s on the spot. The heading error at the
+/// end of each segment (of a turn only if it is the last segment) is corrected gradually, beginning
+/// at the previous such end, by up to 25° and 12°/s, by rotating the body and locking the feet. The
+/// turn with the largest remaining error above 5° is reported (`missed`). Moods are ignored. Throws
+/// as above, and for an empty script.
 GuidedWalk scripted_walk(const MotionGraph& graph, std::span<const WalkSegment> script,
                          const GuidedWalkOptions& options = {});
 

@@ -21,9 +21,9 @@ struct HeadingCorrection {
   std::vector<double> missing;
 };
 
-/// Spreads the heading error at each goal over the interval since the previous goal: at most 25°,
-/// and at most 12°/s on average, which is not visible with locked feet. Goals are in ascending
-/// order of time.
+/// Spreads the heading error at each goal over the interval since the previous goal, without its
+/// last `over_seconds` (but over at least half of the interval): at most 25°, and at most 12°/s on
+/// average, which is not visible with locked feet. Goals are in ascending order of time.
 HeadingCorrection correct_headings(const WalkHeadings& headings,
                                    std::span<const HeadingGoal> goals);
 

@@ -23,9 +23,11 @@ struct MotionGraphOptions {
   /// cannot repair.
   double most_contact_change = 0.25;
   /// Largest mean difference, over the window, between the facing directions of the pelvis in the
-  /// two motions, degrees; any excess is removed from the alignment. The blend rotates the pelvis
-  /// by this angle in addition to the motions' own rotation: 5° over a third of a second adds about
-  /// 1° per frame. Where it would add more per frame, the angle is limited further.
+  /// two motions, degrees; if it is larger after the alignment, the second motion is rotated until
+  /// it is not. The blend rotates the pelvis by the remaining difference, in addition to the
+  /// motions' own rotation: 5° over a third of a second add up to 0.7° per frame at 30 frames per
+  /// second. Where the blend would rotate the pelvis faster than both motions by 0.9° per frame or
+  /// more, a smaller limit applies: 3/4, 1/2 or 1/4 of this, or 0.
   double most_facing_change_deg = 5.0;
   /// Threads for the comparison; 0: one per processor. The graph does not depend on their number.
   int threads = 0;
@@ -85,14 +87,16 @@ struct MotionGraph {
 ///
 /// Throws mien::Error without clips, for clips shorter than two windows, for clips that differ in
 /// frame rate or bone lengths (by more than a millimetre), for options out of range, and when no
-/// component contains a cycle; the message then states the smallest sufficient threshold.
+/// component contains a cycle; the message then states the smallest sufficient threshold, if one up
+/// to 1 m suffices.
 MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& options = {});
 
-/// The graph with its clips replaced by other motions with the same numbers of frames, on the same
-/// or another body. The topology is kept; the alignments of the windows are recomputed. Use it to
-/// apply a modification (modify/modification.h) to all clips, or to replace them by corresponding
-/// versions or by blends of such. Throws mien::Error for clips that do not match in number, frames,
-/// frame rate or body.
+/// The graph with its clips replaced by other motions with the same numbers of frames; they may
+/// have another body than the former ones, but must all have the same. The topology is kept; the
+/// alignments of the windows are recomputed. Use it to apply a modification (modify/modification.h)
+/// to all clips, or to replace them by corresponding versions or by blends of such. Throws
+/// mien::Error for clips that differ from the graph's in number, frames or frame rate, that loop,
+/// or that differ from each other in body.
 MotionGraph with_motions(MotionGraph graph, std::span<const Clip> clips);
 
 /// A motion with the duration of each frame, as returned by `synchronised`.

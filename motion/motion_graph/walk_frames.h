@@ -44,7 +44,8 @@ Vec3 step_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
 /// Duration of the frame, seconds.
 double seconds_of(const MotionGraph& graph, const WalkFrame& frame);
 
-/// Foot plants of a walk. In a transition, contacts are those of the clip with the larger weight.
+/// Foot plants of a walk. In a transition, contacts are those of the clip with the larger share.
+/// Plants of fewer than three frames are omitted.
 std::vector<FootPlant> plants_of(const MotionGraph& graph, const std::vector<WalkFrame>& frames);
 
 }  // namespace mien::motion

@@ -27,8 +27,9 @@ KnockStyle angry_knock();
 /// A body that stands, raises its right hand, knocks, and lowers it: synthesized, not captured. The
 /// wrist follows minimum-jerk trajectories between its key positions (Flash and Hogan 1985); the
 /// arm is posed by two-bone inverse kinematics. The body faces +Z with feet side by side and soles
-/// at y = 0; the clip does not loop. Keytimes: start, first hit, last hit, end. Throws Error for
-/// fewer than one knock, or for durations or a frame rate that are not positive.
+/// at y = 0; the clip does not loop. Keytimes: start, first hit, last hit (if there are several),
+/// end. Throws Error for fewer than one knock, or for durations or a frame rate that are not
+/// positive.
 Example knock(const KnockStyle& style, double frames_per_second, const Skeleton& body);
 
 /// An example of standing still in a pose for one second.

@@ -31,7 +31,8 @@ struct LegLine {
   double outward = 0.0;       ///< lateral distance of the ankle outside the hip, metres
 };
 
-/// A curve over the swing phase that matches the value and slope of the stance at both ends.
+/// A curve over the swing phase, given by its values and slopes at both ends: those of the stance,
+/// except that the slope of `LegCycle::knee_correction` at heel strike is 0.
 struct SwingCurve {
   CurveEnd toe_off;
   CurveEnd heel_strike;
@@ -77,7 +78,8 @@ double yaw_of(const LegCycle& leg);
 FootPose planted_foot(const LegCycle& leg, double phase);
 
 /// The leg with the curves of its swing: they join the stance at toe off and the next stance at
-/// heel strike with continuous velocity and acceleration, and keep the foot clear of the floor.
+/// heel strike with the same position and velocity (except for the velocity of the knee at heel
+/// strike), and keep the foot clear of the floor.
 LegCycle fit_swing(LegCycle leg);
 
 /// Like `fit_swing`, with given `knee_peak`, `lift` and `landing`: computes the curves only, which

@@ -15,8 +15,8 @@ namespace mien::motion {
 /// The feet are fixed to the floor: they roll over heel and ball without slipping, and the legs
 /// follow by two-bone inverse kinematics between the feet and the moving pelvis. The pelvis is as
 /// high as the style's `stance_knee_deg` allows, so that the knees never fully extend. The swing
-/// follows the normal knee curve, adjusted so that velocity and acceleration are continuous with
-/// the stance at both ends.
+/// follows the normal knee curve, adjusted so that it joins the stance at both ends without jumps
+/// (`fit_swing`, leg_cycle.h).
 ///
 /// Throws mien::Error when the style is impossible (steps too long for the legs, no swing or no
 /// double support) or when speed, cadence or frame rate is not positive.

@@ -23,7 +23,7 @@ struct BodyMapping {
   Quat to_y_up = Quat::Identity();  ///< rotation from the file's axes to +Y up
   std::string up = "+Y";            ///< the file's up axis: "+Y", "+Z", "-X", …
   double metres_per_unit = 1.0;
-  double confidence = 0.0;            ///< mean over the joints, 0–1
+  double confidence = 0.0;  ///< mean over the joints, 0–1; halved for a figure on all fours
   std::vector<std::string> warnings;  ///< plain sentences
 };
 
@@ -42,8 +42,8 @@ BodyMapping recognise(std::span<const Recording> recordings);
 ///
 /// The floor is the level on which the lower foot stands (floor.h), so that a few noisy frames or
 /// dipping toes do not affect it. A sloping floor is levelled first. Toes that would penetrate the
-/// floor at toe off are bent (toe_bend.h). Throws Error if the rig of the recording differs from
-/// that of the mapping.
+/// floor at toe off are bent (toe_bend.h). The recording must have the rig of the mapping. Throws
+/// Error if it has no frames, or fewer joints than the mapping refers to.
 Clip to_body(const Recording& recording, const BodyMapping& mapping);
 
 /// Floor of a recording mapped to the canonical body, for which `to_body` corrects.

@@ -7,14 +7,14 @@
 
 namespace mien::motion {
 
-/// Mean world directions in the frames of a foot's joints while it stands flat. Vectors are means
-/// over the flat frames and not of unit length; those of the toe are zero if the rig has no
-/// rotating toe joint.
+/// Mean world directions in the frames of a foot's joints while it stands flat. Vectors are sums
+/// over the flat frames, so only their directions have a meaning; those of the toe are zero if the
+/// rig has no rotating toe joint.
 struct FootRest {
   Vec3 up = Vec3::Zero();           ///< world up in the ankle's frame
   Vec3 forward = Vec3::Zero();      ///< ankle to toe in the ankle's frame; zero without a toe
   Vec3 toe_up = Vec3::Zero();       ///< world up in the toe's frame
-  Vec3 toe_forward = Vec3::Zero();  ///< ankle to toe in the toe's frame
+  Vec3 toe_forward = Vec3::Zero();  ///< horizontal direction from ankle to toe, in the toe's frame
   int frames = 0;                   ///< number of flat frames
 };
 

@@ -47,10 +47,11 @@ struct KeyJoints {
 };
 
 /// The groups of a rig: spine joints between pelvis and chest are divided between Spine and Chest
-/// (the lower half, rounded up, is Spine), joints between chest and head form the neck, and joints
-/// between chest and upper arm the clavicle. A missing wrist or toe is placed at the tip of the
-/// preceding bone if the rig has one. Joints in `by_shape` are marked as found by "topology" and
-/// have a lower confidence.
+/// (the lower half, rounded up, is Spine; a single joint is Chest), joints between chest and head
+/// form the neck, and joints between chest and upper arm the clavicle; joints between the fork of
+/// the legs and a thigh belong to the hip. A missing wrist, ankle or toe is placed at the tip of
+/// the preceding bone if the rig has one. Joints in `by_shape` are marked as found by "topology"
+/// and have a lower confidence.
 MappedJoints groups_of(const Skeleton& rig, const KeyJoints& keys, double confidence,
                        const std::string& found_by);
 

@@ -5,7 +5,7 @@
 namespace mien::motion {
 
 /// Bends the toes of one foot (`toe`: LeftToe or RightToe) up, by 70° at most, where their end
-/// would penetrate the floor (y = 0) at toe off: many rigs have rigid toes.
+/// would be below the floor (y = 0), as at toe off in the many rigs with rigid toes.
 void bend_toes_at_floor(Clip& clip, BodyJoint toe);
 
 }  // namespace mien::motion

@@ -8,7 +8,8 @@
 
 namespace mien::motion {
 
-/// A motion as read from a file: any rig, in the file's own unit and axes.
+/// A motion as read from a file: any rig, in the file's own unit and axes (an Acclaim file that
+/// states its unit of length is in metres, acclaim.h).
 ///
 /// `to_body` (body_mapping.h) turns it into a Clip of the canonical body.
 struct Recording {

@@ -33,7 +33,8 @@ std::vector<std::vector<int>> children_of(const Skeleton& skeleton);
 /// Whether every parent index points to an earlier joint and only joint 0 is a root.
 bool is_well_formed(const Skeleton& skeleton);
 
-/// Whether two skeletons have the same joint names, parents and offsets.
+/// Whether two skeletons have the same joint names and parents, and the same offsets to a
+/// thousandth of their length.
 bool same_rig(const Skeleton& a, const Skeleton& b);
 
 }  // namespace mien::motion

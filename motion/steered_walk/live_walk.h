@@ -36,8 +36,8 @@ struct LiveWalk {
 LiveWalk make_live_walk(std::span<const NamedStyle> moods, const Skeleton& body);
 
 /// Advances the walker by `seconds`, capped at a quarter of a second (longer intervals occur when a
-/// page was hidden), and returns its pose. Throws mien::Error for a negative time or non-finite
-/// numbers and leaves the walker unchanged.
+/// page was hidden), and returns its pose. Throws mien::Error, and leaves the walker unchanged, for
+/// a negative time, non-finite numbers, and weights of moods that are negative or too many.
 Pose advance(LiveWalk& walk, double seconds, const WalkRequest& request);
 
 }  // namespace mien::motion

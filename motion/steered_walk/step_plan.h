@@ -4,8 +4,8 @@
 
 namespace mien::motion {
 
-/// Limits of turning: the turning rate on the spot, radians/s, and the lateral acceleration of a
-/// walk in a curve, m/s².
+/// Limits of turning: the turning rate, radians/s, and the lateral acceleration of a walk in a
+/// curve, m/s².
 inline constexpr double fastest_turning = 1.25;
 inline constexpr double most_sideways_acceleration = 1.6;
 
@@ -31,7 +31,7 @@ RootMotion predicted(RootMotion root, const Steering& steering, double own, doub
 double cycle_rate(const LegCycle& steady);
 
 /// The next landing of a swinging leg: to the side of the predicted path of the root, without
-/// crossing the other foot.
+/// crossing the other foot, and within reach of the leg.
 Landing landing_of(const SteeredWalk& walker, const SteeredMoment& moment, std::size_t side,
                    const Steering& steering, double own);
 

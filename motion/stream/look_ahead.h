@@ -20,8 +20,8 @@ StreamError stream_error(const Clip& streamed, const Clip& offline);
 /// Largest accepted distance of a joint from the offline result, metres.
 inline constexpr double largest_stream_error = 0.01;
 
-/// The modification without foot repair and without the settings that `check_streamable` refuses:
-/// the offline reference for a stream.
+/// The modification without foot repair: its offline result is the reference for a stream, which
+/// never repairs feet.
 Modification without_repair(Modification modification);
 
 /// Shortest look-ahead for path lengths, frames, at which no joint deviates by more than
@@ -36,7 +36,7 @@ int shortest_look_ahead(const Modification& modification, double frames_per_seco
                         double largest_error = largest_stream_error);
 
 /// Divides a delay of `frames` frames among the parts of a modification: path lengths get as many
-/// as they can use, then timing, then posture.
+/// as they can use; the rest is for timing or, without acceleration, for posture.
 StreamDelay split_delay(int frames, const Modification& modification, double frames_per_second);
 
 }  // namespace mien::motion

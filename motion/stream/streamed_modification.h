@@ -88,7 +88,7 @@ class StreamedModification {
 
   const StreamDelay& delay() const { return delay_; }
 
-  /// Largest lag of a limb behind the trunk by acceleration, frames.
+  /// `TimingStream::largest_lag`; 0 without acceleration.
   double largest_lag() const { return timing_ ? timing_->largest_lag() : 0.0; }
 
  private:

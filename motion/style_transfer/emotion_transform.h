@@ -10,7 +10,7 @@ namespace mien::motion {
 struct EmotionTransformOptions {
   double amount = 1.0;    ///< 0: motion unchanged; 1: the emotion as captured; above 1: exaggerated
   bool timing = true;     ///< whether to apply the emotional timing
-  bool amplitude = true;  ///< whether to apply the emotional amplitudes
+  bool amplitude = true;  ///< whether to apply the emotional amplitudes and travel
 };
 
 /// Transform of one basic period of a motion.

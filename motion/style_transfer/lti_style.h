@@ -12,8 +12,8 @@ struct LtiStyleOptions {
   double amount = 1.0;  ///< 0: motion unchanged; 1: translated; above 1: exaggerated
   int order = 10;       ///< number of states of the model, 1 … 10
   int inputs = 3;  ///< number of principal components of the neutral motion used as inputs, ≥ 1
-  bool timing = true;  ///< whether to translate the timing too
-  IterativeMotionWarpingOptions warping;
+  bool timing = true;                     ///< whether to translate the timing too
+  IterativeMotionWarpingOptions warping;  ///< `smoothness` as for 30 frames per second
 };
 
 /// A translation of style as a linear time-invariant system (Hsu, Pulli and Popović 2005), learnt

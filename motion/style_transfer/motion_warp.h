@@ -48,12 +48,12 @@ Clip motion_warped(const Clip& motion, const std::vector<WarpKey>& keys,
                    const MotionWarpOptions& options = {});
 
 /// The keyframes that warp `motion` to `styled` at the keytimes: all joint rotations, the root's
-/// height, and the keytimes themselves. Both have the same number of keytimes; throws Error
-/// otherwise.
+/// height, and the keytimes themselves. Both have the same number of keytimes, and both or neither
+/// loop; throws Error otherwise.
 std::vector<WarpKey> keys_towards(const Example& motion, const Example& styled);
 
-/// The motion warped to the poses of `styled` at the keytimes and to its duration, as if an
-/// animator had edited those poses only.
+/// The motion warped to the poses of `styled` at the keytimes and to its duration and travel, as if
+/// an animator had edited those poses only.
 Clip warped_towards(const Example& motion, const Example& styled,
                     const MotionWarpOptions& options = {});
 

@@ -47,7 +47,8 @@ struct StyleComponents {
 StyleComponents style_components(const Clip& neutral, const Clip& styled,
                                  const StyleComponentOptions& options = {});
 
-/// Indices of the components that the options swap: `swapped` or the most different ones.
+/// Indices of the components that the options swap: `swapped` or the most different ones. Throws
+/// Error for an index in `swapped` without a component.
 std::vector<int> swapped_components(const StyleComponents& components,
                                     const StyleComponentOptions& options);
 

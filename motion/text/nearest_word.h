@@ -16,8 +16,8 @@ int edit_distance(std::string_view from, std::string_view to);
 /// A candidate is near if it differs by at most one edit per three letters (but at least one is
 /// allowed), ignoring case; a hyphenated word is also compared with its halves exchanged
 /// ("happy-sad"). Of equally near candidates the first is taken. If none is near, a candidate is
-/// returned if it is the only one that begins with `word` ("limit_s" for "limit"). Words over 200
-/// bytes have no near candidate.
+/// returned if it is the only one that continues `word` with a hyphen or an underscore ("limit_s"
+/// for "limit"). Words over 200 bytes have no near candidate.
 std::optional<std::string> nearest_word(std::string_view word,
                                         std::span<const std::string> candidates);
 

@@ -34,9 +34,9 @@ std::string safe_component(std::string_view name, const Place& place);
 std::string safe_names(std::string_view path, const Place& place);
 
 /// Returns `folder / relative` if it lies within the folder after resolving all links: the target
-/// of each link along the path must lie in the folder too. Throws mien::Error if it does not. The
-/// file need not exist; `folder` may itself be a link. As in fault_of_relative, names may be any
-/// that this system allows.
+/// of each link along the path must exist and lie in the folder too. Throws mien::Error otherwise.
+/// Apart from links, nothing on the path need exist; `folder` may itself be a link. As in
+/// fault_of_relative, names may be any that this system allows.
 std::filesystem::path inside(const std::filesystem::path& folder, std::string_view relative,
                              const Place& place);
 

@@ -50,11 +50,11 @@ struct RenderOptions {
   LookOptions look;
   std::string layout = "superimposed";
   std::string background = "shown";
-  std::string dots;
+  std::string dots;                  ///< CSV to write the positions of the dots to; empty: none
   std::optional<std::string> still;  ///< time of a single image: seconds, or "middle"
   std::uint64_t seed = 0;
   int jobs = 0;
-  bool repeat = false;
+  bool repeat = false;  ///< animated images loop forever
 };
 
 /// The output file, look and settings for rendering.
@@ -66,7 +66,7 @@ struct RenderPlan {
 };
 
 /// The plan for these options. Throws Faults or Error if the output file, look and output options
-/// are incompatible according to the rules for manifests.
+/// are invalid or incompatible, by the rules for manifests and those for stills.
 RenderPlan plan_of(const RenderOptions& options);
 
 /// Whether a single image is rendered instead of a film.

@@ -24,10 +24,10 @@ struct StageProgress {
 /// Activity of one machine for a study.
 struct NodeStatus {
   std::string name;
-  int elements = 0;                ///< number of running elements of job arrays
+  int elements = 0;                ///< number of running elements of job arrays and final jobs
   int workers = 0;                 ///< number of live worker processes (WorkerReport::is_alive)
   std::vector<std::string> tasks;  ///< tasks in progress
-  double frames_per_second = 0.0;
+  double frames_per_second = 0.0;  ///< sum over these workers of their mean so far
 };
 
 /// Progress of a study's production over all workers, started by Slurm or by hand.
@@ -35,27 +35,30 @@ struct FarmStatus {
   std::string study;
   std::string folder;
   std::string words;  ///< arguments that name the study in commands: "my.yaml --out /scratch"
-  std::vector<StageProgress> stages;  ///< tasks: motions, films, clips, sheets, study
-  StageProgress frames;  ///< frames of all films, including stored ones of incomplete films
+  /// In tasks: those of motions, films, clips, dots, sheets and study that have any.
+  std::vector<StageProgress> stages;
+  StageProgress frames;  ///< frames of all films; `done` includes stored frames of incomplete films
   std::vector<NodeStatus> nodes;
-  std::map<std::string, int> waiting;  ///< number of pending elements by Slurm's reason
+  std::map<std::string, int>
+      waiting;  ///< number of pending elements and final jobs by Slurm's reason
   std::vector<JobProblem> problems;
   std::vector<FailedItem> failed;
   std::vector<std::string> losses;  ///< lost_job_messages
   std::string disk;                 ///< current problem of the study's folder; empty if none
   std::optional<double>
-      seconds_left;           ///< estimated remaining time; empty if no frames are being rendered
+      seconds_left;  ///< estimated time for the remaining frames; empty if no live worker has
+                     ///< rendered a frame, or if the study is complete
   bool is_complete = false;   ///< all artifacts exist, including provenance.json
   std::string without_slurm;  ///< why job states are unknown; empty if they are known
 
   int running() const;
-  /// Whether a worker is running or a job is pending.
+  /// Whether a worker or a job is running, or a job is pending.
   bool is_active() const;
 };
 
-/// Determines the status from receipts and file sizes, the workers' reports and the queue. If
-/// `queue` is empty, `fault` gives the reason. `words`: the study's arguments in commands. `nodes`:
-/// states of Slurm's nodes.
+/// Determines the status from receipts and file sizes, the workers' reports and the queue. `queue`:
+/// Slurm's jobs; nullopt if they are unknown, and then `fault` gives the reason. `words`: the
+/// study's arguments in commands. `nodes`: states of Slurm's nodes.
 FarmStatus farm_status(const Production& production, const std::filesystem::path& folder,
                        const std::optional<std::vector<QueueRow>>& queue, const std::string& fault,
                        const std::string& words, const NodeStates& nodes = {});

@@ -14,8 +14,9 @@ namespace mien::pipeline {
 std::map<std::string, int> film_lengths(const Production& production,
                                         const std::filesystem::path& folder);
 
-/// Like film_lengths, but reads motion files that have not been read yet, since they may have any
-/// duration. Throws Error for a file that cannot be staged.
+/// Like film_lengths, but makes the motions from files and along paths that have not been produced
+/// yet, since they may have any duration. After 200 of them, the mean length of these is assumed
+/// for the others. Throws Error for a motion that cannot be made.
 std::map<std::string, int> measured_film_lengths(Production& production,
                                                  const std::filesystem::path& folder);
 

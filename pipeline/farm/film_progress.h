@@ -22,8 +22,8 @@ ProgressByFilm stored_film_progress(const TaskGraph& graph, const std::vector<Ta
                                     const std::map<std::string, int>& frames,
                                     const std::filesystem::path& folder);
 
-/// Adds the frames assigned to live jobs, and sets each film's number of chunks to that of those
-/// jobs.
+/// Adds the frames assigned to live jobs, and sets the number of chunks of each film on which these
+/// jobs work.
 void add_frames_of_live_jobs(const std::vector<JobStatus>& statuses,
                              const std::map<std::string, int>& frames,
                              const std::filesystem::path& folder, ProgressByFilm& film_progress);

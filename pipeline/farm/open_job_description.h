@@ -14,8 +14,8 @@ namespace mien::pipeline {
 /// A job template of the Open Job Description specification, version 2023-09
 /// (https://github.com/OpenJobDescription/openjd-specifications): one step per stage, with the
 /// element number as its task parameter, and a final step for the remaining tasks. Program,
-/// manifest and folder are job parameters, which can be overridden on submission. Throws Error if
-/// the specification cannot express the job.
+/// manifest and the folder of all studies are job parameters, which can be overridden on
+/// submission. Throws Error if the specification cannot express the job.
 nlohmann::ordered_json open_job_template(const std::vector<Stage>& stages, const StudyCall& call,
                                          const JobRequest& request);
 

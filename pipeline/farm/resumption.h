@@ -10,7 +10,8 @@
 
 namespace mien::pipeline {
 
-/// Items of live jobs that will run without intervention. `folder`: the study's.
+/// Items of the pending and running elements that will proceed without intervention. `folder`: the
+/// study's.
 std::set<std::string> covered_items(const std::vector<JobStatus>& statuses,
                                     const std::filesystem::path& folder);
 
@@ -20,7 +21,7 @@ std::vector<std::string> obsolete_jobs(const std::vector<JobStatus>& statuses);
 
 /// Tasks whose jobs ran out of memory, and the memory to request for them next.
 struct MemoryNeeds {
-  std::map<std::string, std::string> more;  ///< twice the previous amount, by task
+  std::map<std::string, std::string> more;  ///< twice the previously requested amount, by task
   std::vector<std::string> unknown;         ///< items without a known amount to double
 };
 

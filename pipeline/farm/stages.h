@@ -9,8 +9,8 @@
 
 namespace mien::pipeline {
 
-/// The part of a stage that one job does. The items are run in order; each is a task ("film:walk")
-/// or a chunk of a film's frames ("film:walk[3/12]": the third of twelve).
+/// The part of a stage that one job does. Each item is a task ("film:walk") or a chunk of a film's
+/// frames ("film:walk[3/12]": the third of twelve).
 struct Element {
   std::vector<std::string> items;
   double seconds = 0.0;  ///< estimated duration
@@ -27,7 +27,8 @@ struct Stage {
 
 /// How a study is split into elements.
 struct Chunking {
-  int chunk_frames = 0;            ///< maximum number of frames per element; 0: by element_seconds
+  int chunk_frames = 0;  ///< maximum number of frames per chunk, and per element of several items;
+                         ///< 0: by element_seconds
   double element_seconds = 300.0;  ///< intended maximum duration of an element
   double pace = 1.0;               ///< measured seconds per estimated second of a task
 };
@@ -36,7 +37,8 @@ struct Chunking {
 struct FilmProgress {
   /// For each frame, whether it is stored or assigned to a queued or running job; may be empty.
   std::vector<bool> has_frame;
-  int chunks = 0;  ///< number of chunks used by queued or running jobs; 0 if not split yet
+  int chunks = 0;  ///< number of chunks used by queued or running jobs (1: not split); 0 if no such
+                   ///< job works on it
 };
 
 /// Divides the tasks that are due (one flag per task) into the stages motions, frames, films,

@@ -69,8 +69,9 @@ std::string list_text(const SubmissionJob& job);
 
 /// Creates the submission's folder with all its files and records the intended jobs in the journal.
 /// All of this is written before Slurm is called, so that a full disk leaves the queue unchanged.
-/// Throws WriteFailure, and std::runtime_error if another client has just created a folder with
-/// that number; if it throws, this client leaves no folder behind.
+/// Throws WriteFailure, Error for a path that a batch file cannot express, and std::runtime_error
+/// if another client has just created a folder with that number; if it throws, this client leaves
+/// no folder behind.
 void write_submission(const Submission& submission, const SubmissionJournal& journal);
 
 /// Withdraws a written submission: records `why` in the journal, if that can be written, and
@@ -93,8 +94,8 @@ struct Submitted {
 
 /// Submits a written submission to Slurm. Films and later stages also wait for `live`, jobs of
 /// earlier submissions. If a job is refused, the jobs accepted before it are cancelled, the
-/// submission is withdrawn and SlurmFault is thrown; if Slurm does not answer, accepted jobs
-/// remain.
+/// submission is withdrawn and SlurmFault is thrown; if Slurm does not answer, SlurmTimeout is
+/// thrown and the accepted jobs remain.
 Submitted submit(const Submission& submission, const Slurm& slurm, const SubmissionJournal& journal,
                  const std::vector<std::string>& live);
 

@@ -10,16 +10,16 @@
 
 namespace mien::pipeline {
 
-/// The tasks of these items and the tasks that produce their inputs, inputs first. `graph` must
-/// outlive the result. Throws Error if the graph lacks a task, or an item is a chunk of a task
-/// without parts.
+/// The tasks of these items and all tasks that must precede them, in the order of the graph.
+/// `graph` must outlive the result. Throws Error if the graph lacks a task, or an item is a chunk
+/// of a task without parts.
 TaskGraph graph_of_items(const TaskGraph& graph, const std::vector<std::string>& items);
 
-/// An item that failed.
+/// An item that failed, or whose inputs failed.
 struct FailedWork {
   std::string item;
   std::string error;
-  int code = 0;  ///< worker_bad_input, worker_disk_unavailable, worker_transient or another
+  int code = 0;  ///< worker_bad_input, worker_disk_unavailable, worker_transient or worker_gave_up
 };
 
 /// The result of a worker's run.
@@ -34,8 +34,10 @@ struct WorkResult {
 };
 
 /// Runs items on `jobs` threads in the study's folder, which many processes may do at the same
-/// time. A failed item creates farm/failures/<item>.json in that folder, with `command`, which
-/// reproduces the failure; success removes the file. Throws the exceptions of Store.
+/// time. `items`: their tasks (graph_of_items); `names`: the items themselves. A failed item
+/// creates farm/failures/<item>.json in that folder, with a command that reproduces the failure:
+/// `command`, to which the item is added as --tasks. Success removes the file. Throws the
+/// exceptions of Store.
 WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
                 const std::filesystem::path& folder, int jobs, const std::stop_token& stop,
                 const RunObserver& observer, const std::string& command);

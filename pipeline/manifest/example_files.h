@@ -13,7 +13,8 @@ namespace mien::pipeline {
 /// Returns the manifest's folder of examples as a type of the motion module.
 motion::ExampleFolder example_folder(const Examples& examples);
 
-/// Returns the files of the repertoire, which determine every clip made from it.
+/// Returns the files of the repertoire: those of the examples, their ratings and their scales,
+/// which determine every clip made from the examples.
 std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest);
 
 /// Returns the names of the examples, without reading a motion. Throws Error.
@@ -26,8 +27,8 @@ std::vector<RatedExample> rated_examples(const Manifest& manifest);
 /// Returns the stems of all motion files in the examples' folder, selected or not. Throws Error.
 std::vector<std::string> stems_in_folder(const Examples& examples);
 
-/// Returns the files that a motion file may refer to: all files in its folder with the extension of
-/// its format's parts, in upper or lower case.
+/// Returns the companion files to which a motion file may refer: all files in its folder with the
+/// extension of its format's companion files (.asf for .amc), in upper or lower case.
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file);
 
 /// Returns the answers in the file that the manifest's ratings name. Throws Error.

@@ -32,7 +32,7 @@ struct Examples {
   std::string exclude;           ///< glob on file names; empty excludes nothing
   std::string take;              ///< take of files with several motions; empty: the first
   motion::CycleChoice cycle = motion::CycleChoice::automatic;
-  /// Keytimes set manually: file stem → keytimes.
+  /// Keytimes set manually: file stem → keytimes, seconds.
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;
   /// Whether the motions are retargeted to one body and aligned in time; otherwise each motion is
   /// used as it is.

@@ -24,7 +24,8 @@ struct FactorsForm {
 
 /// Returns the levels of a stimulus: the stated ones and, where they are not stated, the four that
 /// follow from how it is made: `emotion` and `strength` of the recipes that modify it (several are
-/// joined by "+"), `example` if a single example has weight, and `clip`, the name of its file.
+/// joined by "+"), `example` if a single example has weight, and `clip`, the stem of its file's
+/// name.
 Factors levels_of(const Stimulus& stimulus);
 
 /// Returns all factors of a study: first the stated ones in order of first appearance, then the

@@ -7,9 +7,9 @@
 
 namespace mien::pipeline {
 
-/// Hashes of files for the keys of artifacts. A hash covers the file's name, its content and the
-/// files that belong to it, but not its folder. Each file is read once, when its hash is first
-/// requested.
+/// Hashes of files for the keys of artifacts. A hash covers the names and contents of the file and
+/// of its companion files (motion_parts), but not its folder. Each file is read once, when its hash
+/// is first requested.
 class FileKeys {
  public:
   const Hash& of(const std::filesystem::path& file);

@@ -38,7 +38,8 @@ void fields_of(auto&& field, MaybeConst<Foil> auto& foil) {
 
 /// Gives each foil the motion of its original stimulus and that stimulus's modifications without
 /// the aspect. The recipes of the modifications must have been resolved. Returns faults if the
-/// original does not exist, is itself a foil, or is not modified in that aspect.
+/// original does not exist, is itself a foil, is modified by an older method (StyleStep), or is not
+/// modified in that aspect, and if the foil states settings that it inherits.
 std::vector<Fault> resolve_foils(Manifest& manifest);
 
 }  // namespace mien::pipeline

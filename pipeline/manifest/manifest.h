@@ -80,7 +80,7 @@ std::vector<std::vector<const Stimulus*>> equalized_groups(const std::vector<Sti
 struct Manifest {
   std::filesystem::path file;
   std::string command;  ///< command line that makes the study, reduced to what affects the
-                        ///< artifacts; set by Production
+                        ///< artifacts; set by Production, or read from a provenance.json
   int version = 1;
   std::string study;
   std::uint64_t seed = 0;

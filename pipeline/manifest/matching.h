@@ -7,8 +7,8 @@
 
 namespace mien::pipeline {
 
-/// When participants see the result of a guess: immediately, in the same trial, or only once they
-/// have made a guess at the target with every interface.
+/// When participants see the result of a guess: directly after it (trial by trial), or only once
+/// they have made a guess at the target with every interface.
 enum class MatchingOrder { trial_by_trial, guesses_first };
 
 inline constexpr Words<MatchingOrder> matching_order_words = {

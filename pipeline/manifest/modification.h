@@ -20,7 +20,7 @@ struct PoseSource {
   std::string example;         ///< empty: `file` is used
   std::filesystem::path file;  ///< resolved
   std::string take;            ///< take of a file with several; empty: the first
-  int frame = 0;
+  int frame = 0;               ///< counted from 0
 
   friend bool operator==(const PoseSource&, const PoseSource&) = default;
 };
@@ -123,8 +123,8 @@ struct EditForm {
   }
 };
 
-/// Returns the modification with the stated settings of the edit applied. The pose difference is
-/// not read.
+/// Returns the modification with the stated settings of the edit applied, except `edit.pose`, which
+/// is ignored.
 motion::Modification with_edit(motion::Modification modification, const ModificationEdit& edit);
 
 /// A recipe for an emotion: one of our own (builtin), a row of figure 29 of the emotion thesis
@@ -178,7 +178,8 @@ struct StyleForm {
   static void walk(auto& names) { names.template of<StyleStep>(); }
 };
 
-/// The fields as written in the manifest. (Artifacts depend on `modification`, `pose` and `style`.)
+/// The fields as written in the manifest. (Keys of artifacts contain the resolved `modification`
+/// and `pose` instead of `edit`.)
 void fields_of(auto&& field, MaybeConst<ModificationStep> auto& step) {
   field("emotion", step.emotion, concerns::motion);
   field("strength", step.strength, concerns::motion);

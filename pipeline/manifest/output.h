@@ -98,7 +98,8 @@ struct Output {
   /// Returns the width and height of the whole picture in pixels, after scaling.
   std::array<int, 2> whole_size() const;
 
-  /// Returns the cropped part of the whole picture; empty if all of it is kept.
+  /// Returns the part of the whole picture that `crop` keeps, in pixels after scaling; empty if all
+  /// of it is kept.
   std::optional<render::Window> window() const;
 
   /// Returns the width and height of frames and videos in pixels, after scaling and cropping.

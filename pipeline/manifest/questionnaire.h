@@ -71,8 +71,8 @@ void fields_of(auto&& field, MaybeConst<Demographic> auto& question) {
   field("required", question.required, concerns::nothing);
 }
 
-/// The estimated duration of a session in addition to its videos, in seconds except for the reading
-/// speed.
+/// What the estimated duration of a session contains in addition to its videos: times in seconds,
+/// and the reading speed.
 struct Pace {
   double words_per_minute = 200.0;  ///< reading speed for texts
   double answer = 3.5;              ///< to read and answer an item of a trial

@@ -17,12 +17,12 @@ const Questionnaire& questionnaire_of(const Manifest& manifest);
 /// Returns the matching experiment. Throws Error if the manifest has none.
 const Matching& matching_of(const Manifest& manifest);
 
-/// Returns the ids of the matching experiment's targets: the named ones, or all stimuli with the
-/// role of a target that are not used for practice.
+/// Returns the ids of the targets of the matching experiment, which the manifest must have: the
+/// named ones, or all stimuli with the role of a target that are not used for practice.
 std::vector<std::string> matching_targets(const Manifest& manifest);
 
-/// Returns the title of the questionnaire or else of the matching experiment; if the title is
-/// empty, the study's name.
+/// Returns the title of the questionnaire or, if the manifest has none, of the matching experiment;
+/// if the title is empty, the study's name. Throws Error if the manifest has neither.
 std::string title_of(const Manifest& manifest);
 
 /// Returns the scales from which the questionnaire may choose: those of its own file; otherwise the

@@ -29,8 +29,8 @@ struct TextForm {
   static void walk(auto& names) { names.add("file"); }
 };
 
-/// The stimuli that are rated: those named, or those whose level is among the given ones for each
-/// factor; all if neither is given.
+/// The stimuli that are rated: those named, or those that have, for each factor in `levels`, one of
+/// the given levels; all if neither is given.
 struct StimulusChoice {
   std::vector<std::string> ids;
   std::vector<std::pair<std::string, std::vector<std::string>>> levels;

@@ -14,8 +14,9 @@ struct StimulusStates {
   const StimulusFacts& then;      ///< from the approved manifest, made by the current program
   const StimulusFacts& now;       ///< from the current manifest, made by the current program
 
-  // Remade: the current program makes something else from the approved manifest.
-  // Requested: with the current program, the current manifest gives something else.
+  // Remade: from the approved manifest, the current program makes something that differs from what
+  // was approved. Requested: the current program makes something different from the current
+  // manifest than from the approved one.
   bool is_motion_remade() const { return then.motion != approved.motion; }
   bool is_motion_requested() const { return now.motion != then.motion; }
   bool is_scene_remade() const { return then.scene != approved.scene; }
@@ -54,14 +55,17 @@ struct CauseShares {
   double motion = 0.0;
   double scene = 0.0;
   double drawing = 0.0;
-  double interaction = 0.0;  ///< remainder that no single cause explains; may be negative
+  /// Error of all exchanged aspects together minus the sum of the errors of each alone; contained
+  /// in the other shares; may be negative.
+  double interaction = 0.0;
 };
 
 /// Computes Shapley values (1953): the contribution of each aspect, averaged over all orders of
 /// exchanging the aspects one after the other. `error_of` returns the mean squared error between
 /// the picture with the given aspects exchanged and that with none exchanged; it is called once for
-/// each subset of the aspects in `can`. `program_error` is the error between the approved picture
-/// and that with none exchanged. All shares are 0 if there is no error.
+/// each nonempty subset of the aspects in `can`. `program_error` is the error between the approved
+/// picture and that with none exchanged. All shares are relative to the sum of this error and that
+/// with all aspects in `can` exchanged; they are 0 if there is no error.
 CauseShares cause_shares(const Exchanged& can, double program_error,
                          const std::function<double(const Exchanged&)>& error_of);
 

@@ -116,7 +116,7 @@ Baseline read_baseline(const std::filesystem::path& folder);
 
 /// Checks that all stored files are identical to the approved ones and that no file was added to an
 /// edition. Throws Faults that list missing, damaged and additional files with a remedy. In a
-/// baseline without `sums`, only motions, pictures and videos can be checked.
+/// baseline without `sums`, only motions, pictures, block statistics and videos can be checked.
 void check_files(const Baseline& baseline);
 
 /// Writes stimulus.json to the folder of the stimulus.
@@ -133,7 +133,7 @@ std::string facts_path(const std::string& id);
 void write_baseline(const Baseline& baseline);
 
 /// Returns the key frames among `frame_count` frames: at most `most`, evenly spaced, including the
-/// first and the last.
+/// first and the last; the middle frame if `most` is 1.
 std::vector<int> key_frames_of(int frame_count, int most);
 
 }  // namespace mien::pipeline

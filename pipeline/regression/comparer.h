@@ -32,7 +32,7 @@ struct ComparedStudy {
 /// of their inputs has changed. Throws Error and Interrupted.
 StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool always_draw);
 
-/// Returns the changed videos by format; empty if no videos were made now.
+/// Returns the changed videos by format; empty if no videos were approved or none were made now.
 std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,
                                        const std::vector<VideoFacts>& now);
 

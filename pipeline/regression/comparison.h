@@ -39,18 +39,19 @@ struct Attribution {
   /// it: "adjectives.quickness 0.6 → 0.61", "Embree 3.13.5 → 4.3.0".
   std::string root;
   std::string evidence;  ///< a sentence about what was exchanged and its effect
-  /// Share of the mean squared error of the pictures: a Shapley value, 0 … 1, or below 0 if it
-  /// reduces the effect of other causes. Unset if no picture differs.
+  /// Share of the mean squared error of the frame that differs most: a Shapley value, usually 0 …
+  /// 1, below 0 if it reduces the effect of other causes. Unset if no frames of equal size differ,
+  /// or if the approved state cannot be made again.
   std::optional<double> share;
 };
 
 /// The result of comparing a stimulus with its baseline.
 enum class Verdict {
-  same,   ///< every number and pixel is unchanged
+  same,   ///< the motion, every pixel of the key frames, and the videos are unchanged
   alike,  ///< changed within the limits, or no more than the renderer's noise
   differs,
   appeared,  ///< not in the baseline
-  gone,
+  gone,      ///< not in the current manifest
 };
 
 inline constexpr Words<Verdict> verdict_words = {{"same", Verdict::same},
@@ -76,8 +77,12 @@ struct VideoChange {
   std::string format;
   /// Descriptions of the changes: "114 frames → 113", "different content".
   std::vector<std::string> what;
-  bool same_frames = true;    ///< the number of frames and the frame rate are unchanged
-  double psnr_lost_db = 0.0;  ///< decrease of the lowest PSNR between the video and its frames, dB
+  /// The number of frames and the frame rate are unchanged; false for a video that is no longer
+  /// made, true for a new one.
+  bool same_frames = true;
+  /// Decrease of the lowest PSNR between the video and its frames, dB; that of a lossless former
+  /// video counts as 100 dB.
+  double psnr_lost_db = 0.0;
 };
 
 /// All differences between a stimulus and its approved state.
@@ -88,19 +93,24 @@ struct StimulusComparison {
   std::vector<ValueChange> weights;
   std::vector<ValueChange> parameters;             ///< changes of the values reached
   std::optional<motion::MotionDifference> motion;  ///< set if the motion has changed
-  std::vector<FrameComparison> frames;             ///< rendered and compared key frames
+  /// Rendered and compared key frames; for a stimulus that appeared or is gone, the one shown,
+  /// without measures.
+  std::vector<FrameComparison> frames;
   /// Number of key frames not rendered, because none of their inputs has changed.
   int frames_reused = 0;
   std::vector<VideoChange> videos;
-  std::vector<Attribution> causes;   ///< causes, largest share first
-  double interaction = 0.0;          ///< share that no single cause explains
-  std::vector<std::string> reasons;  ///< for `differs`: a sentence for each exceeded limit
-  std::string former_id;             ///< for a renamed stimulus: the id under which it was approved
+  std::vector<Attribution> causes;  ///< causes, largest share first
+  double interaction = 0.0;         ///< share that occurs only if causes are combined (CauseShares)
+  std::vector<std::string>
+      reasons;            ///< sentences that explain `differs` (judge), `appeared` or `gone`
+  std::string former_id;  ///< for a renamed stimulus: the id under which it was approved
 };
 
-/// Sets the verdict and adds a reason for each exceeded limit. Picture changes caused by a motion
-/// within its limits are not a reason. Neither is noise, unless the scene's settings have changed:
-/// the approved noise statistics then belong to another scene.
+/// Sets the verdict and the reasons: a sentence for each exceeded limit. Of several frames or body
+/// parts that exceed a limit, only the worst is named; changed videos are reasons only if there are
+/// no others. Picture changes caused by a motion within its limits are not a reason. Neither is
+/// noise, unless the scene's settings have changed: the approved noise statistics then belong to
+/// another scene.
 void judge(StimulusComparison& comparison, const RegressionLimits& limits);
 
 }  // namespace mien::pipeline

@@ -18,26 +18,29 @@ struct Gate {
   std::string picture_defect;  ///< "a block of 8 x 8 pixels 50 % brighter"
   bool picture_caught = true;
 
-  /// Whether both defects were detected.
+  /// Whether all planted defects were detected; true also if none was planted.
   bool holds() const { return motion_caught && picture_caught; }
 };
 
-/// Plants the defects: rotates a joint of an approved motion by 1° relative to its parent, and
-/// brightens a block of an approved picture by half. The choice depends on the baseline's
-/// approvals. Throws Error if the baseline is damaged.
+/// Plants the defects in a stimulus that is in the baseline and in the current manifest: rotates a
+/// joint of its current motion by 1° relative to the parent, and brightens a block of an approved
+/// picture by half. The choice depends on the baseline's approvals. Throws Error if the baseline is
+/// damaged.
 Gate plant_defects(const ComparedStudy& study);
 
 /// The result of making everything several times; there must be no differences.
 struct Repetitions {
-  int times = 1;         ///< number of times that everything was made
-  int differing = 0;     ///< number of motions and key frames that differed
+  int times = 1;  ///< number of times that everything was made
+  /// Number of motions and key frames that differed from the first ones, summed over the
+  /// repetitions.
+  int differing = 0;
   double largest = 0.0;  ///< largest difference of a channel, as a share of full scale
 };
 
-/// Makes all motions and key frames of the baseline's stimuli `times` times and compares the
-/// results bit by bit. The number of threads starts at one and increases by one each time; after
-/// the number of processors, it starts again at one. For `times` 1, does nothing. Throws Error and
-/// Interrupted.
+/// Makes the motions and key frames of the current study `times` times, for the stimuli that are
+/// selected and in the baseline, and compares the results with the first ones bit by bit. The
+/// number of threads starts at one and increases by one each time; after the number of processors,
+/// it starts again at one. For `times` 1, does nothing. Throws Error and Interrupted.
 Repetitions repeated(const ComparedStudy& study, int times);
 
 /// Stimuli with the same cause of change, which can be approved together.
@@ -48,8 +51,8 @@ struct CauseGroup {
   bool differs = false;          ///< whether the verdict of any of them is `differs`
 };
 
-/// Returns the groups: first those with a stimulus that differs, then the others, each from the
-/// largest to the smallest.
+/// Returns the groups: first those with a stimulus that differs, then the others, both in
+/// descending order of the number of stimuli.
 std::vector<CauseGroup> groups_of(const std::vector<StimulusComparison>& stimuli);
 
 /// A study compared with its baseline.
@@ -59,13 +62,14 @@ struct Regression {
   std::vector<CauseGroup> groups;           ///< in the order of groups_of
   Gate gate;
   Repetitions repetitions;
-  /// Ids of the stimuli to which each sentence of wider_limits applies.
+  /// Tolerances that were widened since the approval ("position_mm 1 → 50"), with the ids of the
+  /// stimuli concerned.
   std::map<std::string, std::vector<std::string>> wider;
   /// Ids of stimuli, present or removed, that were not selected; their state is unknown.
   std::vector<std::string> not_compared;
   /// Ids of stimuli with videos of which none is approved.
   std::vector<std::string> without_videos;
-  int audited = 0;  ///< number of stimuli rendered although none of their inputs has changed
+  int audited = 0;  ///< number of stimuli selected by `audit_share`
 
   int count(Verdict verdict) const;
   bool passes() const;  ///< no stimulus differs, appeared, was removed or differed on repetition,
@@ -73,7 +77,9 @@ struct Regression {
 };
 
 struct RegressionOptions {
-  double audit_share = 0.02;  ///< share of the unchanged stimuli that are rendered nevertheless
+  /// Share of the stimuli whose key frames are rendered even if none of their inputs has changed;
+  /// selected pseudorandomly.
+  double audit_share = 0.02;
 };
 
 /// Called after each stimulus with the completed share, 0 … 1.

@@ -44,6 +44,8 @@ class Rendition {
   Hash scene_key(const std::string& id);
   Hash drawing_key(const std::string& id) const;
 
+  /// What is equalized across the stimuli (exposure, size and position of the figure), for this
+  /// stimulus.
   Equalized alike(const std::string& id) const { return equalized_.of(id); }
 
  private:

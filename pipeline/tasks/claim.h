@@ -13,9 +13,9 @@ namespace mien::pipeline {
 /// is published once. Released by the destructor.
 class Claim {
  public:
-  /// Claims `what` for `worker`. Returns null while a process that seems alive holds the claim; the
-  /// claim of a dead process is taken over. Throws std::system_error or WriteFailure if the folder
-  /// is not writable.
+  /// Claims `what` for `worker`. Returns null while another process that seems alive holds the
+  /// claim; a claim of a dead process, or one that names no process, is taken over. Throws
+  /// std::system_error or WriteFailure if the folder is not writable.
   static std::unique_ptr<Claim> take(const std::filesystem::path& folder, const std::string& what,
                                      const std::string& worker, WorkerWatch& watch);
   ~Claim();

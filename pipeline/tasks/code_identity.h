@@ -8,10 +8,11 @@
 namespace mien::pipeline {
 
 /// Hashes of the source files that affect each kind of artifact, so that artifacts of other code
-/// are produced again. They depend on the contents of these files only (code_identity.cmake).
+/// are produced again. They depend only on the contents of these files and on their paths in the
+/// source tree (code_identity.cmake).
 std::string_view motion_code();
-std::string_view film_code();   ///< frames, videos and tables derived from them
-std::string_view sheet_code();  ///< comparison sheets and stills
+std::string_view film_code();   ///< films: their frames, videos and tables
+std::string_view sheet_code();  ///< comparison sheets, galleries and stills
 std::string_view study_code();  ///< a study as a whole, including its tables and pages
 
 /// "0.2.0"

@@ -9,7 +9,7 @@ namespace mien::pipeline {
 /// Exit status and output of a system command.
 struct CommandResult {
   int code = 0;             ///< exit code, or 128 + signal number
-  bool is_missing = false;  ///< the program was not found
+  bool is_missing = false;  ///< the program was not found or is not executable
   bool timed_out = false;   ///< it exceeded the time limit and was killed
   std::string output;       ///< standard output
   std::string errors;       ///< standard error

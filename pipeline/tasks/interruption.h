@@ -6,10 +6,10 @@
 
 namespace mien::pipeline {
 
-/// Turns SIGINT and SIGTERM into a stop request and reports it on standard error. A second SIGINT
-/// ends the program at once with exit code 130; a second SIGTERM does not, because batch systems
-/// send it to a job more than once. Must be created before any other thread, because it blocks
-/// these signals for later threads and waits for the signals in a thread of its own.
+/// Turns SIGINT and SIGTERM into a stop request and reports it on standard error. After that,
+/// SIGINT ends the program at once with exit code 130; SIGTERM does not, because batch systems send
+/// it to a job more than once. Must be created before any other thread, because it blocks these
+/// signals for later threads and waits for the signals in a thread of its own.
 class SignalWatch {
  public:
   SignalWatch();

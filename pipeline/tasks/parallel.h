@@ -6,9 +6,9 @@
 
 namespace mien::pipeline {
 
-/// Calls `work` once with each index 0 … count − 1, on `threads` threads. After a stop request no
-/// further call is started and Interrupted is thrown. An exception of `work` is rethrown when all
-/// threads have ended.
+/// Calls `work` once with each index 0 … count − 1, on at most `threads` threads. After a stop
+/// request or an exception of `work`, no further call is started. When all threads have ended, the
+/// exception is rethrown or, after a stop request, Interrupted is thrown.
 void for_each_of(std::size_t count, int threads, const std::stop_token& stop,
                  const std::function<void(std::size_t)>& work);
 

@@ -21,7 +21,7 @@ class ProgressBar {
  public:
   using Clock = std::function<double()>;  ///< monotonic time, seconds
 
-  /// Writes to `out`, which must outlive it.
+  /// Writes to `out`, which must outlive the object.
   ProgressBar(std::ostream& out, bool terminal, Clock clock = steady_seconds);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
@@ -49,12 +49,13 @@ class ProgressBar {
   double expected_s_ = 0.0;
 };
 
-/// Shows the progress of a run: a bar with the remaining time on a terminal, otherwise plain lines,
-/// one for each completed or failed task and one every ten seconds in between.
+/// Shows the progress of a run: on a terminal, a bar with the remaining time and a line for each
+/// failed task; otherwise plain lines, one for each completed or failed task and one every ten
+/// seconds in between. Cached tasks have no lines.
 class Progress {
  public:
-  /// Writes to `out`, which must outlive it. Tasks that are cached in `plan` are assumed to take no
-  /// time.
+  /// Writes to `out`, which must outlive the object. Tasks that are cached in `plan` are assumed to
+  /// take no time.
   Progress(std::ostream& out, bool terminal, const TaskGraph& graph,
            const std::vector<TaskOutcome>& plan, ProgressBar::Clock clock);
   Progress(const Progress&) = delete;

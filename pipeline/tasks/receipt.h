@@ -42,8 +42,8 @@ Hash hash_of(const std::vector<FrameReceipt>& frames);
 
 std::string to_json(const Receipt& receipt);
 
-/// Parses a receipt. Nothing if the text is not a receipt or its checksum is wrong: a damaged
-/// receipt counts as missing.
+/// Parses a receipt. Nothing if the text is not a receipt, its checksum is wrong, or it names a
+/// file outside the study's folder: a damaged receipt counts as missing.
 std::optional<Receipt> receipt_from_json(const std::string& text);
 
 /// Path of an artifact's receipt: <folder>/.mien/receipts/<path>.json.
@@ -59,7 +59,8 @@ std::optional<Receipt> find_artifact(const std::filesystem::path& folder, const 
 /// Whether a file exists with this size and hash.
 bool agrees(const std::filesystem::path& file, const Hash& hash, std::uint64_t size);
 
-/// Whether the artifact of a receipt exists with the stated size and hash.
+/// Whether the artifact of a receipt exists with the stated size and hash; for a frame sequence,
+/// whether this is true of each frame and its folder contains nothing else.
 bool artifact_agrees(const std::filesystem::path& folder, const Receipt& receipt);
 
 /// Whether the files of a receipt's artifact exist with the stated sizes; their bytes are not read.

@@ -10,9 +10,9 @@
 
 namespace mien::pipeline {
 
-/// Artifacts in this folder that no task produces any more, sorted by path: for example those of a
-/// renamed stimulus or of a video format that is no longer selected. Files without a receipt are
-/// ignored. `kept`: paths that belong to the study in addition to its tasks' products.
+/// Artifacts in this folder that no task of the graph produces, sorted by path: for example those
+/// of a renamed stimulus or of a video format that is no longer selected. Files without a receipt
+/// are ignored. `kept`: paths that belong to the study in addition to its tasks' products.
 std::vector<Receipt> stale_artifacts(const std::filesystem::path& folder, const TaskGraph& graph,
                                      const std::vector<std::string>& kept);
 

@@ -41,8 +41,8 @@ class FrameStore;
 /// The folder of one study and the only way to write to it, for any number of processes at a time,
 /// on one machine or on several that share the folder.
 ///
-/// An artifact is written to a separate folder for each attempt, verified by the caller's check,
-/// flushed to disk, hashed, and published by rename; its receipt follows. It counts as present only
+/// An artifact is written to a separate folder for each attempt, flushed to disk, verified by the
+/// caller's check, hashed, and published by rename; its receipt follows. It counts as present only
 /// if its receipt has the required key and its size and hash still agree, so that incomplete or
 /// edited files are produced again. Of two attempts at one key the first published one stays; the
 /// other is compared with it and dropped. There are no locks: a process that was stopped, or whose
@@ -67,10 +67,10 @@ class Store {
   /// The receipt of an artifact that is present with this key.
   std::optional<Receipt> find(const std::string& path, const Hash& key) const;
 
-  /// Produces and publishes an artifact. Calls for different paths may run at the same time. A
-  /// folder, or a loop of symbolic links, at its path is set aside. Returns the receipt of the
-  /// published artifact, which is that of another attempt at this key if one was published in the
-  /// meantime.
+  /// Produces and publishes an artifact. Calls for different paths may run at the same time.
+  /// Anything at its path other than a file, such as a folder or a symbolic link, is set aside.
+  /// Returns the receipt of the published artifact, which is that of another attempt at this key if
+  /// one was published in the meantime.
   Receipt put(const std::string& path, const Hash& key, const Write& write, const Verify& verify);
 
   /// Starts or resumes a frame sequence. The result must not outlive the store.
@@ -83,7 +83,7 @@ class Store {
   /// studies.
   void remove_intermediates();
 
-  /// The record of this process that others read.
+  /// Writes the record of this process, which other processes read.
   WorkerHeartbeat& heartbeat();
 
   /// All nondeterminism detected so far, sorted by path.
@@ -92,7 +92,7 @@ class Store {
   /// Records that an artifact was found damaged.
   void note_damage(const std::string& path);
 
-  /// Sentences about damaged artifacts and obstacles that were replaced, sorted.
+  /// Sentences about artifacts that were found damaged and about files that were set aside, sorted.
   std::vector<std::string> repairs() const;
 
  private:
@@ -112,7 +112,7 @@ class FrameStore {
   FrameStore(const FrameStore&) = delete;
   FrameStore& operator=(const FrameStore&) = delete;
 
-  /// The file of a frame that already exists with its recorded hash; the caller decodes it and
+  /// The file of a frame if it already exists with its recorded hash. The caller decodes it, and
   /// calls `discard` if that fails.
   std::optional<std::filesystem::path> find(const std::string& name);
 
@@ -122,11 +122,12 @@ class FrameStore {
   std::filesystem::path put(const std::string& name, const Store::Write& write,
                             const Store::Verify& verify);
 
-  /// Publishes the frames of these names, in this order. `find` or `put` must have succeeded for
-  /// each.
+  /// Publishes the frames of these names, in this order, and then calls `drop`. `find` or `put`
+  /// must have succeeded for each.
   Receipt publish(const std::vector<std::string>& names);
 
-  /// Removes the unpublished frames, which are no longer needed.
+  /// Removes the unpublished frames, which are no longer needed; those of other keys, too, unless
+  /// another process draws frames of that key.
   void drop();
 
  private:

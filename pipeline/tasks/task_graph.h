@@ -31,7 +31,7 @@ struct TaskRun {
   Hash task_key;                         ///< key of the determinants common to all products
   std::vector<Hash> keys;                ///< one per product
   std::stop_token stop;                  ///< throw Interrupted soon after it is requested
-  std::function<void(double)> progress;  ///< share done, 0 … 1
+  std::function<void(double)> progress;  ///< to be called with the share done, 0 … 1
 
   /// Produces one of the products (Store::put).
   void put(std::size_t product, const Store::Write& write, const Store::Verify& verify);
@@ -88,7 +88,7 @@ enum class TaskState {
   cached,  ///< all products existed
   made,
   failed,   ///< the reason is in `error`
-  skipped,  ///< an input failed or was interrupted
+  skipped,  ///< a task in its `inputs` or `after` did not succeed
   interrupted,
   waiting,  ///< only in a plan: its inputs have to be produced first
   due,      ///< only in a plan: it has to be run
@@ -107,27 +107,27 @@ struct TaskOutcome {
 /// same manifest, files, program, libraries and instruction set.
 Hash key_of(const TaskGraph& graph);
 
-/// Key of the determinants common to all products of a task, including the inputs' products, whose
-/// outcomes are `inputs`.
+/// Key of the determinants common to all products of a task, including the products of its input
+/// tasks. `inputs`: the outcomes of these tasks.
 Hash task_key_of(const Task& task, const std::vector<const TaskOutcome*>& inputs);
 
 /// Keys of a task's products, given the task's key.
 std::vector<Hash> product_keys(const Task& task, const Hash& task_key);
 
-/// Keys of a task's products, given the outcomes of its inputs.
+/// Keys of a task's products, given the outcomes of its input tasks.
 std::vector<Hash> keys_of(const Task& task, const std::vector<const TaskOutcome*>& inputs);
 
 /// The receipts of a task's products if all of them are present with these keys.
 std::optional<std::vector<Receipt>> find_products(const Task& task, const std::vector<Hash>& keys,
                                                   const std::filesystem::path& folder);
 
-/// Determines which tasks are cached, due or waiting, without running any. Reads and hashes all
-/// existing products. One outcome per task.
+/// Determines which tasks are cached, due or waiting, without running any. Reads and hashes the
+/// existing products of the tasks that are not waiting. One outcome per task.
 std::vector<TaskOutcome> plan(const TaskGraph& graph, const std::filesystem::path& folder);
 
 /// A fast `plan`, based on receipts and file sizes and, for frames, on the existence of their
-/// folder; no file is read. Damage that leaves a file's size unchanged is only detected by `plan`
-/// and `run`.
+/// folder; no artifact is read. Damage that leaves a file's size unchanged, and any damage to
+/// frames in an existing folder, is only detected by `plan` and `run`.
 std::vector<TaskOutcome> quick_plan(const TaskGraph& graph, const std::filesystem::path& folder);
 
 /// Callbacks during a run; called from several threads, one call at a time.
@@ -137,15 +137,15 @@ struct RunObserver {
   std::function<void(const Task&, const TaskOutcome&)> ended;
 };
 
-/// A part of a task, as a task "film:a[3/12]" without products. `whole` has make_part and must
+/// A part of a task, as a task "film:a[3/12]" without products. `whole` must have make_part and
 /// outlive the result.
 Task part_of(const Task& whole, const Part& part);
 
 /// Runs the tasks on `jobs` threads. Tasks claimed by other processes in the same store are left to
-/// them, and run here if those processes die. After a transient failure, the task is run again, up
-/// to three times in total.
-/// If a task fails, the others continue and those that depend on it are skipped. After a stop
-/// request no further task is started. One outcome per task.
+/// them, and run here if those processes die or do not complete them. After a transient failure,
+/// the task is run again, at most three times in total. If a task fails, the others continue and
+/// those that depend on it are skipped. After a stop request no further task is started. One
+/// outcome per task.
 std::vector<TaskOutcome> run(const TaskGraph& graph, Store& store, int jobs, std::stop_token stop,
                              const RunObserver& observer);
 

@@ -10,8 +10,9 @@
 
 namespace mien::pipeline {
 
-/// Shows other processes that this one works on a study: writes its record at the start, every few
-/// seconds, and at the end. The record remains only if frames were drawn. Thread-safe.
+/// Shows other processes that this one works on a study: writes its record at the start and every
+/// few seconds. At the end, the record is marked as ended if this process drew frames, and removed
+/// otherwise. Thread-safe.
 class WorkerHeartbeat {
  public:
   /// Throws std::runtime_error if the folder is not writable.

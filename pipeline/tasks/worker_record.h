@@ -46,20 +46,22 @@ std::filesystem::path worker_record_path(const std::filesystem::path& folder,
 std::optional<WorkerRecord> read_worker_record(const std::filesystem::path& folder,
                                                const std::string& name);
 
-/// All records in a study's folder, sorted by name.
+/// All readable records in a study's folder, sorted by name.
 std::vector<WorkerRecord> read_worker_records(const std::filesystem::path& folder);
 
-/// Whether the process is proven to have ended: its record states this, or it ran on this machine
-/// and no longer exists. For a process of another machine, true only if its record states this.
+/// Whether the process is proven to have ended: its record states this, or it was started on this
+/// machine, since its last boot and in this PID namespace, and no longer exists. For any other
+/// process, true only if its record states this.
 bool is_gone(const WorkerRecord& record);
 
-/// Whether a process is working now, judged by the age of its record. `now`: a file just written
-/// there (seconds_since_record).
+/// Whether a process is working now: it is not proven to have ended, and its record is less than a
+/// minute old. `now`: a file just written there (seconds_since_record).
 bool works_now(const std::filesystem::path& folder, const WorkerRecord& record,
                const std::filesystem::path& now);
 
-/// Whether a process is (almost) certainly dead: proven to have ended, or on another machine and
-/// without an update for a day. `now`: a file just written there (seconds_since_record).
+/// Whether a process is (almost) certainly dead: proven to have ended, or on another machine (or
+/// from before the last boot) and without an update for a day. `now`: a file just written there
+/// (seconds_since_record).
 bool is_dead(const std::filesystem::path& folder, const WorkerRecord& record,
              const std::filesystem::path& now);
 
@@ -67,9 +69,9 @@ bool is_dead(const std::filesystem::path& folder, const WorkerRecord& record,
 /// either does not exist.
 double seconds_between(const std::filesystem::path& one, const std::filesystem::path& other);
 
-/// Age of a worker's record, seconds, by the file system's clock: `now` is a file just written
-/// in the study's folder, whose modification time is taken as the current time. Negative if the
-/// clock was set back.
+/// Age of a worker's record, seconds, by the file system's clock: `now` is a file just written in
+/// the study's folder, whose modification time is taken as the current time. Negative if the clock
+/// was set back; 0 if there is no record.
 double seconds_since_record(const std::filesystem::path& folder, const WorkerRecord& record,
                             const std::filesystem::path& now);
 

@@ -31,12 +31,12 @@ struct Viewing {
 /// not available. The tests compare it with an independent implementation of the formulas, in two
 /// dimensions and in double precision.
 ///
-/// Throws Error when sizes differ, std::invalid_argument when the viewing conditions do not result
-/// in 1 to 1,000 pixels per degree.
+/// Throws Error when sizes differ or are 0, std::invalid_argument when the viewing conditions do
+/// not result in 1 to 1,000 pixels per degree.
 PixelMap perceptual_error(const Image8& a, const Image8& b, const Viewing& viewing = {},
                           int threads = 0);
 
-/// Statistics of a map of errors, each 0 … 1.
+/// Statistics of a map of errors, which are 0 … 1; all 0 for an empty map.
 struct ErrorSummary {
   double mean = 0.0;
   double least = 0.0;

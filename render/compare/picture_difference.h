@@ -9,7 +9,7 @@
 
 namespace mien::render {
 
-/// Throws Error, with both sizes, when two pictures cannot be compared pixel by pixel.
+/// Throws Error when two pictures differ in size, stating both sizes, or have no pixels.
 template <class Picture>
 void require_same_size(const Picture& a, const Picture& b) {
   const auto size_text = [](const Picture& picture) {
@@ -24,7 +24,7 @@ void require_same_size(const Picture& a, const Picture& b) {
 /// The difference of two pictures over all channels. Values are fractions of full scale.
 struct PictureDifference {
   double largest = 0.0;  ///< largest absolute difference of a channel
-  int x = 0;             ///< position of the first such pixel in row-major order
+  int x = 0;             ///< position of the first pixel with this difference, in row-major order
   int y = 0;
   int channel = 0;
   double mean = 0.0;                  ///< mean absolute difference over all channels
@@ -38,11 +38,11 @@ struct PictureDifference {
   Window changed;  ///< bounding box of the differing pixels; empty if none differ
 };
 
-/// Compares two pictures; `limit` is a fraction of full scale. Throws Error, with both sizes, when
-/// the sizes differ.
+/// Compares two pictures; `limit` is a fraction of full scale. Throws Error as require_same_size.
 PictureDifference picture_difference(const Image8& a, const Image8& b, double limit = 0.0);
 
-/// The result of OpenImageIO's ImageBufAlgo::compare: an independent second measurement.
+/// The result of OpenImageIO's ImageBufAlgo::compare: an independent second measurement. Throws
+/// Error as require_same_size.
 struct LibraryDifference {
   double mean = 0.0;
   double rms = 0.0;
@@ -62,8 +62,9 @@ struct PicturePart {
 };
 
 /// Returns the rectangle within `part` in which the results of a filter with a radius of `reach`
-/// pixels can differ between the pictures: the bounding box of the differing pixels, grown by
-/// `reach`. Its height is 0 when no pixel differs. Both pictures must have the same size.
+/// pixels can differ between the pictures: the bounding box of the pixels that differ in `part` or
+/// within `reach` of it, grown by `reach` and clipped to `part`. Its height is 0 if there are none.
+/// Both pictures must have the same size.
 PicturePart changed_part(const Image8& a, const Image8& b, const PicturePart& part, int reach);
 
 }  // namespace mien::render

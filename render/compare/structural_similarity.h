@@ -16,7 +16,7 @@ struct StructuralSimilarity {
   double mean = 1.0;
 };
 
-/// Throws Error when sizes differ.
+/// Throws Error when sizes differ or are 0.
 StructuralSimilarity structural_similarity(const Image8& a, const Image8& b);
 
 }  // namespace mien::render

@@ -14,9 +14,9 @@ struct Channels {
   std::vector<float> values;  ///< one per name for each pixel; rows from top to bottom
 };
 
-/// Reads the first part of a file of any format that OpenImageIO supports: integers as fractions of
-/// full scale, channels in the library's order. Throws Error when the file is not a picture or is
-/// truncated.
+/// Reads the first picture in a file of any format that OpenImageIO supports: integers as fractions
+/// of full scale, channels in the library's order. Throws Error when the file is not a picture or
+/// is truncated.
 Channels read_channels(const std::filesystem::path& path);
 
 }  // namespace mien::render

@@ -13,8 +13,8 @@ namespace mien::render {
 std::vector<int> evenly_spread(int frame_count, int count);
 
 struct ContactSheet {
-  int columns = 4;
-  int gap = 8;  ///< pixels between the pictures and around them
+  int columns = 4;  ///< at most
+  int gap = 8;      ///< pixels between the pictures and around them
   std::uint8_t background[3] = {255, 255, 255};
 };
 

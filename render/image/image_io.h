@@ -16,7 +16,7 @@ void write_png(const std::filesystem::path& path, const Image8& image);
 void write_png(const std::filesystem::path& path, const Image16& image);
 
 /// Writes a PNG with alpha, 8 bits per channel. The target's colours, which are multiplied by
-/// alpha, are divided by it, as PNG requires. `target.alpha` must not be empty.
+/// alpha, are divided by it, as PNG requires. `target.alpha` must not be empty. Throws Error.
 void write_png(const std::filesystem::path& path, const RenderTarget& target, const Tone& tone);
 
 enum class ExrDepth { Half, Float };
@@ -33,13 +33,15 @@ void write_exr(const std::filesystem::path& path, const Framebuffer& framebuffer
 /// not suffice for ids and positions. Throws Error.
 void write_layers(const std::filesystem::path& path, const Layers& layers);
 
-/// Reads all pixels of a file written by the functions above. Throws Error when it is not such a
-/// file, is truncated or does not decode.
+/// Reads all pixels of a PNG of 8 or 16 bits per channel, or of the first part of an OpenEXR file.
+/// Throws Error when it does not have this format and three channels, is truncated or does not
+/// decode.
 Image8 read_png8(const std::filesystem::path& path);
 Image16 read_png16(const std::filesystem::path& path);
 Framebuffer read_exr(const std::filesystem::path& path);
 
-/// Properties of a picture file, found by decoding all of it: a truncated file throws Error.
+/// Properties of the first picture in a file, found by decoding it; throws Error if it is
+/// truncated.
 struct ImageSummary {
   std::string format;  ///< "png", "openexr"
   int width = 0;

@@ -16,30 +16,32 @@ struct Coverage {
 
 inline constexpr std::size_t covered_ranks = 6;
 
-/// The objects that cover each pixel, by descending share.
+/// The figures or parts of figures that cover each pixel, by descending share.
 struct CoverageLayer {
   std::vector<std::string> names;  ///< names of all objects, in the scene's order
   std::vector<Coverage> ranks;     ///< covered_ranks per pixel
 };
 
-/// A picture with its arbitrary output variables (AOVs). Albedo, normal and ids are means over a
-/// pixel's samples, filtered like the picture. Depth, position and motion, whose means would be
-/// meaningless, are those of the ray through the pixel's centre. The backdrop has albedo 0, normal
-/// 0, position 0 and an infinite depth.
+/// A picture with its arbitrary output variables (AOVs). Albedo and normal are means over a pixel's
+/// samples, and coverage is the share of samples, filtered like the picture. Depth, position and
+/// motion, whose means would be meaningless, are those of the ray through the pixel's centre, for
+/// which figures are opaque. The backdrop has albedo 0, normal 0, position 0 and an infinite depth.
 struct Layers {
   Framebuffer beauty;
   Framebuffer albedo;
   Framebuffer normal;           ///< world space, on the side that is seen
   Framebuffer position;         ///< world space, metres
   std::vector<float> depth;     ///< along the optical axis, metres
-  std::vector<float> motion;    ///< two per pixel: displacement to the next picture, pixels
-  std::vector<float> samples;   ///< number of primary rays; 0: known in closed form
+  std::vector<float> motion;    ///< two per pixel: displacement to the next picture, pixels; 0 if
+                                ///< there is none
+  std::vector<float> samples;   ///< number of primary rays; 0: the pixel shows no solid and is
+                                ///< known in closed form
   std::vector<float> variance;  ///< variance of the pixel's luminance over noise patterns
   CoverageLayer figures;
   CoverageLayer parts;  ///< "figure/part"
 };
 
-/// Crops to a window all layers that have the size of `layers.albedo`.
+/// Crops all layers except the beauty to a window.
 Layers crop(Layers layers, const Window& window);
 
 /// Returns the Cryptomatte id of a name: MurmurHash3 (32 bits, seed 0), with the lowest exponent

@@ -17,13 +17,13 @@ struct PngPixels {
   const void* values = nullptr;
 };
 
-/// Writes exactly the bytes that OpenImageIO 2.4 writes for the same pixels. Throws Error.
+/// Writes the pixels with the tags that OpenImageIO 2.4 writes for sRGB. Throws Error.
 void write_png_file(const std::filesystem::path& path, const PngPixels& pixels);
 
 /// An open PNG file whose header has been read.
 class PngFile {
  public:
-  /// Throws Error when it is not a PNG.
+  /// Throws Error when it cannot be opened or is not a PNG.
   explicit PngFile(const std::filesystem::path& path);
   ~PngFile();
   PngFile(const PngFile&) = delete;

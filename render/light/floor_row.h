@@ -14,9 +14,10 @@ struct FloorPlace {
 /// The points of the floor seen at the centres of a row of pixels; they lie on a straight line. The
 /// pixel u columns to the right of the optical axis shows the point (x, z) + s · (from + u · step),
 /// where from + u · step is the offset at depth 1 along the optical axis and s = height / (drop + u
-/// · drop_step).
+/// · drop_step). For an orthographic camera from + u · step is the point itself: x and z are 0, s
+/// is 1.
 struct FloorRow {
-  float x = 0.0f;  ///< below the camera; 0 for an orthographic camera
+  float x = 0.0f;  ///< below the camera, metres; 0 for an orthographic camera
   float z = 0.0f;
   float from_x = 0.0f;  ///< offset from (x, z) at depth 1 and u = 0
   float from_z = 0.0f;

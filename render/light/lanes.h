@@ -77,7 +77,7 @@ class FloorLight {
 
   int count() const { return count_; }
   const Vec3& corner(int i) const { return corners_[i]; }
-  const Vec3& front() const { return front_; }  ///< normal, on the side that emits
+  const Vec3& front() const { return front_; }  ///< normal of any length, on the side that emits
   const Vec3& centre() const { return centre_; }
 
  private:

@@ -80,8 +80,8 @@ struct HalfSpace {
 std::array<HalfSpace, 4> view_of(const CameraFrame& frame, int width, int height, float margin);
 
 /// Returns the camera's axes. Throws std::invalid_argument when the camera is degenerate (no size,
-/// target at the position, up along the axis, field of view outside 0 … π, a window that is not
-/// within the picture).
+/// target at the position, up along the axis, field of view outside 0 … π, a window that is empty
+/// or not within the picture, any other number outside its range).
 CameraFrame frame_of(const Camera& camera);
 
 /// Returns the image coordinates of a point, pixels; nothing when it is not in front of the camera.

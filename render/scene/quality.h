@@ -18,11 +18,12 @@ enum class Background {
 struct Quality {
   int samples_per_pixel = 16;  ///< each is a primary ray where the pixel may show a solid
   int sky_rays = 2;            ///< rays towards the sky for each shaded surface sample
-  /// Samples of a pixel that share one shading where they hit the same solid.
+  /// Number of samples of a pixel that share one shading where they hit the same solid of a figure;
+  /// has no effect if solids move during the picture (motion blur).
   int samples_shaded_together = 1;
 
-  /// Whether samples of two neighbouring pixels in a row are shaded together too; only where
-  /// `samples_shaded_together` is not less than `samples_per_pixel`.
+  /// Whether samples of two neighbouring pixels in a row are shaded together too; has an effect
+  /// only if `samples_per_pixel` is at most 4 and at most `samples_shaded_together`.
   bool shades_pixel_pairs = false;
   int static_samples = 64;  ///< samples per pixel for static solids, rendered once per camera
 
@@ -30,7 +31,8 @@ struct Quality {
   /// enough rays each to keep the noise at about `floor_sky_noise` of the sky's light, and
   /// interpolated where a conservative estimate of the error is below `floor_sky_tolerance`
   /// (measured errors are at most a tenth of it). Where points would have to be closer than
-  /// `floor_sky_cell`, and everywhere with a tolerance of 0, each pixel casts its own rays.
+  /// `floor_sky_cell`, each pixel casts its own rays, unless `floor_sky_smooth` is set; so does
+  /// every pixel if the tolerance is 0 or the set has static solids.
   float floor_sky_noise = 0.004f;
   float floor_sky_tolerance = 0.008f;
   float floor_sky_cell = 0.03f;  ///< metres

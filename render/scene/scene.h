@@ -15,9 +15,10 @@ struct Material {
   float roughness = 0.5f;    ///< roughness of that lobe, 0.2 … 1 (alpha = roughness²)
 
   /// Radiance emitted equally in all directions. Only the camera sees it; it lights nothing. With a
-  /// black albedo the surface shows exactly this colour.
+  /// black albedo and no specular lobe the surface shows exactly this colour.
   Color emission{0.0f, 0.0f, 0.0f};
-  int texture = -1;  ///< index into Scene::textures that multiplies the albedo of meshes; −1: none
+  int texture = -1;  ///< index into Scene::textures of the texture by which the albedo is
+                     ///< multiplied (meshes only); −1: none
 
   /// Index of the tangent-space normal map in Scene::textures (meshes only; Blinn 1978, as in
   /// glTF): 2 · texel − 1 are the normal's components along increasing u, along decreasing v, and
@@ -94,7 +95,7 @@ struct Part {
 struct Ground {
   Color albedo{0.5f, 0.5f, 0.5f};
   Color line_albedo{0.4f, 0.4f, 0.4f};
-  float line_spacing = 1.0f;  ///< metres; 0 draws no grid
+  float line_spacing = 1.0f;  ///< metres; 0 draws no lines at all
   float line_width = 0.012f;  ///< metres
   int major_every = 0;        ///< every n-th line has `major_albedo` and twice the width; 0: none
   Color major_albedo{0.3f, 0.3f, 0.3f};
@@ -161,8 +162,8 @@ Color backdrop_radiance(const Sky& sky, const Vec3& towards);
 /// Irradiance on an upward-facing floor under the whole, unoccluded sky.
 Color sky_irradiance_on_floor(const Sky& sky);
 
-/// Throws std::invalid_argument, naming the member, when a number is not finite, a radius is
-/// negative, a material index is out of range or a light has no area.
+/// Throws std::invalid_argument, naming the member, when a number is not finite or outside its
+/// range, an index is out of range, lists differ in length or a light has no area.
 void validate(const Scene& scene);
 
 }  // namespace mien::render

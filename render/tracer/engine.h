@@ -32,8 +32,8 @@ struct SceneBackground {
 /// seen only once would be allocated anew for every picture.
 class BackgroundPool {
  public:
-  /// Shares a background whose memory returns to the pool, from any thread. Must not outlive the
-  /// pool.
+  /// Shares a background whose memory returns to the pool, from any thread. The result must not
+  /// outlive the pool.
   std::shared_ptr<const StaticBackground> wrap(StaticBackground background);
 
   /// A returned background, for its memory, or an empty one.
@@ -84,7 +84,7 @@ class Engine {
     SceneBackground background;
   };
 
-  /// The static solids of a scene without an image.
+  /// A background whose image is empty: only the scene's static solids.
   SceneBackground bare_background(const Scene& scene);
 
   /// Renders a background, reusing the memory of `room`, which may be empty.
@@ -92,9 +92,9 @@ class Engine {
                                    const std::string& name, StaticBackground room);
 
   /// Runs a loop with the tracer's threads. A thread that waits for the others does no other work,
-  /// because preparations would otherwise wait for whole frames. The loop runs in the arena's own
-  /// context: when a frame fails, loops in its context end early and would leave a background half
-  /// rendered.
+  /// because preparations would otherwise wait for whole frames. The loop runs in the arena's
+  /// context, not in the frame's: if a frame fails, all loops in the frame's context end early,
+  /// which would leave a background half rendered.
   template <class Loop>
   void run_alone(const Loop& loop) {
     arena_.execute([&] { tbb::this_task_arena::isolate(loop); });

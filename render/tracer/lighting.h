@@ -15,7 +15,8 @@ enum class Contribution {
   background_if_unoccluded,      ///< added to the background
   minus_figure_if_occluded,      ///< subtracted from the figure
   minus_background_if_occluded,  ///< subtracted from the background
-  shadow_if_figure_occludes,     ///< subtracted from the static background
+  shadow_if_figure_occludes,     ///< subtracted from the static background, unless a
+                                 ///< static solid occludes, too
   shadow_if_occluded             ///< subtracted from the unshadowed background
 };
 

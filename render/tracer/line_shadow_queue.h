@@ -19,17 +19,17 @@ struct TileLineShadows {
   std::vector<std::vector<int>> casters;
 };
 
-/// The number of samples that share a line: some of one pixel, or all of several neighbouring
-/// pixels.
+/// How many samples share a line: some of one pixel, or all of several neighbouring pixels.
 struct SharedLine {
-  int samples;
+  int samples;  ///< of all these pixels together
   int pixels;
 };
 
-/// Wide penumbrae vary so little within a pixel that four of its samples share a line. With two
-/// samples per pixel, the four samples of two pixels share a line in penumbrae twice as wide, and
-/// the eight samples of 2 × 2 pixels in penumbrae four times as wide. With one sample per pixel, up
-/// to 4 × 4 pixels share a line.
+/// Penumbrae at least 4 pixels wide vary so little within a pixel that four of its samples share a
+/// line. With two samples per pixel, the four samples of two pixels share a line in penumbrae at
+/// least 8 pixels wide, and the eight samples of 2 × 2 pixels in those at least 16 pixels wide.
+/// With one sample per pixel, two pixels share a line in narrow penumbrae and up to 4 × 4 in wide
+/// ones.
 SharedLine shared_line(const TileLineShadows& tile, int samples_per_pixel);
 
 /// A block of pixels that share a line, aligned to multiples of its size: a power of two of

@@ -67,7 +67,7 @@ struct Sample {
   int index = 0;
   float time = 0.0f;
   std::uint32_t present = ~0u;  ///< bit f: figure f is present
-  float weight = 1.0f;          ///< number of samples that it represents
+  float weight = 1.0f;          ///< number of its pixel's samples that it represents
   Pixel* partner = nullptr;     ///< another pixel, some of whose samples it represents
   float partner_weight = 0.0f;  ///< number of the partner's samples that it represents
 };
@@ -89,7 +89,8 @@ struct Samples {
   const Sample& operator[](int i) const { return lane[static_cast<std::size_t>(i)]; }
 };
 
-/// The random points of all samples for one dimension.
+/// The random points of all samples for one dimension, of light or figure number `which`. Each
+/// sample has `times` points; returns number `plus` of them.
 inline LanePoints points_for(const Samples& samples, Dimension dimension, int which = 0,
                              int times = 1, int plus = 0) {
   LaneWords index, seed;

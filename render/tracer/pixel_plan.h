@@ -41,7 +41,8 @@ class PixelPlanner {
   /// Begins a tile: the pixels planned from now on lie in it.
   void begin_tile(const Tile& tile);
 
-  /// Whether the tile shows neither the figure nor its shadow from a light.
+  /// Whether the tile shows neither the figure nor its shadow from a light; always false if the set
+  /// has static solids or samples render their own background.
   bool shows_background_only() const { return shows_background_only_; }
 
   /// Line shadows on the floor of the tile.
@@ -59,6 +60,7 @@ class PixelPlanner {
   PixelPlan plan(int x, int y);
 
   /// A run of pixels in a row that show no figure and can only be shadowed from the given lights.
+  /// There is none if the pixel at (x, y) must be planned by itself.
   struct UniformRun {
     int end;
     std::uint32_t lights;  ///< lights that may be occluded; if not 0, the whole run shows the floor

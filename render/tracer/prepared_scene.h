@@ -20,9 +20,9 @@ namespace mien::render {
 /// bounds and masks of where its figure may be hit or cast shadows. The scenes and the background
 /// must outlive it.
 struct PreparedScene {
-  const Scene& scene;            ///< at shutter open
+  const Scene& scene;            ///< at time 0, when the shutter opens
   const Solids& solids;          ///< the figure's, in `scene`
-  const Solids* closing_solids;  ///< at shutter close; null: nothing moves
+  const Solids* closing_solids;  ///< at time 1, the end of the frame interval; null: nothing moves
   Quality quality;
   PixelSampler sampler;  ///< sampler of one pixel; for others use for_pixel
   CameraFrame camera;
@@ -41,8 +41,7 @@ struct PreparedScene {
   std::vector<float> opacities;           ///< opacities of the figures
   const Shapes* next_shapes = nullptr;    ///< shapes in the next picture, for motion vectors
 
-  /// Whether every sample renders its own background, because the rays of a pixel differ in origin
-  /// or time.
+  /// Whether every sample renders its own background, because the camera moves or has an aperture.
   bool is_per_sample() const { return closing_camera || !camera.lens_right.isZero(); }
 };
 

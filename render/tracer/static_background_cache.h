@@ -12,7 +12,7 @@
 namespace mien::render {
 
 /// Static backgrounds shared by concurrent tracers: each is rendered by the first tracer that needs
-/// it and shared as long as any of them uses it. Must outlive the tracers.
+/// it and shared as long as any of them uses it. The cache must outlive the tracers.
 class StaticBackgroundCache {
  public:
   /// Shared ownership, because no tracer knows whether it is the last user.

@@ -36,12 +36,13 @@ struct Canvas {
 /// Renders the pixels of `part`, whose upper left corner lies on the grid of tiles. A pixel depends
 /// on the prepared scene alone, not on the part that it is rendered with.
 ///
-/// The background (floor, backdrop and static solids) is known beforehand. Primary rays are traced
-/// where they may hit the figure or, in front of it, static solids; surfaces that they hit are lit
-/// by rays to the lights and to the sky. Light that the figure occludes from the floor is
-/// subtracted: light from area lights by line sampling (line_shadow.h) or, where that does not
-/// apply, by shadow rays; light from the sky by interpolation (floor_sky.h) or, where that is too
-/// coarse, by rays.
+/// The background (floor, backdrop and static solids) is known beforehand, except for pixels of
+/// PixelKind::per_sample. Primary rays are traced where they may hit the figure or static solids.
+/// Surfaces of the figure are lit by rays to the lights and to the sky. Light that the figure
+/// occludes from static solids and the floor is subtracted. On static solids it is found by rays;
+/// on the floor, light from area lights by line sampling (line_shadow.h) or, where that does not
+/// apply, by shadow rays, and light from the sky by interpolation (floor_sky.h) or, where that is
+/// too coarse, by rays.
 void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas);
 
 /// As `draw`, for a picture whose background is shown, in small pieces: `drawn` is called with each

@@ -46,9 +46,9 @@ struct View {
   Camera camera;
   Quality quality;
 
-  /// Motion blur: the solids and the camera when the shutter closes. They move in straight lines
-  /// from their positions in `scene` and `camera`, which hold when it opens. The set stays as in
-  /// `scene`.
+  /// Motion blur: the solids and the camera at the end of the frame interval, when a shutter of 1
+  /// (Quality::shutter) closes. They move there in straight lines from their positions in `scene`
+  /// and `camera`, which hold when the shutter opens. The set stays as in `scene`.
   std::optional<Scene> closing;
   std::optional<Camera> closing_camera;
 };
@@ -72,7 +72,8 @@ class PreparedView {
 struct RenderedRegion {
   const Framebuffer& framebuffer;  ///< contains the finished pixels, and possibly others
   Window pixels;                   ///< which pixels of the framebuffer
-  int x = 0;                       ///< position of the region in the camera's picture, pixels
+  /// Position of the region in the part that is rendered (window_of), pixels.
+  int x = 0;
   int y = 0;
 };
 using OnRegion = std::function<void(const RenderedRegion& part)>;
@@ -106,8 +107,8 @@ class Tracer {
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;
 
-  /// Throws std::invalid_argument when a scene or camera is degenerate (validate, frame_of), or
-  /// `closing` holds other solids than the scene.
+  /// Throws std::invalid_argument when a scene or camera is degenerate (validate, frame_of), a
+  /// setting of the quality is out of range, or `closing` holds other solids than the scene.
   PreparedView prepare(View view);
 
   /// Renders a picture, with alpha if the quality's background asks for it. Throws std::logic_error
@@ -116,7 +117,8 @@ class Tracer {
 
   /// Renders a picture whose background is shown and passes each region on as soon as it is
   /// finished, several at a time, so that no framebuffer of the whole is needed. Throws
-  /// std::logic_error when nothing is prepared, and what `take` throws.
+  /// std::logic_error when nothing is prepared or the background is not shown, and what `take`
+  /// throws.
   void draw(PreparedView ready, const OnRegion& take);
 
   /// Renders the frames of a clip with the tracer's threads, at most `in_flight` at a time. While
@@ -131,10 +133,11 @@ class Tracer {
   /// `prepare`.
   RenderTarget render_view(View view);
 
-  /// A picture with all its layers: as `trace`, without depth of field or motion blur. With `next`,
-  /// a scene of the same solids, motion vectors point to the position of each point in that scene
-  /// as seen by `next_camera`. The variance is that of eight pictures with different noise
-  /// patterns.
+  /// A picture with all its layers: as `trace`, without depth of field or motion blur. Motion
+  /// vectors point to the position of each point in `next`, a scene of the same solids, as seen by
+  /// `next_camera`; without `next` nothing moves, and without `next_camera` the camera stays. The
+  /// variance is that of eight pictures with different noise patterns. Throws as `prepare`, also
+  /// when `next` has other solids.
   Layers layers(const Scene& scene, const Camera& camera, const Quality& quality,
                 const Scene* next = nullptr, const Camera* next_camera = nullptr);
 

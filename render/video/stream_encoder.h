@@ -29,8 +29,8 @@ class StreamEncoder {
   /// the encoder returns a packet that is not that of the next frame.
   void send();
 
-  /// Completes the file. Throws Error when no frame was sent, or the encoder returned fewer frames
-  /// than were sent.
+  /// Completes the file. Throws Error when no frame was sent or, for kinds with a packet per frame,
+  /// the encoder returned fewer frames than were sent.
   void finish();
 
   /// The packet_hash of each frame so far; empty for kinds without a packet per frame.

@@ -46,12 +46,13 @@ struct VideoFormat {
 ///   for (…) video.write(to_srgb8(tracer.trace(scene, camera, quality)));
 ///   video.finish();
 ///
-/// Lossy kinds are yuv420p, BT.709, limited range; lossless ones RGB; all are tagged so where their
-/// container can. MP4 has its index at the front and no B frames, so that players which ignore edit
-/// lists show the right times. Matroska, WebM and WebP store times in milliseconds, GIF in
-/// hundredths of a second; each frame is shown at the nearest time that can be stored. A GIF has
-/// one palette, computed from all frames, and ordered dither; its frames are kept in a temporary
-/// file "<path>.frames.mkv" until finish().
+/// H.264 (except lossless), VP9 and AV1 are yuv420p, BT.709, limited range; lossless kinds are RGB.
+/// They are tagged accordingly where their container permits. MP4 has its index at the front and no
+/// B frames, so that players which ignore edit lists show the right times. Matroska, WebM and WebP
+/// store times in milliseconds, GIF in hundredths of a second; each frame is shown at the nearest
+/// time that can be stored (WebP: the nearest before it). A GIF has one palette, computed from all
+/// frames, and ordered dither; its frames are kept in a temporary file "<path>.frames.mkv" until
+/// finish().
 ///
 /// A writer destroyed before finish() leaves an unusable file behind.
 class VideoWriter {
@@ -77,7 +78,8 @@ class VideoWriter {
   std::unique_ptr<class VideoEncoder> encoder_;
 };
 
-/// The properties of a video, found by decoding all of it.
+/// The properties of a video, found by decoding all of it. Those of a WebP have no pixel format,
+/// packet hashes or colour tags.
 struct VideoSummary {
   std::string container;     ///< "mov,mp4,m4a,3gp,3g2,mj2"
   std::string codec;         ///< "h264"
@@ -94,7 +96,8 @@ struct VideoSummary {
   std::string transfer;            ///< "bt709"
   std::string matrix;              ///< "bt709"
   std::string range;               ///< "tv"
-  bool steady_timestamps = false;  ///< frame n is shown at the tick nearest to n / rate
+  bool steady_timestamps = false;  ///< frame n is shown at the tick nearest to n / rate; not
+                                   ///< determined for WebP
   bool starts_with_key_frame = false;  ///< the first frame decodes alone
   bool index_at_front = false;         ///< MP4: "moov" before "mdat"
 };
@@ -108,8 +111,8 @@ struct TimedPicture {
 };
 
 /// Decodes every frame and passes each to `on_frame`, if given. Throws Error when the file cannot
-/// be opened or a frame does not decode. In a WebP, pictures that repeat the previous one have no
-/// frame of their own: the previous one is shown longer.
+/// be opened or a frame does not decode. A WebP does not store frames that repeat the previous one,
+/// which is shown longer instead.
 VideoSummary probe(const std::filesystem::path& path,
                    const std::function<void(int index, const Image8& frame)>& on_frame = {});
 

@@ -16,13 +16,13 @@ struct VideoTraits {
   VideoKind kind;
   std::string_view name;         ///< name in manifests: "mp4-lossless"
   std::string_view ending;       ///< ending of file names: ".lossless.mp4"; differs for each kind
-  std::string_view description;  ///< "H.264, lossless RGB"
+  std::string_view description;  ///< "H.264 in MP4, lossless RGB"
   std::string_view codec;        ///< as FFmpeg names it: "h264"
   bool even_size = false;        ///< width and height must be even
   bool lossless = false;         ///< decodes to exactly the frames written
   bool picture = false;          ///< an animated image, which stores a number of repetitions
-  /// Highest frame rate that players show at true speed, frames per second: browsers show pictures
-  /// of an animation that should last 10 ms or less for 100 ms.
+  /// Highest frame rate that players show at true speed, frames per second. (In animated images,
+  /// browsers show pictures with a stored duration of 10 ms or less for 100 ms.)
   double most_fps = 240.0;
   double least_psnr_db = 0.0;  ///< least value of the worst frame to pass the check; lossy kinds
   double least_ssim = 0.0;     ///< least value of the worst frame to pass the check; lossy kinds

@@ -14,10 +14,10 @@ namespace mien::render {
 /// A summary of a frame, about 4 KB, for comparison with the decoded frame. With it no frame has to
 /// be kept or rendered again; the sketches of ten thousand frames take about 40 MB.
 struct FrameSketch {
-  /// Statistics of one square of the picture. Projections are sums of its values with fixed random
-  /// signs: the square of the difference of two frames' projections has, over random signs, the sum
-  /// of squares of their differences as its expectation (Alon, Matias and Szegedy 1996).
-  /// Projections are divided by the square root of the number of values.
+  /// Statistics of one tile (FrameSketcher::tile_edge). Projections are sums of its values with
+  /// fixed random signs: the square of the difference of two frames' projections has, over random
+  /// signs, the sum of squares of their differences as its expectation (Alon, Matias and Szegedy
+  /// 1996). Projections are divided by the square root of the number of values.
   struct Tile {
     std::uint16_t mean = 0;          ///< mean luma, in 256ths of a code value
     std::uint16_t deviation = 0;     ///< standard deviation of luma, in 512ths of a code value
@@ -25,26 +25,27 @@ struct FrameSketch {
     Eigen::half color_projection{};  ///< projection of all three channels
   };
 
-  std::uint64_t hash = 0;  ///< hash of all channels of the frame
+  std::uint64_t hash = 0;  ///< hash of all channels of the frame's sampled rows
   std::vector<Tile> tiles;
 };
 
 /// Similarity of two frames.
 struct FrameSimilarity {
-  bool identical = false;  ///< whether the hashes are equal
-  double psnr_db = 0.0;    ///< over the three channels of 8 bits; infinite when identical
-  double ssim = 0.0;       ///< of luma (Wang et al. 2004), uniform windows without overlap
-  double worst_part = 0.0;  ///< largest difference of a tile's mean luma, 0 … 255; resolution 1/256
-  double parts_square = 0.0;  ///< sum over the tiles of the squares of those differences
+  bool identical = false;     ///< whether the hashes are equal
+  double psnr_db = 0.0;       ///< over the three channels of 8 bits; infinite when identical
+  double ssim = 0.0;          ///< of luma (Wang et al. 2004), uniform windows without overlap
+  double worst_part = 0.0;    ///< largest difference of a tile's mean luma, 0 … 255;
+                              ///< resolution 1/256; without tiles below 64 pixels
+  double parts_square = 0.0;  ///< sum over these tiles of the squares of their differences
 };
 
 /// Makes and compares sketches of frames of one size.
 ///
-/// `identical` is exact except with probability 2⁻⁶⁴. PSNR and SSIM are unbiased estimates to which
-/// every pixel contributes, except for the rounding of projections, which is noticeable above 60
-/// dB. With n tiles the relative standard error of the mean squared error is at most √(2/n) where
-/// errors are spread evenly, 0.35 dB for the 300 to 512 tiles of usual frames. An error confined to
-/// one part shows in `worst_part`.
+/// All statements hold for the sampled rows. `identical` is exact except with probability 2⁻⁶⁴.
+/// PSNR and SSIM are unbiased estimates to which every pixel contributes, except for the rounding
+/// of projections, which is noticeable above 60 dB. With n tiles the relative standard error of the
+/// mean squared error is at most √(2/n) where errors are spread evenly, 0.35 dB for the 300 to 512
+/// tiles of usual frames. An error confined to one part shows in `worst_part`.
 class FrameSketcher {
  public:
   /// With a `row_step` above 1, only the rows 0, row_step, 2 · row_step … are sampled.
@@ -60,7 +61,8 @@ class FrameSketcher {
 
   FrameSimilarity similarity(const FrameSketch& a, const FrameSketch& b) const;
 
-  /// Edge of a tile and of SSIM's windows: pixels across, and as many sampled rows down.
+  /// Edge of a tile, which is also a window of SSIM: pixels across, and as many sampled rows down;
+  /// tiles at the right and lower border may be smaller.
   int tile_edge() const { return edge_; }
   int tile_count() const { return across_ * down_; }
 

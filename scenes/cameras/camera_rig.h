@@ -20,12 +20,12 @@ struct CameraRig {
   double convergence_m = 5.0;           ///< distance of zero parallax
   double figure_height_m = 1.75;        ///< height of the standing figure
 
-  /// Floor position of the figure for the first camera: the middle of its path or, if the cameras
-  /// follow it, its position in the first frame; world space, metres.
+  /// Floor position of the figure for the first camera: the centre of the action or, if the cameras
+  /// follow the figure, its position in the first frame; world space, metres.
   motion::Vec3 figure_floor = motion::Vec3::Zero();
 
-  /// Distance of the figure's centre from the cameras along their axes: constant if they follow it,
-  /// otherwise at the middle of its path. 0 or less: behind the camera.
+  /// Distance, along the first camera's axis, of the middle of a figure that stands at
+  /// `figure_floor`. 0 or less: behind the camera.
   double figure_distance_m = 5.0;
 
   const render::Camera& at(int frame) const {
@@ -55,18 +55,19 @@ Action action_of(const motion::Clip& clip);
 /// `front` faces the figure, `side` sees it walk from left to right, `three-quarter` is between
 /// them; `follow` is the three-quarter camera following the figure, `orbit` circles once around the
 /// action. Position and target, or a path, replace the view; a screen in the settings determines
-/// field of view and distance, in place of the framing. The pictures of a stereo pair are half as
-/// wide as `size`. Throws Error for an unknown view.
+/// the field of view and, if the view is not replaced, the distance, in place of the framing. The
+/// pictures of a stereo pair are half as wide as `size`. Throws Error for an unknown view.
 CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
                           std::array<int, 2> size);
 
-/// Height of the standing figure in the picture, pixels, and its visual angle for an observer at
-/// the camera's position, degrees. 0 if it is behind the camera.
+/// Height of the standing figure in the first camera's picture, pixels, and its visual angle for an
+/// observer at the camera's position, degrees. 0 if it is behind the camera (the height in an
+/// orthographic picture is the same at any distance).
 double figure_pixels(const CameraRig& rig);
 double visual_degrees(const CameraRig& rig);
 
 /// Distance from the camera, metres, at which a figure of this height has the requested visual
-/// angle.
+/// angle or, if none is requested, is life-size on the screen.
 double eye_distance_m(const ScreenSettings& screen, double height_m);
 
 }  // namespace mien::scenes

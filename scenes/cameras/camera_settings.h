@@ -20,7 +20,7 @@ struct CameraKey {
 /// The display on which the video will be watched; the picture fills its width.
 struct ScreenSettings {
   double distance_cm = 60.0;      ///< distance from the eye
-  double width_cm = 52.0;         ///< width of the picture
+  double width_cm = 52.0;         ///< width of the picture (of a stereo pair: of both)
   std::optional<double> degrees;  ///< visual angle of the standing figure; empty: it is life-size
 
   friend bool operator==(const ScreenSettings&, const ScreenSettings&) = default;
@@ -40,7 +40,8 @@ struct DepthOfField {
 struct CameraSettings {
   std::string view = "three-quarter";    ///< one of `camera_names`
   bool orthographic = false;             ///< orthographic projection
-  std::optional<double> fov_degrees;     ///< vertical field of view; default: 26
+  std::optional<double> fov_degrees;     ///< vertical field of view; default: 26; without effect if
+                                         ///< there is a screen
   std::optional<motion::Vec3> position;  ///< replaces the view, together with `target`
   std::optional<motion::Vec3> target;
   std::vector<CameraKey> path;  ///< at least two keys, ascending in time; replaces the view
@@ -48,7 +49,8 @@ struct CameraSettings {
   /// on the left; empty: one camera.
   std::optional<double> stereo_separation_m;
   std::optional<ScreenSettings> screen;
-  std::optional<double> figure_px;             ///< height of the standing figure; sets the distance
+  std::optional<double> figure_px;             ///< height of the standing figure; sets the
+                                               ///< distance, or the scale if orthographic
   std::optional<DepthOfField> depth_of_field;  ///< everything is sharp without it
 
   friend bool operator==(const CameraSettings&, const CameraSettings&) = default;

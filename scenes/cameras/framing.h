@@ -22,8 +22,8 @@ render::Camera look_at_camera(const motion::Vec3& position, const motion::Vec3& 
 
 /// A camera in the direction `towards` (unit) from the points, at such a distance that all points,
 /// as spheres with a radius of `margin` metres, fill the picture except for 12 % of its width or
-/// height. Each side plane of the view pyramid touches the outermost sphere, so distance and shift
-/// follow from the extremes without a search.
+/// height. Distance and position follow in closed form from the spheres that reach farthest to each
+/// side.
 render::Camera framing(const std::vector<motion::Vec3>& points, double margin,
                        const motion::Vec3& towards, const Lens& lens);
 

@@ -18,9 +18,9 @@ namespace mien::scenes {
 /// Everything is in its bind pose: +Y up, joint frames parallel to the world's.
 struct Character {
   std::string name;
-  motion::Skeleton rig;             ///< its own joints; joint 0 is positioned at its offset
-  motion::MappedJoints joints;      ///< the rig joints that correspond to each joint of the body
-  motion::Skeleton body;            ///< the canonical body with its bone lengths, metres
+  motion::Skeleton rig;         ///< its own joints; joint 0 is positioned at its offset
+  motion::MappedJoints joints;  ///< the rig joints that correspond to each joint of the body
+  motion::Skeleton body;        ///< the canonical body with the character's bone lengths, metres
   std::vector<SkinnedMesh> meshes;  ///< influences refer to joints of the rig
   std::vector<render::Material> materials;
   std::vector<render::Texture> textures;
@@ -50,8 +50,9 @@ bool is_character_file(const std::filesystem::path& path);
 /// - Joints are identified by the names of common rigs (motion/rig/rig_names.h), by the humanoid
 ///   bones of VRM 0 and 1, or else by the shape of their tree. The bind pose, a T-pose or an
 ///   A-pose, determines the orientation of the joints relative to the bones.
-/// - The bind pose is that of the inverse bind matrices; the pose of the file's nodes has
-///   no effect.
+/// - The bind pose is that of the inverse bind matrices. The pose of the file's nodes only
+///   determines the orientation of the whole, and the positions of skins that share no joint, of
+///   joints without such a matrix and of meshes without a skin.
 ///
 /// Throws mien::Error, naming the file, if it does not contain such a character: no skin, no human
 /// figure, indices out of range, numbers that are not finite, cycles, missing pictures.
@@ -73,7 +74,8 @@ motion::Clip retargeted_to(const Character& character, const motion::Clip& clip)
 
 /// World transforms of the rig's joints in a pose of the character's body; rotations are relative
 /// to the bind pose. Rig joints that correspond to a joint of the body rotate with it; all others
-/// follow their parent.
+/// follow their parent, and those above the pelvis follow it. The twist of toes, head and hands is
+/// limited (leaf_twist.h).
 motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose);
 
 /// World transforms of the rig's joints in the bind pose, as by `rig_pose`: all rotations are the
@@ -81,7 +83,7 @@ motion::JointTransforms rig_pose(const Character& character, const motion::Pose&
 motion::JointTransforms rig_bind_pose(const Character& character);
 
 /// The joint of the body that each joint of the rig follows: its own, or that of its nearest
-/// ancestor that has one.
+/// ancestor that has one, else the pelvis.
 std::vector<int> body_joint_of(const Character& character);
 
 /// The meshes in a pose of the character's body (linear blend skinning); materials are the

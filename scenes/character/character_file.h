@@ -21,7 +21,7 @@ struct CharacterFile {
   motion::GltfFile gltf;
   motion::GltfNodes nodes;
   nlohmann::json json;
-  std::optional<std::filesystem::path> folder;
+  std::optional<std::filesystem::path> folder;  ///< of external files; none for a file in memory
 };
 
 CharacterFile parse_character_file(std::string_view bytes, const std::string& name,
@@ -46,7 +46,8 @@ struct BindPoseRig {
   std::vector<Eigen::Affine3d> bind;  ///< world transform of each joint
   bool is_mirrored = false;  ///< whether the file holds the mirror image of the modelled figure
 
-  /// For each skin and each of its joints: mesh space → world in the bind pose.
+  /// For each skin and each of its joints: mesh space → world in the bind pose; empty for skins
+  /// that are not in use.
   std::vector<std::vector<Eigen::Affine3d>> skin_to_world;
 };
 

@@ -65,8 +65,9 @@ struct PointLightOptions {
       .has_dots = true,
       .not_in_overlays = "the point lights of several motions cannot be told apart"};
 
-  /// "standard": head, shoulders, elbows, wrists, hips, knees and ankles, the 13 of Cutting 1978;
-  /// "all": every joint; empty: the joints listed in `joints`.
+  /// "standard": head, shoulders, elbows, wrists, hips, knees and ankles, the 13 of Cutting 1978
+  /// (every joint of a skeleton other than the canonical body); "all": every joint; empty: the
+  /// joints listed in `joints`.
   std::string joint_set = "standard";
   std::vector<std::string> joints;  ///< names of the skeleton's joints, and "HeadTop"
 
@@ -96,8 +97,8 @@ struct PointLightOptions {
   /// Number of noise dots, which move in straight lines in the picture plane, as fast as the
   /// figure's dots, and reverse at the ends of the figure's extent.
   int noise = 0;
-  /// Number of mask dots of scrambled figures: each has a joint's motion at another position and
-  /// with another phase.
+  /// Number of mask dots, as if from scrambled figures: each has the motion of one of the figure's
+  /// dots, at a random position within the figure's extent and from a random phase on.
   int mask = 0;
 
   std::optional<std::uint64_t> seed;  ///< default: derived from the production's seed
@@ -122,7 +123,8 @@ struct TrailOptions {
   int before = 0;                   ///< onion skin: number of poses before the present one
   int after = 0;                    ///< onion skin: number of poses after the present one
   double every_s = 0.2;             ///< interval between the onion skin's poses, seconds
-  double min_opacity = 0.15;        ///< opacity of the pose farthest from the present, 0 … 1
+  double min_opacity = 0.15;        ///< lower limit of the opacity of poses, which decreases with
+                                    ///< their distance from the present, 0 … 1
   double trace_width_m = 0.018;     ///< width of the traces of joints
   std::vector<std::string> traces;  ///< "feet", "hands", "head", "pelvis", or names of joints
 

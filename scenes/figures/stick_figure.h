@@ -10,8 +10,8 @@ namespace mien::scenes {
 /// thickness in proportion to a body of `height_m` metres; a visor shows the facing direction.
 ///
 /// `skeleton` is usually the canonical body, whose left and right limbs get their own shades; any
-/// other skeleton, in metres, is drawn in one shade with even thickness. Each joint, with the bones
-/// that it rotates, is a part of the scene's last figure.
+/// other skeleton, in metres, is drawn in one shade with even thickness and without a visor. Each
+/// joint, with the bones that it rotates, is a part of the scene's last figure.
 void add_stick_figure(render::Scene& scene, const motion::Skeleton& skeleton,
                       const motion::Pose& pose, const FigureColours& colours, double height_m);
 

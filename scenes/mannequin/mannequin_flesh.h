@@ -10,8 +10,8 @@
 
 namespace mien::scenes {
 
-/// The implicit surface of a body as SDF primitives, limb by limb. Limbs blend with the trunk, not
-/// with each other.
+/// The implicit surface of a body as SDF primitives, limb by limb. Limbs blend with the trunk; the
+/// two arms do not blend with each other, and the two legs only within about a centimetre.
 struct Flesh {
   std::vector<SdfPrimitive> trunk;  ///< including the head
   std::vector<SdfPrimitive> left_arm;

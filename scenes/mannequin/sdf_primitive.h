@@ -31,7 +31,7 @@ struct SdfPrimitive {
   motion::Vec3 radii = motion::Vec3::Ones();     ///< the ellipsoid's semi-axes along `axes`
 
   double blend = 0.03;  ///< radius of the smooth union with the primitives before it, metres
-  std::optional<HalfSpace> within;
+  std::optional<HalfSpace> within;  ///< to which it is clipped
 };
 
 /// Signed distance to the surface, negative inside; for ellipsoids the first-order estimate of
@@ -43,8 +43,8 @@ double signed_distance(const SdfPrimitive& primitive, const motion::Vec3& point)
 /// `blend` or more; elsewhere smaller than that, by at most `blend` / 4 (at a = b).
 double smooth_minimum(double a, double b, double blend);
 
-/// Approximate signed distance to the smooth union of the primitives, in order. Very large when
-/// there are none.
+/// Approximate signed distance to the smooth union of the primitives, in order. 1,000 m when there
+/// are none.
 double signed_distance(std::span<const SdfPrimitive> primitives, const motion::Vec3& point);
 
 }  // namespace mien::scenes

@@ -23,7 +23,7 @@ struct Surface {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
-/// A signed distance field, negative inside; its values may be up to 1.5 times the true distance.
+/// A signed distance field, negative inside; its values may be up to 1.3 times the true distance.
 using SignedDistance = std::function<double(const motion::Vec3&)>;
 
 /// The surface where `field` is zero, by the dual of marching cubes (Nielson 2004): one vertex for
@@ -31,11 +31,11 @@ using SignedDistance = std::function<double(const motion::Vec3&)>;
 /// (surface nets, Gibson 1998), then moved onto the surface along the field's gradient. On
 /// ambiguous faces the inside regions are kept separate.
 ///
-/// Watertight if the surface does not touch the boundary of the grid. Blocks of the grid that are
-/// farther from the surface than their size are skipped.
+/// Watertight if the surface does not touch the boundary of the grid. Blocks of the grid whose
+/// centre is farther from the surface than their corners are skipped.
 Surface surface_nets(const SignedDistance& field, const Grid& grid);
 
-/// Unit gradient of the field by finite differences over `step` metres.
+/// Unit gradient of the field by finite differences over `step` metres; +Y where it vanishes.
 motion::Vec3 field_normal(const SignedDistance& field, const motion::Vec3& point, double step);
 
 }  // namespace mien::scenes

@@ -8,12 +8,12 @@
 
 namespace mien::scenes {
 
-/// A joint with a dot, and the proximal end of its limb.
+/// A joint with a dot, and the dot at the proximal end of its limb.
 struct DotJoint {
   std::string name;
   int joint = 0;
   double along = 0.0;  ///< position between the joint (0) and its tip (1)
-  int limb = -1;       ///< index of the dot at the other end of its limb; −1: none
+  int limb = -1;       ///< index of the dot on the nearest joint towards the root; −1: none
 };
 
 /// The joints that have dots. Throws Error for one that the skeleton does not have.

@@ -43,11 +43,11 @@ DotPath at_constant_speed(const DotPath& path) {
   return even;
 }
 
-DotPath delayed(const DotPath& path, int frames) {
+DotPath begun_at(const DotPath& path, int frame) {
   DotPath later = path;
   if (path.empty()) return later;
   const auto count = static_cast<int>(path.size());
-  const int first = ((frames % count) + count) % count;
+  const int first = ((frame % count) + count) % count;
   std::rotate(later.begin(), later.begin() + first, later.end());
   return later;
 }

@@ -17,9 +17,9 @@ DotPath reversed(const DotPath& path);
 /// The same path at constant speed: equal arc length from frame to frame. Both ends stay in place.
 DotPath at_constant_speed(const DotPath& path);
 
-/// The path shifted cyclically: it begins `frames` later, and its original beginning follows its
-/// end.
-DotPath delayed(const DotPath& path, int frames);
+/// The path shifted cyclically: it begins with what was its point at index `frame`, and what came
+/// before follows its end. An index outside the path is taken modulo its length.
+DotPath begun_at(const DotPath& path, int frame);
 
 /// The path with a translation of `step` metres per frame removed (without_travel) or added
 /// (with_travel).

@@ -123,7 +123,7 @@ DotPath begun_at_random(const DotPath& path, const Vec3& step, std::uint64_t see
                         const std::string& name, std::size_t index) {
   const auto count = static_cast<double>(path.size());
   const int later = static_cast<int>(uniform(seed, name, index) * count);
-  return with_travel(delayed(closed(without_travel(path, step)), later), step);
+  return with_travel(begun_at(closed(without_travel(path, step)), later), step);
 }
 
 void change_timing(std::vector<Dot>& dots, const PointLightOptions& options, const DotStage& stage,

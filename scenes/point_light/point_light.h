@@ -12,7 +12,7 @@ namespace mien::scenes {
 
 /// One dot of a point-light display.
 struct Dot {
-  std::string kind;  ///< the joint's name, "noise" or "mask"
+  std::string kind;  ///< the joint's name, "limb" (limited lifetime), "noise" or "mask"
   DotPath path;      ///< world space, metres; one point per frame
 };
 
@@ -27,9 +27,10 @@ struct DotStage {
 /// The display's dots: a pure function of the clip, the options and the stage.
 ///
 /// First timing (constant speed, random phase, reversal), then geometry (rotation, mirroring,
-/// inversion, scrambling), then noise and mask dots. Random positions lie within the figure's
-/// extent, and travel is preserved: it is removed before positions and phases are randomised, and
-/// added again afterwards. Scrambled dots together have the extent and the centre of the figure.
+/// inversion, scrambling), then limited lifetimes, noise and mask dots. Random positions lie within
+/// the figure's extent, and travel is preserved: it is removed before positions and phases are
+/// randomised, and added again afterwards. Scrambled dots together have the extent and the centre
+/// of the figure.
 ///
 /// Throws Error for a joint that the clip's skeleton does not have, and for limited lifetimes of
 /// dots that are scrambled or share no limb.

@@ -76,7 +76,7 @@ struct Place {
   motion::Vec3 at(const motion::Vec3& point) const;
 };
 
-/// The static part of a set: ground, sky, lights, boxes.
+/// The static part of a set: ground, sky, lights, boxes, and the belt without its stripes.
 render::Scene static_scene(const SetPlan& plan, const Place& place);
 
 /// Adds the walls whose front faces a camera at `eye`.

@@ -40,12 +40,13 @@ struct Influence {
 /// A skinned mesh in its bind pose; world space, metres.
 struct SkinnedMesh {
   std::vector<motion::Vec3> positions;
-  std::vector<motion::Vec3> normals;               ///< unit, one per vertex
-  std::vector<std::array<float, 2>> uv;            ///< one per vertex, or empty
-  std::vector<std::array<int, 3>> triangles;       ///< counter-clockwise seen from outside
-  std::vector<int> triangle_parts;                 ///< one per triangle (a joint's index), or empty
-  std::vector<std::vector<Influence>> influences;  ///< 1 … 8 per vertex; weights sum to 1
-  int material = 0;                                ///< index into the model's own list of materials
+  std::vector<motion::Vec3> normals;          ///< unit, one per vertex
+  std::vector<std::array<float, 2>> uv;       ///< one per vertex, or empty
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
+  std::vector<int> triangle_parts;            ///< one per triangle (a joint's index), or empty
+  /// Influences of each vertex: 1 … 8, largest weight first; weights sum to 1.
+  std::vector<std::vector<Influence>> influences;
+  int material = 0;  ///< index into the model's own list of materials
 };
 
 /// Skinning matrices: each joint's present world transform times the inverse of its bind transform.
@@ -60,7 +61,7 @@ render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& m
 
 /// Dual quaternion skinning (Kavan et al. 2008): every vertex is transformed by the normalised
 /// weighted sum of its joints' dual quaternions, each negated if its real part has a negative dot
-/// product with that of the largest weight. Rigid transforms only. Twisting limbs keep their
+/// product with that of the vertex's first joint. Rigid transforms only. Twisting limbs keep their
 /// volume.
 render::Mesh dual_quaternion_skinned(const SkinnedMesh& mesh, const JointMotions& motions);
 
@@ -73,7 +74,8 @@ void normalize(std::vector<Influence>& influences);
 void cluster_triangles(SkinnedMesh& mesh);
 
 /// Throws std::invalid_argument, naming the member, when lists do not match, an index is not below
-/// `joint_count`, weights do not sum to 1 or a number is not finite.
+/// `joint_count`, weights do not sum to 1, a normal is not of unit length or a number is not finite
+/// or too large.
 void validate(const SkinnedMesh& mesh, int joint_count);
 
 }  // namespace mien::scenes

@@ -36,7 +36,7 @@ struct Look {
   std::array<int, 2> size{960, 540};     ///< size of the picture that the camera frames, pixels
   std::optional<render::Window> window;  ///< the part that is rendered; not with stereo
   double pixel_scale = 1.0;              ///< factor applied to sizes that are given in pixels
-  /// Position of the figure in the picture, pixels.
+  /// Position of the figure in the picture, pixels right of and below its centre (figure_place.h).
   std::optional<std::array<double, 2>> figure_place;
   bool in_place = false;  ///< whether the figure walks in place, regardless of the set
   Layout layout = Layout::superimposed;
@@ -77,8 +77,8 @@ Shot stage(const motion::Clip& clip, const Look& look);
 /// Stages several clips together, by `layout` and with their roles. Superimposed clips begin at the
 /// same position, facing the same direction. Clips side by side have a lane each, the first on the
 /// left in the front view. The set and the cameras are fitted to all clips. Also throws Error for
-/// point-light figures, and for figures side by side if the camera looks across their lanes
-/// (layout.h).
+/// several figures of a kind that overlays cannot show (FigureKind), and for figures side by side
+/// if the camera looks across their lanes (layout.h).
 Shot stage(const std::vector<Performance>& performances, const Look& look);
 
 /// The scene at a frame.

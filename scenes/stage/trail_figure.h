@@ -16,8 +16,9 @@ struct Ghost {
   friend bool operator==(const Ghost&, const Ghost&) = default;
 };
 
-/// The poses that a trail shows besides the present one, the farthest from it first: those that
-/// have stayed visible so far, then the onion skin. Poses farther away are fainter.
+/// The poses that a trail shows besides the present one: first those that have stayed visible so
+/// far, then the onion skin, both from the farthest to the nearest. No pose occurs twice. Poses
+/// farther away are fainter.
 std::vector<Ghost> ghosts_at(const TrailOptions& options, int frame, int frame_count,
                              double frames_per_second);
 

@@ -257,7 +257,7 @@ TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {
     EXPECT_TRUE(says(who, "have been saved")) << who;
   for (const char* who : {"early", "late"}) EXPECT_TRUE(says(who, "open elsewhere")) << who;
   EXPECT_TRUE(says("phone", "screen larger than"));
-  EXPECT_TRUE(says("refusing", "nothing has been recorded"));
+  EXPECT_TRUE(says("refusing", "no answers have been recorded"));
   // Neither the phone nor who refused has taken a plan.
   EXPECT_EQ(run.at("participants"), (json{3, 3, 4}));
   EXPECT_EQ(run.at("states"), (json{"done", "done", "waiting", "done"}));

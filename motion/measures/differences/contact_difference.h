@@ -28,8 +28,9 @@ struct FootDifference {
   double slide_seconds = 0.0;  ///< time of the largest slide
 };
 
-/// Contact differences of the left and the right foot. Both clips are of the canonical body.
-/// Contacts are detected as in contact.h, at each motion's own frame rate.
+/// Contact differences of the left and the right foot. Both clips are of the canonical body; if one
+/// has fewer than three frames, there are no differences. Contacts are detected as in contact.h, at
+/// each motion's own frame rate.
 std::array<FootDifference, 2> contact_differences(const Clip& before, const Clip& now);
 
 }  // namespace mien::motion

@@ -19,8 +19,8 @@ struct FeatureChange {
   /// Whether the target differs from the reference by more than the measurement error of motion
   /// capture: 1°, 1 cm, 0.05 m/s or 0.03 s.
   bool moved() const;
-  /// Whether the created motion changed in the same direction by at least a tenth of the target's
-  /// change.
+  /// Whether the target moved, and the created motion changed in the same direction by at least a
+  /// tenth of the target's change.
   bool agrees() const;
 };
 

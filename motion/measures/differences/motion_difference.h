@@ -37,7 +37,7 @@ std::vector<LintChange> lint_changes(const std::vector<Finding>& before, double 
 /// Mean distances between corresponding joints over all common frames, metres.
 struct PositionErrors {
   double mpjpe = 0.0;                ///< in world space, without alignment
-  double root_relative_mpjpe = 0.0;  ///< relative to the root joint's position
+  double root_relative_mpjpe = 0.0;  ///< relative to the body's root (`RootDifference::joint`)
   double pa_mpjpe = 0.0;  ///< after Procrustes alignment (rotation, scale, translation) of each
                           ///< pose with the first motion's
 };
@@ -63,7 +63,8 @@ struct FeatureDifference {
 /// in seconds.
 ///
 /// Everything is exactly zero or empty for equal motions. Distances are symmetric if both have the
-/// same frame rate, except `aligned_m` and `pa_mpjpe`, which are at the scale of the first motion.
+/// same frame rate, except `aligned_m` and `pa_mpjpe`, which are at the scale of the first motion,
+/// and `BodyDifference::mpjpe_m`, which is a mean over the frames of the first.
 struct MotionDifference {
   bool identical = false;  ///< whether all numbers of one exactly equal those of the other
   /// Whether both were mapped to the canonical body because their rigs differ; the mapping

@@ -13,7 +13,8 @@ struct MotionTolerance {
   double position_m = 0.001;  ///< of joints and their virtual points, world space
   double rotation_radians = 0.1 * radians_per_degree;  ///< of joints relative to their parents
   double velocity_m_s = 0.05;
-  double contact_seconds = 0.05;  ///< change in the time at which a foot lands or lifts off
+  double contact_seconds = 0.05;  ///< change in the time at which a foot lands or lifts off; length
+                                  ///< of a plant that is new or gone
   double slide_m = 0.001;         ///< additional slide of a planted foot
   double duration_seconds = 0.001;
   bool any_rate = false;  ///< whether to ignore a different frame rate

@@ -28,8 +28,9 @@ struct ComparedRecordings {
 /// Prepares two recordings for comparison. If at least three quarters of the joints of each also
 /// occur, by name, in the other, the recordings are compared on their own joints, otherwise on the
 /// canonical body. Recordings of the same file format are assumed to have the same unit and up
-/// axis, as determined for the first; for different formats they are determined separately. Rigs
-/// with identical joints are mapped to the body by the same calibration, that of the first.
+/// axis, as determined for the first; for different formats they are determined separately.
+/// Recordings of the same format whose joints have the same names and parents are mapped to the
+/// body by the same calibration, that of the first.
 ///
 /// Throws Error if a recording has no frames, or if the rigs differ and are not both human.
 ComparedRecordings compared_recordings(const Recording& before, const Recording& now);

@@ -14,23 +14,24 @@ enum class WholeChange {
   flipped,        ///< geometry mirrored without exchanging left and right
   renamed_sides,  ///< same trajectories, but with the names of left and right exchanged
   swapped_turns,  ///< rotations of left and right exchanged without mirroring
-  scaled,         ///< uniformly scaled, as by different units
+  scaled,         ///< uniformly scaled by a factor above 1.5 or below 1/1.5, as by different units
 };
 
 /// "none", "moved", …
 std::string_view name_of(WholeChange change);
 
 /// A transformation of the whole motion, reported if it explains nearly all of the difference:
-/// `moved` and `scaled` if less than 1 % of the distance remains; the others if less than 15 %
-/// remains of the distance after `moved` (a larger share because bodies are not perfectly
-/// symmetric).
+/// `moved` and `scaled` if less than 1 % of the distance remains; `swapped_turns` if less than 15 %
+/// of the angle remains; the others if less than 15 % remains of the distance after `moved` (a
+/// larger share because bodies are not perfectly symmetric).
 struct WholeBodyChange {
   WholeChange kind = WholeChange::none;
   double turn_radians = 0.0;  ///< about +Y, from `horizontal_fit` (similarity.h)
   Vec3 shift = Vec3::Zero();  ///< metres, applied after the rotation
-  double scale = 1.0;      ///< scale factor if `scaled`: 10 if one metre before is ten metres now
-  double before = 0.0;     ///< RMS distance of the joints without the transformation, metres; for
-                           ///< `swapped_turns` RMS angle, radians
+  double scale = 1.0;  ///< scale factor if `scaled`: 10 if one metre before is ten metres now
+  /// RMS distance of the joints without the transformation, metres; after `moved` for `mirrored`,
+  /// `flipped` and `renamed_sides`; RMS angle, radians, for `swapped_turns`.
+  double before = 0.0;
   double remaining = 0.0;  ///< what remains of `before` after the transformation, same unit
 };
 

@@ -62,7 +62,7 @@ using FeatureValues = std::array<double, motion_feature_count>;
 /// direction s of its sole towards the toes (from ankle to toe joint, levelled as in standing),
 /// with a pitch of atan2(s·u, s·f) and a yaw of atan2(s·l, s·f). Angles are unwrapped beyond ±180°.
 /// Frames in which a segment points within 10° of the rotation axis of an angle (for the foot's
-/// yaw: in which the sole is steeper than 80°) are excluded from that angle.
+/// yaw: in which the angle between s and f is more than 80°) are excluded from that angle.
 ///
 /// "mu" is the mean and "sigma" the (population) standard deviation over the cycle. "com" is the
 /// centre of mass: its height above the floor and its lateral deviation from the line of travel;

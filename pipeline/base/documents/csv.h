@@ -27,8 +27,10 @@ struct CsvTable {
   std::vector<std::vector<CsvField>> rows;
 };
 
-/// Throws Error with line and column: unclosed quote, text after a quote, a row with a different
-/// number of fields, a column name that occurs twice, no header.
+/// Throws Error, with line and column if it concerns the content: a file that cannot be read, text
+/// that is not UTF-8, an unclosed quote, a quote within a field, text after a closing quote, a row
+/// with a different number of fields, a column name that occurs twice, a repeated header, columns
+/// separated by semicolons or tabs, no header.
 CsvTable read_csv(const std::filesystem::path& file);
 CsvTable parse_csv(std::string_view text, const std::string& file);
 
@@ -50,7 +52,8 @@ Place place_of(const CsvTable& table, const CsvField& field);
 double number_in(const CsvTable& table, const CsvField& field);
 
 /// The numbers in a column of a table that mien wrote. Their keys are the stimuli, which are in the
-/// first column. Throws Error for a missing column or a field that is not a number.
+/// first column. Throws Error as read_csv does, for a missing column, and for a field that is not a
+/// number.
 std::map<std::string, double> stimulus_numbers(const std::filesystem::path& file,
                                                std::string_view column);
 
@@ -78,14 +81,15 @@ class CsvWriter {
   std::string text_;
 };
 
-// Spreadsheets interpret a field that begins with = + - @ (also in full width, or after a tab or
-// line end) as a formula and evaluate it when the table is opened (OWASP, CSV injection). Since
-// texts of participants may be anything, such a field is written with a leading apostrophe, which
-// marks it as text in spreadsheets. Reading removes it again, so that any text, including one with
-// apostrophes, is preserved. Numbers, and two numbers joined by "–", are written unchanged.
+// Spreadsheets interpret a field that begins with = + - @ (also in full width) as a formula and
+// evaluate it when the table is opened (OWASP, CSV injection); some do so also if a tab or line end
+// precedes the sign. Since texts of participants may be anything, a field that begins with one of
+// these signs, a tab or a line end is written with a leading apostrophe, which marks it as text in
+// spreadsheets. Reading removes the apostrophe, so that any text, including one with apostrophes of
+// its own, is preserved. Numbers, and two numbers joined by "–", are written unchanged.
 // pipeline/study/page/src/questionnaire/rows.ts does the same.
 
-/// Whether a field needs the mark; leading apostrophes and blanks are ignored.
+/// Whether a field needs the mark. Apostrophes at its beginning, and then spaces, are ignored.
 bool looks_like_formula(std::string_view field);
 
 std::string with_formula_mark(std::string field);

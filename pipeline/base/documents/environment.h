@@ -21,7 +21,9 @@ struct Expansion {
   std::string remedy;
 };
 
-/// Replaces ${NAME} and ${NAME:-default} (used when NAME is unset or empty). "$${" stands for "${".
+/// Replaces ${NAME} and ${NAME:-default}, where the default is used if NAME is unset or empty. It
+/// fails if NAME is unset and no default is given, if the value is not UTF-8, or if the notation is
+/// malformed. "$${" stands for "${".
 Expansion expand(std::string_view text, const Environment& environment);
 
 }  // namespace mien::pipeline

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// One mistake in a file written by the user.
+/// One mistake in the user's files or command-line options, or a warning about them.
 struct Fault {
   Place place;
   std::string path;    ///< "stimuli[2].adjectives.quicknes"; empty for the file as a whole
@@ -47,8 +47,8 @@ class Faults : public Error {
   std::string text_;
 };
 
-/// Message of a failure for the user: its `what()`, or for std::bad_alloc that memory is
-/// insufficient and what helps.
+/// Message of a failure for the user: its `what()`, or for std::bad_alloc and std::length_error
+/// that memory is insufficient and what helps.
 std::string failure_text(const std::exception& failure);
 
 }  // namespace mien::pipeline

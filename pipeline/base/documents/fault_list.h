@@ -33,12 +33,12 @@ class FaultList {
 
   bool was_given(const std::string& path) const { return places_.values.contains(path); }
 
-  /// Adds a fault unless `name` is among `known`. Does nothing if `known` is empty, since the
-  /// reason for that has been reported already.
+  /// Adds a fault unless `name` is among `known`; `what` is the kind of name: "example". Does
+  /// nothing if `known` is empty, since the reason for that has been reported already.
   void check_known_name(const std::string& path, const std::string& name, const std::string& what,
                         const std::vector<std::string>& known);
-  /// Adds a fault unless the file exists and has at most `most_bytes` bytes. `expected` names the
-  /// kind of file that is expected; the remedy quotes it.
+  /// Adds a fault unless `file` is a regular file of at most `most_bytes` bytes. `expected` names
+  /// the kind of file that the remedy asks for: "a motion file".
   void check_file(const std::string& path, const std::filesystem::path& file,
                   const std::string& expected, std::uintmax_t most_bytes);
 

@@ -25,7 +25,7 @@ void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// Replaces a file atomically without flushing it to disk: for records that are rewritten every few
 /// seconds. `next` is the path of the temporary file, which does not remain even on failure. Throws
-/// WriteFailure.
+/// WriteFailure if it cannot be written, std::filesystem::filesystem_error if it cannot be renamed.
 void replace_file(const std::filesystem::path& file, const std::filesystem::path& next,
                   std::string_view bytes);
 

@@ -16,8 +16,8 @@ std::string html_escaped(std::string_view text);
 std::string html_list(std::string_view css_class, const std::vector<std::string>& texts);
 
 /// A table from the HTML of its column headings and rows. A heading that begins with ">" marks a
-/// column of numbers: the heading and its cells get the class "number", so that style sheets can
-/// align them.
+/// column of numbers: the heading, without the ">", and the column's cells that are plain <td> tags
+/// get the class "number", so that style sheets can align them.
 std::string html_table(std::initializer_list<std::string_view> heads, const std::string& rows);
 
 /// A vector drawing as an img element that contains it as a data URI. (Inline drawings on one page

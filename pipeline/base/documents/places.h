@@ -24,7 +24,7 @@ std::string element_path(const std::string& path, std::size_t index);
 /// The location of a value or, if the document does not contain it, of the nearest enclosing one.
 Place place_of(const Places& places, std::string path);
 
-/// The location of a member's key, or that of its value if the key has none.
+/// The location of a member's key or, if the document does not contain the key, place_of(path).
 Place key_place_of(const Places& places, const std::string& path);
 
 }  // namespace mien::pipeline

@@ -13,8 +13,9 @@ enum class StreamReader {
 };
 
 /// An output stream that forwards text to another stream and escapes what a terminal would
-/// interpret, since file names and other texts in it may contain control sequences. Line ends and
-/// tabs are kept. Fails if the other stream fails. Thread-safe.
+/// interpret, since file names and other texts in it may contain control sequences. Line feeds and
+/// tabs are kept, carriage returns only for StreamReader::program. Fails if the other stream fails.
+/// Thread-safe.
 class PrintableStream : public std::ostream {
  public:
   /// `target` must outlive the stream.

@@ -170,8 +170,8 @@ constexpr Table<Row, count> table_of(std::string_view path, std::string_view row
 }
 
 /// A p value for tables: the shortest decimal that reads back as the same number ("0.034",
-/// "3.2e-15"), "< 1e-300" if it is smaller than that, including values too small for a double, and
-/// "" for NaN. Never "0", since no tested result has that probability.
+/// "3.2e-15"), "< 1e-300" for smaller values, including those that a double can only represent as
+/// 0, and "" for NaN. Never "0", since no tested result has that probability.
 std::string p_field(double p);
 
 /// A p value for reports, rounded for reading: "0.034", "3.2e-15", "< 1e-300", "–" for NaN.

@@ -50,7 +50,7 @@ struct LineStyle {
 
 /// Drawn text and its ink bounding box.
 struct DrawnText {
-  std::string text;
+  std::string text;  ///< before shortening to TextStyle::max_width
   Box box;
 };
 
@@ -83,7 +83,8 @@ class Canvas {
   /// the page.
   virtual void picture(const Box& box, const render::Image8& image) = 0;
 
-  /// Draws text with its baseline at `baseline` and returns its ink bounding box.
+  /// Draws text whose baseline begins, is centred or ends at `baseline` (TextStyle::align), and
+  /// returns its ink bounding box.
   Box text(Point baseline, std::string_view utf8, const TextStyle& style) {
     texts_.push_back({std::string(utf8), draw_text(baseline, utf8, style)});
     return texts_.back().box;

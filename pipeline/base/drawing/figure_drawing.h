@@ -44,7 +44,8 @@ struct FigureStyle {
   bool halo = true;        ///< a paper-coloured outline where one limb passes in front of another
 };
 
-/// Bounding rectangle of figures, metres.
+/// Bounding rectangle of the joints of figures in view space, metres. It always includes the
+/// vertical line from the floor to a height of 1 m at `right` 0.
 struct FigureExtent {
   double left = 0.0;
   double right = 0.0;

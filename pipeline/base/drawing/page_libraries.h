@@ -4,7 +4,8 @@
 
 namespace mien::pipeline {
 
-/// Return the versions of Cairo and Pango, which draw pages, as "1.16.0", without loading them.
+/// Return the versions of Cairo and Pango, which draw pages, as "1.16.0". The libraries are loaded
+/// only if the names of their files do not state the version; if that fails, throw render::Error.
 std::string cairo_library();
 std::string pango_library();
 

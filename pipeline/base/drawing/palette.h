@@ -13,8 +13,8 @@ struct Colour {
   friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// The colours of one motion, distinguishable with any common type of colour vision: hues after
-/// Okabe and Ito 2008.
+/// The colours of one motion. Those of different motions are distinguishable with any common type
+/// of colour vision: hues after Okabe and Ito 2008.
 struct MotionColours {
   Colour line;   ///< curves, bars, text; limbs on the right of the body and its midline
   Colour light;  ///< limbs on the left of the body
@@ -41,9 +41,9 @@ inline constexpr Colour caution_ink = from_hex(0x7a4a00);
 
 /// A sequential colormap from light (t = 0) to dark (t = 1); t is clamped to [0, 1].
 ///
-/// It is perceptually uniform, with equal steps in OKLab (Ottosson 2020): lightness decreases
-/// linearly while the hue changes from yellow through green and blue to violet. The order is
-/// preserved in greyscale and for any colour vision.
+/// It is almost perceptually uniform: steps in OKLab (Ottosson 2020) differ by less than 15 % from
+/// their mean. Lightness decreases linearly while the hue changes from yellow through green and
+/// blue to violet. The order is preserved in greyscale and for any colour vision.
 Colour amount_colour(double t);
 
 /// OKLab coordinates (lightness, a, b) of an sRGB colour.

@@ -22,9 +22,9 @@ std::string as_pdf(const Plot& plot);
 std::string as_svg(const Plot& plot);
 std::string as_png(const Plot& plot, double dots_per_inch = 200.0);
 
-/// Writes name.pdf, name.svg and name.png, the PNG with 200 dots per inch or, if that would be
-/// more, with 3 million pixels. Throws Error when no font has Japanese letters, std::system_error
-/// when a file cannot be written.
+/// Writes name.pdf, name.svg and name.png, the PNG with 200 dots per inch or, if these would be
+/// more than 3 million pixels, with 3 million pixels. Throws as Canvas::pdf does, and WriteFailure
+/// if a file cannot be written.
 void write_plot(const Plot& plot, const std::filesystem::path& folder, const std::string& name);
 
 inline constexpr std::string_view simulated_ratings_mark = "Simulated ratings  模擬評定";

@@ -105,15 +105,16 @@ std::vector<FieldEntry> entries_of(const auto& value, const WritingOptions& how)
   return entries;
 }
 
-/// The entries that differ from those of `base`, which is of the same struct, and those that are
-/// always written. Fast if both are in the same order.
+/// The entries whose value differs from that of the entry of `base` with the same path, and those
+/// that are always written; entries without a value (null) are omitted. `base` has the entries of
+/// another value of the same struct. Fast if both are in the same order.
 std::vector<FieldEntry> differences(std::vector<FieldEntry> entries,
                                     const std::vector<FieldEntry>& base);
 
 /// Entries as a map of maps.
 OrderedJson nested_map(const std::vector<FieldEntry>& entries);
 
-/// The map that turns the value with the entries `base` into `value` when merged into it.
+/// The map that, merged into the value whose entries are `base`, results in `value`.
 OrderedJson written_over(const auto& value, const std::vector<FieldEntry>& base,
                          const WritingOptions& how) {
   const std::vector<FieldEntry> entries = differences(entries_of(value, how), base);

@@ -13,12 +13,14 @@
 namespace mien::pipeline {
 
 /// The text of manifests/mien.schema.json, scales.schema.json and recipes.schema.json, and of
-/// scenes/set.schema.json at build time. The schema of recipes includes the definitions of the
-/// manifest's schema that it refers to.
+/// scenes/set.schema.json at build time.
 std::string_view manifest_schema_text();
 std::string_view scales_schema_text();
 std::string_view recipes_schema_text();
 std::string_view set_schema_text();
+
+/// The same schemas, parsed. That of recipes includes the definitions of the manifest's schema, to
+/// which its text refers.
 const nlohmann::json& manifest_schema();
 const nlohmann::json& scales_schema();
 const nlohmann::json& recipes_schema();
@@ -47,7 +49,7 @@ SchemaNode element_schema(SchemaNode node);
 /// {"deprecated": true, "x-now": "min_opacity"}. `node` must have been resolved.
 std::optional<std::string> name_now(SchemaNode node, const std::string& former);
 
-/// Whether the schema accepts a string.
+/// Whether the schema, or a branch of its oneOf, has the type "string"; false if it states no type.
 bool accepts_text(SchemaNode node);
 
 /// Validates a document (valijson) and returns faults that state what is wrong and how to fix it.

@@ -13,9 +13,10 @@
 namespace mien::pipeline {
 
 /// A YAML document as JSON, by the core schema of YAML 1.2: plain scalars become null, booleans
-/// (true, false), numbers or text. Environment variables are expanded first; an expanded scalar
-/// becomes text where the schema accepts text, even if it looks like a number. Members that are
-/// written with a former name are stored with the present one.
+/// (true, false), decimal numbers (integers if whole) or text; hexadecimal and octal numbers remain
+/// text. Environment variables are expanded first; an expanded scalar becomes text where the schema
+/// accepts text, even if it looks like a number. Members that are written with a former name are
+/// stored with the present one.
 struct JsonReading {
   nlohmann::json document;
   Places places;
@@ -23,8 +24,9 @@ struct JsonReading {
 };
 
 /// Reads a document. `schema` is used for expanding variables and for former names; the document is
-/// not checked against it. Adds faults of read_yaml, of infinities and NaN, of unset variables, and
-/// of members given under both a former and their present name to `faults`.
+/// not checked against it. Adds faults to `faults`: those of read_yaml, infinities and NaN,
+/// variables that are unset or malformed, members given under both a former and their present name,
+/// and paths of values that exceed 256 MiB in total.
 JsonReading read_json(std::string_view yaml, const std::string& file, const nlohmann::json& schema,
                       const Environment& environment, std::vector<Fault>& faults);
 

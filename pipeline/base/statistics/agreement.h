@@ -5,20 +5,22 @@
 namespace mien::pipeline {
 
 /// Reliability of ratings of stimuli (Shrout and Fleiss 1979), also if not every rater saw all
-/// stimuli. NaN where undefined. Estimates may be negative; they are not truncated at 0.
+/// stimuli. Coefficients are NaN where undefined. They may be negative; they are not truncated at
+/// 0.
 struct Intraclass {
   int stimuli = 0;
   int raters = 0;
   int answers = 0;
-  /// The number k₀ = (N − Σn²/N)/(stimuli − 1) for n answers per stimulus and N in total.
+  /// The number k₀ = (N − Σn²/N)/(stimuli − 1) for n answers per stimulus and N in total; 0 for
+  /// fewer than two stimuli.
   double answers_per_stimulus = 0.0;
   bool is_connected = false;  ///< whether all raters can be compared, through common stimuli
   double one = 0.0;           ///< ICC(1): of one answer, with different raters for each stimulus
   double one_k = 0.0;         ///< ICC(1,k): of a mean of k₀ answers
   double two = 0.0;           ///< ICC(2,1): raters as a random sample, absolute agreement
-  double two_k = 0.0;         ///< ICC(2,k)
+  double two_k = 0.0;         ///< ICC(2,k): of a mean of k₀ answers
   double three = 0.0;         ///< ICC(3,1): fixed raters, consistency
-  double three_k = 0.0;       ///< ICC(3,k): Cronbach's alpha if the table is complete
+  double three_k = 0.0;       ///< ICC(3,k): the same; Cronbach's alpha if the table is complete
 };
 
 /// Intraclass correlations of a table, stimuli × raters, with NaN for missing answers.
@@ -31,8 +33,8 @@ struct Intraclass {
 /// consists of groups without common raters or stimuli, ICC(2) and ICC(3) are NaN.
 Intraclass intraclass(const Eigen::MatrixXd& answers);
 
-/// Agreement of raters about the stimuli on one scale. NaN where undefined: fewer than two raters
-/// or stimuli, or all answers equal.
+/// Agreement of raters about the stimuli on one scale. Coefficients are NaN where undefined: fewer
+/// than two raters or stimuli, or all answers equal.
 struct Agreement {
   int complete_raters = 0;  ///< number of raters who rated every stimulus
   double alpha = 0.0;       ///< of complete raters: Cronbach 1951, raters as items; equals ICC(3,k)

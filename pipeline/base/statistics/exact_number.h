@@ -11,14 +11,14 @@ namespace mien::pipeline {
 /// Equal means are then equal to the last bit, independent of the order of summation, so that ties
 /// and differences of 0 are detected exactly.
 ///
-/// A value that is not such a fraction (a measured distance with all its digits), or that exceeds
-/// 64 bits, is kept as a double.
+/// A value that is not such a fraction (a measured distance with all its digits), has a magnitude
+/// of 10⁹ or more, or results from a calculation that exceeds 64 bits is kept as a double.
 class ExactNumber {
  public:
   ExactNumber() = default;
 
   /// The unique fraction with the smallest denominator, at most 1,000,000, within 4 rounding errors
-  /// of `value`: 2/3 for 0.6666666666666666, 1/10 for 0.1.
+  /// of `value`: 2/3 for 0.6666666666666666, 1/10 for 0.1. If there is none, the double itself.
   static ExactNumber of(double value);
 
   /// Nearest double; identical for equal numbers.

@@ -19,8 +19,9 @@ Partition cut(const Linkage& linkage, int clusters);
 /// the one with fewer clusters. Below three leaves, the number of leaves.
 int clusters_by_largest_gap(const Linkage& linkage);
 
-/// Height at which to draw the cut into `clusters`: midway between the merges that it undoes and
-/// those that it keeps.
+/// Height at which to draw the cut into `clusters`: midway between the highest merge that it keeps
+/// (0 if it keeps none) and the lowest that it undoes (1.1 times the highest if it undoes none). 0
+/// for fewer than two leaves.
 double cut_height(const Linkage& linkage, int clusters);
 
 /// Rand index (1971): proportion of pairs of items that two partitions of the same items both put

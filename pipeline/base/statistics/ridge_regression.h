@@ -42,7 +42,7 @@ double best_penalty(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& va
 /// Predictions of observations by models fitted without them.
 struct CrossValidation {
   Eigen::VectorXd predicted;
-  Eigen::VectorXd mean_predicted;  ///< mean value of the other groups, for comparison
+  Eigen::VectorXd mean_predicted;  ///< mean value of the observations of other groups
   Eigen::VectorXd penalty;         ///< chosen for each observation without its group
 
   double rmse(const Eigen::VectorXd& values) const;
@@ -52,8 +52,9 @@ struct CrossValidation {
   double r_squared(const Eigen::VectorXd& values) const;
 };
 
-/// Holds out each group in turn: standardises, chooses the penalty and fits without it, and
-/// predicts it. Requires at least two groups.
+/// Holds out each group in turn: standardises, chooses the penalty and fits with the other groups,
+/// then predicts the values of the held-out group. Requires at least two groups, each of which
+/// leaves at least two observations in the others.
 CrossValidation cross_validate(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& values,
                                std::span<const int> group);
 

@@ -28,17 +28,18 @@ TTest paired_t_test(const std::vector<double>& differences);
 /// than two values.
 TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Cohen's d_z (1988): mean of paired differences over their standard deviation (n − 1).
+/// Cohen's d_z (1988): mean of paired differences over their standard deviation (n − 1). Infinite
+/// if all differences are equal and not 0; NaN if all are 0, or with fewer than two.
 double cohens_dz(const std::vector<double>& differences);
 
 /// Cohen's d_s (1988): difference of the means of two independent samples over their pooled
 /// standard deviation. NaN with fewer than two values in either, or if neither varies.
 double cohens_d(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Hedges' g of two independent samples: cohens_d corrected for bias.
+/// Hedges' g of two independent samples: cohens_d corrected for bias. NaN as for cohens_d.
 double hedges_g(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Hedges' g_z of paired differences: cohens_dz corrected for bias.
+/// Hedges' g_z of paired differences: cohens_dz corrected for bias. NaN with fewer than three.
 double hedges_gz(const std::vector<double>& differences);
 
 }  // namespace mien::pipeline

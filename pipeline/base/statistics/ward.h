@@ -9,9 +9,9 @@ namespace mien::pipeline {
 /// One step of a hierarchical clustering. Clusters are numbered: 0 … n − 1 are the single vectors,
 /// and n + k is the result of step k.
 struct Merge {
-  int first = 0;             ///< the cluster that contains the vector of lowest index
-  int second = 0;            ///< the other
-  std::vector<int> members;  ///< vectors of the new cluster, ascending
+  int first = 0;   ///< of the two clusters, the one that contains the vector of lowest index
+  int second = 0;  ///< the other cluster
+  std::vector<int> members;  ///< indices of the new cluster's vectors, ascending
   double increase = 0.0;     ///< ΔE, the increase of the sum of squared distances to the means
   double height = 0.0;       ///< √(2ΔE), as in SciPy's "ward" and R's "ward.D2"
 };

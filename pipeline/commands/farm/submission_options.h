@@ -29,12 +29,12 @@ std::vector<CommandOption> submission_options(SubmissionOptions& options);
 /// The newest submission of which Slurm refused no jobs; nullptr if there is none.
 const JournalSubmission* last_accepted(const JournalContent& journal);
 
-/// Combines the given options with those of an earlier submission (which may be empty). Throws
-/// Error for an invalid value.
+/// Returns the earlier submission (which may be empty) with the given options in place of its own.
+/// Throws Error for an invalid value.
 JournalSubmission requested_submission(const SubmissionOptions& options, JournalSubmission earlier);
 
-/// Throws Error if an array task requests more processors than any node of its partition has, since
-/// it would never start. Accepts any number if sinfo fails.
+/// Throws Error if an array task requests more processors than the largest node of its partition
+/// has, since it would never start. Accepts any number if sinfo fails.
 void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm);
 
 /// The remaining tasks of a study, and information for estimating their duration.
@@ -42,7 +42,8 @@ struct DueWork {
   std::vector<bool> is_due;           ///< for each task: whether it remains
   std::map<std::string, int> frames;  ///< number of frames of each film, by its task
   ProgressByFilm film_progress;       ///< progress of films that have been started
-  double pace = 1.0;                  ///< measured seconds per estimated second of a task
+  double pace = 1.0;  ///< measured seconds of an array task per estimated second of its
+                      ///< work, with the requested number of processors
 
   /// Whether all artifacts exist, including the study's record.
   bool is_done(const FarmStudy& study) const;
@@ -56,8 +57,8 @@ DueWork due_work(FarmStudy& study, const JournalSubmission& requested,
 /// The stages of all tasks, including completed ones.
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& requested);
 
-/// A submission of the remaining tasks that fits into Slurm's queue. If array tasks (elements) take
-/// longer for that reason, prints a message. Throws Error if the submission does not fit.
+/// A submission of the remaining tasks that fits into Slurm's queue. If array tasks (elements) must
+/// be longer than usual in order to fit, prints a message. Throws Error if no submission fits.
 Submission fitting_submission(const FarmStudy& study, const StudyCall& call, const DueWork& work,
                               const ItemNeeds& needs, const JournalSubmission& requested,
                               const SlurmSite& site, const std::vector<QueueRow>& queue,

@@ -37,7 +37,8 @@ struct CommandOption {
   bool repeats = false;  ///< takes several values
 
   BoundVariable variable;
-  double least = 0.0;  ///< lower limit, exclusive if `largest` is infinite
+  double least = 0.0;  ///< lower limit, exclusive if `largest` is infinite; checked, as
+                       ///< `largest` is, only if `limits` is not empty
   double largest = std::numeric_limits<double>::infinity();  ///< upper limit, inclusive
   std::optional<std::pair<int, int>> value_count;            ///< number of values per use
   bool has_commas = false;                                   ///< values are separated by commas

@@ -28,7 +28,7 @@ inline constexpr ExternalProgram external_programs[] = {regress_program, studio_
 Command external_command(const ExternalProgram& other);
 
 /// Replaces the process (exec) with the program that implements the given command, with the same
-/// arguments. Returns if the command is implemented by this program. Throws std::runtime_error if
+/// arguments. Returns if the command is not one of another program. Throws std::runtime_error if
 /// the other program is missing.
 void exec_external_program(int argc, char** argv);
 
@@ -38,8 +38,9 @@ void refuse_version_mismatch();
 /// The commands of a program as JSON, from which another program generates its help and manual.
 std::string program_as_json(const Command& program);
 
-/// Adds the commands of the external programs to `program`. Throws std::runtime_error if one of
-/// these programs is missing or fails to describe its commands.
+/// Replaces the commands of `program` that other programs implement by their full descriptions.
+/// Throws std::runtime_error if one of these programs is missing, has another version or fails to
+/// describe its commands.
 Command with_external_programs(Command program);
 
 }  // namespace mien::pipeline

@@ -16,15 +16,16 @@ namespace mien::pipeline {
 /// No path is compiled in, so that installations and source trees can be moved.
 std::filesystem::path manifests_beside(const std::filesystem::path& program);
 
-/// The folder of installed manifests for the running program.
+/// The folder of installed manifests for the running program (manifests_beside).
 std::filesystem::path installed_manifests();
 
-/// Names of the manifests in a folder, without extension and in alphabetical order; files of scales
-/// (*.scales.yaml) and recipes (*.recipes.yaml) are excluded.
+/// Names of the manifests in a folder, without extension and in alphabetical order: its files
+/// *.yaml, except those with another extension before it, such as *.scales.yaml and *.recipes.yaml.
+/// Empty if the folder cannot be read.
 std::vector<std::string> manifest_names(const std::filesystem::path& folder);
 
-/// The file of `folder` named `name` or "manifests/<name>", with or without ".yaml". Empty if there
-/// is none, or if `name` contains another folder.
+/// The file in `folder` that `name` means: "quickstart" or "manifests/quickstart", with or without
+/// ".yaml". Empty if there is none, or if `name` contains another folder.
 std::optional<std::filesystem::path> find_named_file(const std::filesystem::path& folder,
                                                      const std::string& name);
 

@@ -18,7 +18,7 @@ struct ProductionArguments {
   std::string quality;  ///< empty: that of the manifest
   int jobs = 0;         ///< number of threads; 0: one per processor
   bool json = false;
-  bool exclusive = false;
+  bool exclusive = false;  ///< only for `run`: no other process may use the study's folder
 };
 
 /// The option --quality.

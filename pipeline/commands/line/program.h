@@ -18,8 +18,8 @@ Command program_of(std::vector<Command> commands);
 int run_program(int argc, char** argv, const std::function<Command()>& program);
 
 /// Runs a command line and returns its exit code; never throws. Errors are printed on
-/// `console.err`; the code is 2 for invalid input and 1 for other failures. The undocumented option
-/// --commands prints this program's commands as JSON for another program.
+/// `console.err`; the code is 2 for invalid input, 130 if interrupted, and 1 for other failures.
+/// The undocumented option --commands prints this program's commands as JSON for another program.
 int run_command_line(const Command& program, int argc, const char* const* argv,
                      const Console& console);
 

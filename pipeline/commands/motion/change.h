@@ -8,7 +8,7 @@ namespace mien::pipeline {
 
 /// A modification of a motion given on the command line.
 struct Change {
-  std::string in;      ///< motion file; empty for `mien motion stream`, which reads the motion
+  std::string in;      ///< motion file; empty if the motion arrives as a stream
   std::string change;  ///< an emotion, or the value of `modify:` in a manifest
   std::string recipes = "builtin";
   std::string on_fault = "warn";

@@ -20,7 +20,8 @@ namespace mien::pipeline {
 /// Reads a file, a pipe or standard input ("-") as bytes arrive.
 class MotionSource {
  public:
-  /// Throws Error if the file does not exist or is a folder.
+  /// Throws Error if the file does not exist, cannot be read, is a folder, or has the extension of
+  /// a motion format that cannot be streamed.
   explicit MotionSource(const std::string& file);
   ~MotionSource();
   MotionSource(const MotionSource&) = delete;
@@ -94,9 +95,9 @@ struct LiveOptions {
 /// The deviation of a stream from offline processing of the whole motion.
 struct LiveMeasurement {
   motion::StreamError error;  ///< error of the modification
-  /// Error of the path and posture modifications alone, which use look-ahead. Soft joint limits,
-  /// which depend on the range of the motion so far, and acceleration, which only streams have, are
-  /// excluded.
+  /// Error of the path and posture modifications alone, which equal offline processing if the
+  /// look-ahead suffices. Soft joint limits, which depend on the range of the motion so far, and
+  /// acceleration, for which streams use another method, are excluded.
   motion::StreamError of_paths_and_posture;
   motion::StreamError
       calibration;       ///< error of the retargeting, relative to calibration on the whole motion
@@ -120,11 +121,11 @@ struct LiveReport {
 /// Retargets, modifies and writes a BVH stream frame by frame.
 class LiveStream {
  public:
+  /// Throws Error for a modification that cannot be streamed. `sink` must outlive the stream.
   LiveStream(LiveOptions options, MotionSink& sink);
 
   /// Processes a frame; the first one also sets up the retargeting and writes the header. Returns
-  /// false if the reader has closed the pipe. Throws Error for a rig that cannot be retargeted or a
-  /// modification that cannot be streamed.
+  /// false if the reader has closed the pipe. Throws Error for a rig that cannot be retargeted.
   bool take(const motion::BvhHead& head, const motion::Pose& pose);
 
   /// Whether a frame has been processed.

@@ -14,12 +14,12 @@ struct StudyArguments {
   std::string baseline;  ///< folder or commit; empty: the default folder
   std::string report;    ///< folder; empty: <out>/<study>-regression
   bool without_videos = false;
-  int repeat = 1;
-  double audits = 0.02;
+  int repeat = 1;        ///< number of times that motions and key frames are made
+  double audits = 0.02;  ///< share of unchanged stimuli that are rendered and compared anyway
   std::string approver;
   std::string reason;
-  int key_frames = 4;
-  bool keep_videos = false;
+  int key_frames = 4;              ///< kept per stimulus by `approve`
+  bool keep_videos = false;        ///< `approve` keeps the videos, too
   std::vector<std::string> given;  ///< names of used options that only apply to studies
 };
 

@@ -150,11 +150,12 @@ Command study_evaluate_command() {
                   "Folder for the results (default: out/<name of the first file>)"),
            option("--limit", &options->settings.limit_s,
                   "Time limit in seconds, also used as the time of trials without success "
-                  "(default: as in the files, or 300)")
+                  "(default: that of the files, otherwise 300); a value other than theirs is "
+                  "refused")
                .positive(),
-           option(
-               "--threshold", &options->settings.threshold_m,
-               "Distance D in metres below which motions match (default: as in the files, or 0.06)")
+           option("--threshold", &options->settings.threshold_m,
+                  "Distance D in metres below which motions match (default: that of the files, "
+                  "otherwise 0.06)")
                .positive(),
            flag("--json", &options->json, "Results as JSON on standard output")},
       .notes =

@@ -113,8 +113,8 @@ Command study_interfaces_command() {
           "the settings of the target with an error of 0.15 (SD), then moves one slider at a "
           "time up and down by 0.2, later by less, keeping whichever looks closer (perceived "
           "distances have an error of 10 %), over at most 100 motions. This shows what the "
-          "interfaces allow, not what people achieve with them: people do not estimate example "
-          "weights from a motion as well as its quickness.\n\n"
+          "interfaces allow, not what people achieve with them: people estimate a motion's "
+          "quickness better than its example weights.\n\n"
           "Example:\n"
           "  mien study interfaces --examples builtin:walks-27 -o out/interfaces",
       .run = [options](const Console& console) { return evaluate(*options, console); }};

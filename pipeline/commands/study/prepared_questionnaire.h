@@ -11,7 +11,7 @@
 
 namespace mien::pipeline {
 
-/// A questionnaire whose study is complete: all media shown to participants exist.
+/// A questionnaire with all media that are shown to participants.
 struct PreparedQuestionnaire {
   Manifest manifest;
   std::filesystem::path folder;  ///< folder of the study
@@ -19,9 +19,10 @@ struct PreparedQuestionnaire {
   MediaFiles media;
 };
 
-/// Reads the manifest, runs the missing tasks of its study like `mien run`, and plans the sessions.
-/// Warnings of the manifest are not printed again after participants_manifest. Throws Error if
-/// there is no questionnaire or a task fails, and Interrupted if stopped.
+/// Reads the manifest, runs the missing tasks of the stimuli that the questionnaire shows, like
+/// `mien run`, and plans the sessions. Does not print the warnings of the manifest, which the
+/// caller has read before by participants_manifest. Throws Error if there is no questionnaire,
+/// Error or std::runtime_error if a task fails, and Interrupted if stopped.
 PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& arguments,
                                              const Console& console);
 

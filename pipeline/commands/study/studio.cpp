@@ -154,7 +154,7 @@ Command studio_command() {
                           .between(1, 1024),
                       flag("--walk", &options->walk,
                            "Open a walker steered by arrow keys or a gamepad, with sliders for "
-                           "moods; compiled on first use, from then on linked in the studio"),
+                           "moods; compiled on first use; after that, the studio has a link to it"),
                       flag("--no-browser", &options->no_browser,
                            "Print the link instead of opening a browser"),
                       flag("--json", &options->json,

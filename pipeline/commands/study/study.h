@@ -32,7 +32,7 @@ struct Console;
 
 /// The examples, ratings and scales of a study command, from its options.
 struct StudySubject {
-  std::string examples;  ///< a manifest (.yaml), or the syntax of `parse_examples`
+  std::string examples;  ///< a manifest (.yaml, .yml), or the syntax of `parse_examples`
   std::string ratings;   ///< CSV; empty: the manifest's, or those of a built-in set
   std::string scales;    ///< YAML; empty: the manifest's, or the built-in pairs
 };

@@ -7,14 +7,15 @@
 
 namespace mien::pipeline {
 
-/// The cause of a stopped job ("held by the user") and its remedy.
+/// Why a job has ended or is held ("held by the user"), and the remedy.
 struct Diagnosis {
   std::string cause;
   std::string remedy;
 };
 
-/// Meaning of an exit code: one of worker_codes.h, or one of `mien run` for the job that completes
-/// a submission (`is_rest`). `study`: the study's arguments in commands, "my.yaml --out o".
+/// Cause and remedy for an exit code: one of worker_codes.h, or one of `mien run` for the job that
+/// completes a submission (`is_rest`). `study`: the study's arguments in commands, "my.yaml --out
+/// o".
 Diagnosis diagnose_exit(const ElementExit& end, bool is_rest, const std::string& study);
 
 /// Cause for a job that Slurm ended before it could record an exit code. `study`: as above.
@@ -23,7 +24,8 @@ Diagnosis diagnose_state(const QueueRow& row, const std::string& study);
 /// Cause for a job that Slurm holds, if no exit code explains it. `study`: as above.
 Diagnosis diagnose_hold(const QueueRow& row, const std::string& study);
 
-/// Cause for jobs submitted before the study was edited. `study`: as above.
+/// Cause for jobs submitted for an earlier state of the study: an earlier manifest, version of
+/// mien, quality or kind of processor. `study`: as above.
 Diagnosis diagnose_edit(const std::string& study);
 
 }  // namespace mien::pipeline

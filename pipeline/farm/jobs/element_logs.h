@@ -10,7 +10,7 @@ namespace mien::pipeline {
 
 /// The log of an element of a job array.
 struct ElementLog {
-  std::string item;  ///< heading of the log: the element's item, or its job and cause of failure
+  std::string item;  ///< heading of the log: the item searched for, or the element and its problem
   std::filesystem::path file;
 };
 
@@ -19,8 +19,8 @@ struct ElementLog {
 /// study's.
 std::vector<ElementLog> find_logs(const std::string& item, const std::filesystem::path& folder);
 
-/// The newest log of each of these elements, if it has written one, with the heading
-/// "0001/2-frames.3, failed (exit code 70)". `folder`: the study's.
+/// The newest log of each element that has one of these problems, if it has written one, with the
+/// heading "0001/2-frames.3, failed (exit code 70)". `folder`: the study's.
 std::vector<ElementLog> find_logs(const std::vector<JobProblem>& problems,
                                   const std::filesystem::path& folder);
 

@@ -15,9 +15,9 @@ namespace mien::pipeline {
 /// Status of a job that the journal records.
 struct JobStatus {
   enum class Kind {
-    live,        ///< at least one element is pending or running
-    ended,       ///< all elements have ended, successfully or not
-    lost,        ///< accepted, but now unknown to Slurm, and no element has written a log
+    live,   ///< at least one element is pending or running
+    ended,  ///< all elements have ended, successfully or not, or the job was refused or cancelled
+    lost,   ///< accepted, but now unknown to Slurm, and no element has written a log
     unconfirmed  ///< the client stopped before Slurm's answer was recorded, and the job is
                  ///< unknown to Slurm
   };
@@ -53,7 +53,8 @@ std::string name_of(const QueueRow& row);
 
 /// How the last attempt at an element failed.
 struct ElementExit {
-  int code = 0;                ///< exit code of the worker, or 128 + signal number
+  int code = 0;  ///< exit code of the program (`mien farm worker`; `mien run` for the final job),
+                 ///< or 128 + signal number
   int restarts = 0;            ///< number of times Slurm had requeued it before
   bool out_of_memory = false;  ///< the job's control group counted an out-of-memory kill
 };

@@ -12,7 +12,8 @@ namespace mien::pipeline {
 struct LivenessEvidence {
   std::vector<WorkerReport> workers;
   NodeStates nodes;
-  bool folder_is_usable = true;  ///< false: the folder is unavailable; jobs wait without a worker
+  bool folder_is_usable = true;  ///< false: the study's folder is full, read-only or unavailable,
+                                 ///< so that jobs wait without a worker
 };
 
 /// Jobs that are running or completing according to Slurm but are most likely dead: the node does

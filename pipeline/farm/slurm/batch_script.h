@@ -49,7 +49,8 @@ struct BatchJob {
 std::string batch_script(const BatchJob& job, const std::filesystem::path& folder,
                          const StudyCall& call, const JobRequest& request, const SlurmSite& site);
 
-/// Throws Error if a path contains a line break or a backslash, which a batch file cannot express.
+/// Throws Error if a path contains a control character, such as a line break, or a backslash, which
+/// a batch file cannot express.
 void refuse_unwritable(const std::filesystem::path& path);
 
 /// The text, escaped for use as an option's value in a line "#SBATCH --output=…".

@@ -24,13 +24,14 @@ class SlurmQueueFull : public SlurmFault {
   using SlurmFault::SlurmFault;
 };
 
-/// Thrown if Slurm did not answer, so that it is unknown whether a request was carried out.
+/// Thrown if Slurm did not answer a submission, so that it is unknown whether the job was accepted.
 class SlurmTimeout : public SlurmFault {
  public:
   using SlurmFault::SlurmFault;
 };
 
-/// Slurm's commands. Each throws SlurmFault if it fails or exceeds the time limit.
+/// Slurm's commands. Unless stated otherwise, each throws SlurmFault if it fails or exceeds the
+/// time limit.
 class Slurm {
  public:
   explicit Slurm(std::chrono::milliseconds limit = std::chrono::seconds(60)) : limit_(limit) {}
@@ -47,15 +48,16 @@ class Slurm {
   /// Jobs of all users, including recently ended ones; one row per element of an array.
   std::vector<QueueRow> queue() const;
 
-  /// Like queue(), but returns nothing and sets `why` if Slurm is not installed or does not answer.
+  /// Like queue(), but returns nullopt instead of throwing, and sets `why` to the reason.
   std::optional<std::vector<QueueRow>> queue_if_any(std::string& why) const;
 
   /// Submits a batch file to run once all jobs in `after` have ended, successfully or not, and
   /// returns its job ID. `more`: additional options of sbatch. Throws SlurmQueueFull if Slurm
-  /// kept refusing it, and SlurmTimeout if it is unknown whether it was submitted.
+  /// refused it until the time limit, and SlurmTimeout if it is unknown whether it was submitted.
   std::string submit(const std::filesystem::path& script, const std::vector<std::string>& after,
                      const std::vector<std::string>& more = {}) const;
 
+  /// Cancels jobs and elements; those that have ended already are ignored.
   void cancel(const std::vector<std::string>& jobs) const;
 
  private:

@@ -29,17 +29,18 @@ inline constexpr const char* queue_format = "%A|%F|%K|%T|%r|%N|%M|%k";
 /// The rows of `squeue -h -r -o <queue_format>`; other lines are ignored.
 std::vector<QueueRow> queue_rows(std::string_view text);
 
-/// Whether a job is pending, running or being requeued.
+/// Whether a job has not ended: it is pending, running, suspended, completing or being requeued.
 bool is_live(const QueueRow& row);
 
-/// Whether a pending job will never run without intervention.
+/// Whether a job is held, or pending for a reason that will not pass, so that it never runs without
+/// intervention.
 bool is_stuck(const QueueRow& row);
 
 /// Whether a pending or running job will proceed without intervention. False for a completing job,
 /// since it produces nothing more.
 bool will_proceed(const QueueRow& row);
 
-/// Whether a pending job requests more than its partition has.
+/// Whether a pending job requests more than its partition has or allows.
 bool exceeds_partition(const QueueRow& row);
 
 /// Run time so far, seconds; 0 if squeue reports none.

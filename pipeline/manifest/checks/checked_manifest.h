@@ -9,7 +9,9 @@ namespace mien::pipeline {
 
 /// Reads a manifest and reports all of its faults, including unknown names of examples and
 /// parameters. A run would write to <out>/<study>, which must contain none of the manifest's source
-/// files; with an empty `out`, this is not checked. The manifest of a provenance.json has no
+/// files, except in its folder `inputs`; with an empty `out`, this is not checked.
+///
+/// If `file` is a study's provenance.json, the manifest that reproduces the study is read, without
 /// warnings about deprecated names.
 ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment,
                                const std::filesystem::path& out = {});

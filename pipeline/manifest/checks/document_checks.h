@@ -13,13 +13,14 @@ namespace mien::pipeline {
 /// The kind of document that a YAML file contains.
 enum class DocumentKind { manifest, scales, set, recipes };
 
-/// Returns the kind whose schema knows the largest number of the document's keys, where keys that
-/// the schema requires count twice. If no schema knows any of them, the kind follows from the file
-/// name (my.scales.yaml, my.set.yaml, my.recipes.yaml), with manifest as the default.
+/// Returns the kind whose schema knows the largest number of the document's top-level keys, where
+/// keys that the schema requires count twice; in a tie, the first in the order of DocumentKind. If
+/// no schema knows any of them, the kind follows from the file name (my.scales.yaml, my.set.yaml,
+/// my.recipes.yaml), with manifest as the default.
 DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name);
 
-/// Returns the fault for a file of another kind that was given as a manifest, with advice on how to
-/// refer to it.
+/// Returns the fault for a file of a kind other than manifest that was given as a manifest, with
+/// advice on how to refer to it.
 Fault not_a_manifest_fault(DocumentKind kind, const std::filesystem::path& file);
 
 /// Returns the faults of a scales, set or recipes file. Never throws because of the file's content.
@@ -32,8 +33,8 @@ struct StudyRecord {
   std::string command;             ///< command line that made the study
 };
 
-/// Returns the record if the file is a provenance file: JSON whose `manifest` names the manifest of
-/// the run.
+/// Returns the record if the file is a provenance file: a .json file in which `manifest.as_run` is
+/// not empty. Throws Error if it names a manifest outside its own folder.
 std::optional<StudyRecord> study_record_in(const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

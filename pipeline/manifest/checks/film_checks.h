@@ -10,11 +10,11 @@
 
 namespace mien::pipeline {
 
-/// Minimum width and height of a picture, in pixels.
+/// Minimum width and height of a picture after scaling and cropping, in pixels.
 inline constexpr int least_picture_side = 16;
 
-/// Maximum number of pixels of a picture, before and after cropping, so that it fits into the
-/// memory of a common machine.
+/// Maximum number of pixels of a picture after scaling and before cropping, so that it fits into
+/// the memory of a common machine.
 inline constexpr std::int64_t most_picture_pixels = 8192LL * 8192;
 
 /// Paths in a document at which a film's look and output are stated: the film's own part, which may

@@ -31,11 +31,13 @@ struct NamedFile {
 };
 
 /// Returns all files and folders named anywhere in a manifest's text, without opening them. Throws
-/// Faults if the text is not YAML; the schema is not checked.
+/// the faults of read_json, such as text that is not YAML and unset variables, as Faults; the
+/// schema is not checked.
 std::vector<NamedFile> named_files(std::string_view text, const std::filesystem::path& file,
                                    const Environment& environment);
 
-/// Like parse_manifest, from a file; a file that cannot be read is a fault too.
+/// Like parse_manifest, from a file. For a file that cannot be read, or that contains another kind
+/// of document (scales, a set, recipes), this is the only fault.
 ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment);
 
 }  // namespace mien::pipeline

@@ -13,20 +13,23 @@
 namespace mien::pipeline {
 
 /// Returns faults that a schema cannot express: duplicate ids, missing files, sizes that no encoder
-/// accepts, values that need examples or ratings when there are none, comparison sheets with a
-/// single motion, and contradictory looks and questionnaires. The checks are independent of each
+/// accepts, values that need examples or ratings when there are none, comparison sheets of a motion
+/// with itself, and contradictory looks and questionnaires. The checks are independent of each
 /// other.
 std::vector<Fault> check_meaning(const ResolvedManifest& resolved);
 
-/// Returns faults of folders, ratings, scales and keytimes that are missing or inconsistent.
+/// Returns faults of the examples: a missing folder, missing or inconsistent ratings and scales,
+/// inconsistent keytimes, and a take although no file can contain several motions.
 std::vector<Fault> check_examples(const Manifest& manifest);
 
-/// Returns faults of stimuli whose values need examples or ratings when there are none, whose clips
-/// are missing, or that have options of another interpolation method.
+/// Returns faults of stimuli: values that need examples or ratings when there are none, values that
+/// contradict each other, missing clips, faulty paths, factors that are not valid column names,
+/// options of another interpolation method, and limits of unknown body parts.
 std::vector<Fault> check_stimuli(const Manifest& manifest);
 
-/// Adds the faults of a stimulus's `path:`, if it has one: unknown moods, contradictory steps,
-/// points that are too close together, and excessive durations.
+/// Adds the faults of a stimulus's `path:`, if it has one: unknown moods (but not those of a motion
+/// graph, see resolve_modifications), missing motion files, contradictory keys, points that are too
+/// close together, and excessive durations.
 void check_walk_path(const Stimulus& stimulus, FaultList& list);
 
 /// Returns faults of modifications that a schema cannot express: mutually exclusive keys, keys of
@@ -43,16 +46,17 @@ std::vector<Fault> check_sheets(const Manifest& manifest);
 /// Returns faults of duplicate ids and duplicate video names.
 std::vector<Fault> check_ids(const Manifest& manifest);
 
-/// Returns faults of adjectives, features, weights, modifications and sheets that refer to unknown
-/// names.
+/// Returns faults of adjectives, held parameters, features, weights, expectations, labels,
+/// keytimes, overlays and sheets that refer to unknown names.
 std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary);
 
-/// Returns faults of a questionnaire that refers to unknown stimuli, scales or factors, or has
-/// mutually exclusive settings. The study's scales must have been read.
+/// Returns faults of a questionnaire that refers to unknown stimuli, scales or factors, has
+/// mutually exclusive settings or impossible numbers, or shows stimuli of which there is no
+/// suitable file (check_shown_videos). The study's scales must have been read.
 std::vector<Fault> check_questionnaire(const Manifest& manifest);
 
-/// Returns a single fault for those stimuli shown as videos by a questionnaire that are not written
-/// in any format that browsers play; none if there are no such stimuli.
+/// Returns a single fault for all those stimuli that a questionnaire shows as videos although they
+/// are not written in any format that browsers play; none if there are no such stimuli.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);
 
 /// Returns warnings about valid but probably unintended settings of a questionnaire: attention
@@ -64,7 +68,7 @@ std::vector<Fault> questionnaire_warnings(const Manifest& manifest);
 std::vector<Fault> check_matching(const Manifest& manifest);
 
 /// Returns a fault for each source file that lies in `folder`, the output folder of the run, which
-/// would overwrite it.
+/// could overwrite it. Its folder `inputs` is excepted: reruns read the copies there.
 std::vector<Fault> check_sources(const Manifest& manifest, const std::filesystem::path& folder);
 
 }  // namespace mien::pipeline

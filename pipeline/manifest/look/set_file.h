@@ -15,8 +15,8 @@ std::vector<std::string> set_names();
 /// Returns the text of a built-in set's file; empty for an unknown name.
 std::string_view builtin_set_text(std::string_view name);
 
-/// Returns the built-in set of that name, or the one in `file`. Throws Faults that list all faults
-/// of the file:
+/// Returns the built-in set of that name; if there is none, the one in `file`. Throws Faults that
+/// list the faults of the file, and Error if it cannot be read:
 ///
 ///     background: "#808080"
 ///     ground: {colour: "#dadada", lines: {every: 0.5, colour: "#bfc0c1"}}

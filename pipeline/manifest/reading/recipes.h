@@ -38,8 +38,8 @@ void fields_of(auto&& field, MaybeConst<RecipeBook> auto& book) {
 /// (figure 29 of the emotion thesis). Empty for any other name.
 std::string_view builtin_recipes_text(std::string_view name);
 
-/// Returns the recipes of "builtin", "fig29" or a file. Throws Faults that list all faults of the
-/// file:
+/// Returns the recipes of "builtin", "fig29" or a file. Throws Faults that list the faults of the
+/// file, and Error if it cannot be read:
 ///
 ///     name: my emotions
 ///     recipes:
@@ -48,7 +48,9 @@ RecipeBook read_recipes(const std::string& source, const std::filesystem::path& 
 RecipeBook parse_recipes(std::string_view yaml, const std::filesystem::path& file);
 
 /// Resolves each modification step of the stimuli: its recipe with the step's own settings applied,
-/// and a derived seed. Returns faults for unknown emotions and all faults of the recipes file.
+/// and a derived seed; likewise the moods of paths through a motion graph (Stimulus::walk_moods).
+/// Returns faults for unknown emotions, for moods whose recipe contains a pose, and the faults of
+/// the recipes file.
 std::vector<Fault> resolve_modifications(Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -19,7 +19,7 @@ struct ArtifactCheck {
 };
 
 /// Hashes and decodes a file. `video`: the video's entry in its film's record, if the file is a
-/// video and has one.
+/// video and has one; its number of frames and duration are then compared, too.
 ArtifactCheck check_file(const std::filesystem::path& folder, const ArtifactRecord& record,
                          const std::optional<VideoRecord>& video = {});
 

@@ -41,17 +41,18 @@ struct Cleaning {
   std::uint64_t bytes = 0;       ///< total size of the removed artifacts
 };
 
-/// Returns the number of links in the study's report that lead to removed artifacts.
+/// Returns the number of links in report.html that lead to removed artifacts.
 int dead_links(const std::filesystem::path& folder, const Cleaning& cleaning);
 
 /// Returns the artifacts in `folder` that are not of the given kinds, as listed by their receipts.
 /// Files of no kind are kept: provenance.json, inputs/, the report with methods.md and
-/// references.bib, and the store's own files. Hashes all artifacts. Throws Error if the folder has
-/// no receipts.
+/// references.bib, and the store's own files. Hashes these artifacts. Throws Error if the folder
+/// has no receipts.
 Cleaning all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
 /// Removes the artifacts that `all_but` returns and lists them in the folder as removed on purpose.
-/// Artifacts that have changed since they were made are kept and reported as changed.
+/// Artifacts that have changed since they were made are kept and reported as changed. Throws
+/// StoreBusy if another process works in the folder.
 Cleaning remove_all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
 }  // namespace mien::pipeline

@@ -15,7 +15,7 @@ namespace mien::pipeline {
 struct PayloadFile {
   std::string path;         ///< relative to the study's folder
   std::uint64_t size = 0;   ///< bytes
-  std::string sha256 = {};  ///< empty until it has been computed
+  std::string sha256 = {};  ///< not set by payload_of: pack computes it for the manifest
 };
 
 /// Metadata of a bag for archives, with the labels of the RFC's bag-info.txt. Empty members are
@@ -49,9 +49,9 @@ std::vector<PayloadFile> payload_of(const StudyContents& contents);
 ///   quickstart/manifest-sha256.txt, tagmanifest-sha256.txt
 ///
 /// The same study and `info` give the same bytes. Throws Error if the archive's name has an
-/// unsupported extension or the archive would be within the study's folder, Interrupted after a
-/// stop request, and std::runtime_error if a file changes while it is packed or the archive cannot
-/// be written; no archive is left in these cases.
+/// unsupported extension or is that of a folder, or if the archive would be within the study's
+/// folder, Interrupted after a stop request, and std::runtime_error if a file changes while it is
+/// packed or the archive cannot be written; no archive is left in these cases.
 void pack(const StudyContents& contents, const std::vector<PayloadFile>& payload,
           const BagInfo& info, const std::filesystem::path& archive, const std::stop_token& stop,
           const ShareDone& done);

@@ -21,7 +21,7 @@ struct ComparableFilm {
 };
 
 /// Returns the comparable films of a manifest, in its order. If a film has several videos, the
-/// first lossless one is used, if any.
+/// first lossless one is used, otherwise the first.
 std::vector<ComparableFilm> comparable_films(const Manifest& manifest,
                                              const StudyContents& contents);
 
@@ -32,7 +32,7 @@ struct FramesToRerender {
 };
 
 /// Returns a uniform random sample of `count` distinct frames of all films, or all frames if there
-/// are no more than `count`. The sample depends only on the seed.
+/// are no more than `count`. The same films, count and seed give the same sample.
 std::vector<FramesToRerender> sampled_frames(const std::vector<ComparableFilm>& films, int count,
                                              std::uint64_t seed);
 
@@ -53,8 +53,10 @@ struct RerenderedFrame {
 ///   record says that the video is lossless; otherwise PSNR and SSIM (video_sketch.h) must reach
 ///   those of the least similar frame when the film was made, within 0.1 dB and 0.001.
 ///
-/// `manifest` is the one that the study's provenance names. Throws Interrupted after a stop
-/// request, and Error if the records of the equalized properties are missing.
+/// A film that now has another number of frames is not rendered: its only result states this.
+/// `manifest` is the one that the study's provenance names. `done` receives the film's id as path.
+/// Throws Interrupted after a stop request, and Error if a table of the equalized properties (such
+/// as metrics/sizes.csv) is missing or incomplete.
 std::vector<RerenderedFrame> rerender(const Manifest& manifest, const StudyContents& contents,
                                       const std::vector<FramesToRerender>& wanted, int threads,
                                       const std::stop_token& stop, const ShareDone& done);

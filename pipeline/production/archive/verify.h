@@ -38,14 +38,15 @@ struct Verification {
   bool is_sound() const;  ///< nothing is missing or changed
 };
 
-/// Called after each file with the completed share, 0 … 1; possibly from several threads, but never
-/// concurrently.
+/// Called as files or frames are completed, with the completed share, 0 … 1; possibly from several
+/// threads, but never concurrently.
 using ShareDone = std::function<void(double share, const std::string& path)>;
 
-/// Reads all files of a finished study: hashes and decodes each artifact, hashes each copied input,
-/// and searches the folder for files that are not recorded. Changes nothing and needs only the
-/// provenance; if the store's receipts exist, single frames are checked too, and an edited
-/// provenance is detected. Throws Interrupted after a stop request, and Error as contents_of does.
+/// Verifies a finished study: hashes and decodes each artifact and each copied input, and searches
+/// the folder for files that are not recorded. Changes nothing and needs only the provenance; if
+/// the store's receipts exist, single frames are checked too, and an edited provenance is detected.
+/// Throws Interrupted after a stop request, and Error if the list of removed artifacts (keep.h) is
+/// damaged.
 Verification verify(const StudyContents& contents, int jobs, const std::stop_token& stop,
                     const ShareDone& done);
 

@@ -33,7 +33,7 @@ class FinishedMotions {
 };
 
 /// Returns the clip that the video shows for a motion: a loop repeated `output.cycles` times, in
-/// place if requested.
+/// place if requested, and not yet cut to an equalized duration.
 motion::Clip playback_clip(const motion::Clip& motion, const Output& output);
 
 inline constexpr char durations_task_id[] = "durations";
@@ -42,8 +42,8 @@ inline constexpr char durations_task_id[] = "durations";
 /// cut.
 inline constexpr char duration_record_path[] = ".mien/equalized/duration.json";
 
-/// Reads the duration to which every film is cut, in seconds, from that file. Throws if it does not
-/// contain a number.
+/// Reads the duration to which every film is cut, in seconds, from such a file. Throws if it does
+/// not contain a number.
 double recorded_duration(const std::filesystem::path& file);
 
 /// Passes the recorded duration in the store's folder to `motions`. Throws if there is none.

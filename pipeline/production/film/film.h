@@ -48,7 +48,7 @@ render::Quality quality_of(const FilmSettings& settings);
 /// because of a moving camera or ground, gets no additional samples.
 render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot);
 
-/// Renders a frame with its layers and its motion vectors to the next frame.
+/// Renders a frame with its layers and, except for the last frame, its motion vectors to the next.
 render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int frame,
                          const render::Quality& quality);
 
@@ -72,7 +72,7 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress);
 
-/// Collects evenly spaced frames, scaled to fit a page, into one picture.
+/// Collects at most 12 evenly spaced frames, each at most 480 pixels wide, into one picture.
 class ContactSheetBuilder {
  public:
   explicit ContactSheetBuilder(int frame_count);

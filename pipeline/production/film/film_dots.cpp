@@ -50,9 +50,11 @@ constexpr auto dots_columns = table_of<DotRow>(
      {"dot", "", "number of the dot, counted from 0; the same in all frames",
       [](auto& r) { return r.number; }},
      {"kind", "", "joint name, limb, noise or mask", [](auto& r) { return r.dot.kind; }},
-     {"x_px", "pixels", "centre of the dot from the left edge; empty if it is behind the camera",
+     {"x_px", "pixels",
+      "centre of the dot from the left edge of the frame (of a stereo pair, too); empty if it is "
+      "behind the camera",
       [](auto& r) { return r.pixels(0); }},
-     {"y_px", "pixels", "centre of the dot from the upper edge, downwards",
+     {"y_px", "pixels", "centre of the dot from the upper edge of the frame, downwards",
       [](auto& r) { return r.pixels(1); }},
      {"x_m", "m", "world position: to the figure's left", [](auto& r) { return r.at.x(); }},
      {"y_m", "m", "world position: up", [](auto& r) { return r.at.y(); }},

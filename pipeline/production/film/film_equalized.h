@@ -35,9 +35,8 @@ struct EqualizedFilms {
 /// Returns the equalizing tasks that `manifest.equalize` requires, of "sizes" and "places"
 /// (metrics/sizes.csv, metrics/places.csv: film_framing.h) and "exposure" (metrics/exposure.csv:
 /// film_exposure.h). In addition to its table, each task writes all equalized properties found so
-/// far to .mien/equalized/<task>.json. The tasks use the equalized duration
-/// (clips/finished_motions.h), whose task precedes them, read all motions and stage all stimuli.
-/// `manifest` and `motions` must outlive them.
+/// far to .mien/equalized/<task>.json. The tasks read all motions and stage all stimuli, cut to the
+/// equalized duration if durations are equalized. `manifest` and `motions` must outlive them.
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, FinishedMotions& motions);
 

@@ -221,8 +221,9 @@ constexpr auto exposure_columns = table_of<ExposedFilm>(
      {"mean_luminance", "0–1", "relative luminance (linear) of sampled frames before equalizing",
       [](auto& r) { return std::round(1e6 * r.found.mean) / 1e6; }},
      {"wanted_luminance", "0–1",
-      "luminance of all films: the geometric mean of those before equalizing; point-light films "
-      "that share an exposure enter by their mean",
+      "luminance to which all films (with by: figure, all with the same kind of figure) are "
+      "brought: the geometric mean of their luminances before equalizing; point-light films that "
+      "share an exposure enter by their mean",
       [](auto& r) { return std::round(1e6 * r.found.wanted) / 1e6; }},
      {"exposure_stops", "stops", "exposure compensation: 1 doubles the light, −1 halves it",
       [](auto& r) { return r.found.stops; }}});

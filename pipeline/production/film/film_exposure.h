@@ -18,8 +18,8 @@ namespace mien::pipeline {
 ///
 /// A few small frames of each film are rendered in draft quality. Their mean luminance as a display
 /// shows it, including the tone curve, increases with exposure. For each film there is thus one
-/// exposure at which its mean is the geometric mean over all films of the study, or over all with
-/// the same kind of figure.
+/// exposure at which its mean equals the geometric mean of the films' means before equalizing:
+/// those of all films of the study, or of all with the same kind of figure.
 ///
 /// Point-light figures whose dots are equal in number, size and colour and that stand on the same
 /// set share one exposure, chosen for the mean over all of them. With exposures of their own, a
@@ -40,7 +40,7 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
                          FinishedMotions& motions, TaskRun& run, EqualizedFilms& films);
 
 /// Returns a fault for each stimulus whose luminance cannot be equalized by any exposure, judged by
-/// small pictures; deviations below 5 % are left to exposure_csv. Throws Error.
+/// small pictures; deviations of up to 5 % are left to exposure_csv. Throws Error.
 std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

@@ -39,7 +39,9 @@ constexpr auto sizes_columns = table_of<EqualizedSize>(
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      {"framed_px", "pixels", "height of the standing figure before equalizing",
       [](auto& r) { return in_hundredths(r.framed_px); }},
-     {"figure_px", "pixels", "height in all films: the smallest of those before equalizing",
+     {"figure_px", "pixels",
+      "height in all films (with by: figure, in all with the same kind of figure): the smallest of "
+      "those before equalizing",
       [](auto& r) { return r.figure_px; }}});
 
 struct EqualizedPlace {
@@ -57,7 +59,9 @@ constexpr auto places_columns = table_of<EqualizedPlace>(
       [](auto& r) { return in_hundredths(r.framed.x()); }},
      {"framed_y_px", "pixels", "the same vertically, below the image centre",
       [](auto& r) { return in_hundredths(r.framed.y()); }},
-     {"x_px", "pixels", "horizontal position in all films, to the right of the image centre",
+     {"x_px", "pixels",
+      "horizontal position in all films (with by: figure, in all with the same kind of figure), to "
+      "the right of the image centre",
       [](auto& r) { return r.common[0]; }},
      {"y_px", "pixels", "the same vertically, below the image centre",
       [](auto& r) { return r.common[1]; }}});

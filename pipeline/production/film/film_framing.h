@@ -13,8 +13,8 @@ namespace mien::pipeline {
 extern const TableForm sizes_form;
 extern const TableForm places_form;
 
-/// Computes the equalized height of all figures, or of the figures of each kind, stores it in
-/// `films` and returns the content of metrics/sizes.csv.
+/// Computes the equalized height of all figures, or of the figures of each kind: the smallest of
+/// their heights. Stores it in `films` and returns the content of metrics/sizes.csv.
 std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
                       EqualizedFilms& films);
 

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// A presentation in whole frames. Fades last no longer than the film.
+/// A presentation in whole frames. Neither fade lasts longer than the film.
 struct PresentationFrames {
   int card = 0;
   int fixation = 0;
@@ -28,7 +28,8 @@ struct PresentationFrames {
 /// `fps`: frames per second.
 PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames);
 
-/// Returns a fault if fades are longer than a film of `film_frames` frames; otherwise empty.
+/// Returns a fault if videos are to be written and both fades together last longer than a film of
+/// `film_frames` frames; otherwise empty.
 std::string fade_fault(const Stimulus& film, int film_frames);
 
 inline constexpr char fade_remedy[] = "make them shorter, or show more cycles";
@@ -36,7 +37,8 @@ inline constexpr char fade_remedy[] = "make them shorter, or show more cycles";
 /// Shows a film with the pictures before and after it.
 ///
 /// Fades mix film and background in linear light: frame n (from 0) of the m frames of a fade-in has
-/// the weight (n + ½) / m, and the background the rest. Neither the card nor the cross fades.
+/// the weight (n + ½) / m, and the background the rest; a fade-out is the reverse. Neither the card
+/// nor the cross fades.
 class Presenter {
  public:
   using Show = std::function<void(const render::Image8& picture)>;
@@ -62,8 +64,9 @@ class Presenter {
 
 /// Returns a blank picture in an 8-bit grey, as shown before and after a film.
 render::Image8 blank_picture(std::array<int, 2> size, std::uint8_t grey);
-/// Returns a cross with a width and height of `edge` pixels and a thickness of a ninth of that,
-/// black or white, whichever contrasts more with the grey.
+/// Returns a cross with a width and height of `edge` pixels and a thickness of a ninth of that, but
+/// at least 2 (each one less if it cannot be centred otherwise): black on a grey above 127,
+/// otherwise white.
 render::Image8 fixation_picture(std::array<int, 2> size, std::uint8_t grey, int edge);
 /// Returns a picture of centred lines of text. The font is as large as fits, at most an 18th of the
 /// picture's height.

@@ -20,6 +20,7 @@ namespace mien::pipeline {
 ///   recorder.check(file, render::VideoKind::webm);
 class FilmRecorder {
  public:
+  /// `settings` must outlive the object.
   FilmRecorder(const FilmSettings& settings, int film_frames);
 
   /// Adds a file to be written. Its encoder starts with the first frame. Must be called before the

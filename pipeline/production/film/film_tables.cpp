@@ -80,13 +80,15 @@ constexpr auto videos_columns = table_of<MadeVideo>(
       [](auto& r) { return r.video.identical; }},
      {"worst_psnr_db", "dB", "lowest peak signal-to-noise ratio of a frame; empty where identical",
       [](auto& r) { return r.unless_identical(fmt::format("{:.2f}", r.video.worst_psnr_db)); }},
-     {"worst_psnr_frame", "", "that frame; empty where identical",
+     {"worst_psnr_frame", "",
+      "number of that frame in the video, counted from 0; empty where identical",
       [](auto& r) { return r.unless_identical(std::to_string(r.video.worst_psnr_frame)); }},
      {"worst_ssim", "0–1",
       "lowest structural similarity (SSIM) between a frame and its decoded version; empty where "
       "identical",
       [](auto& r) { return r.unless_identical(fmt::format("{:.4f}", r.video.worst_ssim)); }},
-     {"worst_ssim_frame", "", "that frame; empty where identical",
+     {"worst_ssim_frame", "",
+      "number of that frame in the video, counted from 0; empty where identical",
       [](auto& r) { return r.unless_identical(std::to_string(r.video.worst_ssim_frame)); }},
      {"video_hash", "", "XXH3-128 of the file", [](auto& r) { return r.hash; }}});
 
@@ -96,7 +98,8 @@ constexpr auto views_columns = table_of<MadeFilm>(
      {"figure_px", "pixels", "height of the standing figure in the image",
       [](auto& r) { return fmt::format("{:.2f}", r.record.figure_px); }},
      {"visual_degrees", "°",
-      "visual angle of that height on the screen described by the camera; empty without one",
+      "visual angle of that height on the screen described by the camera; empty if it describes "
+      "none",
       [](auto& r) {
         return r.record.visual_degrees ? fmt::format("{:.3f}", *r.record.visual_degrees) : "";
       }},

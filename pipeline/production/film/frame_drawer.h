@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// A frame that is prepared for rendering: one view per eye.
+/// A frame that is prepared for rendering: one view per eye; none if frames are rendered in layers.
 struct ReadyFrame {
   int frame = 0;
   std::vector<render::PreparedView> prepared_views;
@@ -32,7 +32,8 @@ class FrameDrawer {
   FramePicture draw(ReadyFrame ready);
 
   /// Returns the number of frames in flight at once, chosen so that no thread is idle while a frame
-  /// is prepared or its last tiles are rendered.
+  /// is prepared or its last tiles are rendered; 1 with a single thread, or if frames are rendered
+  /// in layers.
   int in_flight() const;
 
   /// Works as render::Tracer::for_frames does.

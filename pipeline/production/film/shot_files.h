@@ -23,7 +23,8 @@ struct ShotWork {
 /// result of the check as text.
 std::string write_video(const ShotWork& work, const std::filesystem::path& file);
 
-/// Writes evenly spaced frames side by side (PNG). Returns their number as text.
+/// Writes evenly spaced frames into one picture (PNG). Returns their number as text: "12 on a
+/// sheet".
 std::string write_contact_sheet(const ShotWork& work, const std::filesystem::path& file);
 
 /// Writes one frame: .png, with alpha where the background is not shown, or .exr, with its layers.

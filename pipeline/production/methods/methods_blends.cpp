@@ -61,18 +61,22 @@ std::string deviation_text(const Range& missed) {
 
 void describe_deviations(MethodsText& out) {
   Range missed;
+  bool has_modified = false;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
-    if (!stimulus.modify.empty()) continue;  // known of the blend before alone
     const Synthesis& made = out.motions.of(stimulus.id);
+    if (!stimulus.modify.empty()) {  // known of the blend before alone
+      has_modified = has_modified || !made.requested.empty();
+      continue;
+    }
     const std::size_t count = std::min(made.requested.size(), made.reached.size());
     for (std::size_t i = 0; i < count; ++i)
       missed.add(std::abs(made.reached[i].second - made.requested[i].second));
   }
   if (missed.count == 0) return;
   out.say(fmt::format(
-      "The values reached deviated from the {} (on scales from 0 to 1) {}",
+      "The values reached deviated from the {}{} (on scales from 0 to 1) {}",
       count_of(static_cast<std::size_t>(missed.count), "requested value", "requested values"),
-      deviation_text(missed)));
+      has_modified ? " of unmodified stimuli" : "", deviation_text(missed)));
 }
 
 std::string held_at_text(MethodsText& out) {

@@ -42,7 +42,8 @@ void describe_repertoire(MethodsText& out) {
         "{} too short for a full cycle, so that one step and its mirror image were used instead",
         count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
   }
-  out.say((loops == seconds.count ? "Each was a single gait cycle; they lasted " : "They lasted ") +
+  out.say((loops == seconds.count ? "Each example was a single gait cycle; they lasted "
+                                  : "The examples lasted ") +
           with_mean(seconds, 2, " s"));
   describe_example_settings(out);
 }
@@ -76,17 +77,18 @@ void describe_ratings(MethodsText& out) {
   answers.add(impressions.count.maxCoeff());
   const std::string each = range_text(answers, 0, " answers") + " per scale and example";
   if (raters == 0) {  // a table of means
-    out.say(fmt::format("{}{}",
-                        impressions.simulated
-                            ? "No participants rated them; mean ratings were simulated on " + scales
-                            : "Participants rated them; means were available on " + scales,
-                        ratings_source(out)));
+    out.say(fmt::format(
+        "{}{}",
+        impressions.simulated
+            ? "No participants rated the examples; mean ratings were simulated on " + scales
+            : "Participants rated the examples; means were available on " + scales,
+        ratings_source(out)));
   } else if (impressions.simulated) {
-    out.say(fmt::format("No participants rated them; {} answered on {}, {}{}",
+    out.say(fmt::format("No participants rated the examples; {} answered on {}, {}{}",
                         count_of(raters, "simulated rater", "simulated raters"), scales, each,
                         ratings_source(out)));
   } else {
-    out.say(fmt::format("{} rated them on {}, {}{}",
+    out.say(fmt::format("{} rated the examples on {}, {}{}",
                         count_of(raters, "participant", "participants"), scales, each,
                         ratings_source(out)));
   }

@@ -48,14 +48,15 @@ void describe_modifications(MethodsText& out);
 void describe_pictures(MethodsText& out);
 
 /// Every setting of films and of the interpolation of their motions that differs from its default,
-/// except those that other sentences state for all films; also the number and size of point lights.
+/// except those that other sentences state for all films; also the number and size of the dots of
+/// point-light figures.
 void describe_settings(MethodsText& out);
 
 /// The settings for reading the examples from a folder, as far as they differ from their defaults.
 void describe_example_settings(MethodsText& out);
 
 /// The settings of a matching experiment that differ from their defaults: the order of guesses and
-/// matches, and the films shown with it.
+/// matches, and whether the examples are played beside the task.
 void describe_matching_settings(MethodsText& out);
 
 /// The description of an interpolation method and the keys of its references.
@@ -68,7 +69,7 @@ struct MethodWords {
 /// Returns the description and references of that method.
 MethodWords words_of(motion::InterpolationMethod method);
 
-/// Returns the key of the reference for an older method.
+/// Returns the key of the reference for a method of style transfer.
 std::string source_of(StyleMethod method);
 
 }  // namespace mien::pipeline

@@ -118,7 +118,8 @@ void describe_example_settings(MethodsText& out) {
   if (!out.manifest.examples.builtin.empty()) return;
   StatedSettings settings;
   add_differences("examples.", out.manifest.examples, "", settings);
-  if (!settings.empty()) out.say("They were extracted with these settings: " + settings.text({""}));
+  if (!settings.empty())
+    out.say("The examples were extracted with these settings: " + settings.text({""}));
 }
 
 void describe_matching_settings(MethodsText& out) {
@@ -128,7 +129,7 @@ void describe_matching_settings(MethodsText& out) {
     out.say(
         "In the matching experiment, participants first made an initial guess at each target with "
         "every interface, without feedback, and then matched the target with every interface, "
-        "starting from that guess");
+        "each time starting from the guess made with that interface");
   if (matching.shows_examples)
     out.say(
         "The examples were played beside the matching task, one after another, with their names");

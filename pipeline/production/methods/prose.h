@@ -29,10 +29,12 @@ struct Range {
   double mean() const { return sum / count; }
 };
 
-/// Returns "from 1.20 to 1.40 s", or "1.20 s" if all values are equal.
+/// Returns "from 1.20 to 1.40 s", or "1.20 s" if all values are equal after rounding. `unit` begins
+/// with a space.
 std::string range_text(const Range& range, int digits, const std::string& unit);
 
-/// Returns "from 1.20 to 1.40 s (mean 1.31 s)", or "1.20 s" if all values are equal.
+/// Returns "from 1.20 to 1.40 s (mean 1.31 s)", or "1.20 s" if all values are equal after rounding.
+/// `unit` begins with a space.
 std::string with_mean(const Range& range, int digits, const std::string& unit);
 
 }  // namespace mien::pipeline

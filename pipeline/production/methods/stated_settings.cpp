@@ -80,7 +80,7 @@ constexpr OptionWords option_words[] = {
     {"modify.gains.low", "a gain below 1 Hz of {}"},
     {"modify.gains.middle", "a gain from 1 to 12.5 Hz of {}"},
     {"modify.gains.high", "a gain above 12.5 Hz of {}"},
-    {"modify.limbs", "timing of {} only"},
+    {"modify.limbs", "changed timing of {} only"},
 };
 
 std::string text_of(const OrderedJson& value) {

@@ -10,9 +10,9 @@
 
 namespace mien::pipeline {
 
-/// Collects settings for a methods section. Each setting is stated once, with the ids of the
-/// stimuli to which it applies: "a fade-in of 0.3 s; walking on the spot (a and b)". An option for
-/// which no wording is defined is stated by its own name, so that none is omitted.
+/// Collects settings for a methods section. Each setting is stated once, with the stimuli to which
+/// it applies: "a fade-in of 0.3 s; walking in place (a and b)". An option for which no wording is
+/// defined is stated by its own name, so that none is omitted.
 class StatedSettings {
  public:
   /// Adds the value of an option at a path of the manifest ("output.presentation.fade_in"), used by
@@ -21,8 +21,9 @@ class StatedSettings {
 
   bool empty() const { return settings_.empty(); }
 
-  /// Returns all settings, in the order in which they were added. Ids are omitted for settings that
-  /// apply to all stimuli of `everybody`.
+  /// Returns all settings in the order in which they were added, those of the same stimuli
+  /// together. Stimuli are given by their ids, if more than six by their number, and not at all for
+  /// settings that apply to all stimuli of `everybody`.
   std::string text(const Names& everybody) const;
 
  private:

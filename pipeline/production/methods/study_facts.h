@@ -22,13 +22,14 @@ std::string_view source_of(const Stimulus& stimulus);
 /// Returns the stimuli with that source.
 std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_view source);
 
-/// Returns the method by which the weights were computed; empty for a motion file.
+/// Returns the method by which the weights were computed, "direct" for given weights; empty for a
+/// motion file or path.
 std::string method_of(const Stimulus& stimulus);
 
 /// Returns the name of a look's set ("studio") or, if the set is read from a file, the file's name.
 std::string scene_name(const Look& look);
 
-/// Whether a study uses its examples.
+/// Whether the motion of any stimulus of a study uses its examples.
 bool uses_examples(const Manifest& manifest);
 
 /// Returns the results of checking the manifest's expectations; empty without ratings.

@@ -35,20 +35,25 @@ struct ComparedFeature {
   }
 };
 
-constexpr SharedColumn sheet_column = {"sheet", "", "comparison sheet",
+constexpr SharedColumn sheet_column = {"sheet", "", "id of the sheet",
                                        [](auto& r) { return r.sheet.id; }};
 constexpr SharedColumn target_column = {"target", "",
-                                        "target stimulus or example; of a gallery, its first",
+                                        "target stimulus or example; in a gallery, the first one",
                                         [](auto& r) { return r.pair.target; }};
 constexpr SharedColumn created_column = {"created", "", "stimulus or example compared with it",
                                          [](auto& r) { return r.pair.created; }};
+constexpr SharedColumn pair_ratings_column = {
+    "ratings", "",
+    "ratings on which either motion is based: given (by people), simulated or none (features, "
+    "weights, files, paths)",
+    [](auto& r) { return r.ratings; }};
 
 constexpr auto distances_columns = table_of<ComparedPair>(
     "metrics/distances.csv", "compared pair",
     {sheet_column,
      target_column,
      created_column,
-     ratings_column,
+     pair_ratings_column,
      {"alignment", "",
       "pelvis: horizontal position and heading of the pelvis removed in every frame (height "
       "kept); world: in the first frame only",
@@ -65,8 +70,8 @@ constexpr auto distances_columns = table_of<ComparedPair>(
       "threshold of D at which a trial of the adjective paper's matching task ends",
       [](auto&) { return motion::distance_threshold_m; }},
      {"match", "0/1",
-      "1: D is below the threshold of the adjective paper's matching task, which does not consider "
-      "single joints, durations or perceptibility; empty for gallery sheets",
+      "1: D is below threshold_m, which takes no account of single joints, durations or "
+      "perceptibility; empty for gallery sheets",
       [](auto& r) {
         return r.sheet.gallery.empty() ? std::optional(r.d.matches()) : std::nullopt;
       }}});
@@ -76,7 +81,7 @@ constexpr auto joint_distances_columns = table_of<ComparedJoint>(
     {sheet_column,
      target_column,
      created_column,
-     ratings_column,
+     pair_ratings_column,
      {"joint", "", "joint", [](auto& r) { return motion::name_of(r.joint); }},
      {"time", "0–1",
       "corresponding moment, as a fraction of the duration: 0, 0.1, … 1; matched by keytimes where "
@@ -86,13 +91,13 @@ constexpr auto joint_distances_columns = table_of<ComparedJoint>(
       [](auto& r) { return r.distance_m; }}});
 
 constexpr auto feature_changes_columns = table_of<ComparedFeature>(
-    "metrics/feature_changes.csv", "comparison with a reference, and feature",
+    "metrics/feature_changes.csv", "motion feature of each comparison with a reference",
     {sheet_column,
      {"reference", "", "reference stimulus or example", [](auto& r) { return r.sheet.reference; }},
      {"target", "", "target stimulus or example", [](auto& r) { return r.sheet.target; }},
      {"created", "", "stimulus or example that should change in the same direction",
       [](auto& r) { return r.sheet.created; }},
-     ratings_column,
+     pair_ratings_column,
      {"feature", "", "id of the motion feature", [](auto& r) { return r.feature().id; }},
      {"name", "", "English name", [](auto& r) { return r.feature().name; }},
      {"name_ja", "", "Japanese name", [](auto& r) { return r.feature().japanese; }},

@@ -12,8 +12,9 @@ namespace mien::pipeline {
 struct EmotionMeasures {
   double path_m = 0.0;  ///< path length of head, wrists and ankles relative to the body, mean over
                         ///< these, per cycle
-  double duration_s = 0.0;  ///< duration of a cycle
-  /// Coefficient of variation of their speeds, mean over these; 0 at constant speed.
+  double duration_s = 0.0;  ///< duration of the cycle, or of a motion that does not loop
+  /// Coefficient of variation of the speeds of head, wrists and ankles, mean over these; 0 at
+  /// constant speed.
   double unevenness = 0.0;
 };
 

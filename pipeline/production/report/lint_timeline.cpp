@@ -130,7 +130,7 @@ std::string subtitle_of(const LintedMotion& motion) {
 
 /// Names of the rules that looked and found nothing, in lines that fit the page.
 std::vector<std::string> clean_lines(const LintedMotion& motion) {
-  std::vector<std::string> lines = {"no findings:"};
+  std::vector<std::string> lines = {"rules without findings:"};
   for (const motion::LintCheck& check : motion::lint_checks()) {
     const bool has_findings =
         std::ranges::count(motion.findings, check.id, &motion::Finding::check) > 0;

@@ -59,7 +59,7 @@ struct FoundFault {
 };
 
 constexpr auto weights_columns = table_of<BlendedExample>(
-    "metrics/weights.csv", "stimulus and example",
+    "metrics/weights.csv", "blended stimulus and example",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      ratings_column,
      {"example", "", "example label", [](auto& r) { return r.example; }},
@@ -91,7 +91,7 @@ constexpr auto clips_columns = table_of<MadeClip>(
       [](auto& r) { return shortest_measured(r.made.planted_drift_m); }},
      {"method", "",
       "interpolation method by which blend weights were found, or direct for given weights; empty "
-      "for a file",
+      "for a file or a path",
       [](auto& r) { return r.method; }},
      {"expected_error_m", "m",
       "expected error of joint positions, where the method estimates it (kriging)",
@@ -100,11 +100,12 @@ constexpr auto clips_columns = table_of<MadeClip>(
       [](auto& r) { return r.made.modified; }},
      {"modified_share", "0–1",
       "proportion of the requested modification strength that was applied; below 1 where on_fault "
-      "reduced it; empty for no modification",
+      "reduced it, 0 where it left the motion unmodified; empty if no modification was requested",
       [](auto& r) { return r.made.modified.empty() ? NAN : r.made.modified_share; }}});
 
 constexpr auto parameters_columns = table_of<ParameterRow>(
-    "metrics/parameters.csv", "stimulus and parameter: first the requested ones, then all others",
+    "metrics/parameters.csv",
+    "blended stimulus and parameter: first the requested ones, then those held, then all others",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      ratings_column,
      {"parameter", "", "scale, group of scales or motion feature", [](auto& r) { return r.name; }},
@@ -116,10 +117,11 @@ constexpr auto parameters_columns = table_of<ParameterRow>(
       "the examples; for a modified motion, before modification",
       [](auto& r) { return shortest_measured(r.reached); }},
      {"least", "0–1",
-      "lower end of the feasible range: the lowest value of all blends of the examples that have "
-      "the other requested values",
+      "lower end of the feasible range: the lowest value among the blends that have (or come "
+      "nearest to) the other requested values, and the held ones if the request is feasible with "
+      "them; empty if not requested, for features, and for the method pca",
       [](auto& r) { return r.possible ? r.possible->least : NAN; }},
-     {"most", "0–1", "upper end of the feasible range",
+     {"most", "0–1", "upper end of that range",
       [](auto& r) { return r.possible ? r.possible->most : NAN; }},
      {"name", "", "English name: \"sad – happy\", low end first",
       [](auto& r) { return english_text(r.label); }},
@@ -132,14 +134,16 @@ constexpr auto findings_columns = table_of<FoundFault>(
      {"severity", "", "error or warning",
       [](auto& r) { return motion::name_of(r.finding.severity); }},
      {"joint", "", "joint; empty if none is concerned", [](auto& r) { return r.finding.joint; }},
-     {"first_frame", "", "first frame of the finding, within one cycle or the whole clip",
+     {"first_frame", "",
+      "first frame of the finding, counted from 0 within the clip (of a looping motion, one cycle)",
       [](auto& r) { return r.finding.first; }},
      {"last_frame", "", "last frame of the finding", [](auto& r) { return r.finding.last; }},
      {"first_s", "s", "time of the first frame", [](auto& r) { return r.finding.first / r.fps; }},
      {"last_s", "s", "time of the last frame", [](auto& r) { return r.finding.last / r.fps; }},
      {"measured", "see unit", "measured value", [](auto& r) { return r.finding.measured; }},
      {"threshold", "see unit", "limit of the rule", [](auto& r) { return r.finding.threshold; }},
-     {"unit", "", "unit of value and limit", [](auto& r) { return r.finding.unit; }},
+     {"unit", "", "unit of the measured value and of the limit",
+      [](auto& r) { return r.finding.unit; }},
      {"sentence", "", "description of the finding", [](auto& r) { return r.finding.sentence; }}});
 
 std::vector<BlendedExample> blended_examples(const Manifest& manifest, Motions& motions) {

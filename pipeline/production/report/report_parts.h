@@ -30,7 +30,7 @@ struct ReportPart {
 /// Returns the pages in addition to report.html; empty for a study that fits on one page.
 std::vector<ReportPart> report_parts(const Manifest& manifest);
 
-/// Returns the sheets that compare motions, without sheets of stills.
+/// Returns the comparison sheets and galleries, that is, all sheets except those of stills.
 std::vector<const Sheet*> comparisons_in(const Manifest& manifest);
 
 /// Returns the link to a stimulus's card in the report: "#a", "report/stimuli-1.html#a".

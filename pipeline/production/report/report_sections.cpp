@@ -67,7 +67,7 @@ std::string linked_stimuli(const ReportPart& part, const Manifest& manifest) {
     links += fmt::format("<a href=\"{}\">{}</a>\n", link_to(stimulus, manifest),
                          html_escaped(stimulus.id));
   }
-  return "<details><summary>which</summary>\n" + links + "</details>\n";
+  return "<details><summary>stimuli on this page</summary>\n" + links + "</details>\n";
 }
 
 }  // namespace

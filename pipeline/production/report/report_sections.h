@@ -14,7 +14,8 @@ namespace mien::pipeline {
 
 std::string titled_section(const std::string& title, const std::string& content);
 
-/// Cards of some of the manifest's stimuli, and the aspects in which the foils among them differ.
+/// Cards of some of the manifest's stimuli, the properties equalized across the study, and the
+/// table of the foils among these stimuli (foil_table).
 std::string stimuli_section(const std::string& title, std::span<const Stimulus> stimuli,
                             const Manifest& manifest, Motions& motions);
 
@@ -32,7 +33,8 @@ std::string stills_section(const Manifest& manifest, Motions& motions);
 std::string comparisons_section(const std::string& title, std::span<const Sheet* const> sheets,
                                 Motions& motions);
 
-/// Links to the pages of a study that is split into parts, and to all stimuli on them.
+/// Links to the pages of a study that is split into parts, and to all stimuli on them, and the
+/// properties equalized across the study.
 std::string parts_section(const std::vector<ReportPart>& parts, const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -178,12 +178,12 @@ std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions) {
           "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
           html_escaped(id), html_escaped(foil.of), name_of(aspect.aspect), difference_text(aspect),
           aspect.aspect == foil.differ ? "intended to differ"
-          : aspect.is_held()           ? "held"
+          : aspect.is_held()           ? "within tolerance"
                                        : "<strong>also differs</strong>");
     }
   }
   if (rows.empty()) return "";
-  return html_table({"foil", "of", "aspect", ">difference", ""}, rows);
+  return html_table({"foil", "of stimulus", "aspect", ">difference", ""}, rows);
 }
 
 std::vector<motion::FeatureChange> feature_changes(const Sheet& sheet, Motions& motions) {

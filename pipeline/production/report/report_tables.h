@@ -32,8 +32,8 @@ std::string distance_table(std::span<const Sheet* const> sheets, Motions& motion
 /// same direction as in the target. Empty if there is no such comparison.
 std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions);
 
-/// The aspects in which the foils among the stimuli differ from their originals; empty without
-/// foils.
+/// For each foil among the stimuli and each aspect, the difference from the original, and whether
+/// it is intended or within the tolerance; empty without foils.
 std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions);
 
 /// Returns the differences of the created motion from the reference, with those of the target for

@@ -43,7 +43,7 @@ extern const StudyTable expectations_table;
 inline constexpr SharedColumn ratings_column = {
     "ratings", "",
     "ratings on which the motion is based: given (by people), simulated or none (features, "
-    "weights, files)",
+    "weights, files, paths)",
     [](auto& r) { return r.ratings; }};
 
 }  // namespace mien::pipeline

@@ -17,8 +17,9 @@ namespace mien::pipeline {
 
 /// Command-line options that override a manifest.
 struct ProductionOptions {
-  std::optional<Quality> quality;  ///< overrides the quality of all stimuli
-  std::vector<std::string> only;   ///< ids of stimuli, overlays and sheets; empty: everything
+  std::optional<Quality> quality;  ///< overrides the quality of all films
+  std::vector<std::string> only;   ///< ids of stimuli, overlays and sheets, including overlays and
+                                   ///< sheets whose stimuli are all named; empty: everything
   int jobs = 1;
   Stopwatch* drawing = nullptr;  ///< if not null, runs while frames are traced or encoded
 };
@@ -32,7 +33,7 @@ struct ProductionOptions {
 ///   film       motions → shot → frames, video    frames/<id>/, videos/<id>.mp4,
 ///                                                sheets/contact/<id>.png,
 ///                                                metrics/films/<id>.json
-///   sheet      two motions → distance → page     sheets/<id>.pdf, .png
+///   sheet      motions → distances → page        sheets/<id>.pdf, .png
 ///              motions → shots → stills → page
 ///   durations  motions → durations               metrics/durations.csv: for equalized duration
 ///   sizes      motions → shots → sizes           metrics/sizes.csv: for equalized size

@@ -10,14 +10,14 @@
 namespace mien::pipeline {
 
 /// Returns the provenance of a study as JSON: versions, the command line, the seed, all settings of
-/// every stimulus, and the hashes of the manifest, its inputs and all artifacts. It contains no
-/// dates and no machine names: the same production gives the same bytes. With the folder inputs/
-/// next to it (study_inputs.h), `mien run provenance.json` reproduces the study.
+/// every stimulus and overlay, and the hashes of the manifest, its inputs and all artifacts. It
+/// contains no dates and no machine names: the same production gives the same bytes. With the
+/// folder inputs/ next to it (study_inputs.h), `mien run provenance.json` reproduces the study.
 std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>& outcomes);
 
-/// Returns the changes since a provenance.json was written, one sentence each: in the inputs of the
-/// recorded manifest, in the manifest itself, and in the program's version. If there are any,
-/// reproduced artifacts may differ.
+/// Returns the changes since a provenance.json was written, one sentence each: in the program's
+/// version, in the input files of `manifest`, which is the one recorded there, and in
+/// inputs/as-run.yaml. If there are any, reproduced artifacts may differ.
 std::vector<std::string> changes_since(const std::filesystem::path& provenance,
                                        const Manifest& manifest);
 

@@ -34,9 +34,10 @@ std::string counted_tasks(const RunResult& result);
 std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production);
 
 /// Makes the artifacts that are missing from `folder`, together with concurrent runs of the study
-/// in the same folder, and writes provenance.json and inputs/ once everything is complete. Throws
-/// StoreBusy if another process uses the folder and one of the two requires exclusive access, and
-/// Error if a run of a different version of the study replaced artifacts in the meantime.
+/// in the same folder, and, for a whole production, writes provenance.json and inputs/ once
+/// everything is complete. Throws StoreBusy if another process uses the folder and one of the two
+/// requires exclusive access, and Error if a run of a different version of the study replaced
+/// artifacts, or an input was changed, in the meantime.
 RunResult run(Production& production, const std::filesystem::path& folder, int jobs,
               const std::stop_token& stop, const RunObserver& observer,
               Sharing sharing = Sharing::shared);

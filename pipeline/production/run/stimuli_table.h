@@ -13,7 +13,7 @@ extern const TableForm stimuli_form;
 extern const TableForm warnings_form;
 
 /// Returns the table to which all others can be joined: the sources, the presentation and the files
-/// of each stimulus, as found in the study's folder.
+/// of each stimulus and overlay, as found in the study's folder.
 std::string stimuli_csv(const Manifest& manifest, Motions& motions,
                         const std::filesystem::path& folder);
 

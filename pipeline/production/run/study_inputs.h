@@ -21,9 +21,10 @@ struct InputCopy {
   std::string path;  ///< "inputs/answers.csv"
 };
 
-/// Returns the copies to make: the manifest first, then scales, recipes, ratings and sets, without
-/// duplicates. Files in the manifest's folder keep their relative paths, so that the copied
-/// manifest finds them.
+/// Returns the copies to make: the manifest first, then scales, recipes, ratings, the texts and
+/// scales of the questionnaire, the texts of the matching experiment, and sets, without duplicates.
+/// Files in the manifest's folder keep their relative paths, so that the copied manifest finds
+/// them.
 std::vector<InputCopy> input_copies(const Manifest& manifest);
 
 /// Writes the copies and `as_run_path` into the study's folder. `as_read` are the hashes of the

@@ -11,7 +11,7 @@
 
 namespace mien::pipeline {
 
-/// One of the motions on a comparison sheet. Texts are UTF-8 and shown unchanged.
+/// One of the motions on a comparison or gallery sheet. Texts are UTF-8 and shown unchanged.
 struct SheetMotion {
   std::string id;      ///< id of the stimulus or example: "guess-1"
   std::string origin;  ///< source of the motion: "from adjectives", "example", "as captured"
@@ -42,9 +42,10 @@ struct SheetContent {
   std::string study;
   SheetMotion target;
   SheetMotion created;
-  std::optional<SheetMotion> reference;    ///< shown, not measured
-  motion::Distance distance;               ///< between target and created
-  std::vector<SheetParameter> parameters;  ///< requested parameters first, then the held ones
+  std::optional<SheetMotion> reference;  ///< shown, not measured
+  motion::Distance distance;             ///< between target and created
+  /// Requested parameters first, then the held ones, then all other rated ones.
+  std::vector<SheetParameter> parameters;
   bool simulated_ratings = false;
   std::vector<std::pair<std::string, std::string>> provenance;  ///< ("seed", "7"), …
 };

@@ -10,15 +10,15 @@
 
 namespace mien::pipeline {
 
-/// The task "sheet:<id>", which compares two motions on a page, as PDF and PNG. Sheet, manifest and
-/// motions must outlive it.
+/// The task "sheet:<id>", which draws a comparison or gallery sheet, as PDF and PNG. Sheet,
+/// manifest and motions must outlive it.
 Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
                 Motions& motions);
 
 /// Returns the artifacts of a sheet's task: sheets/<id>.pdf and sheets/<id>.png, in this order.
 std::vector<Product> sheet_products(const Sheet& sheet);
 
-/// Stores both files after reading them back.
+/// Stores both files; each is read back and checked before it is published.
 void put_sheet(TaskRun& run, const std::string& pdf, const std::string& png);
 
 }  // namespace mien::pipeline

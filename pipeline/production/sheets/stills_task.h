@@ -9,8 +9,8 @@
 namespace mien::pipeline {
 
 /// The task "sheet:<id>" of a sheet of stills, as PDF and PNG, which renders the middle frame of
-/// each stimulus's film. It reads the motions, and the exposures if luminance is equalized, but not
-/// the films, so it does not wait for them. `settings.output` is ignored. Sheet, manifest and
+/// each stimulus's film. It reads the motions and the equalized properties (film_equalized.h), but
+/// not the films, so it does not wait for them. `settings.output` is ignored. Sheet, manifest and
 /// motions must outlive it.
 Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSettings& settings,
                  const SharedDeterminants& shared, Motions& motions);

@@ -11,8 +11,8 @@ namespace mien::pipeline {
 extern const TableForm durations_form;
 
 /// The task "durations", for studies that equalize durations: finds the duration of the shortest
-/// stimulus and writes metrics/durations.csv, so that showing one motion does not require all
-/// others. `manifest` and `motions` must outlive it.
+/// stimulus, writes metrics/durations.csv, and records the duration (duration_record_path), so that
+/// showing one motion does not require all others. `manifest` and `motions` must outlive it.
 Task durations_task(const Manifest& manifest, const SharedDeterminants& shared, Motions& motions);
 
 }  // namespace mien::pipeline

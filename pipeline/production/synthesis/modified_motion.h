@@ -14,11 +14,12 @@ namespace mien::pipeline {
 /// A motion to which a stimulus's modifications have been applied, as far as lint errors allow.
 struct ModifiedMotion {
   motion::Example motion;
-  double share = 1.0;            ///< applied share of the requested strengths; below 1 if reduced
+  /// Applied share of the requested strengths; below 1 if reduced, 0 if reverted.
+  double share = 1.0;
   double planted_drift_m = 0.0;  ///< largest drift of a foot planted in the original, metres
   /// Lint findings of the result compared with the original.
   std::vector<motion::Finding> findings;
-  std::vector<std::string> notes;     ///< intermediate steps, plain sentences
+  std::vector<std::string> notes;     ///< remarks about the steps, plain sentences
   std::vector<std::string> warnings;  ///< consequences of lint errors, plain sentences
 };
 
@@ -29,7 +30,7 @@ std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
                                                    const Repertoire& repertoire);
 
 /// Applies the stimulus's modifications in order and checks the result with the lint. Errors that
-/// are new, or at least 1.5 times as large as in the original, are treated as `on_fault` says,
+/// are new, or more than 1.5 times as large as in the original, are treated as `on_fault` says,
 /// which is reported in the warnings. The result has the output's frame rate. Throws Error if a
 /// pose is not available, and for `on_fault: fail`.
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,

@@ -35,9 +35,9 @@ class Motions : public FinishedMotions {
   const Synthesis& of(const std::string& name);
 
   /// Returns the distance between two motions (motion/measures/distance/distance.h). For motion
-  /// files, the feet are first aligned with the floor and locked (settled_feet.h), as for blends;
-  /// otherwise the height of captured feet above the floor would dominate the distance. Throws
-  /// Error.
+  /// files that do not walk in place, the feet are first aligned with the floor and locked
+  /// (settled_feet.h), as for blends; otherwise the height of captured feet above the floor would
+  /// dominate the distance. Throws Error.
   motion::Distance distance(const std::string& target, const std::string& created);
 
   const motion::Clip& clip(const std::string& name) override { return of(name).motion.clip; }

@@ -31,7 +31,8 @@ ParameterRequest request_of(const Stimulus& stimulus, const Repertoire& repertoi
 const ParameterTable& table_of(const Stimulus& stimulus, const Repertoire& repertoire);
 
 /// The range of a requested parameter that blends of the examples can reach while the other
-/// requested parameters have their requested values.
+/// requested parameters have their requested values, and held ones their held values if that is
+/// feasible.
 struct FeasibleParameter {
   std::string name;
   double requested = 0.0;
@@ -40,7 +41,7 @@ struct FeasibleParameter {
   NamedValues others;            ///< the other requested parameters, and the held ones if feasible
   bool ignores_held = false;     ///< held values are infeasible and were ignored
 
-  /// Whether the requested value is in the range.
+  /// Whether a blend reaches the requested value together with the others, within 0.005.
   bool is_feasible() const;
 };
 
@@ -61,12 +62,12 @@ struct RequestedParameter {
 /// Returns "mix-1: extraversion 0.74 requested; feasible range 0.37 to 0.75 with openness 0.50".
 std::string to_sentence(const RequestedParameter& requested);
 
-/// Returns a heading and one line per parameter, each ended by a line break; empty if there are
-/// none.
+/// Returns a heading and one line per parameter, and an explanation of the mark of infeasible
+/// values if there are any. Each line is ended by a line break. Empty without parameters.
 std::string feasibility_table(const std::vector<RequestedParameter>& requested);
 
-/// Returns the requested parameters of all stimuli made from adjectives. Loads the examples only if
-/// there is such a stimulus.
+/// Returns the requested parameters of all stimuli made from adjectives, except by the statistical
+/// model. Loads the examples only if there is such a stimulus.
 std::vector<RequestedParameter> requested_parameters(const Manifest& manifest, Motions& motions);
 std::vector<RequestedParameter> requested_parameters(const Manifest& manifest);
 

@@ -32,7 +32,8 @@ struct Repertoire {
 /// ratings it names. Throws Error.
 Answers simulated_answers(const Manifest& manifest);
 
-/// Reads, retargets, trims and time-aligns the examples, and averages their ratings. Throws Error.
+/// Reads, retargets, trims and time-aligns the examples, or makes the built-in ones, and averages
+/// their ratings. Throws Error.
 Repertoire load_repertoire(const Manifest& manifest);
 
 }  // namespace mien::pipeline

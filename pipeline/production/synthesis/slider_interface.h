@@ -33,7 +33,8 @@ motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVect
 
 /// Returns the settings that an ideal user would choose for a motion with known blend weights: the
 /// weights scaled to a maximum of 1, the weighted sums of the adjectives, or the measured features,
-/// clamped to [0, 1]. Negative weights, which a statistical model may return, become 0.
+/// clamped to [0, 1]. Negative weights, which a statistical model may return, become 0; a feature
+/// that cannot be measured becomes 0.5.
 Eigen::RowVectorXd ideal_settings(const SliderInterface& interface, const motion::Example& target,
                                   const Eigen::VectorXd& weights, const Repertoire& repertoire);
 

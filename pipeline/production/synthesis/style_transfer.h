@@ -9,11 +9,11 @@
 
 namespace mien::pipeline {
 
-/// A motion after style transfer. If foot locking is enabled, its feet are locked at the plants of
-/// the original, transferred by normalized time.
+/// A motion after style transfer. If foot locking is enabled and the motion does not walk in place,
+/// its feet are locked at the plants of the original, transferred by normalized time.
 struct RestyledMotion {
   motion::Example motion;
-  /// Largest drift of a transferred plant, metres; 0 without foot locking.
+  /// Largest drift of a transferred plant, metres; 0 if the feet are not locked.
   double planted_drift_m = 0.0;
   std::vector<std::string> notes;
 };

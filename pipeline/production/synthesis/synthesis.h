@@ -17,18 +17,21 @@ namespace mien::pipeline {
 /// A synthesized motion and how it was made.
 struct Synthesis {
   motion::Example motion;  ///< at the output's frame rate; one cycle of a loop, including travel
-  /// One weight per example; empty for a motion file. They may be negative for a statistical model
-  /// (interpolation.h).
+  /// One weight per example; empty for a motion file or path. They may be negative for a
+  /// statistical model (interpolation.h).
   Eigen::VectorXd weights;
-  /// Expected error of the joint positions as estimated by kriging, metres.
+  /// Expected error of the joint positions as estimated by kriging, metres; empty for other
+  /// methods.
   std::optional<double> expected_error_m;
   NamedValues requested;  ///< the parameters that the stimulus sets
   /// The values reached for the same parameters. Adjectives: Σ weight · value over the blend;
-  /// features: measured on the finished motion, on the examples' scale.
+  /// features: measured on the motion before modifications, 0 the smallest and 1 the largest of the
+  /// examples.
   NamedValues reached;
   NamedValues held;          ///< the values at which parameters were held
   NamedValues held_reached;  ///< values of the held parameters in the blend
-  /// One per requested parameter; empty for a statistical model.
+  /// One per requested adjective or group of adjectives; empty for features and for a statistical
+  /// model.
   std::vector<FeasibleParameter> feasible;
   /// Largest horizontal drift over all foot plants of the result, metres.
   double planted_drift_m = 0.0;
@@ -40,21 +43,23 @@ struct Synthesis {
   std::vector<motion::Finding> findings;
 };
 
-/// Returns the blend weights of a stimulus: the given ones, or those computed from its adjectives
-/// or features by its interpolation method.
+/// Returns the blend weights of a stimulus that is made from examples: the given ones, or those
+/// computed from its adjectives or features by its interpolation method.
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire);
 
 /// Returns the predicted ratings of a blend: Σ weight · value for every rated parameter. Empty
 /// without ratings and for motions that are not blends or were modified afterwards.
 NamedValues rated_values(const Synthesis& synthesis, const Repertoire& repertoire);
 
-/// Makes a stimulus's motion: computes weights, blends the examples (with locked feet) and locks
-/// the feet; for `clip:`, retargets the file to the body and leaves it otherwise as captured. Then
-/// applies the modifications and checks the result with the lint. Throws Error.
+/// Makes a stimulus's motion: computes weights, blends the examples, whose feet are already locked,
+/// and locks the feet of the blend (both unless foot locking is disabled); for `clip:`, retargets
+/// the file to the body and leaves it otherwise as captured; for `path:`, walks along the path
+/// (walked_path.h). Then applies the modifications and checks the result with the lint. Throws
+/// Error.
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire);
 
 /// Returns an example of the repertoire as if a stimulus had requested only that example, for
-/// sheets that name one.
+/// sheets and overlays that name one. It is not checked with the lint.
 Synthesis synthesize_example(const std::string& name, const Output& output,
                              const Interpolation& interpolation, const Repertoire& repertoire);
 

@@ -25,12 +25,12 @@ class UnwalkableStep : public Error {
   std::string wrong_, remedy_;
 };
 
-/// Returns the walk along a stimulus's path by the steered walker on the standard body: a clip
-/// that does not loop, and the plants of its feet. A turn continues at the pace of the preceding
-/// walk, and is made on the spot if there is none. With a graph, the walk is assembled from the
-/// motions of the graph's files, on the body of the first motion; for moods, versions of all
-/// motions with the recipe of an emotion applied are blended along the path. Throws Error;
-/// UnwalkableStep for a turn of a script that deviates by more than 10°.
+/// Returns the walk along a stimulus's path by the steered walker on the standard body: a clip that
+/// does not loop, and the plants of its feet. A turn continues at the pace of the preceding walk,
+/// and is made on the spot if there is none, unless its step has a pace of its own. With a graph,
+/// the walk is assembled from the motions of the graph's files, on the body of the first motion;
+/// for moods, versions of all motions with the recipe of an emotion applied are blended along the
+/// path. Throws Error; UnwalkableStep for a turn of a script that deviates by more than 10°.
 motion::WalkedClip walked(const Stimulus& stimulus);
 
 /// Returns the path with moods given by adjectives converted to moods given by the walks of its set

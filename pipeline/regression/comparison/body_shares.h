@@ -25,11 +25,11 @@ struct ProjectedBody {
 };
 
 /// Splits the difference of two pictures among the moved parts of a body. A pixel is assigned to
-/// the nearest projected bone, before or now, if it lies within a distance equivalent to 0.15 m and
-/// the bone's part has moved. A part has moved if one of its points, or a virtual point at 0.1 m
-/// from it that rotates with it, is displaced by at least 0.05 pixels in the view of the current
-/// camera; a shift caused by the camera does not count. Shares are sorted from the largest; the
-/// unassigned remainder stands last, without a name. Empty if no pixel differs.
+/// the nearest projected bone of a moved part, before or now, if that bone is within a distance
+/// equivalent to 0.15 m. A part has moved if one of its points, or a virtual point at 0.1 m from it
+/// that rotates with it, is displaced by at least 0.05 pixels in the view of the current camera; a
+/// shift caused by the camera does not count. Shares are sorted from the largest; the unassigned
+/// remainder stands last, without a name. Empty if no pixel differs.
 std::vector<BodyShare> body_shares(const render::Image8& picture_before,
                                    const render::Image8& picture_now, const ProjectedBody& before,
                                    const ProjectedBody& now);

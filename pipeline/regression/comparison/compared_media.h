@@ -20,8 +20,9 @@ struct ComparedMedia {
   std::string now;
   int frames_before = 0;
   int frames_now = 0;
-  /// Visible differences other than in pixels: frames that are missing or shown at a different
-  /// time, and mirrored pictures (which are mirrored back before comparison).
+  /// Visible differences other than in pixels: frames that are missing, added or shown at a
+  /// different time, mirrored pictures (which are mirrored back before comparison), and those of
+  /// the containers (compare_containers).
   std::vector<std::string> remarks;
   std::vector<std::string> notes;  ///< invisible differences between the files, such as the codec
   int frames_compared = 0;
@@ -32,8 +33,9 @@ struct ComparedMedia {
   std::vector<FrameComparison> worst;  ///< frames with the largest RMS, at most five
   double perceptual_limit = 0.0;       ///< largest permitted mean ꟻLIP error of a frame, 0 … 1
 
-  /// Whether `remarks` is empty and no frame exceeds `perceptual_limit`. Frame times that differ by
-  /// no more than the sum of the units in which both files store them count as the same.
+  /// Whether `remarks` is empty and no frame of `worst` exceeds `perceptual_limit`. Frame times
+  /// that differ by no more than the sum of the units in which both files store them count as the
+  /// same.
   bool are_alike() const;
 };
 
@@ -46,10 +48,10 @@ ComparedMedia compared_media(const std::filesystem::path& before, const std::fil
 std::string as_text(const ComparedMedia& media);
 nlohmann::ordered_json as_json(const ComparedMedia& media);
 
-/// Compares the containers of two videos. `remarks` receives visible differences: frame times or
-/// durations that differ by more than the sum of the units in which both containers store times
-/// (Matroska: milliseconds) and colours that are displayed differently. `notes` receives invisible
-/// differences: codec and pixel format.
+/// Compares the containers of two videos. `remarks` receives visible differences: frame rates,
+/// frame times or durations that differ by more than the sum of the units in which both containers
+/// store times (Matroska: milliseconds) and colours that are displayed differently. `notes`
+/// receives invisible differences: codec and pixel format.
 void compare_containers(const render::VideoSummary& before, const render::VideoSummary& now,
                         std::vector<std::string>& remarks, std::vector<std::string>& notes);
 

@@ -34,7 +34,7 @@ ComparedMotions compared_motion_files(const std::string& before, const std::stri
 /// level, in centimetres and degrees. Ends with a newline.
 std::string as_text(const ComparedMotions& motions);
 
-/// Returns all differences in metres, radians and seconds, with one curve per joint.
+/// Returns all differences in metres, radians and seconds.
 nlohmann::ordered_json as_json(const ComparedMotions& motions);
 
 }  // namespace mien::pipeline

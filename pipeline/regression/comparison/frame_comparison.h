@@ -33,7 +33,8 @@ struct FrameComparison {
   std::vector<BodyShare> shares;  ///< set if the motion has changed
 };
 
-/// Returns everything except `noise` and `shares`. `threads` 0: one per core.
+/// Returns everything except `name`, `noise` and `shares`. If the pictures are equal, the measures
+/// keep their defaults. `threads` 0: one per core.
 FrameComparison compare_pictures(int frame, const render::Image8& before, const render::Image8& now,
                                  int threads = 0);
 

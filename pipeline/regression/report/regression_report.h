@@ -9,14 +9,15 @@
 namespace mien::pipeline {
 
 /// Returns the report as one self-contained HTML page that works without a network: causes first,
-/// then the stimuli that differ, then the others. Each stimulus can be expanded to show its key
-/// frames, and videos if the baseline stores them, under a slider, alternating or as a difference;
-/// the ꟻLIP map; both motions in 3-D; and their distance over time and by body part.
-/// report_pictures.h and report_videos.h limit how many pictures and videos the page embeds. Reads
-/// `study.pictures`. Throws the errors of reading the files.
+/// then the stimuli that differ, appeared, are gone or are alike; unchanged stimuli are omitted.
+/// Each stimulus can be expanded to show its key frames, and videos if the baseline stores them,
+/// under a slider, alternating or as a difference; the ꟻLIP map; both motions in 3-D; and their
+/// distance over time and by body part. report_pictures.h and report_videos.h limit how many
+/// pictures and videos the page embeds. Reads `study.pictures`. Throws the errors of reading the
+/// files.
 ///
 /// `script` is the JavaScript that displays them (bundled by page/build.mjs as regress). If it is
-/// empty, the page contains only text and says so.
+/// empty, the page does not contain these displays, and says so.
 std::string regression_report(const Regression& regression, const ComparedStudy& study,
                               const std::string& script, ReportVideos videos = {});
 

@@ -8,10 +8,12 @@
 
 namespace mien::pipeline {
 
-/// Returns text for a terminal: groups by cause, then the differences, then a summary line.
+/// Returns text for a terminal: groups by cause, then the differences, a summary line, and lines
+/// about stimuli not compared, planted defects, repetitions and unapproved videos.
 std::string plain_text(const Regression& regression);
 
-/// Returns the same in GitHub's Markdown, for a pull request.
+/// Returns these in GitHub's Markdown, for a pull request, without causes of single stimuli and
+/// without repetitions.
 std::string markdown_text(const Regression& regression);
 
 /// Returns JUnit XML for CI systems: one test case per stimulus and one for the planted defects.
@@ -20,8 +22,8 @@ std::string junit_text(const Regression& regression);
 /// Returns everything as JSON. Lengths are in metres, angles in radians, times in seconds.
 nlohmann::ordered_json as_json(const Regression& regression);
 
-/// Returns a summary, "12 same, 1 alike, 3 differ"; it also says if a planted defect was not
-/// detected.
+/// Returns a summary, "12 same, 1 alike, 3 differ"; it also states widened limits, and if a planted
+/// defect was not detected.
 std::string summary_text(const Regression& regression);
 
 /// Returns one cause: "80 % motion: weights.sad 0.4 → 0.41 (the evidence)".
@@ -40,7 +42,7 @@ std::string group_text(const CauseGroup& group);
 std::string motion_text(const StimulusComparison& comparison);
 
 /// Returns the most important difference of a stimulus: that of its motion, otherwise the first
-/// reason.
+/// reason; without either, the verdict in words.
 std::string first_words(const StimulusComparison& comparison);
 
 /// Returns a line about the stimuli with videos of which none is approved; empty if there are none.

@@ -28,12 +28,12 @@ inline constexpr std::size_t most_with_every_frame = 50;
 /// Target for the total size of a page's pictures, in bytes.
 inline constexpr std::uintmax_t most_picture_bytes = 64U << 20U;
 
-/// Returns the largest choice whose pictures have at most this total size. A page with very many
-/// large pictures may exceed it.
+/// Returns the largest choice whose pictures have at most this total size; every frame is chosen
+/// for at most most_with_every_frame stimuli. A page with very many large pictures may exceed it.
 ReportPictures fitting_pictures(const Regression& regression, const ComparedPictures& pictures);
 
 /// Returns the frames of a stimulus that the page shows, ascending: those that differ and have
-/// equal sizes.
+/// equal sizes or, unless `every_frame`, only the one of these with the largest mean ꟻLIP error.
 std::vector<const FrameComparison*> shown_frames(const StimulusComparison& one, bool every_frame);
 
 /// Returns a PNG as a data URI. Throws the errors of reading and writing.

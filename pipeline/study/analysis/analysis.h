@@ -48,8 +48,9 @@ struct Analysis {
 };
 
 /// Analyses answers. Without given names, each cluster is named after the group of the scales file
-/// with the highest Jaccard index, or "cluster-2" if no group remains. A group names at most one
-/// cluster; the pairs of cluster and group with the highest index are matched first.
+/// with the highest Jaccard index or, if no remaining group shares a scale with it, by its number:
+/// "cluster-2". A group names at most one cluster; the pairs of cluster and group with the highest
+/// index are matched first.
 ///
 /// Throws Error for an example without ratings on some scale, for names whose number differs from
 /// that of the clusters, and for a name that is empty, repeated or the id of a scale.

@@ -32,7 +32,7 @@ struct StimulusParameter {
 std::vector<StimulusParameter> read_stimulus_parameters(const std::filesystem::path& study,
                                                         std::vector<Fault>& warnings);
 
-/// The study's stimuli without requested parameters.
+/// The ids of the study's stimuli without requested parameters.
 std::set<std::string> other_stimuli(const std::filesystem::path& study,
                                     const std::vector<StimulusParameter>& made);
 
@@ -51,13 +51,16 @@ struct PerceivedParameter {
 };
 
 /// The line perceived = intercept + slope · requested, fitted by least squares over the stimuli of
-/// one parameter.
+/// one parameter. If all requested values are equal, the slope is 0 and the intercept the mean
+/// perceived value.
 struct Correction {
   std::string parameter;
   int stimuli = 0;
   double intercept = 0.0;
   double slope = 0.0;
-  double slope_error = 0.0;  ///< standard error of the slope; NaN for two stimuli
+  double slope_error = 0.0;  ///< standard error of the slope; NaN for fewer than three stimuli or
+                             ///< equal requested values
+  /// NaN if all requested values or all perceived values are equal.
   double r_squared = 0.0;
 
   /// The value to request so that `wanted` is perceived.
@@ -69,7 +72,7 @@ struct Correction {
 
 struct Calibration {
   std::vector<PerceivedParameter> stimuli;  ///< parameters of stimuli with at least one rating
-  std::vector<Correction> corrections;      ///< one per parameter
+  std::vector<Correction> corrections;      ///< one per rated parameter
   bool simulated = false;
 };
 
@@ -84,7 +87,7 @@ WrittenTable calibration_table(const Calibration& calibration);
 WrittenTable corrections_table(const Calibration& calibration);
 
 /// A panel for each parameter: perceived (with standard deviation) over requested values, the
-/// values of the blend, the regression line, and the diagonal of perfect agreement.
+/// values of the blend, the regression line if it is usable, and the diagonal of perfect agreement.
 Plot calibration_chart(const Calibration& calibration);
 
 }  // namespace mien::pipeline

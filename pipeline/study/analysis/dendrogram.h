@@ -27,8 +27,8 @@ struct Dendrogram {
 };
 
 /// A horizontal tree: one row per leaf at the left, merge heights √(2ΔE) to the right, the cut as a
-/// dashed line, and each cluster in its own colour with its name beside a bracket. Its width is
-/// that of an A4 page's text; its height is proportional to the number of leaves.
+/// dashed line, and each cluster in one of six colours, which repeat, with its name beside a bar.
+/// The width fits an A4 page; the height grows with the number of leaves.
 Plot dendrogram_plot(const Dendrogram& dendrogram);
 
 }  // namespace mien::pipeline

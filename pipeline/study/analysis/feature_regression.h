@@ -24,7 +24,8 @@ struct ParameterRegression {
   std::string parameter;
   RidgeModel model;
   Eigen::VectorXd observed;             ///< ratings of the examples, fraction of the scale's range
-  std::vector<PredictionCheck> checks;  ///< by example, and by style if a style has several takes
+  std::vector<PredictionCheck> checks;  ///< by example; also by style if there are several styles
+                                        ///< and one of them has several takes
   double error_90 = 0.0;       ///< 90th percentile of the absolute errors of the last of `checks`
   double mean_leverage = 0.0;  ///< over the examples
   double largest_leverage = 0.0;  ///< over the examples
@@ -34,7 +35,7 @@ struct ParameterRegression {
 /// work).
 struct FeatureRegression {
   std::vector<std::string> features;  ///< ids of the features that all examples have
-  std::vector<int> feature_indices;
+  std::vector<int> feature_indices;   ///< indices of `features` in motion_features()
   std::vector<std::string> examples;
   std::vector<int> style_of_example;  ///< examples of one style have the same number
   std::vector<ParameterRegression> parameters;
@@ -45,18 +46,17 @@ struct FeatureRegression {
 std::string style_of(const std::string& example);
 
 /// Fits a ridge regression from the standardised features to each parameter of the ratings. The
-/// penalty is the one with the least cross-validated error for left-out styles, or for left-out
-/// examples if no style has several takes. Throws Error if there are no ratings or fewer than four
-/// examples.
+/// penalty is the one with the least cross-validated error for left-out styles or, if `checks` has
+/// no check by style, for left-out examples. Throws Error if there are no ratings or fewer than
+/// four examples.
 FeatureRegression fit_feature_regression(const Repertoire& repertoire);
 
 /// Predicted rating of a motion, with its uncertainty.
 struct Prediction {
   std::string parameter;
   double value = 0.0;  ///< fraction of the scale's range; not clipped
-  /// 90 % interval: value ± the 90th percentile of the errors on left-out examples (the jackknife
-  /// interval of Barber et al. 2021), scaled by √((1 + leverage) / (1 + mean leverage)), where the
-  /// mean is over the examples.
+  /// 90 % interval: value ± error_90 (as in the jackknife interval of Barber et al. 2021), scaled
+  /// by √((1 + leverage) / (1 + mean leverage)), where the mean is over the examples.
   double low = 0.0;
   double high = 0.0;
   double leverage = 0.0;

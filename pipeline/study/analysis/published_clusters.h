@@ -20,8 +20,9 @@ struct PublishedComparison {
   double adjusted_rand = 0.0;
 };
 
-/// Compares an analysis with Tables 2 and 3. Empty unless every scale is an adjective pair of the
-/// paper.
+/// Compares an analysis with Tables 2 and 3. Empty unless every scale with answers is an adjective
+/// pair of the paper. If the thresholds exclude all scales, all of them count as retained here,
+/// since all are clustered.
 std::vector<PublishedComparison> compare_with_published(const Analysis& analysis);
 
 /// A row for each table.

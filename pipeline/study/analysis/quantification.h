@@ -24,11 +24,11 @@ struct Quantity {
   std::string scale;
   double largest_mean = 0.0;  ///< max over examples of the mean's distance from the scale's middle
   int extreme_example = 0;    ///< index of the first example with that distance
-  double mean_deviation = 0.0;  ///< mean over examples of the SD over raters; NaN if only means are
-                                ///< known
-  Thresholds thresholds;        ///< for the range of this scale
-  bool neutral = false;         ///< largest_mean < threshold
-  bool disputed = false;        ///< mean_deviation > threshold
+  /// Mean over examples of the SD over raters; NaN if that of an example is unknown.
+  double mean_deviation = 0.0;
+  Thresholds thresholds;  ///< for the range of this scale
+  bool neutral = false;   ///< largest_mean < threshold
+  bool disputed = false;  ///< mean_deviation > threshold
 
   bool retained() const { return !neutral && !disputed; }
 };
@@ -52,10 +52,11 @@ struct ThresholdPoint {
 std::vector<ThresholdPoint> threshold_curve(const std::vector<Quantity>& quantities,
                                             const Thresholds& thresholds, const ScaleSet& scales);
 
-/// Thresholds that retain at least half of the scales. Both are relaxed by the same smallest
-/// sufficient factor (largest_mean divided by it, mean_deviation multiplied) and rounded to 0.01 so
-/// that they become looser. A threshold that every scale meets is unchanged. Returns `thresholds`
-/// if they already retain half of the scales.
+/// Thresholds that retain at least half of the scales or, if fewer can be retained by relaxing the
+/// thresholds, all of these. Both are relaxed by the same smallest sufficient factor (largest_mean
+/// divided by it, mean_deviation multiplied) and rounded to 0.01 so that they become looser. A
+/// threshold that every scale meets is unchanged. Returns `thresholds` if they already retain half
+/// of the scales, or if none can be retained.
 Thresholds loosened_thresholds(const std::vector<Quantity>& quantities,
                                const Thresholds& thresholds, const ScaleSet& scales);
 

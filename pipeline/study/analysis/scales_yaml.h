@@ -15,8 +15,8 @@ std::string to_yaml(const ScaleSet& set, const std::string& head,
                     const std::map<std::string, std::string>& remarks = {});
 
 /// The scales of a study as a scales file for `scales:` in a manifest, with the clusters of its
-/// analysis as groups. It also contains the scales that the thresholds exclude, because answers
-/// name them, each with a comment that gives the reason.
+/// analysis as groups. It also contains the scales without answers and those that the thresholds
+/// exclude, each with a comment that gives the reason.
 std::string clusters_yaml(const Analysis& analysis, const ScaleSet& scales);
 
 /// The 41 built-in adjective pairs as a scales file, the clusters of Table 2 as groups.

@@ -21,7 +21,7 @@ struct LiveChoice {
       primary;  ///< adjectives shown initially; empty: the scales' groups or, without groups, all
 };
 
-/// The manifest's settings, without targets.
+/// The manifest's settings; `targets` and `primary` are empty.
 LiveChoice live_choice(const Manifest& manifest);
 
 /// Everything that a browser needs to synthesize motions from the study's examples. The motions
@@ -34,9 +34,9 @@ motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,
 nlohmann::ordered_json body_info(const motion::Skeleton& body);
 
 /// The JSON that pages load first (LiveInfo of pipeline/study/page/src/live/core.ts): body,
-/// examples, targets, and sliders with their texts and the mean value of the examples. `primary`
-/// lists the adjectives shown initially; empty: the scales' groups, or all adjectives if there are
-/// no groups.
+/// examples, targets, sliders with their texts and the mean value of the examples, and how motions
+/// are synthesized (foot locking, method, frame rate). `primary` lists the adjectives shown
+/// initially; empty: the scales' groups, or all adjectives if there are no groups.
 nlohmann::ordered_json live_info(const motion::LiveBundle& bundle, const ScaleSet& scales,
                                  const std::vector<std::string>& primary);
 

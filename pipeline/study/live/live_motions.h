@@ -27,8 +27,8 @@ namespace mien::pipeline {
 ///     POST example     {"name": "normal"}
 ///     POST target      {"name": "t1"}
 ///
-/// Responses to POST are bytes (motion/live/live_message.h). Invalid requests get status 400 or 404
-/// and JSON with the reason. The caller is responsible for rate limits.
+/// Responses to POST are bytes (motion/live/live_message.h). Invalid requests get status 400, 404
+/// or 405 and JSON with the reason. The caller is responsible for rate limits.
 class LiveMotions {
  public:
   /// `at_once`: number of requests handled simultaneously; 0: one per processor.

@@ -40,9 +40,9 @@ struct MatchingShare {
 };
 
 /// A comparison of two interfaces by the differences first − second of each participant, for one
-/// target or averaged over the targets matched with both interfaces. Arithmetic is exact for
-/// numbers with few decimals, so that ties are detected. A difference of times is the time that the
-/// second interface saves.
+/// target, or averaged over the targets for which the participant has a value with both interfaces.
+/// Arithmetic is exact for numbers with few decimals, so that ties are detected. A difference of
+/// times is the time that the second interface saves.
 struct MatchingComparison {
   MatchingMeasure measure = MatchingMeasure::first_guess_d;
   std::string target;  ///< empty: all

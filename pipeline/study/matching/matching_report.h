@@ -13,14 +13,15 @@ namespace mien::pipeline {
 void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResults& results,
                       const std::filesystem::path& folder);
 
-// Figures 7 to 11 of the adjective paper: one bar per interface, grouped by target, with a final
-// group over all targets. With more than twelve targets, only that group is drawn.
+// Figures 7 to 11 of the adjective paper: one bar per interface (or pair of interfaces), grouped by
+// target, with a final group over all targets. With one target, or more than twelve, only that
+// group is drawn.
 
 /// D of the first guess in metres: mean ± 1 SD, with the threshold.
 BarChart first_guess_chart(const MatchingEvaluation& evaluation, bool simulated);
 /// Share of first guesses below the threshold.
 BarChart first_guess_success_chart(const MatchingEvaluation& evaluation, bool simulated);
-/// Seconds until the match: mean ± 1 SD.
+/// Seconds until the match: mean ± 1 SD. Trials without a match count with the time limit.
 BarChart time_chart(const MatchingEvaluation& evaluation, bool simulated);
 /// Seconds that the second interface of each pair saves (first − second), with 90 % intervals;
 /// positive if the second is faster.

@@ -45,11 +45,12 @@ struct MatchingSettings {
 /// `settings`, else of the tables, else 0.06 m; it only determines which first guesses count as
 /// near.
 ///
-/// Throws Faults with all faults: missing columns, invalid or negative numbers, a success after the
-/// limit or without a time, a success that is neither 0 nor 1, empty names, and repeated trials.
-/// Throws Error for rows of several designs, limits or thresholds, for a mixture of real and
-/// simulated rows, for a limit in `settings` that differs from that of the tables, and if there are
-/// no trials.
+/// Throws Faults with all faults: invalid or negative numbers, a success after the limit or with an
+/// empty time ("NA" is accepted), a success that is neither 0 nor 1, empty names, and repeated
+/// trials. Throws Error for missing columns, for rows of several designs, limits or thresholds, for
+/// a limit or threshold in the tables that is not positive, for a mixture of real and simulated
+/// rows, for a limit in `settings` that differs from that of the tables, and for a table without
+/// trials.
 MatchingResults read_matching_results(const std::vector<std::filesystem::path>& files,
                                       const MatchingSettings& settings = {});
 MatchingResults matching_results(const std::vector<CsvTable>& tables,

@@ -31,8 +31,9 @@ struct MethodResult {
 };
 
 /// Evaluates each method with sliders for `parameters` (names of rated scales or groups). Requests
-/// are the parameters of random blends of three examples, so that all are reachable; D is measured
-/// to the blend. Throws Error if a method does not support that number of parameters.
+/// are the parameters of random blends of three examples, of which one may be drawn repeatedly, so
+/// that all requests are reachable; D is measured to the blend. Throws Error if a method does not
+/// support that number of parameters.
 std::vector<MethodResult> compare_methods(const Repertoire& repertoire,
                                           const std::vector<std::string>& parameters,
                                           const std::vector<motion::InterpolationMethod>& methods,

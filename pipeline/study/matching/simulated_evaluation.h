@@ -15,9 +15,10 @@ struct EvaluationOptions {
   /// Interpolation methods to evaluate. Each method synthesizes the targets from the same
   /// parameters. Empty: the method of `interpolation`.
   std::vector<motion::InterpolationMethod> methods;
-  /// Steps of slider grids; of each grid, the setting nearest to the target's is tried.
+  /// Steps of slider grids. Of each grid, the setting nearest to the ideal one for the target is
+  /// tried.
   std::vector<double> steps = {0.1, 0.25};
-  int users = 10;  ///< number of simulated users per target and interface
+  int users = 10;  ///< number of simulated users per target, interface and method
   std::uint64_t seed = 0;
   double threshold = motion::distance_threshold_m;  ///< D below which motions match, metres
 };
@@ -29,11 +30,12 @@ struct InterfaceResult {
   InterfaceKind kind = InterfaceKind::adjectives;
   double step = 0.0;  ///< step of the grid; 0: a simulated user
   int user = 0;       ///< number of the simulated user, from 1; 0: nearest setting of a grid
-  double first_distance = 0.0;  ///< D of the nearest grid setting or of a first guess, metres
-  double distance = 0.0;        ///< final D, metres
-  int views = 1;                ///< motions synthesized and viewed
-  bool first_matches = false;   ///< first_distance is below the threshold
-  bool matches = false;         ///< the final D is below the threshold
+  /// D of the nearest grid setting, or of the first guess of a simulated user, metres.
+  double first_distance = 0.0;
+  double distance = 0.0;       ///< final D, metres
+  int views = 1;               ///< motions synthesized and viewed
+  bool first_matches = false;  ///< first_distance is below the threshold
+  bool matches = false;        ///< the final D is below the threshold
 };
 
 /// Three interfaces: with a slider for each primary adjective, for each primary feature, and for
@@ -54,23 +56,23 @@ struct InterfaceSummary {
   double step = 0.0;           ///< step of the grid; 0: simulated users
   int count = 0;               ///< number of results
   double mean_first = 0.0;     ///< first distance
-  double sd_first = 0.0;       ///< with divisor n − 1
+  double sd_first = 0.0;       ///< with divisor n − 1; 0 for one result
   double first_success = 0.0;  ///< share of first guesses below the threshold
   double mean_last = 0.0;      ///< final distance
-  double sd_last = 0.0;        ///< with divisor n − 1
+  double sd_last = 0.0;        ///< with divisor n − 1; 0 for one result
   double failure = 0.0;        ///< share of results that did not match
   double mean_views = 0.0;
 };
 
-/// A summary for each method, interface and step, in the order of the results.
+/// A summary for each method, interface and step, in the order of their first results.
 std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& results);
 
 WrittenTable results_table(const std::vector<InterfaceResult>& results);
 WrittenTable summary_table(const std::vector<InterfaceSummary>& summaries);
 
 /// Bar charts of the summaries, marked as simulated: D of the nearest grid settings and of first
-/// guesses with ±1 SD and the threshold, success of first guesses, and failures (like figures 7, 8
-/// and 11 of the adjective paper).
+/// guesses with ±1 SD and the threshold, success of first guesses, and failures of the simulated
+/// users (like figures 7, 8 and 11 of the adjective paper).
 Plot simulated_chart(const std::vector<InterfaceSummary>& summaries, double threshold_m);
 
 }  // namespace mien::pipeline

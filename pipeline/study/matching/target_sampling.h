@@ -47,11 +47,12 @@ struct TargetOptions {
 /// Samples targets for a matching experiment, as in the second study of the adjective paper. Points
 /// are drawn uniformly from [0, 1]^M and rounded to 0.001. Points farther than `max_distance` from
 /// every example are rejected; points that no blend reaches are rejected or projected. From 400
-/// such points, targets are chosen by farthest-point sampling (Gonzalez 1985), starting with the
-/// point farthest from the mean. Practice targets are the first points, in order of drawing, that
-/// were not chosen.
+/// distinct points of this kind (fewer if 200 000 draws do not yield so many), targets are chosen
+/// by farthest-point sampling (Gonzalez 1985) in the spread coordinates, starting with the point
+/// farthest from the mean. Practice targets are the first points, in order of drawing, that were
+/// not chosen.
 ///
-/// `parameters` are rows of the table. Throws Error if too few points are accepted.
+/// `parameters` are names of rows of the table. Throws Error if too few points are accepted.
 std::vector<SampledTarget> sample_targets(const ParameterTable& table,
                                           const std::vector<std::string>& parameters,
                                           const TargetOptions& options);

@@ -182,11 +182,11 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
                                            int participants) {
   const TrialForm& form = *questionnaire_of(manifest).trials;
   std::vector<std::string> sentences = {
-      fmt::format("Each {} is shown to {} of {}.", form.subject,
+      fmt::format("Each {} is shown to {} of {}.", form.judged,
                   range_text(participant_range(balance), "participants"), participants),
-      fmt::format("Each {} appears {} in each position.", form.subject,
+      fmt::format("Each {} appears {} in each position.", form.judged,
                   range_text(position_range(balance), "times")),
-      fmt::format("Each {} directly follows every other one {}.", form.subject,
+      fmt::format("Each {} directly follows every other one {}.", form.judged,
                   range_text(succession_range(balance), "times")),
       fmt::format("Every pair of {} co-occurs in {}.", form.stimuli > 1 ? "pairs" : "stimuli",
                   range_text(concurrence_range(balance), "sessions"))};

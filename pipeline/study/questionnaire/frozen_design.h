@@ -17,8 +17,8 @@ struct ShownMedia {
   std::string path;  ///< in the study's folder: "videos/walk.mp4", "clips/walk.glb"
 };
 
-/// The media of all stimuli that a questionnaire shows (shown_stimuli): videos, or 3-D motions if
-/// participants may rotate the view.
+/// The media of all stimuli that a questionnaire shows (shown_stimuli): their videos in all formats
+/// and, if participants may rotate the view, also their 3-D motions.
 std::vector<ShownMedia> shown_media(const Manifest& manifest);
 
 /// A snapshot of a questionnaire's design for preregistration:
@@ -36,8 +36,9 @@ std::vector<ShownMedia> shown_media(const Manifest& manifest);
 ///     dummy-report/…       a report on simulated answers
 ///     manifest-sha256.txt  hashes of all these files
 ///
-/// It contains no dates, so that the same study results in the same bytes. `study_folder` is the
-/// output folder of the study. Throws Error if the media of a stimulus are missing.
+/// The dummy report is added later, by add_dummy_answers and add_folder. The bundle contains no
+/// dates, so that the same study results in the same bytes. `study_folder` is the output folder of
+/// the study. Throws Error if the media of a stimulus are missing.
 ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                        const std::filesystem::path& study_folder);
 
@@ -45,8 +46,9 @@ ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>&
 /// Error for entries that are neither files nor folders.
 void add_folder(ZipFiles& frozen, const std::filesystem::path& folder, const std::string& prefix);
 
-/// Simulated answers without differences between stimuli, of participants who pass every attention
-/// check.
+/// Simulated answers whose true ratings are the same for all stimuli, of participants who pass
+/// every attention check. In emotion trials, the intended emotion is recognised at the usual rate
+/// (SimulatedParticipants).
 std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
                                      const std::vector<SessionPlan>& plans);
 
@@ -55,11 +57,13 @@ std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans);
 
-/// Compares a study with a frozen bundle. Returns one sentence per difference, which begins with
-/// its subject (design, texts, scales, analysis, stimuli, inputs); empty if there are none. If
-/// `study_folder` does not exist, media are not compared and a sentence states that.
+/// Compares a study with a frozen bundle. Returns sentences about the differences, each of which
+/// begins with its subject (such as design, participants, plans of participants, scales, analysis,
+/// inputs or stimuli); empty if there are none. If `study_folder` is empty, media are not compared
+/// and a sentence states that.
 ///
-/// Throws Error if `bundle` is not a frozen bundle or its hashes do not match.
+/// Throws Error if `bundle` is not a frozen bundle or its hashes do not match, and if media are
+/// missing in `study_folder`.
 std::vector<std::string> frozen_differences(const std::filesystem::path& bundle,
                                             const Manifest& manifest,
                                             const std::filesystem::path& study_folder = {});

@@ -17,7 +17,8 @@ struct MainTrial {
 
 /// The main part for participant `index`: warm-up trials, then the subjects of `share` in the order
 /// that `questionnaire.order` determines, with repetitions inserted. Throws Error if no order
-/// satisfies `questionnaire.no_repeats` or `questionnaire.retest.repeat`.
+/// satisfies `questionnaire.no_repeats` or `questionnaire.retest.repeat`, or if there are too few
+/// stimuli for the warm-up.
 std::vector<MainTrial> main_part(const Manifest& manifest, const TrialSubjects& subjects,
                                  const std::vector<std::size_t>& share, int index);
 

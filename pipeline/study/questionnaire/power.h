@@ -20,9 +20,9 @@ struct PowerOptions {
   int studies = 4000;         ///< number of studies simulated for each number of participants
   int max_participants = 1000;
   std::uint64_t seed = 0;
-  /// If empty, two stimuli of the design are compared. Otherwise two levels of this factor are
-  /// compared, by each participant's mean over the stimuli seen at each level; stimulus effects are
-  /// drawn anew for each simulated study.
+  /// If empty, two stimuli of the design are compared, drawn anew for each simulated study.
+  /// Otherwise two levels of this factor are compared, by each participant's mean over the stimuli
+  /// seen at each level; stimulus effects are drawn anew for each simulated study.
   std::string factor;
   std::string level, other_level;
 };
@@ -42,15 +42,19 @@ struct PowerEstimate {
   SimulatedShare power;            ///< at the planned number
   SimulatedShare false_positives;  ///< at the planned number, without a true difference
   double usable = 0.0;             ///< mean number of participants who saw both stimuli or levels
-  int needed = 0;       ///< smallest number with the intended power; 0: more than max_participants
-  int needed_low = 0;   ///< smallest number for which the power's upper limit is high enough
-  int needed_high = 0;  ///< the same for its lower limit; 0: more than max_participants
+  int needed = 0;  ///< smallest number with the intended power; 0: more than max_participants
+  /// Smallest number for which the upper limit of the power's interval reaches the intended power;
+  /// 0: more than max_participants.
+  int needed_low = 0;
+  /// Smallest number for which the lower limit of the power's interval reaches the intended power;
+  /// 0: more than max_participants.
+  int needed_high = 0;
 };
 
 /// Estimates the power of the test by simulation, and the number of participants needed.
 /// Deterministic in the seed. The same simulated participants are used for all numbers of
-/// participants. Throws Error for a factor or level that the stimuli do not have, and for designs
-/// in which no participant sees two stimuli.
+/// participants. Throws Error for a factor or level that the stimuli do not have, for designs in
+/// which no participant sees two stimuli, and for trials that compare pairs.
 PowerEstimate estimate_power(const Manifest& manifest, const PowerOptions& options);
 
 /// Whether differences among stimuli of the same level raise the false-positive rate of the test

@@ -23,12 +23,14 @@ struct CrossedRating {
 
 /// Estimates variance components from ratings on one scale, by an analysis of variance with two
 /// crossed random factors without repetition. Data may be unbalanced (method 1 of Henderson 1953).
-/// Negative estimates become 0. Throws Error for fewer than two participants or stimuli, or if
-/// participant and stimulus effects are confounded.
+/// Negative estimates become 0. Throws Error for fewer than two participants or stimuli, for fewer
+/// ratings than participants and stimuli together, or if participant and stimulus effects are
+/// confounded.
 RatingSpread spread_of(const std::vector<CrossedRating>& ratings);
 
 /// Estimates variance components over several scales, as the means of the scales' variances.
-/// Repeated ratings by a participant are averaged first.
+/// Repeated ratings of a stimulus by a participant are averaged first. Throws Error also for
+/// answers that are means over participants.
 RatingSpread spread_of(const Answers& answers);
 
 }  // namespace mien::pipeline

@@ -28,18 +28,18 @@ struct SessionPlan {
 using VideoSeconds = std::map<std::string, double>;
 inline constexpr double usual_video_seconds = 4.0;
 
-/// The session plans of `count` participants, or of all planned ones if `count` is 0. Each plan is
-/// a pure function of (manifest, index), so further participants do not change earlier plans. The
-/// manifest must have a valid questionnaire.
+/// The session plans of `count` participants, or of all planned ones if `count` is 0. Each plan,
+/// apart from its expected duration, is a pure function of (manifest, index), so further
+/// participants do not change earlier plans. The manifest must have a valid questionnaire.
 ///
-/// Throws Error if no order satisfies `questionnaire.no_repeats`.
+/// Throws Error as main_part() does.
 std::vector<SessionPlan> plan_sessions(const Manifest& manifest, const VideoSeconds& seconds = {},
                                        int count = 0);
 
 /// Index of the plan for the next participant, given that plan i was assigned to `assigned[i]`
 /// participants and finished by `finished[i]` of them: among the plans assigned least often, the
-/// first one whose stimuli were rated least often in finished sessions. Both vectors have the size
-/// of `plans`, which must not be empty.
+/// first one whose stimuli were, on average, rated least often in finished sessions. Both vectors
+/// have the size of `plans`, which must not be empty.
 std::size_t next_plan(const std::vector<SessionPlan>& plans, const std::vector<int>& assigned,
                       const std::vector<int>& finished);
 

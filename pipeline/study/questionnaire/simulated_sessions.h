@@ -17,7 +17,7 @@ namespace mien::pipeline {
 using StatedTruth = std::map<std::pair<std::string, std::string>, double>;
 
 /// Reads a CSV with the columns stimulus, scale and value. Throws Faults for stimuli and scales
-/// that are not in the questionnaire, and for values outside the scale.
+/// that are not in the questionnaire, and for values that are not numbers or are outside the scale.
 StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& file);
 
 /// True ratings by the model of simulated raters (simulated_raters.h) from features of the motions,
@@ -35,15 +35,15 @@ struct SimulatedParticipants {
 };
 
 /// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the
-/// participant on that scale plus a residual, rounded to the points of the questionnaire. In a
-/// pair, the stimulus with the higher rating is chosen. Deterministic in the seed of each plan.
-/// Each row is marked as simulated.
+/// participant on that scale plus a residual, clamped to the scale and rounded to the points of the
+/// questionnaire. In a pair, the stimulus with the higher rating before rounding is chosen.
+/// Deterministic in the seed of each plan. Each row is marked as simulated.
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,
                                           const SimulatedParticipants& people = {});
 
-/// Hash of everything that participants see: plans, texts and settings.
+/// Hash of everything that participants see except the media: plans, texts, scales and settings.
 std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>& plans);
 
 }  // namespace mien::pipeline

@@ -13,7 +13,7 @@ struct AnswerFiles {
 
 /// Finds the tables in files and folders named by a user.
 ///
-/// In a folder, the tables of answers are answers.csv and *answers_data.csv (as saved by the page
+/// In a folder, the tables of answers are answers.csv and *answers_data*.csv (as saved by the page
 /// and by exports), sorted by name. They are searched for in the folder itself and then in data/,
 /// answers/ and answers/data/ below it, until one of these contains any. The table of participants
 /// is expected in the same folder as the answers: `x_description-participant_data.csv` (or

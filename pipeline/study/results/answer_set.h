@@ -22,8 +22,8 @@ struct ReportedStimulus {
   std::string made;     ///< level of the factor `made` (how the motion was produced): acted,
                         ///< modified, as-is …; may be empty
   std::string emotion;  ///< level of the factor `emotion`; may be empty
-  /// Levels of all other factors of the manifest: "woman, walk". Most comparisons are between
-  /// stimuli of the same setting.
+  /// Levels of all other factors of the manifest except `strength`, `example` and `clip`: "woman,
+  /// walk". Most comparisons are between stimuli of the same setting.
   std::string setting;
   Factors factors;
 
@@ -73,7 +73,8 @@ struct ReportChoices {
   bool without_unfinished = false;  ///< exclude participants who did not finish
 };
 
-/// A participant who answered fewer trials than planned.
+/// A participant who answered fewer trials than planned and is not among `finished`
+/// (ReportChoices).
 struct Unfinished {
   std::string participant;
   int trials = 0;   ///< number of answered trials

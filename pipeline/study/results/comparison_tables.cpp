@@ -130,7 +130,7 @@ constexpr auto overall_columns = result_table<OverallRow>(
       [](auto& r) { return r.of.matched; }},
      {"unmatched_people", "",
       "participants who rated motions of both kinds, but never of the same setting and emotion; "
-      "excluded",
+      "not included in this comparison",
       [](auto& r) { return r.of.unmatched; }},
      {"mean", "scale points",
       "mean over participants of the rating of the intended emotion, from the middle of its scale",

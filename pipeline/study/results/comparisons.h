@@ -11,15 +11,17 @@
 
 namespace mien::pipeline {
 
-/// Families of comparisons, within which p values are adjusted. Comparisons on the scale of the
-/// intended emotion are adjusted separately from those on other scales, except in best_seen.
+/// Families of comparisons, within which p values are adjusted. In each family except best_seen,
+/// comparisons on the scale of the intended emotion are adjusted separately from those on other
+/// scales.
 enum class ComparisonFamily {
   best_seen,         ///< a video and all other videos of the same setting
   modified_acted,    ///< a modified and the acted motion of the same emotion and setting
   modified_neutral,  ///< a modified and the neutral motion of the same setting
   acted_neutral,     ///< an acted and the neutral motion of the same setting
-  modified_best,   ///< a modified motion and, of the unmodified ones of the same setting, that with
-                   ///< the highest mean rating towards the modified motion's emotion
+  /// A modified motion and, of the unmodified ones of the same setting, that with the highest mean
+  /// rating towards the modified motion's emotion; only on that emotion's scale.
+  modified_best,
   between_levels,  ///< stimuli that differ only in the level of one factor, such as the actor
                    ///< (differing_factor)
 };
@@ -47,8 +49,8 @@ std::optional<std::string> differing_factor(const ReportedStimulus& one,
 struct WithinParticipants {
   int people = 0;
   bool all_equal = false;  ///< at least two participants, and all differences are equal
-  /// t and p are NaN if all differences are equal, which may occur by chance with few participants
-  /// and few scale points.
+  /// t, p, dz and gz are NaN if all differences are equal (or there is only one), which may occur
+  /// by chance with few participants and few scale points.
   TTest t;
   double dz = 0.0;               ///< Cohen's d_z
   double gz = 0.0;               ///< Hedges' g_z
@@ -80,14 +82,15 @@ struct Comparison {
   /// Welch's test of all answers as if they were independent. In best_seen, as in the emotion
   /// thesis, the video is compared with all videos of the setting including itself.
   TTest welch;
-  double d = 0.0;  ///< Cohen's d_s of the same two samples
+  /// Cohen's d_s of the same two samples; NaN, as t and p, if neither sample varies.
+  double d = 0.0;
   double g = 0.0;  ///< Hedges' g
 
   /// Tests within participants who saw both. In best_seen, the difference is between the video and
   /// the mean of the other videos of the setting that the participant saw.
   WithinParticipants within;
 
-  // p values adjusted over the comparisons of the family.
+  // p values adjusted within the family as ComparisonFamily describes.
   double welch_adjusted = 1.0;
   double paired_adjusted = 1.0;
   double wilcoxon_adjusted = 1.0;
@@ -97,16 +100,17 @@ struct Comparison {
 /// two answers about either stimulus are omitted.
 std::vector<Comparison> compare(const AnswerSet& answer_set);
 
-/// A comparison of two levels of the factor `made` over all settings, by ratings in scale points,
-/// counted positive towards the intended emotion. A cell is a setting together with an emotion.
-/// Each participant contributes the mean over the cells in which they rated motions of both levels;
-/// other cells are excluded.
+/// A comparison of two kinds of motions (modified, acted or neutral) over all settings, on the
+/// scales of the intended emotions, by ratings in scale points from the middle of the scale,
+/// counted positive towards the intended emotion. A cell is a setting together with an emotion and
+/// a scale. Each participant contributes the mean over the cells in which they rated motions of
+/// both kinds; other cells are excluded.
 struct OverallComparison {
   ComparisonFamily family = ComparisonFamily::modified_acted;
   std::string emotion;  ///< empty: all emotions
-  int matched = 0;      ///< cells with both levels rated, summed over participants
-  int unmatched = 0;  ///< number of participants who rated both levels, but never in the same cell
-  double mean = 0.0;  ///< mean of the participants' means
+  int matched = 0;      ///< cells with both kinds rated, summed over participants
+  int unmatched = 0;    ///< number of participants who rated both kinds, but never in the same cell
+  double mean = 0.0;    ///< mean of the participants' means
   double mean_against = 0.0;
   WithinParticipants within;
   double paired_adjusted = 1.0;  ///< p adjusted over the single emotions of the family; not
@@ -114,7 +118,8 @@ struct OverallComparison {
   double wilcoxon_adjusted = 1.0;
 };
 
-/// Overall comparisons of each family except best_seen: over all emotions, then by emotion.
+/// Overall comparisons of modified_acted, modified_neutral and acted_neutral with at least two
+/// participants: for each family over all emotions, then by emotion.
 std::vector<OverallComparison> compare_overall(const AnswerSet& answer_set);
 
 /// +1 if `emotion` is the name of the scale's high end, −1 if it is that of the low end, otherwise
@@ -138,7 +143,7 @@ struct BestSeen {
 };
 
 /// For each setting and end, the video whose ratings differ most towards the end, on average over
-/// participants, from the other videos of the setting.
+/// at least two participants, from the other videos of the setting.
 std::vector<BestSeen> best_seen(const AnswerSet& answer_set,
                                 const std::vector<Comparison>& comparisons);
 

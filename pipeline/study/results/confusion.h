@@ -17,33 +17,37 @@ struct ConfusionRow {
   int own = -1;                ///< column of the emotion itself; −1 if there is none
   /// Share of the points in the emotion's own column; NaN without such a column or without points.
   double recall = 0.0;
-  /// Wilson's 95 % interval of the recall, with `judged` as the number of trials.
+  /// Wilson's 95 % interval of the recall, with `judged` as the number of trials; NaN if the recall
+  /// is.
   double low = 0.0;
   double high = 1.0;
   // A presentation is a stimulus of this emotion, answered by one participant.
   int showings = 0;  ///< number of presentations
   int judged = 0;    ///< number of presentations with any points
-  int hits = 0;    ///< number of presentations in which `own` has more points than any other column
-  double p = 1.0;  ///< p of an exact two-sided binomial test of the hits against chance
+  int hits = 0;  ///< number of presentations in which `own` has more points than any other column
+  /// p of an exact two-sided binomial test of the hits against chance; NaN if the recall is.
+  double p = 1.0;
   double adjusted = 1.0;  ///< p adjusted over the rows of the matrix
 };
 
 /// A confusion matrix of intended emotions (rows) and responses (columns).
 struct Confusion {
-  std::string of;                    ///< level of the factor `made`: "acted", "modified"; or "all"
+  /// Level of the factor `made`: "acted", "modified"; "other" for stimuli without that factor; or
+  /// "all".
+  std::string of;
   bool by_points = true;             ///< from ratings; otherwise from choices
   std::vector<std::string> columns;  ///< ends of scales, or choices
   double chance = 0.0;               ///< 1 / number of columns
   std::vector<ConfusionRow> rows;
 };
 
-/// Confusion matrices for each level of the factor `made` whose stimuli show emotions, if there are
-/// several such levels, and for all stimuli together: from ratings by the points rule of the
-/// emotion thesis, and from choices.
+/// Confusion matrices for each level of the factor `made` whose stimuli show emotions, without
+/// neutral stimuli, if there are several such levels, and for all stimuli with an emotion together:
+/// from ratings by the points rule of the emotion thesis, and from choices.
 ///
 /// By the points rule, a rating contributes up to 2 points to the nearer end of its scale, in
 /// proportion to its distance from the middle: 2 at the end, 1 half way. Shares refer to all points
-/// of a row. Emotions that are not an end of a scale have no recall.
+/// of a row. Emotions that are not among the columns have no recall.
 std::vector<Confusion> confusions_of(const AnswerSet& answer_set);
 
 /// Names of the ends of the scales in the order of the scales, low before high.

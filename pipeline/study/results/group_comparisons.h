@@ -19,7 +19,8 @@ struct ParticipantGroups {
 };
 
 /// The groups of the two most frequent answers to each demographic question answered in words, if
-/// at least two participants gave each answer.
+/// at least two participants gave each answer. Participants for whom the table has several answers
+/// to the question are omitted.
 std::vector<ParticipantGroups> participant_groups(const ParticipantTable& participants,
                                                   const AnswerSet& answer_set);
 
@@ -33,7 +34,7 @@ struct GroupComparison {
   double mean_one = 0.0;
   int people_other = 0;
   double mean_other = 0.0;
-  TTest welch;            ///< `one` − `other`; t and p are NaN if neither group varies
+  TTest welch;            ///< `one` − `other`; t, p and g are NaN if neither group varies
   double g = 0.0;         ///< Hedges' g
   double adjusted = 1.0;  ///< p adjusted over all comparisons of the question
 };

@@ -21,10 +21,12 @@ struct PreferenceCount {
   double adjusted = 1.0;  ///< p adjusted over all pairs of stimuli and all items
 };
 
-/// The question about a pair: which stimulus is closer to the scale's high end.
+/// The question about a pair, which of the two is closer to the scale's high end, in words: "more
+/// happy". If no scale has the id `item`, returns `item`.
 std::string pair_question(const AnswerSet& answer_set, const std::string& item);
 
-/// Preferences for all pairs that were shown.
+/// Preferences for all pairs of stimuli about which there are choices, sorted by item, then by pair
+/// in the order of the manifest.
 std::vector<PreferenceCount> preferences_of(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

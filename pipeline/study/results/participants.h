@@ -13,18 +13,19 @@ namespace mien::pipeline {
 /// Summary of a participant's session.
 struct ParticipantSummary {
   std::string participant;
-  int trials = 0;  ///< number of trials, including practice, warm-up and checks
+  int trials = 0;  ///< number of answered trials, including practice, warm-up and checks
   bool is_unfinished = false;
-  int answers = 0;  ///< number of answers included in the analysis
+  int answers = 0;  ///< number of answers to analysed trials, also if the participant is excluded
   int checks = 0;   ///< number of attention checks
   int passed = 0;   ///< number of passed checks
   bool is_excluded = false;
-  double median_rt_ms = 0.0;  ///< median response time of included answers, ms; NaN if not measured
+  double median_rt_ms = 0.0;  ///< median response time of these answers, ms; NaN if not measured
   int stalls = 0;             ///< buffering interruptions of videos
   int dropped_frames = 0;
-  int blurs = 0;                    ///< tab switches during trials
-  bool is_straight_lining = false;  ///< at least three included answers, all equal; reported, not
-                                    ///< excluded
+  int blurs = 0;  ///< tab switches during trials
+  /// At least three of these answers, with all raw answers equal; reported, not a reason for
+  /// exclusion.
+  bool is_straight_lining = false;
 };
 
 /// Summaries of all participants, sorted by name.

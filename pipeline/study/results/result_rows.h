@@ -88,7 +88,9 @@ inline constexpr SharedColumn made_column = {"made", "",
 inline constexpr SharedColumn emotion_column = {"emotion", "", "level of factor emotion",
                                                 [](auto& r) { return r.stimulus().emotion; }};
 inline constexpr SharedColumn setting_column = {
-    "setting", "", "levels of the other factors; comparisons are made within a setting",
+    "setting", "",
+    "levels of the other factors except strength, example and clip; comparisons are made within a "
+    "setting",
     [](auto& r) { return r.stimulus().setting; }};
 inline constexpr SharedColumn scale_column = {"scale", "", "scale id",
                                               [](auto& r) { return r.scale().id; }};

@@ -13,8 +13,9 @@ namespace mien::pipeline {
 /// (`questionnaire.retest.repeat`). Attention checks are not included.
 struct RetestAnswer {
   std::string participant;
-  bool is_excluded = false;  ///< the participant is excluded by the attention rule; the answers are
-                             ///< listed, and summarised for the participant alone
+  /// The participant is excluded from the analysis; the answers are listed, and summarised for the
+  /// participant alone.
+  bool is_excluded = false;
   std::string stimulus;
   std::string against;  ///< second stimulus of a pair, or the reference; may be empty
   std::string item;

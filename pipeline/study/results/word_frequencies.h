@@ -11,7 +11,7 @@ namespace mien::pipeline {
 struct WordFrequency {
   std::string stimulus;
   std::string item;
-  std::string word;     ///< in lower case, trimmed
+  std::string word;     ///< trimmed, with letters A to Z in lower case
   int people = 0;       ///< number of participants who used it
   int respondents = 0;  ///< number of participants with any word for this stimulus and item
 };

@@ -13,19 +13,18 @@ namespace mien::pipeline {
 /// Version of the SQLite library that stores answers: "3.40.1".
 std::string database_library();
 
-/// A SQLite file, locked exclusively by this process until it exits or is killed. A committed
-/// transaction has been flushed to disk (write-ahead log, synchronised at every commit). Not
-/// thread-safe.
+/// A SQLite file, locked exclusively while this object exists. A committed transaction has been
+/// flushed to disk (write-ahead log, synchronised at every commit). Not thread-safe.
 class Database {
  public:
-  /// Opens or creates the file. Throws Error if it is not a SQLite file or is locked by another
-  /// process, and WriteFailure if it cannot be written.
+  /// Opens or creates the file. Throws Error if it cannot be opened, is not a SQLite file or is
+  /// locked by another process, and WriteFailure if it cannot be written.
   explicit Database(const std::filesystem::path& file);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
-  /// Executes statements without bound values, separated by semicolons. Throws WriteFailure.
+  /// Executes statements without bound values, separated by semicolons. Throws as fail() does.
   void run(const char* statements);
 
   /// The integer value of a SQLite pragma, such as "user_version".
@@ -37,7 +36,8 @@ class Database {
   const std::filesystem::path& file() const { return file_; }
   sqlite3* handle() const { return database_; }
 
-  /// Throws SQLite's last error: WriteFailure for a full or failing disk, otherwise Error.
+  /// Throws SQLite's last error: Error if another process has locked the file, or if it is damaged
+  /// or not a SQLite file; otherwise WriteFailure.
   [[noreturn]] void fail() const;
 
  private:
@@ -64,10 +64,10 @@ class Statement {
     return *this;
   }
 
-  /// Advances to the next row. Returns false after the last row. Throws WriteFailure.
+  /// Advances to the next row. Returns false after the last row. Throws as Database::fail() does.
   bool step();
 
-  /// Steps to the end. Returns the number of changed rows. Throws WriteFailure.
+  /// Steps to the end. Returns the number of changed rows. Throws as Database::fail() does.
   int finish();
 
   std::int64_t number(int column) const;
@@ -92,7 +92,7 @@ class Transaction {
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
-  /// Commits the changes and flushes them to disk. Throws WriteFailure.
+  /// Commits the changes and flushes them to disk. Throws as Database::fail() does.
   void commit();
 
  private:

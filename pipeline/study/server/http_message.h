@@ -67,7 +67,8 @@ std::string header_of(const HttpRequest& request, const std::string& name);
 HttpResponse http_file(const HttpRequest& request, const std::filesystem::path& file,
                        const std::string& type);
 
-/// The segments of a request path. Nullopt if it has characters other than letters, digits, '.',
+/// The segments of a request path, without a query ("?…"). Nullopt if the path does not begin with
+/// a slash, is longer than 512 characters, has characters other than slashes, letters, digits, '.',
 /// '_' and '-', an empty segment before the last, or a segment that begins with a dot.
 std::optional<std::vector<std::string>> plain_path(const std::string& target);
 

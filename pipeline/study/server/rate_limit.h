@@ -20,7 +20,8 @@ class RateLimit {
 
   explicit RateLimit(Rate rate) : rate_(rate) {}
 
-  /// Takes a token from the client's bucket. Returns false if the bucket is empty.
+  /// Takes a token from the client's bucket. Returns false if the bucket is empty, or if there are
+  /// already 10 000 other buckets that are not full.
   bool allows(const std::string& client, Clock::time_point now = Clock::now());
 
  private:

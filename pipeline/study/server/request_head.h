@@ -27,14 +27,15 @@ struct RequestHead {
   bool is_persistent = true;  ///< persistent connection: further requests may follow
   bool expects_continue =
       false;  ///< "Expect: 100-continue": the body is sent only after an interim response
-  bool lacks_host = false;      ///< the request is refused because it has no Host header
-  std::size_t body_length = 0;  ///< bytes
+  /// The request is refused because it has no, or more than one, Host header.
+  bool lacks_host = false;
+  std::size_t body_length = 0;                 ///< bytes
   std::map<std::string, std::string> headers;  ///< by lower-case name; the first of repeated ones
 };
 
-/// Parses the head of a request. Refused are malformed lines, a missing Host header, a body without
-/// exactly one valid Content-Length, and a compressed or too long body. `text` must end with the
-/// empty line.
+/// Parses the head of a request. Refused are malformed or too many lines, a missing or repeated
+/// Host header, a target that is not a path, a body without exactly one valid Content-Length, and a
+/// compressed or too long body. `text` must end with the empty line.
 RequestHead parse_request_head(std::string_view text, const RequestLimits& limits);
 
 }  // namespace mien::pipeline

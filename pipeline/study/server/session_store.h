@@ -16,7 +16,7 @@ struct StoredSession {
   int plan = 0;             ///< index of the session plan that it follows
   std::string participant;  ///< "p001"
   std::string link;         ///< secret part of its web address (random_link)
-  std::string begun_at;     ///< ISO 8601 time of the first visit; empty if not begun
+  std::string begun_at;     ///< ISO 8601 time of storing the first record; empty if not begun
   std::string entry_route;  ///< "link" or "join"; empty if not begun
 };
 
@@ -33,7 +33,7 @@ struct StoredRecord {
 enum class RecordOutcome {
   stored,       ///< the record was stored and flushed to disk
   same,         ///< an identical record had been stored before
-  other,        ///< another record had been stored at that position and is kept
+  other,        ///< a different record of that name had been stored and is kept
   out_of_order  ///< an earlier record of the session is missing
 };
 
@@ -42,9 +42,9 @@ enum class RecordOutcome {
 /// throws WriteFailure and stores nothing; it may be repeated.
 class SessionStore {
  public:
-  /// Opens or creates a file. Throws Error if it is not a session store, was written by a later
-  /// version, is open in another process, or was copied from a running server without its
-  /// write-ahead log (FILE-wal), which contains the latest records.
+  /// Opens or creates a file. Throws Error if it is not a session store, was written by another
+  /// version of the format, is open in another process, or was copied from a running server without
+  /// its write-ahead log (FILE-wal), which contains the latest records.
   explicit SessionStore(const std::filesystem::path& file);
   ~SessionStore();
   SessionStore(const SessionStore&) = delete;

@@ -43,8 +43,9 @@ class TimedStream {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Waits briefly until the socket is ready. Returns false, with the reason in `error`, if waiting
-  /// must end.
+  /// Waits until the socket is ready, but at most 200 ms; the caller then tries again. Returns
+  /// false, with the reason in `error`, if there is nothing to wait for: another error, the
+  /// deadline, or the server is stopping.
   bool wait(short event, ErrorCode& error) {
     constexpr std::chrono::milliseconds poll_interval{200};
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());

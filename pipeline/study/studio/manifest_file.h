@@ -44,7 +44,7 @@ class ManifestFile {
   /// The manifest as last read or saved.
   ManifestState state() const;
 
-  /// Whether the file exists.
+  /// Whether the manifest was read from the file or has been saved to it.
   bool is_on_disk() const;
 
   /// Replaces the file's text atomically. The parsed text must equal `document`. `version` is the

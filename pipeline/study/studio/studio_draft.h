@@ -65,9 +65,10 @@ class DraftReader {
 std::string examples_key(const nlohmann::ordered_json& document);
 
 /// The parts of a document that determine the motions and films of the stimuli `ids`, without
-/// sheets, overlays and questionnaire. Stimuli on which these depend are included: the source of a
-/// foil, and the references of a hold. Other stimuli are replaced by placeholders, so that indices
-/// are preserved.
+/// sheets, overlays, experiments and equalization. Stimuli on which these stimuli depend are
+/// included: if one of them is a foil, all stimuli, and for a hold, the references. Other stimuli
+/// are replaced by placeholders, so that indices are preserved, and omitted after the last one
+/// needed.
 nlohmann::ordered_json document_excerpt(const nlohmann::ordered_json& document,
                                         const std::vector<std::string>& ids);
 

@@ -42,7 +42,7 @@ class StudioJobs {
 
   /// The status of a job: {"job": 3, "kind": "still", "stimulus": …, "state": "running", "done",
   /// "failed" or "cancelled", "share": progress from 0 to 1, "told": error message or path of the
-  /// result}. Null unless `job` is the last one.
+  /// result; empty while there is neither}. Null unless `job` is the last one.
   nlohmann::ordered_json status(int job) const;
 
   /// The status of the last job; null if there was none.

@@ -35,7 +35,8 @@ class StudioMotions {
 
   /// What a page can choose from with the document's examples: "examples" and "sliders" as in
   /// LiveInfo (pipeline/study/page/src/live/core.ts), "blendable": whether the examples can be
-  /// blended, "simulated": whether the ratings are simulated, and "warnings". Throws DraftFaults.
+  /// blended (if not, there are no sliders), "simulated": whether the ratings are simulated, and
+  /// "warnings". Throws DraftFaults.
   nlohmann::ordered_json choices(const nlohmann::ordered_json& document);
 
   /// The motion of `show`, a stimulus of the document or an example, as bytes:

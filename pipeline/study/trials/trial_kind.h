@@ -109,8 +109,9 @@ struct ItemResponse {
 /// What a simulated participant perceives of one item of a trial.
 struct SimulatedView {
   std::function<double(std::size_t)>
-      opinion;        ///< value, on the item's scale, of the stimulus with this index in the trial
-  std::string shown;  ///< level of the first stimulus in the factor with the name of the item
+      opinion;  ///< value, on the item's scale, of the stimulus with this index in the trial
+  /// Level that the first stimulus has of the factor whose name is the id of the item.
+  std::string shown;
   bool is_recognised = false;  ///< the participant recognises the shown level
   double chance = 0.0;         ///< random number from 0 to 1 for the simulated response
 };

@@ -40,7 +40,7 @@ TEST(DotPath, EachOfTheseDoneTwiceIsNothing) {
     EXPECT_LT(largest_difference(inverted(inverted(path, 0.9), 0.9), path), 1e-12);
     EXPECT_LT(largest_difference(rotated(rotated(path, centre, 123.0), centre, -123.0), path),
               1e-12);
-    EXPECT_EQ(delayed(delayed(path, 17), 33), path);
+    EXPECT_EQ(begun_at(begun_at(path, 17), 33), path);
   }
 }
 
@@ -85,7 +85,7 @@ TEST(DotPath, AStandingDotStandsAtConstantSpeed) {
 
 TEST(DotPath, BegunLaterItGoesThroughTheSamePlaces) {
   const DotPath path = random_path(3, 40);
-  const DotPath later = delayed(path, 11);
+  const DotPath later = begun_at(path, 11);
   EXPECT_EQ(later.front(), path[11]);
   EXPECT_NE(later, path);
   for (const Vec3& point : path) {

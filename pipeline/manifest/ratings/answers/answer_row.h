@@ -25,7 +25,7 @@ struct AnswerRow {
   std::string stimulus_sha256;  ///< SHA-256 of the file that was shown
   std::string against;          ///< the reference, or the other stimulus of a pair
   std::string item;             ///< id of the scale, or the form's own item (TrialForm)
-  std::string value_raw;        ///< position from the left, chosen word, "left" or "right"
+  std::string value_raw;  ///< position from the left, chosen or written words, "left" or "right"
   /// Value in the scale's range, where the maximum is the high pole; or the choice.
   std::string value;
   std::string pole_left;  ///< "low" or "high"; empty for items without poles
@@ -53,8 +53,8 @@ struct AnswerRow {
   bool simulated = false;
   Place place;  ///< position of the value in the source file; not written
 
-  /// Whether the row is analysed: its value is not empty, and it is not part of practice, warm-up
-  /// or a check.
+  /// Whether the row is analysed: its value is neither empty nor "NA", and it is not part of
+  /// practice, warm-up, an attention check or a repeated stimulus.
   bool counts() const;
 };
 
@@ -76,8 +76,9 @@ enum class DuplicateAnswers { refused, allowed };
 /// In that case, a warning is added to `warnings` unless it is null. Columns may be in any order;
 /// unknown columns are ignored.
 ///
-/// Throws Faults with every fault at once, at file:line:column: missing columns, no rows, an empty
-/// participant or item, an invalid kind, pole or boolean, numbers that are malformed, negative or
+/// Throws Faults, at file:line:column: first for missing columns or no rows, then with all faults
+/// of the rows at once: an empty participant or trial, an empty stimulus or item (except in
+/// attention checks), an invalid kind, pole or boolean, numbers that are malformed, negative or
 /// fractional where this is not allowed, and duplicate answers (same participant, session, trial,
 /// stimulus and item).
 std::vector<AnswerRow> answer_rows(CsvTable table,
@@ -89,8 +90,8 @@ std::vector<Fault> duplicate_answer_faults(const std::vector<AnswerRow>& rows);
 
 /// Separates participants who share an id: without a server, two browsers may have received the
 /// same plan. If several sessions of one participant id answer the same trial, `participant`
-/// becomes "p003/<session>"; sessions that continue each other are one participant. Returns a
-/// sentence for each id that was split.
+/// becomes "p003/<session>" in all rows with that id; sessions that only continue each other remain
+/// one participant. Returns a sentence for each id that was split.
 std::vector<std::string> separate_participants(std::vector<AnswerRow>& rows);
 
 }  // namespace mien::pipeline

@@ -36,7 +36,7 @@ struct AnswerRules {
 /// One answer and its position in the source file.
 struct StudyAnswer {
   std::string participant;  ///< empty: a mean over several participants
-  std::string stimulus;     ///< name of the example
+  std::string stimulus;     ///< name of the example; as written if any stimulus is accepted
   std::string scale;        ///< id
   double value = 0.0;       ///< value in the scale's range
   Place place;              ///< position of the value, or of the stimulus for plain answers
@@ -63,8 +63,8 @@ struct StudyAnswers {
   Answers plain() const;
 };
 
-/// Replaces repeated answers by one of them or by their mean, at the position of the first; adds a
-/// fault for each if the rules refuse them.
+/// Replaces repeated answers by one of them or by their mean, at the position of the first, and
+/// adds a warning for each further answer, or a fault if the rules refuse them.
 void settle_repeated(StudyAnswers& study, const AnswerRules& rules, std::vector<Fault>& faults);
 
 /// Reports participants with at least three answers, all at the same position on their scales, and

@@ -41,17 +41,18 @@ struct AnswerSubjects {
 };
 
 /// Reads a tidy CSV with the columns stimulus, scale, value and, unless the values are means,
-/// participant; other columns (rt_s, order, comment …) are ignored. A column `simulated` with any
+/// participant; other columns (rt_ms, order, comment …) are ignored. A column `simulated` with any
 /// value other than 0 or empty marks simulated answers. A table of words (word_answers.h) is
 /// converted to answers, with scales that are not mentioned counted as neutral. The answers of a
 /// questionnaire (answer_row.h) are accepted as written; counted_answers selects those that count.
 ///
 /// An empty value or "NA" is a missing answer.
 ///
-/// Throws Faults for all rows at once, with lines and columns: a missing column, a value that is
-/// not a number or outside the scale's range, a duplicate answer of a participant and, unless
-/// `about.ignore_unknown` is set, a scale that is not in `scales` or a stimulus that is not an
-/// example. If `about` has no examples, any stimulus is accepted.
+/// Throws Error for a missing column or no rows, and Faults for all rows at once, with lines and
+/// columns: a value that is not a number or outside the scale's range, a duplicate answer and,
+/// unless `about.ignore_unknown` is set, a scale that is not in `scales` or a stimulus that is not
+/// an example. If `about` has no examples, any stimulus is accepted. Tables of words and of
+/// questionnaires are refused as by answers_from_words and counted_answers.
 Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales,
                      const AnswerSubjects& about = {});
 Answers parse_answers(std::string_view csv, const std::string& file, const ScaleSet& scales,

@@ -10,8 +10,8 @@
 
 namespace mien::pipeline {
 
-/// Whether a row is an answer on a scale, and not a choice of an emotion, a choice from a pair or a
-/// check.
+/// Whether a row is an answer on a scale, and not a choice of an emotion, a choice from a pair or
+/// an attention check.
 bool is_on_scale(const AnswerRow& row);
 
 /// The ratings in a table of answer rows (answer_row.h), converted to the tidy table participant,
@@ -44,7 +44,7 @@ struct AttentionRule {
 /// The number of a participant's attention checks and of those passed.
 struct Attention {
   std::string participant;
-  int checks = 0;  ///< answered checks that have an expected answer
+  int checks = 0;  ///< answered checks that have an expected answer, except in practice
   int passed = 0;
   bool is_excluded = false;
 };

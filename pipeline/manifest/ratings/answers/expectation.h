@@ -44,7 +44,7 @@ struct ExpectationCheck {
   std::vector<ExpectedStep> steps;  ///< element i: from example i to example i + 1
 
   bool holds() const { return violated.empty(); }
-  /// Whether every step is significantly positive.
+  /// Whether the expectation holds and every step is significantly positive.
   bool is_certain() const;
 };
 
@@ -60,9 +60,10 @@ struct RatedExamples {
 std::vector<ExpectationCheck> check_expectations(const std::vector<Expectation>& expected,
                                                  const RatedExamples& examples);
 
-/// Returns a sentence with the result, which says whether the order is as expected, violated, or in
-/// the expected direction but not significant: "slow-fast: k-walk-slow 0.360 < k-walk-fast 0.530 (n
-/// = 14, +0.17, 95 % interval 0.10 to 0.24): as expected".
+/// Returns a sentence with the result, which says whether the order is as expected, not as
+/// expected, or in the expected direction but not significant (not tested if there are only means):
+/// "slow-fast: k-walk-slow 0.360 < k-walk-fast 0.530 (n = 14, +0.17, 95 % interval 0.10 to 0.24):
+/// as expected".
 std::string sentence_of(const ExpectationCheck& check);
 
 /// Returns each participant's rating of an example as a share of the scale's range: 0 low end, 1

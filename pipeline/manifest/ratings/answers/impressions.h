@@ -19,7 +19,7 @@ struct Impressions {
   Eigen::MatrixXd mean;       ///< mean answers as shares of the scale's range: 0 low, 1 high
   Eigen::MatrixXd deviation;  ///< standard deviation over participants (divided by n), same unit;
                               ///< NaN if the answers are means
-  Eigen::MatrixXi count;      ///< number of answers
+  Eigen::MatrixXi count;      ///< number of answers; 1 for a given mean
   bool simulated = false;
 };
 
@@ -28,9 +28,9 @@ struct Impressions {
 Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
                            const std::vector<RatedExample>& examples);
 
-/// Returns the scales and groups of scales as parameters. A group's row is the mean of its members'
-/// rows (A' of the adjective paper). Unrated members are ignored, and groups without rated members
-/// are omitted.
+/// Returns the groups of scales, then the scales, as parameters. A group's row is the mean of its
+/// members' rows (A' of the adjective paper). Unrated members are ignored, and groups without rated
+/// members are omitted.
 ParameterTable parameter_table(const Impressions& impressions, const ScaleSet& scales);
 
 extern const TableForm impressions_form;

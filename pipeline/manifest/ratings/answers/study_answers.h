@@ -24,8 +24,9 @@ namespace mien::pipeline {
 /// If `examples` is empty, any stimulus is accepted. For plain answers (rules.plain), rt_ms, order
 /// and comment are ignored too, and neither missing answers nor constant participants are reported.
 ///
-/// Throws Faults with every fault at once: a missing column, a value that is not a number or
-/// outside the scale's range, and everything that the rules refuse.
+/// Throws Error for a missing column or a table of words (word_answers.h), and Faults with every
+/// fault of the rows at once: numbers that are malformed, values outside the scale's range,
+/// negative response times, and everything that the rules refuse.
 StudyAnswers read_study_answers(const std::filesystem::path& file, const ScaleSet& scales,
                                 const std::vector<RatedExample>& examples,
                                 const AnswerRules& rules);

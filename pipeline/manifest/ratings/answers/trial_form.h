@@ -9,13 +9,14 @@
 namespace mien::pipeline {
 
 /// A form of trial as manifests and tables of answers see it: the value of a questionnaire's
-/// `trials:` and the meaning of its answers. The presentation is in study/trials/trial_kind.h.
+/// `trials:` and the meaning of its answers. How they are checked, completed and simulated:
+/// study/trials/trial_kind.h.
 struct TrialForm {
-  const char* name;                  ///< name in manifests, plans and answers
-  const char* subject = "stimulus";  ///< subject of one trial
-  std::size_t stimuli = 1;           ///< number of stimuli judged in one trial
-  std::string_view item;             ///< item asked before the scales; empty: only scales are asked
-  bool offers_choices = false;       ///< `item` is answered with one of the questionnaire's choices
+  const char* name;                 ///< name in manifests, plans and answers
+  const char* judged = "stimulus";  ///< noun for what is judged in one trial
+  std::size_t stimuli = 1;          ///< number of stimuli judged in one trial
+  std::string_view item;            ///< item asked before the scales; empty: only scales are asked
+  bool offers_choices = false;      ///< `item` is answered with one of the questionnaire's choices
   bool is_on_scale = true;  ///< scales are answered between their ends, not by choosing a stimulus
   const char* key = "";     ///< key of a questionnaire that applies only to this form
 };
@@ -24,7 +25,7 @@ inline constexpr TrialForm rating_form = {.name = "rating"};
 inline constexpr TrialForm emotion_form = {
     .name = "emotion", .item = "emotion", .offers_choices = true, .key = "choices"};
 inline constexpr TrialForm pair_form = {
-    .name = "pair", .subject = "pair", .stimuli = 2, .is_on_scale = false, .key = "pairs"};
+    .name = "pair", .judged = "pair", .stimuli = 2, .is_on_scale = false, .key = "pairs"};
 
 /// All forms. Their description in codebooks is trial_forms_meaning.
 inline constexpr Words<const TrialForm*> trial_form_words = {{rating_form.name, &rating_form},

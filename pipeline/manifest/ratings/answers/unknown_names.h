@@ -12,7 +12,8 @@
 namespace mien::pipeline {
 
 /// Collects unknown names in a table. Each is reported once, with the number of rows that use it.
-/// If there are more than five, the first five are reported, followed by the number of the others.
+/// Of more than five, only the first five are reported, followed by the number of the others; but
+/// warnings about answers that are not plain (AnswerRules::plain) name all.
 class UnknownNames {
  public:
   /// `singular` and `plural` name the expected kind: "stimulus", "stimuli".
@@ -21,7 +22,7 @@ class UnknownNames {
 
   void note(const CsvField& field);
 
-  /// Adds faults or warnings, as the rules say, with the most similar of the known names.
+  /// Adds faults, each with the most similar of the known names, or warnings, as the rules say.
   void report(const CsvTable& table, const std::vector<std::string>& known,
               const AnswerRules& rules, std::vector<Fault>& faults,
               std::vector<StudyWarning>& warnings) const;

@@ -15,7 +15,7 @@ enum class Unmentioned {
   no_answer  ///< the participant did not answer on this scale
 };
 
-/// The share of the participants' answers in one language that could be interpreted.
+/// How many of the participants' answers in one language could be interpreted.
 struct WordCoverage {
   std::string language;
   int answers = 0;     ///< answers with at least one modifier
@@ -45,7 +45,7 @@ struct WordAnswers {
   std::vector<WordCoverage> coverage;     ///< in the lexicon's order
   std::vector<WordCount> not_understood;  ///< modifiers, most frequent first
   std::vector<WordCount> respelled;       ///< most frequent first
-  /// Languages missing from the lexicon, with their numbers of answers.
+  /// Languages missing from the lexicon, named by `text`, with their numbers of answers.
   std::vector<WordCount> left_out;
   std::vector<StimulusCount> stimuli;  ///< sorted by name
 };
@@ -62,8 +62,8 @@ bool holds_words(const CsvTable& table);
 /// from the lexicon are ignored and counted. With Unmentioned::neutral, each answer covers every
 /// scale that any answer mentions.
 ///
-/// Throws Error with line and column for a missing column, a scales file without words, or a
-/// duplicate answer of a participant about a motion; also if no answer could be read.
+/// Throws Error with line and column for a missing column, scales without a lexicon, or a duplicate
+/// answer of a participant about a motion; also if no answer could be interpreted.
 WordAnswers answers_from_words(const CsvTable& table, const ScaleSet& scales,
                                Unmentioned unmentioned);
 

@@ -15,7 +15,7 @@ using motion::feature_parameter_names;
 struct FeatureParameters {
   std::vector<motion::FeatureValues> values;  ///< one per example, in the features' own units
   motion::FeatureScale scale;                 ///< minimum and maximum over the examples
-  ParameterTable table;  ///< the four groups, then the features available for all examples
+  ParameterTable table;  ///< the groups, then the features, that are available for all examples
 };
 
 FeatureParameters feature_parameters(const motion::ExampleSet& examples);

@@ -37,21 +37,23 @@ struct StyledStimulus {
 struct SimulatedRaters {
   int count = 14;
   std::uint64_t seed = 0;
-  double noise = 0.22;          ///< standard deviation of an answer, as a share of half the range
+  double noise = 0.22;          ///< standard deviation of an answer, as a share of half the range;
+                                ///< larger on the built-in pairs about which raters disagree
   double gain_spread = 0.15;    ///< standard deviation of the raters' sensitivity, whose mean is 1
-  double offset_spread = 0.06;  ///< standard deviation of the raters' bias towards one end
+  double offset_spread = 0.06;  ///< standard deviation of the raters' bias, as a share of half
+                                ///< the range
 };
 
 /// Returns the weights of the impressions for a scale: its loadings in the scales file, otherwise
 /// those of the built-in adjective pair with the same id. Throws Error if there are neither.
 StyleProfile loadings_of(const Scale& scale);
 
-/// Returns simulated answers. For each rater and scale, the weighted sum of the impressions is
-/// multiplied by the rater's gain; the rater's offset and noise are added, and the result is
-/// squashed into the scale's range and rounded to a whole step if the ends of the range are
-/// integers. Every random number depends only on (seed, rater, stimulus, scale). On some of the
-/// built-in pairs, raters are neutral or disagree, so that a study has scales to remove. The result
-/// is marked as simulated.
+/// Returns simulated answers. The weighted sum of the impressions is multiplied by 1.2 and by the
+/// gain of the rater on the scale, and limited by tanh; the offset of the rater on the scale and
+/// the noise of the answer are added, and the result is clamped to the scale's range and, if the
+/// ends of the range are integers, rounded to an integer. Every random number depends only on
+/// (seed, rater, stimulus, scale). On some of the built-in pairs, raters are neutral or disagree,
+/// so that a study has scales to remove. The result is marked as simulated.
 Answers simulate_answers(const std::vector<StyledStimulus>& stimuli, const ScaleSet& scales,
                          const SimulatedRaters& raters);
 

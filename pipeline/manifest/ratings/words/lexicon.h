@@ -37,7 +37,8 @@ struct Lexicon {
 };
 
 /// Returns a phrase in the form in which the lexicon compares it: NFKC-normalized and case-folded,
-/// without quotation marks and backslashes, and with single spaces. `text` is UTF-8.
+/// without straight double quotation marks (") and backslashes, and with single spaces. `text` is
+/// UTF-8.
 std::string folded(std::string_view text);
 
 /// Returns the language that participants call `called`, or nullptr.

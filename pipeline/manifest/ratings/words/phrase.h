@@ -12,7 +12,7 @@ namespace mien::pipeline {
 /// The position of a motion on a scale, as stated by a phrase.
 struct Mention {
   std::string scale;   ///< id
-  double value = 0.0;  ///< −2 … 2: ±1 unmodified or softened, ±2 strengthened
+  double value = 0.0;  ///< −2 … 2: ±1 unmodified, softened or negated, ±2 strengthened
 };
 
 /// The interpretation of a phrase.
@@ -30,8 +30,8 @@ struct PhraseReading {
 /// in the others, because participants mix languages. Degree modifiers and negations apply to the
 /// next word that has a position on a scale; a negated word counts 1 towards the opposite end, even
 /// if strengthened. A word of at least seven letters with one letter too many or too few, or with
-/// two letters transposed, is corrected to an entry of its own language that has the same first
-/// letter, provided that all such entries have the same meaning. Other words are ignored.
+/// two letters transposed, is corrected to an entry of the participant's language that has the same
+/// first letter, provided that all such entries have the same meaning. Other words are ignored.
 PhraseReading read_phrase(std::string_view text, const Lexicon& lexicon, const Language& language);
 
 /// Returns the value of a mention of `end` (−1 or +1) after its degree modifiers have been applied.

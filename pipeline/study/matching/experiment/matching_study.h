@@ -39,12 +39,13 @@ ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pa
 /// interfaces in the participant's order until each has occurred. One block per interface follows,
 /// which contains every target once. The blocks are ordered by a row of Williams' square of the
 /// interfaces (williams_row), the targets within a block by a row of the square of the targets.
-/// That row differs between blocks, and between participants with the same order of blocks.
+/// Each further block uses the next row, and so does the next participant with the same order of
+/// blocks.
 ///
 /// With MatchingOrder::guesses_first, there is one block per target instead, ordered by a row of
-/// the square of the targets. Each block contains every interface once, ordered by a row that
-/// differs between blocks. Practice has one such block per practice motion. Every plan is a pure
-/// function of (manifest, index).
+/// the square of the targets. Each block contains every interface once, ordered by a row of the
+/// square of the interfaces; the next block uses the next row. Practice has one such block per
+/// practice motion. Every plan is a pure function of (manifest, index).
 std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count = 0);
 
 /// A matching experiment that runs without a server: the browser synthesizes the motions. Files by
@@ -77,14 +78,15 @@ struct StartingDistance {
   double metres = 0.0;  ///< D
 };
 
-/// Starting distances of all targets, except practice ones, with each interface. Sliders are at
-/// their initial positions on the page: the examples' mean for parameters, 0 for weights.
+/// Starting distances of all targets except those of practice, with each interface. Sliders are at
+/// their initial positions on the page: the examples' mean, rounded to 0.01, for parameters, and 0
+/// for weights.
 std::vector<StartingDistance> starting_distances(const Manifest& manifest,
                                                  const MatchingStudy& study);
 
 /// Suggested threshold of D below which motions match, metres: half of the median starting
 /// distance, rounded down to a millimetre, but at most 0.06 (the paper's threshold) and at least
-/// 0.001.
+/// 0.001. Without distances, 0.06.
 double suggested_threshold(const std::vector<StartingDistance>& distances);
 
 /// A warning about targets that match before any slider is moved; empty if there are none.

@@ -41,7 +41,7 @@ void refuse_foreign_folder(const std::filesystem::path& folder);
 void refuse_answers_to_other_design(const std::filesystem::path& folder, const std::string& design);
 
 /// Writes the files into the folder, replacing those of an earlier export; answers and other added
-/// files stay.
+/// files stay. Throws Error as refuse_foreign_folder() does.
 void write_export(const ZipFiles& files, const std::filesystem::path& folder);
 
 /// Instructions for running an exported questionnaire (README.txt).

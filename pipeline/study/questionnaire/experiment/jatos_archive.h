@@ -23,9 +23,9 @@ struct JatosStudy {
 /// results in the same bytes.
 std::string jatos_archive(const JatosStudy& study, const ZipFiles& assets);
 
-/// The page of an export adapted for JATOS: it loads JATOS's script before the page's own script
-/// (`script`: "questionnaire.js") and lacks the content security policy, which would block requests
-/// to the JATOS server.
+/// The page of an export adapted for JATOS: its meta tag "mien-mode" is "jatos", it loads JATOS's
+/// script before the page's own script (`script`: "questionnaire.js") and lacks the content
+/// security policy, which would block requests to the JATOS server.
 std::string jatos_page(std::string page, const std::string& script);
 
 /// A UUID of version 8 (RFC 9562), derived from the name.

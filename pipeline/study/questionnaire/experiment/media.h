@@ -26,7 +26,7 @@ struct MediaFile {
 using MediaFiles = std::map<std::string, MediaFile>;
 
 /// The manifest with output enabled for the 3-D motions that its questionnaire shows. Throws Error
-/// if a shown stimulus has no video that browsers can play.
+/// if the questionnaire shows videos and a shown stimulus has none that browsers can play.
 Manifest with_media(Manifest manifest);
 
 /// The media of all stimuli in the plans, in the output folder of the study. Throws Error for

@@ -11,8 +11,8 @@
 
 namespace mien::pipeline {
 
-/// Running counts of answers for the experimenter's page, over analysed trials (without practice,
-/// warm-up and attention checks).
+/// Running counts for the experimenter's page: of answers in analysed trials (without practice,
+/// warm-up, checks and repetitions), and of passed and failed attention checks.
 class LiveResults {
  public:
   explicit LiveResults(const QuestionnaireFacts& facts) : facts_(facts) {}

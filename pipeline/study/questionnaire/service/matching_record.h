@@ -41,7 +41,8 @@ struct MatchingChange {
   std::string action;           ///< "move", "add", "remove", "guess", "match", "limit"
   std::string slider;           ///< for "move", "add" and "remove"
   std::optional<double> value;  ///< new position of the slider, 0 to 1
-  std::optional<double> d;  ///< D of the resulting motion, metres; empty if it was not displayed
+  /// D of the resulting motion, metres; empty if that motion was not synthesized.
+  std::optional<double> d;
 };
 
 /// The record of a matching trial.
@@ -60,8 +61,8 @@ struct MatchingRecord {
 MatchingRecord read_matching_record(const nlohmann::json& text);
 
 /// Throws RecordFault if a record is impossible for the trial: sliders that its interface does not
-/// have, decreasing times, a success after the time limit or with D above the threshold, or a
-/// failure before the limit.
+/// have, decreasing times, a success after the time limit or with D not below the threshold, or a
+/// failure more than one second before the limit.
 void check_matching_record(const MatchingFacts& facts, const Trial& trial,
                            const MatchingRecord& record);
 

@@ -51,7 +51,7 @@ constexpr auto changes_columns = table_of<MatchedChange>(
      {"action", "", "move, add, remove, guess, match or limit",
       [](auto& r) { return r.change.action; }},
      {"slider", "", "the slider moved, added or removed", [](auto& r) { return r.change.slider; }},
-     {"value", "", "its new value", [](auto& r) { return r.change.value; }},
+     {"value", "", "new value of that slider", [](auto& r) { return r.change.value; }},
      {"d", "m",
       "D of the resulting motion; empty if the next change came before the motion was synthesized",
       [](auto& r) { return r.change.d; }},

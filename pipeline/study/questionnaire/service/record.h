@@ -18,7 +18,8 @@ namespace mien::pipeline {
 struct DemographicQuestion {
   std::string id;
   bool is_number = false;
-  std::vector<std::string> choices;  ///< permitted answers; empty: any text, or a number
+  /// Permitted answers; empty: any text or, if `is_number`, any number.
+  std::vector<std::string> choices;
   bool required = false;
 };
 
@@ -49,7 +50,8 @@ struct PageRecord {
   std::vector<ItemResponse> responses;
   std::string comment;
   std::string started_at;  ///< ISO 8601 time by the participant's clock
-  AnswerRow measured;      ///< only the columns with counts and times measured by the browser
+  /// Only the columns measured by the browser: counts, times, size of its window, refresh rate.
+  AnswerRow measured;
   std::vector<std::string> media_sha256;   ///< hashes of the stimuli shown, then of the reference
   std::optional<MatchingRecord> matching;  ///< only for a matching trial
 };

@@ -40,7 +40,8 @@ struct ServedStudy {
 ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                          const MediaFiles& media, const std::filesystem::path& pages);
 
-/// A hash of the media, by which a session store detects that the media have changed.
+/// A hash of the media (in a matching experiment, of the motions), by which a session store detects
+/// that they have changed.
 Hash media_hash(const ServedStudy& study);
 
 /// The progress of a session.
@@ -55,8 +56,8 @@ struct SessionProgress {
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
                          const SessionProgress& progress);
 
-/// experiment.json for the page that asks for consent before a session is assigned: the texts
-/// alone.
+/// experiment.json for the page that asks for consent before a session is assigned: without
+/// sessions, media and stimuli.
 std::string joining_json(const ServedStudy& study);
 
 }  // namespace mien::pipeline

@@ -28,8 +28,8 @@ struct ServiceRates {
 ///   /join/<link>/records/consent  POST: consent; the response is a new session
 ///   /lab/<link>/                  the experimenter's page and exports (lab_answer)
 ///
-/// A link gives access to one session only. No part of a request is used as a file path.
-/// Thread-safe.
+/// A participant's link gives access to one session only. No part of a request is used as a file
+/// path. Thread-safe.
 class QuestionnaireService {
  public:
   /// Throws Error as StudySessions does. `study` and `store` must outlive this.

@@ -26,19 +26,22 @@ struct SessionState {
   StoredSession session;
   std::vector<std::string> names;  ///< names of this session's records, in order
   std::size_t stored = 0;          ///< number of these records that have been stored
-  std::int64_t last_seen = 0;      ///< time of the last request, seconds since 1970; 0: never
+  /// Time at which the page last loaded its session or sent a record, seconds since 1970; 0: never.
+  std::int64_t last_seen = 0;
   std::string browser;  ///< browser session that sent the first record; other browsers are refused
   bool has_refused = false;
 
   bool has_finished() const { return stored == names.size(); }
-  /// Whether the page sent a request within the last five minutes.
+  /// Whether `last_seen` is within the last five minutes.
   bool is_online(std::int64_t now) const { return last_seen != 0 && now - last_seen <= 300; }
 };
 
 /// The outcome of submitting a record.
 struct SubmissionResult {
   RecordOutcome outcome = RecordOutcome::stored;
-  std::string next;          ///< name of the expected record, if the order was wrong
+  /// Name of the next record to be sent; empty if the session is finished, or if one of the
+  /// following members is true.
+  std::string next;
   bool has_refused = false;  ///< the participant has refused consent; further records are refused
   bool is_other_browser = false;  ///< the session was begun in another browser
 };
@@ -47,8 +50,8 @@ struct SubmissionResult {
 class StudySessions {
  public:
   /// Opens the sessions in `store`; if it is new, first writes the planned sessions to it. Throws
-  /// Error if the store belongs to another study or to another design of this study. `study` and
-  /// `store` must outlive this object.
+  /// Error if the store belongs to another study, to another design of this study, or to other
+  /// media. `study` and `store` must outlive this object.
   StudySessions(const ServedStudy& study, SessionStore& store, ClockSeconds clock);
 
   /// The session with this link, or nullopt.
@@ -57,7 +60,7 @@ class StudySessions {
   SessionState state(int session) const;
   std::vector<SessionState> states() const;
 
-  /// Records the time of a request from the participant's page.
+  /// Sets the time at which the participant's page last loaded its session.
   void note_request(int session);
 
   /// Stores a record, which must have been checked (record_check.h). `content`: its JSON text.
@@ -70,7 +73,7 @@ class StudySessions {
   /// sent again, the same session is returned. Nullopt if has_enough().
   std::optional<SessionState> join(const PageRecord& consent, const std::string& content);
 
-  /// Whether all plans are finished or the maximum number of added sessions is reached.
+  /// Whether all plans are finished or the maximum number of sessions, four per plan, is reached.
   bool has_enough() const;
 
   std::string lab_link() const { return lab_link_; }

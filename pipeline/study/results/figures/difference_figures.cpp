@@ -114,8 +114,8 @@ void add_overall(const Results& results, ComparisonFamily family, const std::str
   if (chart.bars.empty()) return;
   figures.push_back(
       {"overall-" + std::string(word_of(family_words, family)), "differences", "", "",
-       "Mean per participant over the settings and emotions for which the participant "
-       "rated both motions.",
+       "Within-participant differences, averaged over the settings and emotions for which the "
+       "participant rated both motions.",
        with_simulated_mark(bar_chart_plot(chart), answer_set.simulated)});
 }
 
@@ -129,9 +129,10 @@ void add_difference_figures(const Results& results, std::vector<ResultFigure>& f
        "Modified vs. acted motions", within},
       {ComparisonFamily::modified_neutral, "35", "figure-36-differences-modified-neutral",
        "Modified vs. neutral motions", within},
-      {ComparisonFamily::modified_best, "36", "", "Modified motions vs. the highest-rated video",
-       within + " The highest-rated video was selected using the same answers, so its ratings are "
-                "biased upwards."},
+      {ComparisonFamily::modified_best, "36", "",
+       "Modified motions vs. the highest-rated unmodified video",
+       within + " The highest-rated unmodified video was selected using the same answers, so its "
+                "ratings are biased upwards."},
       {ComparisonFamily::acted_neutral, "", "", "Acted vs. neutral motions", within}};
   for (const DifferenceFigure& one : drawn) {
     add_overall(results, one.family, one.title, figures);

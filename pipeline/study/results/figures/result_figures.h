@@ -20,28 +20,31 @@ struct ResultFigure {
   Plot plot;
 };
 
-/// All figures for which there are answers. Studies without the levels acted and modified have one
-/// figure of all stimuli instead of one per level.
+/// All figures for which there are answers. Histograms are divided by stimulus_groups(), and
+/// further if there are many scales.
 std::vector<ResultFigure> result_figures(const Results& results);
 
 /// Adds a mark to a bar chart if its ratings are simulated.
 Plot with_simulated_mark(Plot plot, bool simulated);
 
-/// Stimuli that are plotted in one figure.
+/// Stimuli whose histograms are plotted in one figure.
 struct StimulusGroup {
   std::string name;   ///< "acted"
   std::string words;  ///< noun in captions: "acted motions"
   std::vector<std::size_t> stimuli;
   std::string former_name;  ///< earlier base name of its histogram files
 };
+/// The acted, modified, neutral and other motions, without empty groups; in studies without acted
+/// and modified motions, one group of all stimuli.
 std::vector<StimulusGroup> stimulus_groups(const AnswerSet& answer_set);
 
 /// Adds figures of the within-participants differences between modified, acted and neutral motions:
-/// over all settings, then by video.
+/// over all settings, then by video; and between levels of other factors.
 void add_difference_figures(const Results& results, std::vector<ResultFigure>& figures);
 
 /// Adds figures for each question about pairs: the share of choices of the first stimulus with
-/// Wilson's interval, and a line at one half. The pairs are divided among several figures.
+/// Wilson's interval, and a line at one half. More than eight pairs are divided among several
+/// figures.
 void add_pair_figures(const Results& results, std::vector<ResultFigure>& figures);
 
 /// Adds figures for each free-text question: the most frequent words by stimulus.

@@ -26,7 +26,8 @@ constexpr auto stimulus_columns = table_of<ReportedStimulus>(
     {{"stimulus", "", "stimulus id", [](auto& r) { return r.id; }},
      {"made", "", "level of factor made", [](auto& r) { return r.made; }},
      {"emotion", "", "level of factor emotion", [](auto& r) { return r.emotion; }},
-     {"setting", "", "levels of the other factors", [](auto& r) { return r.setting; }}});
+     {"setting", "", "levels of the other factors except strength, example and clip",
+      [](auto& r) { return r.setting; }}});
 
 /// A column of participant_form; nullptr for a demographic question.
 const Column* participant_column(std::string_view name) {

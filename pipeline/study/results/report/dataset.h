@@ -29,16 +29,18 @@ DatasetPaths dataset_paths(const std::string& study);
 
 /// The data as a Psych-DS dataset (psych-ds.github.io): the answers as read, including those of
 /// excluded participants; the stimuli with their factors; the participants, if known;
-/// dataset_description.json (JSON-LD, schema.org), which describes every column; and codebook.csv,
-/// which also describes the tables of results.
+/// dataset_description.json (JSON-LD, schema.org), which describes every column of these;
+/// codebook.csv, which also describes the tables of results; README.md; and .psychdsignore.
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
                                        const std::vector<WrittenTable>& tables);
 
 /// R scripts that read the exported data and fit models that mien does not implement. They are run
 /// in their own folder, which is next to data/.
 struct RScripts {
-  std::string mixed;    ///< a linear mixed model for each scale, by lme4
-  std::string ordinal;  ///< a cumulative link mixed model for each scale, by ordinal
+  std::string mixed;  ///< a linear mixed model for each scale, by lme4
+  /// A cumulative link mixed model for each scale with at least three different answers, by
+  /// ordinal.
+  std::string ordinal;
 };
 
 /// The R scripts. `answers` and `stimuli` are the paths of the data, relative to the dataset's

@@ -14,8 +14,9 @@ std::string retest_summary_html(const Results& results);
 std::string retest_answers_html(const Results& results);
 std::string demographics_html(const Results& results);
 std::string best_seen_html(const Results& results);
-/// The comparisons of a family. In best_seen, only videos of the group `made` (result_figures.h)
-/// are included, on the scale of the intended emotion, or on all scales if there is none.
+/// The comparisons of a family for the stimuli with this level of the factor `made` (empty: all
+/// stimuli). They include only the scales of intended emotions, unless the family has no
+/// comparisons on these.
 std::string comparisons_html(const Results& results, ComparisonFamily family,
                              const std::string& made = "");
 std::string overall_html(const Results& results, ComparisonFamily family);

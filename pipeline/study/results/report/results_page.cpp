@@ -123,13 +123,16 @@ std::string people_html(const Results& results) {
 }
 
 std::string method_html(const AnswerSet& answer_set) {
-  return paragraph(
-      fmt::format("All tests are two-sided with α = {:g}. Correction for multiple comparisons: {}, "
-                  "within each family of comparisons. In this section, the comparisons of all "
-                  "videos on all scales form one family. In the other sections there are two: "
-                  "those on the intended emotion's scale, and those on all other scales. Rows "
-                  "marked * are significant by the paired t test after correction.",
-                  answer_set.alpha, name_of(answer_set.correction)));
+  return paragraph(fmt::format(
+      "All tests are two-sided with α = {:g}. Correction for multiple comparisons: {}, "
+      "within each family of comparisons. In this section, the comparisons of all "
+      "videos on all scales form one family. In the sections on modified, acted and "
+      "neutral motions and on actors and other factors, each kind of comparison (such as "
+      "modified vs. acted) forms two families: those on the intended emotion's scale, "
+      "and those on all other scales; in tables over all settings, the single emotions "
+      "form one family, and the row “all” is not corrected. In these three sections, "
+      "rows marked * are significant by the paired t test after correction.",
+      answer_set.alpha, name_of(answer_set.correction)));
 }
 
 std::string best_html(const Results& results, const PageParts& parts) {
@@ -138,12 +141,14 @@ std::string best_html(const Results& results, const PageParts& parts) {
   std::string html =
       method_html(results.answer_set) +
       paragraph(
-          "For each end of each scale, the video rated highest. “Welch”: Welch’s test, as in "
-          "the emotion thesis, of the ratings of this video against all ratings of videos of the "
-          "same setting, itself included, treating ratings by the same participant as independent. "
-          "“Paired”: for each "
-          "participant, the rating of this video minus the mean of the participant’s ratings of "
-          "the other videos of the setting. g_z: Hedges’ g of these within-participant "
+          "For each setting and each end of each scale, the video rated highest relative to the "
+          "other videos of the setting. Difference: for each participant, the rating of this video "
+          "minus the mean of the participant’s ratings of the other videos; the mean over "
+          "participants, counted towards that end, is largest for this video. “Paired”: paired t "
+          "test of this difference. "
+          "“Welch”: Welch’s test, as in the emotion thesis, of the ratings of this video against "
+          "all ratings of videos of the same setting, including this one, treating ratings by the "
+          "same participant as independent. g_z: Hedges’ g of these within-participant "
           "differences. In the tables of all videos, V is the statistic of the "
           "Wilcoxon signed-rank test, the sum of the ranks of the positive differences, "
           "followed by the numbers of nonzero, zero and tied differences.") +
@@ -168,7 +173,7 @@ std::string title_of(ComparisonFamily family) {
     case ComparisonFamily::modified_neutral:
       return "Modified vs. neutral motions";
     case ComparisonFamily::modified_best:
-      return "Modified motions vs. the highest-rated video";
+      return "Modified motions vs. the highest-rated unmodified video";
     case ComparisonFamily::acted_neutral:
       return "Acted vs. neutral motions";
     default:
@@ -183,7 +188,7 @@ std::string unmatched_html(const Results& results) {
     if (c.emotion.empty() && c.unmatched > 0)
       sentences.push_back(fmt::format(
           "{}: {} rated motions of both kinds, but never of the same setting and emotion, and {} "
-          "excluded.",
+          "not included in the table over all settings.",
           title_of(c.family),
           counted_noun(static_cast<std::size_t>(c.unmatched), "participant", "participants"),
           c.unmatched == 1 ? "is" : "are"));
@@ -206,14 +211,17 @@ std::string differences_html(const Results& results, const PageParts& parts) {
   if (html.empty()) return "";
   return paragraph(
              "How strongly the intended emotion is perceived. A setting is a combination of "
-             "levels of all factors except “made”, “emotion” and “strength”. The first table is "
-             "over all settings; its values are scale points from the middle of the scale towards "
-             "the emotion. It is based on each participant’s means over the settings and emotions "
+             "levels of all factors except “made”, “emotion”, “strength”, “example” and “clip”. "
+             "For each kind of comparison, the first table is over all settings (none for the "
+             "highest-rated unmodified video); its values are scale points from the middle of the "
+             "scale towards the emotion. It is based on each participant’s means over the settings "
+             "and emotions "
              "for which the participant rated both motions compared (matched pairs: their number, "
-             "summed over participants). The second table is video by video, for participants who "
-             "saw both videos; its values are on the scale itself, positive towards its high end. "
-             "The highest-rated video is the unmodified video of the setting rated "
-             "farthest towards the emotion; it was selected "
+             "summed over participants). The other table is video by video: means and Welch’s test "
+             "include all ratings of the two videos, and the other columns the n participants who "
+             "rated both; its values are on the scale itself, positive towards its high end. "
+             "The highest-rated unmodified video is, of the setting’s unmodified videos, the one "
+             "with the mean rating farthest towards the emotion; it was selected "
              "using the same answers, so its ratings are biased upwards. The other scales are in "
              "results/comparisons.csv. Where all within-participant differences are equal, no t "
              "test is possible (“all equal”).") +
@@ -239,9 +247,9 @@ std::string groups_part(const Results& results, const PageParts& parts) {
              "Differences between groups of participants: Welch’s test of the participants’ means, "
              "for the two most frequent answers to each demographic question. If gender was asked, "
              "the ratings of each group are drawn. Figures 41 to 43 of the emotion thesis concern "
-             "gender, "
-             "but our copy does not say whether that of the participants or of the person shown; "
-             "for the latter, see the scale masculine – feminine in the other sections.") +
+             "gender, but the available text does not say whether that of the participants or of "
+             "the person shown; for the latter, see the scale masculine – feminine in the other "
+             "sections.") +
          "<details><summary>All videos and scales</summary>\n" + table + "</details>\n" +
          parts.figures("groups");
 }
@@ -256,8 +264,9 @@ std::string confusion_html(const Results& results, const PageParts& parts) {
   };
   if (is_of(true))
     html += paragraph(
-        "Ratings are converted to points: a rating at the end of a scale gives that end 2 points, "
-        "one halfway 1, the middle 0; percentages are of a row’s total points. The intervals treat "
+        "Ratings are converted to points: a rating at an end of a scale gives that end 2 points, a "
+        "rating halfway between the middle and an end 1 point, and others in proportion; "
+        "percentages are of a row’s total points. The intervals treat "
         "each rated presentation as one trial. “Top response”: presentations in which the intended "
         "emotion received more points than any other end; the exact binomial test compares their "
         "number with chance (1 / number of ends).");

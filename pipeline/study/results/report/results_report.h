@@ -18,12 +18,12 @@ struct FrozenVerdict {
 };
 
 /// Creates the folder of a report, or removes an earlier report from it. Throws Error for a folder
-/// with other contents.
+/// that has contents but no report.
 void clear_results_folder(const std::filesystem::path& folder);
 
-/// Writes the report: the page report.html, tables (results/), drawings (figures/, PDF, SVG and
-/// PNG), the data as a Psych-DS dataset and R scripts (analysis/). The same answers result in the
-/// same bytes. Throws Error and WriteFailure.
+/// Writes the report: the page report.html, tables (results/), figures (figures/, PDF, SVG and PNG)
+/// and their list figures.csv, the data as a Psych-DS dataset and, if there are ratings, R scripts
+/// (analysis/). The same answers result in the same bytes. Throws Error and WriteFailure.
 void write_results(const Results& results, const std::vector<AnswerRow>& rows,
                    const FrozenVerdict& frozen, const std::filesystem::path& folder);
 

@@ -165,12 +165,12 @@ TEST_F(MethodsSettings, CountTheRatersOfTheAnswers) {
         more + "}, stimuli: [{id: a, adjectives: {slow-quick: 0.5}}]}");
   };
   const std::string simulated = told(",simulated", ",1", 40);
-  EXPECT_NE(simulated.find("No participants rated them; 40 simulated raters answered"),
+  EXPECT_NE(simulated.find("No participants rated the examples; 40 simulated raters answered"),
             std::string::npos)
       << simulated;
   EXPECT_NE(simulated.find("(answers.csv)"), std::string::npos);
   const std::string all_known = told("", "", 9);
-  EXPECT_NE(all_known.find("9 participants rated them"), std::string::npos);
+  EXPECT_NE(all_known.find("9 participants rated the examples"), std::string::npos);
   EXPECT_EQ(all_known.find("excluded"), std::string::npos) << all_known;
   const std::string some_unknown = told("", "", 9, ", unknown: ignore", "p1,nobody,slow-quick,1\n");
   EXPECT_NE(some_unknown.find("Answers about other motions and on other scales were excluded"),

@@ -49,8 +49,9 @@ TEST(Methods, TellTheNumbersOfTheStudy) {
   expect_in(methods, "speed (fast, slow), emotion (tired), strength (0.5) and example (sad)");
   expect_in(methods,
             "The examples were 10 synthetic motions (mien's built-in example set walks-10)");
-  expect_in(methods, "Each was a single gait cycle; they lasted from ");
-  expect_in(methods, "No participants rated them; 14 simulated raters answered on 41 scales");
+  expect_in(methods, "Each example was a single gait cycle; they lasted from ");
+  expect_in(methods,
+            "No participants rated the examples; 14 simulated raters answered on 41 scales");
   expect_in(
       methods,
       "The recipe used (mien's own, after the emotion thesis) was tired, at a strength of 0.50.");

@@ -49,7 +49,7 @@ TEST(Foils, AreInTheReportWithWhatTheyDifferIn) {
     return found;
   };
   EXPECT_EQ(count("<td>intended to differ</td>"), 1);
-  EXPECT_EQ(count("<td>held</td>"), 3);
+  EXPECT_EQ(count("<td>within tolerance</td>"), 3);
   EXPECT_EQ(count("also differs"), 0);
   const Manifest without = parsed("").manifest;
   Motions others(without);

@@ -24,7 +24,7 @@ const english = {
   examplesView: "The examples walk one after another. Arrow keys rotate the view, plus and minus zoom, Home resets the view.",
   nextExample: "Next example",
   howHidden: "The distance between the figures is not shown.",
-  keys: "You can use the keyboard throughout: Tab moves on, arrow keys move a slider or rotate the view, plus and minus zoom, Enter or Space presses a button.",
+  keys: "You can use the keyboard throughout: Tab goes to the next slider or button, arrow keys move a slider or rotate the view, plus and minus zoom, Enter or Space presses a button.",
   interfaces: {
     adjectives: "Sliders with words",
     features: "Sliders for motion features",
