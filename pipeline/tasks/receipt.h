@@ -31,7 +31,7 @@ struct Maker {
 struct Receipt {
   Hash key;
   std::string path;  ///< relative to the study's folder, with '/'
-  Hash hash;         ///< hash of the bytes, or of a frame sequence's names and hashes
+  Hash hash;         ///< hash of the file's bytes, or of the names and hashes of the frames
   std::uint64_t size = 0;
   std::vector<FrameReceipt> frames;  ///< frames of a frame sequence, in order
   Maker maker = {};

@@ -126,8 +126,9 @@ class FrameStore {
   /// must have succeeded for each.
   Receipt publish(const std::vector<std::string>& names);
 
-  /// Removes the unpublished frames, which are no longer needed; those of other keys, too, unless
-  /// another process draws frames of that key.
+  /// Removes the unpublished frames, which are no longer needed. Unpublished frames of the same
+  /// film with another key are removed, too, unless another process has drawn frames for that key
+  /// and is not proven to have ended.
   void drop();
 
  private:

@@ -49,19 +49,19 @@ std::optional<WorkerRecord> read_worker_record(const std::filesystem::path& fold
 /// All readable records in a study's folder, sorted by name.
 std::vector<WorkerRecord> read_worker_records(const std::filesystem::path& folder);
 
-/// Whether the process is proven to have ended: its record states this, or it was started on this
-/// machine, since its last boot and in this PID namespace, and no longer exists. For any other
-/// process, true only if its record states this.
+/// Whether the process is proven to have ended: its record states this, or the process was started
+/// on this machine, after the machine's last boot and in this PID namespace, and no longer exists.
+/// For a process of another machine, boot or namespace, true only if its record states this.
 bool is_gone(const WorkerRecord& record);
 
-/// Whether a process is working now: it is not proven to have ended, and its record is less than a
-/// minute old. `now`: a file just written there (seconds_since_record).
+/// Whether a process is working now: it is not proven to have ended, and its record was updated
+/// less than a minute ago. `now`: a file just written there (seconds_since_record).
 bool works_now(const std::filesystem::path& folder, const WorkerRecord& record,
                const std::filesystem::path& now);
 
-/// Whether a process is (almost) certainly dead: proven to have ended, or on another machine (or
-/// from before the last boot) and without an update for a day. `now`: a file just written there
-/// (seconds_since_record).
+/// Whether a process is (almost) certainly dead: proven to have ended, or without an update of its
+/// record for a day and of another machine, boot or PID namespace than this process. `now`: a file
+/// just written there (seconds_since_record).
 bool is_dead(const std::filesystem::path& folder, const WorkerRecord& record,
              const std::filesystem::path& now);
 

@@ -12,8 +12,8 @@
 
 namespace mien::pipeline {
 
-/// The text of manifests/mien.schema.json, scales.schema.json and recipes.schema.json, and of
-/// scenes/set.schema.json at build time.
+/// The text of the schemas, as the files were at build time: manifests/mien.schema.json,
+/// manifests/scales.schema.json, manifests/recipes.schema.json and scenes/sets/set.schema.json.
 std::string_view manifest_schema_text();
 std::string_view scales_schema_text();
 std::string_view recipes_schema_text();

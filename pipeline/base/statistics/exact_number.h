@@ -17,8 +17,9 @@ class ExactNumber {
  public:
   ExactNumber() = default;
 
-  /// The unique fraction with the smallest denominator, at most 1,000,000, within 4 rounding errors
-  /// of `value`: 2/3 for 0.6666666666666666, 1/10 for 0.1. If there is none, the double itself.
+  /// The first convergent of the continued fraction of `value` that differs from it by at most
+  /// 2⁻⁵⁰ · max(1, |value|): 2/3 for 0.6666666666666666, 1/10 for 0.1. The double itself if the
+  /// denominator of that fraction would exceed 1,000,000.
   static ExactNumber of(double value);
 
   /// Nearest double; identical for equal numbers.

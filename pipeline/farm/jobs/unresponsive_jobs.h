@@ -17,8 +17,9 @@ struct LivenessEvidence {
 };
 
 /// Jobs that are running or completing according to Slurm but are most likely dead: the node does
-/// not respond or cannot end the job, or its workers have not reported for several minutes. The
-/// remedies contain the commands that cancel the jobs. `study`: the study's arguments in commands.
+/// not respond or cannot end the job, or the job's workers have not reported for several minutes.
+/// The remedies contain the commands that cancel the jobs. `study`: the study's arguments in
+/// commands.
 std::vector<JobProblem> unresponsive_jobs(const std::vector<JobStatus>& statuses,
                                           const LivenessEvidence& evidence,
                                           const std::string& study);

@@ -50,9 +50,9 @@ int dead_links(const std::filesystem::path& folder, const Cleaning& cleaning);
 /// has no receipts.
 Cleaning all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
-/// Removes the artifacts that `all_but` returns and lists them in the folder as removed on purpose.
-/// Artifacts that have changed since they were made are kept and reported as changed. Throws
-/// StoreBusy if another process works in the folder.
+/// Removes the artifacts that `all_but` returns as `removed`, after listing them in the folder as
+/// removed on purpose. Artifacts that have changed since they were made are kept and returned as
+/// `changed`. Throws the errors of `all_but`, and StoreBusy if another process works in the folder.
 Cleaning remove_all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
 }  // namespace mien::pipeline

@@ -16,8 +16,8 @@ enum class Compression { none, gzip, zstd };
 Compression compression_of(const std::filesystem::path& archive);
 
 /// Writes a tar archive (POSIX pax). The same files in the same order give the same bytes with the
-/// same library: every file has the date 1970, user and group 0 and mode 644, and compression is
-/// single-threaded.
+/// same library: every file has the date 1970-01-01, user and group 0 and mode 644, and compression
+/// is single-threaded.
 ///
 /// The archive is written under a temporary name in the same folder and renamed once all of it is
 /// on disk; an unfinished archive is removed.

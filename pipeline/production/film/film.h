@@ -26,8 +26,8 @@ struct FilmSettings {
   int eyes = 1;                  ///< pictures side by side in each frame: 2 for a stereo pair
   bool loops = false;            ///< animated pictures repeat endlessly
 
-  /// Called for each rendered frame with the seconds since its rendering began or the previous
-  /// frame was passed on, whichever is later. The sum is the rendering time.
+  /// Called for each rendered frame with the seconds since its rendering began or since the
+  /// previous frame was passed on, whichever was later. The sum of these is the rendering time.
   std::function<void(double)> on_frame_drawn = {};
 
   /// Static backgrounds shared with other films, and their light cached on disk. They do not affect
@@ -55,7 +55,7 @@ render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int f
 /// Returns the frame numbers first … end − 1.
 std::vector<int> frames_between(int first, int end);
 
-/// Receives the frames in order, as a display shows them.
+/// Receives the frames in order, tone-mapped to 8 bits per channel for a display.
 using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 
 /// Renders frames, several at a time (FrameDrawer::in_flight), and passes them on. Meanwhile, a

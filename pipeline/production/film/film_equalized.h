@@ -32,11 +32,12 @@ struct EqualizedFilms {
   Equalized of(const std::string& stimulus) const;
 };
 
-/// Returns the equalizing tasks that `manifest.equalize` requires, of "sizes" and "places"
-/// (metrics/sizes.csv, metrics/places.csv: film_framing.h) and "exposure" (metrics/exposure.csv:
-/// film_exposure.h). In addition to its table, each task writes all equalized properties found so
-/// far to .mien/equalized/<task>.json. The tasks read all motions and stage all stimuli, cut to the
-/// equalized duration if durations are equalized. `manifest` and `motions` must outlive them.
+/// Returns those of the equalizing tasks "sizes", "places" and "exposure" that `manifest.equalize`
+/// requires. They write the tables metrics/sizes.csv and metrics/places.csv (film_framing.h) and
+/// metrics/exposure.csv (film_exposure.h). In addition to its table, each task writes all equalized
+/// properties found so far to .mien/equalized/<task>.json. The tasks read all motions and stage all
+/// stimuli, cut to the equalized duration if durations are equalized. `manifest` and `motions` must
+/// outlive them.
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, FinishedMotions& motions);
 

@@ -16,14 +16,16 @@ namespace mien::pipeline {
 
 /// Equalizes the mean luminance of a study's films.
 ///
-/// A few small frames of each film are rendered in draft quality. Their mean luminance as a display
-/// shows it, including the tone curve, increases with exposure. For each film there is thus one
-/// exposure at which its mean equals the geometric mean of the films' means before equalizing:
-/// those of all films of the study, or of all with the same kind of figure.
+/// A few small frames of each film are rendered at about draft quality (4 samples per pixel). Their
+/// mean luminance as a display shows it, including the tone curve, increases with exposure. For
+/// each film there is thus one exposure at which its mean luminance has the wanted value. This is
+/// the geometric mean of the films' mean luminances before equalizing: of all films of the study,
+/// or of all films with the same kind of figure.
 ///
-/// Point-light figures whose dots are equal in number, size and colour and that stand on the same
-/// set share one exposure, chosen for the mean over all of them. With exposures of their own, a
-/// scrambled figure, whose dots occlude each other less, would become darker than its original.
+/// Point-light figures whose dots are equal in number, size and colour and that are shown on the
+/// same set and background share one exposure, at which the mean over all their films has the
+/// wanted value. With exposures of their own, a scrambled figure, whose dots occlude each other
+/// less, would become darker than its original.
 
 extern const TableForm exposure_form;
 
@@ -34,13 +36,14 @@ float stops_for(const std::vector<render::Framebuffer>& films, const render::Ton
 
 /// Finds the exposure of each film, stores it in `films` and returns the content of
 /// metrics/exposure.csv. Figures have the sizes and positions given in `films`. Throws Faults if no
-/// exposure brings a film, or the films that share an exposure, within 1 % of the wanted luminance;
-/// before the frames are rendered, large deviations are found with smaller ones (faults_in_light).
+/// exposure brings a film, or the films that share an exposure, within 1 % of the wanted luminance.
+/// Deviations of more than 5 % are detected first, in fewer and smaller frames (faults_in_light).
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
                          FinishedMotions& motions, TaskRun& run, EqualizedFilms& films);
 
-/// Returns a fault for each stimulus whose luminance cannot be equalized by any exposure, judged by
-/// small pictures; deviations of up to 5 % are left to exposure_csv. Throws Error.
+/// Returns a fault for each stimulus whose mean luminance in a few very small frames differs from
+/// the wanted one by more than 5 % at every exposure. Smaller deviations are only detected by
+/// exposure_csv. Throws Error.
 std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

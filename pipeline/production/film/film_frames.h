@@ -15,15 +15,15 @@ namespace mien::pipeline {
 /// Returns the file name of a frame: "00012.png", "00012.exr".
 std::string frame_name(FrameFormat format, int frame);
 
-/// A frame as stored in a file: light, or pixels as a display shows them.
+/// A frame as stored in a file: light, or tone-mapped pixels for a display.
 using FramePicture =
     std::variant<render::Framebuffer, render::Layers, render::Image8, render::Image16>;
 
 /// Writes one frame: light as EXR, pixels as PNG.
 void write_frame(const std::filesystem::path& file, const FramePicture& picture);
 
-/// Returns the frame as a display shows it. Throws render::Error if it cannot be decoded or has a
-/// different size.
+/// Reads a frame, tone-mapped to 8 bits per channel for a display. Throws render::Error if the file
+/// cannot be decoded or the frame has a different size.
 render::Image8 read_frame(const std::filesystem::path& file, FrameFormat format,
                           const std::array<int, 2>& size, const render::Tone& tone = {});
 

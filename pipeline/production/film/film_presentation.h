@@ -28,8 +28,8 @@ struct PresentationFrames {
 /// `fps`: frames per second.
 PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames);
 
-/// Returns a fault if videos are to be written and both fades together last longer than a film of
-/// `film_frames` frames; otherwise empty.
+/// Returns what is wrong if videos are to be written and both fades together last more than half a
+/// frame longer than a film of `film_frames` frames; otherwise empty.
 std::string fade_fault(const Stimulus& film, int film_frames);
 
 inline constexpr char fade_remedy[] = "make them shorter, or show more cycles";
@@ -48,8 +48,8 @@ class Presenter {
 
   const PresentationFrames& frames() const { return frames_; }
 
-  /// Takes the film's frames in order and shows them, with the pictures before the film at the
-  /// first frame and those after it at the last.
+  /// Takes the film's next frame and shows it. The first frame is preceded by the pictures that are
+  /// shown before the film, and the last frame is followed by those that are shown after it.
   void take(const render::Image8& picture, const Show& show);
 
  private:

@@ -19,7 +19,7 @@ struct VideoRecord {
   int frames = 0;      ///< number of frames of the whole video
   double fps = 0.0;
   double duration_s = 0.0;
-  bool identical = false;  ///< the video is lossless; then the remaining members are not set
+  bool identical = false;  ///< the video is lossless; then the members below are not set
   double worst_psnr_db = 0.0;
   int worst_psnr_frame = 0;
   double worst_ssim = 0.0;

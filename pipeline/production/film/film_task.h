@@ -18,8 +18,8 @@ namespace mien::pipeline {
 /// The inputs of a film.
 struct FilmSubject {
   const Stimulus& film;              ///< id, look and output of the film
-  std::vector<std::string> motions;  ///< ids of the stimuli and examples in it
-  KeyBuilder stage;                  ///< key of the other inputs of the staging
+  std::vector<std::string> motions;  ///< ids of the stimuli and examples that the film shows
+  KeyBuilder stage;                  ///< key of the staging's inputs other than these motions
   Equalize equalize;                 ///< properties equalized with the study's other films
   std::function<scenes::Shot(const Equalized&)> make_shot;
 };
@@ -34,8 +34,8 @@ struct StoredSequence {
 /// Returns the stored frames of a film's task, once the artifacts of its inputs are known.
 StoredSequence stored_sequence(const Task& film, const Hash& task_key);
 
-/// Return the film of a stimulus or of an overlay. All arguments must outlive the result. Overlays
-/// are not equalized.
+/// Return the inputs of the film of a stimulus or of an overlay. All arguments must outlive the
+/// result. Overlays are not equalized.
 FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest,
                        FinishedMotions& motions);
 FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, FinishedMotions& motions,

@@ -9,7 +9,7 @@
 namespace mien::pipeline {
 
 // The report of a large study is split into pages, because no browser shows ten thousand films on
-// one.
+// one page.
 
 /// Maximum number of cards of one kind on a page. A study that has at most this number of each kind
 /// fits on a single page.

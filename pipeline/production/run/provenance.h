@@ -16,8 +16,8 @@ namespace mien::pipeline {
 std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>& outcomes);
 
 /// Returns the changes since a provenance.json was written, one sentence each: in the program's
-/// version, in the input files of `manifest`, which is the one recorded there, and in
-/// inputs/as-run.yaml. If there are any, reproduced artifacts may differ.
+/// version, in the input files of `manifest`, and in inputs/as-run.yaml. `manifest` is the manifest
+/// that the provenance records. If there are changes, reproduced artifacts may differ.
 std::vector<std::string> changes_since(const std::filesystem::path& provenance,
                                        const Manifest& manifest);
 

@@ -27,6 +27,7 @@ struct RunResult {
 
 /// Returns the summary of a run for its last line: "7 tasks done, 2 up to date, 1 failed, 3 skipped
 /// because they depend on it". For an interrupted run, it includes the number of remaining tasks.
+/// If every task was up to date: "nothing to do, all 9 tasks are done".
 std::string counted_tasks(const RunResult& result);
 
 /// Returns the artifacts in `folder` that the manifest no longer makes. Empty for a production of
