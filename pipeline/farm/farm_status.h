@@ -41,7 +41,7 @@ struct FarmStatus {
   std::vector<NodeStatus> nodes;
   std::map<std::string, int>
       waiting;  ///< number of pending elements and final jobs by Slurm's reason
-  std::vector<JobProblem> problems;
+  std::vector<JobProblem> problems;  ///< those of cancelled jobs are omitted
   std::vector<FailedItem> failed;
   std::vector<std::string> losses;  ///< lost_job_messages
   std::string disk;                 ///< current problem of the study's folder; empty if none

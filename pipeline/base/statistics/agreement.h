@@ -14,13 +14,16 @@ struct Intraclass {
   /// The number k₀ = (N − Σn²/N)/(stimuli − 1) for n answers per stimulus and N in total; 0 for
   /// fewer than two stimuli.
   double answers_per_stimulus = 0.0;
-  bool is_connected = false;  ///< whether all raters can be compared, through common stimuli
-  double one = 0.0;           ///< ICC(1): of one answer, with different raters for each stimulus
-  double one_k = 0.0;         ///< ICC(1,k): of a mean of k₀ answers
-  double two = 0.0;           ///< ICC(2,1): raters as a random sample, absolute agreement
-  double two_k = 0.0;         ///< ICC(2,k): of a mean of k₀ answers
-  double three = 0.0;         ///< ICC(3,1): fixed raters, consistency
-  double three_k = 0.0;       ///< ICC(3,k): the same; Cronbach's alpha if the table is complete
+  /// Whether all raters can be compared, through common stimuli. Not determined, and false, for
+  /// fewer than two stimuli, if all answers are equal, or if no stimulus has two answers.
+  bool is_connected = false;
+  double one = 0.0;    ///< ICC(1): of one answer, with different raters for each stimulus
+  double one_k = 0.0;  ///< ICC(1,k): of a mean of k₀ answers
+  double two = 0.0;    ///< ICC(2,1): raters as a random sample, absolute agreement
+  double two_k = 0.0;  ///< ICC(2,k): of a mean of k₀ answers
+  double three = 0.0;  ///< ICC(3,1): fixed raters, consistency
+  /// ICC(3,k): of a mean of k₀ answers; Cronbach's alpha for a complete table.
+  double three_k = 0.0;
 };
 
 /// Intraclass correlations of a table, stimuli × raters, with NaN for missing answers.

@@ -14,7 +14,8 @@ extern const TableForm sizes_form;
 extern const TableForm places_form;
 
 /// Computes the equalized height of all figures, or of the figures of each kind: the smallest of
-/// their heights. Stores it in `films` and returns the content of metrics/sizes.csv.
+/// their heights, rounded down to a multiple of 1/64 pixel. Stores it in `films` and returns the
+/// content of metrics/sizes.csv.
 std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
                       EqualizedFilms& films);
 

@@ -49,8 +49,8 @@ struct FeasibleParameter {
 std::vector<FeasibleParameter> feasible_parameters(const ParameterRequest& request,
                                                    const ParameterTable& table);
 
-/// Returns "feasible range 0.37 to 0.75 with openness 0.50". If no blend has the others' values,
-/// the range is that of all blends.
+/// Returns "feasible range 0.37 to 0.75 with openness 0.50". If no blend has the values of
+/// `others`, the sentence says so and states the range over all blends.
 std::string to_sentence(const FeasibleParameter& parameter);
 
 /// A parameter requested by a stimulus.
