@@ -15,8 +15,8 @@ struct StimulusStates {
   const StimulusFacts& now;       ///< from the current manifest, made by the current program
 
   // Remade: from the approved manifest, the current program makes something that differs from what
-  // was approved. Requested: the current program makes something different from the current
-  // manifest than from the approved one.
+  // was approved. Requested: what the current program makes from the current manifest differs from
+  // what it makes from the approved manifest.
   bool is_motion_remade() const { return then.motion != approved.motion; }
   bool is_motion_requested() const { return now.motion != then.motion; }
   bool is_scene_remade() const { return then.scene != approved.scene; }
@@ -24,9 +24,10 @@ struct StimulusStates {
   bool is_drawing_requested() const { return now.drawing != then.drawing; }
 };
 
-/// Returns the changed settings of one aspect: "weights.sad 0.4 → 0.41; …". If there are none,
-/// returns all changed settings, because a seed may also change a motion through simulated ratings.
-/// If nothing has changed, returns "equalization across the study's stimuli".
+/// Returns the changed settings of one aspect: "weights.sad 0.4 → 0.41; …". If no setting of this
+/// aspect has changed, returns all changed settings, because settings of another aspect may be the
+/// cause: a seed may change a motion through simulated ratings. If nothing has changed, returns
+/// "equalization across the study's stimuli".
 std::string requested_changes(const StimulusStates& states, Aspect aspect);
 
 /// Returns the causes of a changed motion, without shares; empty if the motion is unchanged.

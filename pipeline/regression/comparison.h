@@ -80,8 +80,8 @@ struct VideoChange {
   /// The number of frames and the frame rate are unchanged; false for a video that is no longer
   /// made, true for a new one.
   bool same_frames = true;
-  /// Decrease of the lowest PSNR between the video and its frames, dB; that of a lossless former
-  /// video counts as 100 dB.
+  /// Decrease of the lowest PSNR between the video and its frames, dB. The PSNR of a lossless
+  /// former video counts as 100 dB; 0 if the current video is lossless.
   double psnr_lost_db = 0.0;
 };
 
@@ -106,11 +106,12 @@ struct StimulusComparison {
   std::string former_id;  ///< for a renamed stimulus: the id under which it was approved
 };
 
-/// Sets the verdict and the reasons: a sentence for each exceeded limit. Of several frames or body
-/// parts that exceed a limit, only the worst is named; changed videos are reasons only if there are
-/// no others. Picture changes caused by a motion within its limits are not a reason. Neither is
-/// noise, unless the scene's settings have changed: the approved noise statistics then belong to
-/// another scene.
+/// Sets the verdict and the reasons: a sentence for each exceeded limit and for a changed picture
+/// size. Of several frames or body parts that exceed a limit, only the worst is named. Changed
+/// videos are reasons only if there are no other reasons; a lower PSNR is not a reason if the
+/// frames themselves differ and no video setting has changed. Picture changes caused by a motion
+/// within its limits are not a reason. Neither is noise, unless the scene's settings have changed:
+/// the approved noise statistics then belong to another scene.
 void judge(StimulusComparison& comparison, const RegressionLimits& limits);
 
 }  // namespace mien::pipeline

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 /// A self-test of the comparison: in each run, small defects are planted in copies, and must be
 /// detected.
 struct Gate {
-  std::string id;             ///< id of the copied stimulus; empty if there was none
+  std::string id;             ///< id of the copied stimulus; empty if no stimulus could be used
   std::string motion_defect;  ///< "left forearm turned by 1°"
   bool motion_caught = true;
   std::string picture_defect;  ///< "a block of 8 x 8 pixels 50 % brighter"
@@ -67,7 +67,7 @@ struct Regression {
   std::map<std::string, std::vector<std::string>> wider;
   /// Ids of stimuli, present or removed, that were not selected; their state is unknown.
   std::vector<std::string> not_compared;
-  /// Ids of stimuli with videos of which none is approved.
+  /// Ids of stimuli whose videos are not compared, because no video of the stimulus was approved.
   std::vector<std::string> without_videos;
   int audited = 0;  ///< number of stimuli selected by `audit_share`
 
@@ -86,7 +86,7 @@ struct RegressionOptions {
 using StimulusDone = std::function<void(double share, const StimulusComparison&)>;
 
 /// Compares all stimuli, or those in `study.only`. `videos` are the current videos by stimulus id.
-/// Throws Error and Interrupted.
+/// Leaves `repetitions` unset (see repeated). Throws Error and Interrupted.
 Regression regress(const ComparedStudy& study,
                    const std::map<std::string, std::vector<VideoFacts>>& videos,
                    const RegressionOptions& options, const StimulusDone& done);

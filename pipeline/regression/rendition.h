@@ -78,8 +78,9 @@ StagedFilm staged(const std::string& id, const FrameSources& sources, int thread
 std::vector<render::Image8> drawn(const StagedFilm& film, const std::vector<int>& frames,
                                   const std::stop_token& stop);
 
-/// Measures the noise of frames: renders each with several noise patterns and returns the
-/// statistics of its blocks' light, as a display shows it. Throws Interrupted.
+/// Measures the noise of frames: renders each frame with noise_patterns different noise patterns,
+/// and returns its block statistics, computed from the linear light of the pictures as a display
+/// shows them. Throws Interrupted.
 std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::vector<int>& frames,
                                              const std::stop_token& stop);
 

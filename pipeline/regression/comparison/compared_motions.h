@@ -23,9 +23,10 @@ struct ComparedMotions {
   bool are_alike() const { return excesses.empty(); }
 };
 
-/// Reads two motion files without modification and compares them; features are those of `mien
-/// motion features`. For files with several motions, `takes` are the names of the takes; an empty
-/// name selects the first. Throws Error for files that cannot be read or compared.
+/// Reads two motion files and compares the motions as stored, without foot locking, alignment or
+/// rotation; their features are those of `mien motion features`. For files with several motions,
+/// `takes` are the names of the takes; an empty name selects the first. Throws Error for files that
+/// cannot be read or compared.
 ComparedMotions compared_motion_files(const std::string& before, const std::string& now,
                                       const motion::MotionTolerance& tolerance,
                                       const std::array<std::string, 2>& takes = {});

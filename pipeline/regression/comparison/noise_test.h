@@ -30,9 +30,9 @@ struct BlockStatistics {
 BlockStatistics block_statistics(const std::vector<render::Framebuffer>& patterns);
 
 /// Write and read block statistics as an EXR file: one pixel per block with the means, and below
-/// these, one per block with the variances. `patterns` is not stored and read as noise_patterns.
-/// Both throw render::Error; reading throws std::runtime_error if the file does not contain block
-/// statistics.
+/// these, one per block with the variances. `patterns` is not stored; reading sets it to
+/// noise_patterns. Both throw render::Error; reading throws std::runtime_error if the file does not
+/// contain block statistics.
 void write_blocks(const std::filesystem::path& file, const BlockStatistics& blocks);
 BlockStatistics read_blocks(const std::filesystem::path& file);
 

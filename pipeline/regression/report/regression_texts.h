@@ -12,8 +12,8 @@ namespace mien::pipeline {
 /// about stimuli not compared, planted defects, repetitions and unapproved videos.
 std::string plain_text(const Regression& regression);
 
-/// Returns these in GitHub's Markdown, for a pull request, without causes of single stimuli and
-/// without repetitions.
+/// Returns the same information in GitHub's Markdown, for a pull request, but without the causes of
+/// single stimuli and without repetitions.
 std::string markdown_text(const Regression& regression);
 
 /// Returns JUnit XML for CI systems: one test case per stimulus and one for the planted defects.
@@ -22,8 +22,9 @@ std::string junit_text(const Regression& regression);
 /// Returns everything as JSON. Lengths are in metres, angles in radians, times in seconds.
 nlohmann::ordered_json as_json(const Regression& regression);
 
-/// Returns a summary, "12 same, 1 alike, 3 differ"; it also states widened limits, and if a planted
-/// defect was not detected.
+/// Returns a summary, "12 same, 1 alike, 3 differ"; it also states the tolerances that were widened
+/// since the approval, and if a planted defect was not detected. "alike": the changes are within
+/// tolerance or noise (Verdict).
 std::string summary_text(const Regression& regression);
 
 /// Returns one cause: "80 % motion: weights.sad 0.4 → 0.41 (the evidence)".
@@ -42,10 +43,12 @@ std::string group_text(const CauseGroup& group);
 std::string motion_text(const StimulusComparison& comparison);
 
 /// Returns the most important difference of a stimulus: that of its motion, otherwise the first
-/// reason; without either, the verdict in words.
+/// reason; without either, the verdict in words ("within tolerance or noise" for `same` and
+/// `alike`).
 std::string first_words(const StimulusComparison& comparison);
 
-/// Returns a line about the stimuli with videos of which none is approved; empty if there are none.
+/// Returns a line that names the stimuli whose videos are not compared, because no video of the
+/// stimulus was approved; empty if there is no such stimulus.
 std::string unapproved_text(const Regression& regression);
 
 /// Returns "NOT COMPARED (excluded by --only): 2 of 3: blend, file" with a line break; empty if all

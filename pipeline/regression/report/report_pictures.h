@@ -28,8 +28,10 @@ inline constexpr std::size_t most_with_every_frame = 50;
 /// Target for the total size of a page's pictures, in bytes.
 inline constexpr std::uintmax_t most_picture_bytes = 64U << 20U;
 
-/// Returns the largest choice whose pictures have at most this total size; every frame is chosen
-/// for at most most_with_every_frame stimuli. A page with very many large pictures may exceed it.
+/// Returns the largest choice whose pictures have at most most_picture_bytes in total; the size of
+/// scaled pictures is estimated. Every frame is chosen only if at most most_with_every_frame
+/// stimuli have frames that differ. With very many pictures, even the smallest choice, 320 pixels
+/// wide, may be larger.
 ReportPictures fitting_pictures(const Regression& regression, const ComparedPictures& pictures);
 
 /// Returns the frames of a stimulus that the page shows, ascending: those that differ and have

@@ -19,8 +19,8 @@ struct ParticipantGroups {
 };
 
 /// The groups of the two most frequent answers to each demographic question answered in words, if
-/// at least two participants gave each answer. Participants for whom the table has several answers
-/// to the question are omitted.
+/// at least two participants gave each answer. Participants for whom the table has answers to the
+/// question in several rows are omitted, even if the answers are equal.
 std::vector<ParticipantGroups> participant_groups(const ParticipantTable& participants,
                                                   const AnswerSet& answer_set);
 

@@ -21,8 +21,8 @@ struct PreferenceCount {
   double adjusted = 1.0;  ///< p adjusted over all pairs of stimuli and all items
 };
 
-/// The question about a pair, which of the two is closer to the scale's high end, in words: "more
-/// happy". If no scale has the id `item`, returns `item`.
+/// The question about a pair in words: "more happy" asks which of the two stimuli is closer to the
+/// high end of the scale. If no scale has the id `item`, returns `item`.
 std::string pair_question(const AnswerSet& answer_set, const std::string& item);
 
 /// Preferences for all pairs of stimuli about which there are choices, sorted by item, then by pair

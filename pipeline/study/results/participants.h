@@ -19,12 +19,12 @@ struct ParticipantSummary {
   int checks = 0;   ///< number of attention checks
   int passed = 0;   ///< number of passed checks
   bool is_excluded = false;
-  double median_rt_ms = 0.0;  ///< median response time of these answers, ms; NaN if not measured
+  double median_rt_ms = 0.0;  ///< median response time of `answers`, ms; NaN if not measured
   int stalls = 0;             ///< buffering interruptions of videos
   int dropped_frames = 0;
   int blurs = 0;  ///< tab switches during trials
-  /// At least three of these answers, with all raw answers equal; reported, not a reason for
-  /// exclusion.
+  /// There are at least three `answers`, and all their raw values are equal; this is reported, but
+  /// is not a reason for exclusion.
   bool is_straight_lining = false;
 };
 
@@ -37,7 +37,7 @@ struct ParticipantTable {
   CsvTable table;
 
   bool empty() const { return table.rows.empty(); }
-  /// The demographic questions: all columns that are not in participant_form.
+  /// The demographic questions: all columns that are not in participant_form, except `simulated`.
   std::vector<std::string> questions() const;
   /// Names of participants whose column `finished` is 1; if there is a column session, also as
   /// "participant/session".

@@ -18,7 +18,8 @@ struct StudioFigure {
   /// Identifies the GLB file; empty: the page uses its own figure.
   std::string key;
 
-  int joints = 0;  ///< number of joints of the GLB file; 0 if it has the joints of the body
+  int joints = 0;  ///< number of joints of a GLB file with joints of its own; 0 if its joints are
+                   ///< those of the body
 
   /// World-space poses of these joints as in the film; empty if `joints` is 0. Little-endian f32:
   /// positions (frames × joints × 3, metres), then rotations as quaternions (frames × joints × 4:

@@ -36,11 +36,11 @@ ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pa
 /// `count` is 0. A trial is a target (its stimulus) and an interface (its item).
 ///
 /// A session begins with practice, which cycles through the practice motions and through the
-/// interfaces in the participant's order until each has occurred. One block per interface follows,
-/// which contains every target once. The blocks are ordered by a row of Williams' square of the
-/// interfaces (williams_row), the targets within a block by a row of the square of the targets.
-/// Each further block uses the next row, and so does the next participant with the same order of
-/// blocks.
+/// interfaces in the participant's order, until each practice motion and each interface has
+/// occurred. One block per interface follows, which contains every target once. The blocks are
+/// ordered by a row of Williams' square of the interfaces (williams_row), the targets within a
+/// block by a row of the square of the targets. Each further block uses the next row, and so does
+/// the next participant with the same order of blocks.
 ///
 /// With MatchingOrder::guesses_first, there is one block per target instead, ordered by a row of
 /// the square of the targets. Each block contains every interface once, ordered by a row of the
@@ -65,9 +65,10 @@ ZipFiles exported_matching(const Manifest& manifest, const MatchingStudy& study,
                            const std::filesystem::path& pages, const std::filesystem::path& module);
 
 /// Simulates all trials of all plans except practice, with one simulated user (simulated_trial.h)
-/// per trial, who needs 20 s for the first guess and 3 s for each further view and stops at the
-/// time limit. The user has the sliders that the page shows initially. For a target that is not a
-/// blend, the ideal slider settings are taken as 0.5. Every trial is marked as simulated.
+/// per trial, who needs 20 s for the first guess, then 3 s for each further view, and stops at the
+/// time limit, which is counted from the first guess. The user has the sliders that the page shows
+/// initially. For a target that is not a blend, the ideal slider settings are taken as 0.5. Every
+/// trial is marked as simulated.
 std::vector<MatchedTrial> simulated_matching(const Manifest& manifest, Motions& motions,
                                              const MatchingStudy& study);
 
@@ -89,7 +90,7 @@ std::vector<StartingDistance> starting_distances(const Manifest& manifest,
 /// 0.001. Without distances, 0.06.
 double suggested_threshold(const std::vector<StartingDistance>& distances);
 
-/// A warning about targets that match before any slider is moved; empty if there are none.
+/// A warning about targets that match before any slider is moved; empty if no target does.
 std::string starting_match_warning(const Manifest& manifest, const MatchingStudy& study);
 
 }  // namespace mien::pipeline

@@ -61,8 +61,9 @@ struct MatchingRecord {
 MatchingRecord read_matching_record(const nlohmann::json& text);
 
 /// Throws RecordFault if a record is impossible for the trial: sliders that its interface does not
-/// have, decreasing times, a success after the time limit or with D not below the threshold, or a
-/// failure more than one second before the limit.
+/// have or that appear twice in a setting, decreasing times of changes, an `attempt` below 1, a
+/// success after the time limit or with D not below the threshold, or a failure more than one
+/// second before the limit.
 void check_matching_record(const MatchingFacts& facts, const Trial& trial,
                            const MatchingRecord& record);
 

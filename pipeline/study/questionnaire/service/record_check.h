@@ -22,7 +22,8 @@ inline constexpr char ending_record[] = "ending";
 bool is_refusal(const PageRecord& record);
 
 /// Recomputes D of the first guess and of the final setting on the server. Throws RecordFault if
-/// the record states other values, so that a page cannot claim a better match.
+/// the record states other values, so that a page cannot claim a better match, or if the motion of
+/// a setting cannot be synthesized.
 void check_distances(LiveMotions& live, const Trial& trial, const MatchingRecord& record);
 
 }  // namespace mien::pipeline

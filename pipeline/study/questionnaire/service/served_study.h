@@ -51,8 +51,8 @@ struct SessionProgress {
   bool has_refused = false;         ///< consent was refused
 };
 
-/// experiment.json for one participant's page: it contains only this session, without data that
-/// reveals conditions or belongs to other participants.
+/// experiment.json for one participant's page: it contains only the session of this participant,
+/// without data that reveals conditions or belongs to other participants.
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
                          const SessionProgress& progress);
 
