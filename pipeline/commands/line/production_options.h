@@ -26,7 +26,7 @@ CommandOption quality_option(std::string& quality);
 
 std::vector<CommandOption> production_options(ProductionArguments& arguments);
 
-/// Those of production_options that select the study, its quality and the number of threads.
+/// The options in production_options that select the study, its quality and the number of threads.
 std::vector<CommandOption> manifest_options(ProductionArguments& arguments);
 
 int jobs_of(const ProductionArguments& arguments);

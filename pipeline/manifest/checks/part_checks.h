@@ -12,19 +12,21 @@
 
 namespace mien::pipeline {
 
-/// Returns faults that a schema cannot express: duplicate ids, missing files, sizes that no encoder
-/// accepts, values that need examples or ratings when there are none, comparison sheets of a motion
-/// with itself, and contradictory looks and questionnaires. The checks are independent of each
-/// other.
+/// Returns faults that a schema cannot express: duplicate ids, missing files, sizes that the chosen
+/// video formats do not accept, values that need examples or ratings when there are none,
+/// comparison sheets of a motion with itself, and contradictory looks and questionnaires. The
+/// checks are independent of each other.
 std::vector<Fault> check_meaning(const ResolvedManifest& resolved);
 
 /// Returns faults of the examples: a missing folder, missing or inconsistent ratings and scales,
-/// inconsistent keytimes, and a take although no file can contain several motions.
+/// inconsistent keytimes, and a `take` although none of the folder's files has a format that can
+/// hold several motions.
 std::vector<Fault> check_examples(const Manifest& manifest);
 
 /// Returns faults of stimuli: values that need examples or ratings when there are none, values that
-/// contradict each other, missing clips, faulty paths, factors that are not valid column names,
-/// options of another interpolation method, and limits of unknown body parts.
+/// contradict each other, missing clips, faults of a walker's `path:` (check_walk_path), factors
+/// that are not valid column names, options of another interpolation method, and regression
+/// tolerances for unknown body parts.
 std::vector<Fault> check_stimuli(const Manifest& manifest);
 
 /// Adds the faults of a stimulus's `path:`, if it has one: unknown moods (but not those of a motion
