@@ -57,8 +57,8 @@ struct Shot {
   SetPlan set;
   Place place;                 ///< placement of the set
   render::Scene static_scene;  ///< the static part of the set
-  motion::Vec3 step =
-      motion::Vec3::Zero();  ///< travel per frame removed from the first actor, metres
+  /// Travel per frame that was removed from the first actor, metres.
+  motion::Vec3 step = motion::Vec3::Zero();
   CameraRig cameras;
   Action action;                      ///< motion that the cameras frame
   std::array<int, 2> size{960, 540};  ///< pixels of a whole picture

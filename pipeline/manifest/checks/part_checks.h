@@ -69,8 +69,9 @@ std::vector<Fault> questionnaire_warnings(const Manifest& manifest);
 /// a questionnaire in the same manifest. The study's scales must have been read.
 std::vector<Fault> check_matching(const Manifest& manifest);
 
-/// Returns a fault for each source file that lies in `folder`, the output folder of the run, which
-/// could overwrite it. Its folder `inputs` is excepted: reruns read the copies there.
+/// Returns a fault for each source of motions, looks, ratings, scales or recipes that lies in
+/// `folder`, the output folder of the run, which could overwrite it. Its folder `inputs` is
+/// excepted: reruns read the copies there.
 std::vector<Fault> check_sources(const Manifest& manifest, const std::filesystem::path& folder);
 
 }  // namespace mien::pipeline
