@@ -22,7 +22,7 @@ struct FactorsForm {
   static nlohmann::ordered_json write(const Factors& factors, const WritingOptions&);
 };
 
-/// Returns the levels of a stimulus: the stated ones and, where they are not stated, the four that
+/// Returns the levels of a stimulus: the stated ones, followed by those that are not stated but
 /// follow from how it is made: `emotion` and `strength` of the recipes that modify it (several are
 /// joined by "+"), `example` if a single example has weight, and `clip`, the stem of its file's
 /// name.

@@ -167,7 +167,8 @@ struct ModificationStep {
   ModificationEdit edit;  ///< applied to the recipe
   motion::Modification modification;         ///< the recipe with the edit applied, at strength 1
   std::optional<PoseDifferenceSource> pose;  ///< not yet included in `modification`
-  std::optional<StyleStep> style;  ///< an older method; then only `strength` applies besides
+  /// An older method. If it is set, `strength` is the only other setting that is used.
+  std::optional<StyleStep> style;
 };
 
 /// The members of a map that belong to an older method: its name and options.

@@ -63,13 +63,13 @@ void fields_of(auto&& field, MaybeConst<Presentation> auto& shown) {
   field("background", shown.background, concerns::shown);
 }
 
-/// `clips: [bvh, glb]`: in the order of motion::motion_formats().
+/// `clips: [bvh, glb]`, stored in the order of motion::motion_formats().
 struct ClipsForm {
   static void read(const DocumentValue& given, std::vector<std::string>& clips);
   static nlohmann::ordered_json write(const std::vector<std::string>& clips, const WritingOptions&);
 };
 
-/// `video: [mp4, gif]`: in the order of render::video_kinds().
+/// `video: [mp4, gif]`, stored in the order of render::video_kinds().
 struct VideoKindsForm {
   static void read(const DocumentValue& given, std::vector<render::VideoKind>& video);
   static nlohmann::ordered_json write(const std::vector<render::VideoKind>& video,

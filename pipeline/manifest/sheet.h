@@ -18,7 +18,7 @@ struct Sheet {
   std::string created;    ///< stimulus or example
   std::string reference;  ///< stimulus or example; empty for none
   /// Ids of stimuli or examples of a gallery, one per row; distances are measured from the first,
-  /// and `target` is empty. Empty for other sheets.
+  /// and `target` is empty. Other sheets have no ids here.
   std::vector<std::string> gallery;
   std::vector<std::string> stills;  ///< stimulus ids, one picture each; empty for other sheets
   int columns = 6;                  ///< number of pictures per row of a sheet of stills

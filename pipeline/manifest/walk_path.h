@@ -23,7 +23,8 @@ struct WalkStep {
   std::optional<double> walk_s;    ///< duration in seconds
   std::optional<double> turn_deg;  ///< rotation in degrees, positive to the left; not 0
   std::optional<double> stand_s;   ///< seconds, from when the walker has come to rest
-  /// Factor on the mood's speed; unset: the pace of the path or, for a turn, of the preceding step.
+  /// Factor on the mood's speed. Unset: for a walk, the pace of the path; for a turn, the pace of
+  /// the preceding step (0 at the beginning and after standing).
   std::optional<double> pace;
   double curve_deg_s = 0.0;  ///< turning rate of a walk in degrees per second, positive to the left
   Mood mood;                 ///< mood from this step on; empty: unchanged

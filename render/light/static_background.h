@@ -50,8 +50,8 @@ std::vector<float> static_background_key(const Scene& scene, const Camera& camer
 /// Returns a name derived from such a key: its hash in 32 hexadecimal digits (128 bits).
 std::string static_background_name(const std::vector<float>& key);
 
-/// Renders the floor and backdrop of a row at the centres of the pixels (UnshadowedRow): the whole
-/// background if there are no static solids.
+/// Renders the floor and backdrop of a row at the centres of the pixels (UnshadowedRow). If there
+/// are no static solids, this is the whole background of the row.
 void render_unshadowed_row(const UnshadowedBackground& open, int y, StaticBackground& background);
 
 /// Returns a background of this size without solids, whose rows are still to be rendered; it reuses

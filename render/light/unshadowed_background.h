@@ -42,9 +42,9 @@ class UnshadowedBackground {
 /// A row of an UnshadowedBackground, eight pixels at a time. A light's irradiance is computed at
 /// every eighth pixel and interpolated by cubic polynomials where the relative error is at most
 /// 0.00002 (by the fourth derivative of a point light's irradiance; that of larger lights varies
-/// less): for a perspective camera with a level horizon, in rows without fading, where pixels eight
-/// columns apart show points of the floor at most a twentieth of the height of the light's lowest
-/// point apart.
+/// less). This holds for a perspective camera with a level horizon, in rows without fading, if the
+/// distance between the floor points shown by pixels eight columns apart is at most a twentieth of
+/// the height of the light's lowest point.
 class UnshadowedRow {
  public:
   UnshadowedRow(const UnshadowedBackground& set, int y, int width);

@@ -50,7 +50,7 @@ class Engine {
  public:
   explicit Engine(const TracerOptions& options);
 
-  /// The background for a camera: one of the last two, or a new one. In reference quality its
+  /// The background for a camera: one of the two used last, or a new one. In reference quality its
   /// image is empty.
   SceneBackground background_for(const Scene& scene, const Camera& camera, const Quality& quality);
 

@@ -86,8 +86,9 @@ void shadow_static_solid(const PreparedScene& prepared, const Sample& sample,
 void shadow_floor(const PreparedScene& prepared, const FloorSamples& batch,
                   ShadowRayQueue& shadow_rays, LineShadowQueue& line_shadows);
 
-/// Adds the backdrop or floor that a ray shows to the pixel's background, and queues shadow rays
-/// for the light that figures or static solids may keep from it.
+/// Adds the backdrop or floor to the pixel's background: that shown by the ray if every sample
+/// renders its own background, otherwise that at the pixel's centre. Queues shadow rays for the
+/// light that figures or static solids may keep from it.
 void add_unshadowed_background(const PreparedScene& prepared, const Sample& sample,
                                const CameraFrame& camera, const CameraRay& ray,
                                ShadowRayQueue& shadow_rays);

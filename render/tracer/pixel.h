@@ -18,7 +18,7 @@ enum class PixelKind {
   per_sample       ///< each sample separately: figure and static solids may both show
 };
 
-/// The properties of a pixel showing the floor that line shadows depend on.
+/// A pixel that shows the floor, with the properties on which line shadows depend.
 struct FloorPixel {
   int x = 0;
   int y = 0;

@@ -22,8 +22,8 @@ struct FrameRate {
 };
 
 /// The fraction nearest to `per_second` that a video can have: with denominator 1 or 1001 if one of
-/// these fits, otherwise with a denominator up to 1000. Throws std::invalid_argument when it is not
-/// positive.
+/// these fits, otherwise with a denominator up to 1000. Throws std::invalid_argument when
+/// `per_second` is not positive or not finite.
 FrameRate frame_rate(double per_second);
 
 /// The encoder's effort to make files small: `fast` is for drafts.

@@ -15,7 +15,7 @@ std::vector<std::string> camera_names();
 
 /// The cameras for the frames of a clip.
 struct CameraRig {
-  std::vector<render::Camera> cameras;  ///< one per frame; a single one for a fixed camera
+  std::vector<render::Camera> cameras;  ///< one per frame; a single one if it never changes
   double stereo_separation_m = 0.0;     ///< 0: no stereo; else a left and a right picture
   double convergence_m = 5.0;           ///< distance of zero parallax
   double figure_height_m = 1.75;        ///< height of the standing figure

@@ -31,7 +31,7 @@ struct SdfPrimitive {
   motion::Vec3 radii = motion::Vec3::Ones();     ///< the ellipsoid's semi-axes along `axes`
 
   double blend = 0.03;  ///< radius of the smooth union with the primitives before it, metres
-  std::optional<HalfSpace> within;  ///< to which it is clipped
+  std::optional<HalfSpace> within;  ///< half-space to which the shape is clipped; none: not clipped
 };
 
 /// Signed distance to the surface, negative inside; for ellipsoids the first-order estimate of

@@ -19,7 +19,7 @@ DotColours dot_colours(const PointLightOptions& options);
 
 /// Appends the dots at a frame, in exactly their colour under any lighting: discs that are parallel
 /// to the image plane and have the stated diameter in it, or spheres if the diameter is given in
-/// metres. Dots behind the camera are omitted.
+/// metres. Discs behind a perspective camera are omitted.
 void add_dots(render::Scene& scene, const std::vector<Dot>& dots, int frame,
               const PointLightOptions& options, const render::Camera& camera);
 

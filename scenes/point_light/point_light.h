@@ -37,10 +37,11 @@ struct DotStage {
 std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& options,
                              const DotStage& stage);
 
-/// The path of the figure as a whole after the manipulations.
+/// The path `way` of the figure as a whole after the manipulations that change its travel:
+/// reversal, rotation and mirroring.
 DotPath changed_path(DotPath way, const PointLightOptions& options, const DotStage& stage);
 
-/// DotStage::step after the manipulations.
+/// DotStage::step after these manipulations.
 motion::Vec3 changed_step(const PointLightOptions& options, const DotStage& stage);
 
 }  // namespace mien::scenes

@@ -67,7 +67,8 @@ struct SetPlan {
   bool in_place = false;
 };
 
-/// Placement of a set: at the centre of the action, facing the direction of travel.
+/// Placement of a set: at the centre of the action, facing in its forward direction
+/// (Action::forward).
 struct Place {
   motion::Vec3 centre = motion::Vec3::Zero();    ///< on the floor, metres
   motion::Vec3 forward = motion::Vec3::UnitZ();  ///< unit, horizontal

@@ -55,9 +55,10 @@ struct Performance {
 struct Shot {
   std::vector<Actor> actors;  ///< at least one
   SetPlan set;
-  Place place;                               ///< placement of the set
-  render::Scene static_scene;                ///< the static part of the set
-  motion::Vec3 step = motion::Vec3::Zero();  ///< removed travel per frame, metres
+  Place place;                 ///< placement of the set
+  render::Scene static_scene;  ///< the static part of the set
+  /// Travel per frame that was removed from the first actor, metres.
+  motion::Vec3 step = motion::Vec3::Zero();
   CameraRig cameras;
   Action action;                      ///< motion that the cameras frame
   std::array<int, 2> size{960, 540};  ///< pixels of a whole picture

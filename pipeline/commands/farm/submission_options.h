@@ -12,8 +12,8 @@
 
 namespace mien::pipeline {
 
-/// Options that determine how a study is split and which resources its jobs request; empty if not
-/// given.
+/// Options that determine how a study is split and which resources its jobs request. A member is
+/// empty if its option was not given.
 struct SubmissionOptions {
   std::string chunk;
   std::string partition;
@@ -29,8 +29,8 @@ std::vector<CommandOption> submission_options(SubmissionOptions& options);
 /// The newest submission of which Slurm refused no jobs; nullptr if there is none.
 const JournalSubmission* last_accepted(const JournalContent& journal);
 
-/// Returns the earlier submission (which may be empty) with the given options in place of its own.
-/// Throws Error for an invalid value.
+/// Returns a copy of the earlier submission (which may be empty) in which the given options replace
+/// the former values. Throws Error for an invalid value.
 JournalSubmission requested_submission(const SubmissionOptions& options, JournalSubmission earlier);
 
 /// Throws Error if an array task requests more processors than the largest node of its partition

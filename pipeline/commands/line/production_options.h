@@ -26,7 +26,7 @@ CommandOption quality_option(std::string& quality);
 
 std::vector<CommandOption> production_options(ProductionArguments& arguments);
 
-/// Those of production_options that select the study, its quality and the number of threads.
+/// The options in production_options that select the study, its quality and the number of threads.
 std::vector<CommandOption> manifest_options(ProductionArguments& arguments);
 
 int jobs_of(const ProductionArguments& arguments);
@@ -43,8 +43,9 @@ void print_warnings(const std::vector<Fault>& warnings, const Console& console);
 void print_stale_artifacts(const std::vector<std::string>& stale,
                            const ProductionArguments& arguments, const Console& console);
 
-/// Runs the missing tasks of a study and shows progress on `console.err`. Throws the error of the
-/// first failed task; throws Interrupted if stopped.
+/// Runs the missing tasks of a study and shows progress on `console.err`. If a task failed, throws
+/// Error (for invalid input) or std::runtime_error with the message of the first failed task;
+/// throws Interrupted if stopped.
 void make_study(Production& production, const std::filesystem::path& folder,
                 const ProductionArguments& arguments, const Console& console);
 

@@ -9,7 +9,7 @@
 namespace mien::pipeline {
 
 struct MatchingDesign {
-  int participants = 0;         ///< number of participants; 0: that planned in the manifest
+  int participants = 0;         ///< 0: the number planned in the manifest
   std::filesystem::path plans;  ///< CSV to write; empty: standard output
 };
 

@@ -20,9 +20,9 @@ struct PreparedQuestionnaire {
 };
 
 /// Reads the manifest, runs the missing tasks of the stimuli that the questionnaire shows, like
-/// `mien run`, and plans the sessions. Does not print the warnings of the manifest, which the
-/// caller has read before by participants_manifest. Throws Error if there is no questionnaire,
-/// Error or std::runtime_error if a task fails, and Interrupted if stopped.
+/// `mien run`, and plans the sessions. Does not print the warnings of the manifest: the caller has
+/// already read it by participants_manifest, which prints them. Throws Error if there is no
+/// questionnaire, Error or std::runtime_error if a task fails, and Interrupted if stopped.
 PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& arguments,
                                              const Console& console);
 

@@ -36,8 +36,8 @@ struct NamedFile {
 std::vector<NamedFile> named_files(std::string_view text, const std::filesystem::path& file,
                                    const Environment& environment);
 
-/// Like parse_manifest, from a file. For a file that cannot be read, or that contains another kind
-/// of document (scales, a set, recipes), this is the only fault.
+/// Like parse_manifest, from a file. If the file cannot be read or contains another kind of
+/// document (scales, a set, recipes), that is reported as the only fault.
 ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment);
 
 }  // namespace mien::pipeline

@@ -12,19 +12,21 @@
 
 namespace mien::pipeline {
 
-/// Returns faults that a schema cannot express: duplicate ids, missing files, sizes that no encoder
-/// accepts, values that need examples or ratings when there are none, comparison sheets of a motion
-/// with itself, and contradictory looks and questionnaires. The checks are independent of each
-/// other.
+/// Returns faults that a schema cannot express: duplicate ids, missing files, sizes that the chosen
+/// video formats do not accept, values that need examples or ratings when there are none,
+/// comparison sheets of a motion with itself, and contradictory looks and questionnaires. The
+/// checks are independent of each other.
 std::vector<Fault> check_meaning(const ResolvedManifest& resolved);
 
 /// Returns faults of the examples: a missing folder, missing or inconsistent ratings and scales,
-/// inconsistent keytimes, and a take although no file can contain several motions.
+/// inconsistent keytimes, and a `take` although none of the folder's files has a format that can
+/// hold several motions.
 std::vector<Fault> check_examples(const Manifest& manifest);
 
 /// Returns faults of stimuli: values that need examples or ratings when there are none, values that
-/// contradict each other, missing clips, faulty paths, factors that are not valid column names,
-/// options of another interpolation method, and limits of unknown body parts.
+/// contradict each other, missing clips, faults of a walker's `path:` (check_walk_path), factors
+/// that are not valid column names, options of another interpolation method, and regression
+/// tolerances for unknown body parts.
 std::vector<Fault> check_stimuli(const Manifest& manifest);
 
 /// Adds the faults of a stimulus's `path:`, if it has one: unknown moods (but not those of a motion
@@ -67,8 +69,9 @@ std::vector<Fault> questionnaire_warnings(const Manifest& manifest);
 /// a questionnaire in the same manifest. The study's scales must have been read.
 std::vector<Fault> check_matching(const Manifest& manifest);
 
-/// Returns a fault for each source file that lies in `folder`, the output folder of the run, which
-/// could overwrite it. Its folder `inputs` is excepted: reruns read the copies there.
+/// Returns a fault for each source of motions, looks, ratings, scales or recipes that lies in
+/// `folder`, the output folder of the run, which could overwrite it. Its folder `inputs` is
+/// excepted: reruns read the copies there.
 std::vector<Fault> check_sources(const Manifest& manifest, const std::filesystem::path& folder);
 
 }  // namespace mien::pipeline

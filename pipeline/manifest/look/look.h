@@ -24,7 +24,7 @@ struct Look {
   scenes::Figure figure;
   scenes::CameraSettings camera;
 
-  scenes::SetPlan set;  ///< the set named by `scene`, once it has been read (look_checks.h)
+  scenes::SetPlan set;  ///< the set named scene_of(look), once it has been read by resolve_set
 
   /// For films of stimuli; overlays always use the colours of roles.
   Colours colours = Colours::neutral;

@@ -16,11 +16,10 @@ namespace mien::pipeline {
 /// The sets named by the looks of one document, by name and file, so that each is read once.
 using ReadSets = std::map<std::pair<std::string, std::filesystem::path>, scenes::SetPlan>;
 
-/// Those of the character files named by the looks of one document that have been checked
-/// successfully.
+/// Character files that are named by the looks of one document and have been checked successfully.
 using CheckedFiles = std::set<std::filesystem::path>;
 
-/// Reads the set that a look names; `path` is the path of the look in the document. Returns the
+/// Reads the set of a look (scene_of); `path` is the path of the look in the document. Returns the
 /// faults of the set.
 std::vector<Fault> resolve_set(Look& look, const std::string& path, const Places& places,
                                ReadSets& sets);

@@ -52,7 +52,7 @@ struct AnswerSubjects {
 /// columns: a value that is not a number or outside the scale's range, a duplicate answer and,
 /// unless `about.ignore_unknown` is set, a scale that is not in `scales` or a stimulus that is not
 /// an example. If `about` has no examples, any stimulus is accepted. Tables of words and of
-/// questionnaires are refused as by answers_from_words and counted_answers.
+/// questionnaires also have the faults for which answers_from_words and counted_answers throw.
 Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales,
                      const AnswerSubjects& about = {});
 Answers parse_answers(std::string_view csv, const std::string& file, const ScaleSet& scales,

@@ -24,7 +24,8 @@ struct Impressions {
 };
 
 /// Averages the answers. Scales without any answer are omitted; answers about stimuli that are not
-/// examples are ignored. Throws Error that names the examples (and scales) without an answer.
+/// examples are ignored. Throws Error if no answer is about an example, or if an example has no
+/// answer on one of these scales.
 Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
                            const std::vector<RatedExample>& examples);
 
