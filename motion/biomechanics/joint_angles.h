@@ -30,8 +30,8 @@ const JointAngle& joint_angle(BodyJoint joint, std::string_view name);
 inline constexpr double wrist_range_degrees = 80.0;
 
 /// The values of all angles in a pose of the canonical body, degrees, in the order of
-/// `joint_angles`. Neck angles describe the head relative to the chest, spine angles the chest
-/// relative to the pelvis, and shoulder angles the upper arm relative to the chest. Positive
+/// `joint_angles`. Angles of Head describe the head relative to the chest, those of Chest the chest
+/// relative to the pelvis, and those of the shoulders the upper arm relative to the chest. Positive
 /// shoulder extension is backward, positive shoulder adduction inward.
 std::vector<double> measured_angles(const Pose& pose);
 

@@ -55,10 +55,11 @@ struct LoadedExamples {
 
 /// Loads a set of examples: reads the files, maps all files of one rig together, and cuts and
 /// straightens each motion (make_example.h). If the set is blendable, all motions are retargeted to
-/// the body of the first one (retarget.h), and the detected keytimes of performances are reduced to
-/// the same number (`even_keytimes`). Throws Error naming the file if one is unreadable, is not
-/// human or, in a blendable set, has a different number of keytimes than the first; if a name
-/// occurs twice; and if manual keytimes are missing for a file or refer to one that does not exist.
+/// the body of the first one (retarget.h), and the detected keytimes of examples that do not loop
+/// are reduced to the same number (`even_keytimes`). Throws Error naming the file if one is
+/// unreadable, is not human or, in a blendable set, has a different number of keytimes than the
+/// first; if a name occurs twice; and if manual keytimes are missing for a file or refer to one
+/// that does not exist.
 LoadedExamples load_examples(const ExampleFolder& folder);
 
 /// Whether a file name matches a pattern of `*` (any characters), `?` (any one character), `[abc]`

@@ -10,7 +10,7 @@ namespace mien::motion {
 
 enum class CycleChoice {
   automatic,       ///< the steadiest gait cycle, or the whole clip if it contains none
-  whole,           ///< the whole clip as one performance, not looped
+  whole,           ///< the whole clip, not looped
   start_peak_end,  ///< the whole clip, with a middle keytime where a hand or foot is farthest out
 };
 
@@ -36,10 +36,11 @@ struct PreparedExample {
 /// Prepares a clip for blending. One gait cycle is cut out; if it is detected and complete, the cut
 /// is made at the frames with the lowest seam cost (gait/loop.h) up to 3 away from its heel
 /// strikes. It is closed into a loop that begins at the left heel strike, and straightened (along
-/// +Z from the origin); it has the 7 keytimes of gait.h. A clip without a gait cycle is used whole
-/// and straightened; its keytimes are the start, the minima of speed (`speed_minima`) and the end
-/// or, with start_peak_end, the start, `peak_seconds` and the end. With manual keytimes, the part
-/// of the clip from the first keytime to the last is used and straightened. A clip that loops is
+/// +Z from the origin); its feet rest on the floor, and it has the 7 keytimes of gait.h. A clip
+/// without a gait cycle is used whole and straightened; its keytimes are the start, the minima of
+/// speed (`speed_minima`) and the end or, with start_peak_end, the start, `peak_seconds` and the
+/// end. With manual keytimes, the part of the clip from the first keytime to the last is used and
+/// straightened. A clip that loops is
 /// not cut; without a gait cycle, its keytimes are its start and its end.
 ///
 /// Throws Error naming the clip if it has fewer than two frames; if manual frames lie outside it,
@@ -50,12 +51,12 @@ PreparedExample prepare_example(const Clip& clip, const ExampleOptions& options 
 
 Example make_example(const Clip& clip, const ExampleOptions& options = {});
 
-/// Reduces the keytimes of performances (examples that do not loop) to the same number, as blending
-/// requires. The number is that of the example with the fewest; every example keeps its start, its
-/// end and its deepest pauses.
+/// Reduces the keytimes of examples that do not loop to the same number, as blending requires. The
+/// number is that of the example with the fewest; every example keeps its start, its end and its
+/// deepest pauses.
 void even_keytimes(std::vector<Example>& examples);
 
-/// The peak of a performance, seconds: the time at which a hand or foot (relative to the pelvis,
+/// The peak of a motion, seconds: the time at which a hand or foot (relative to the pelvis,
 /// low-pass filtered at 3 Hz) is farthest from where it would be if it moved straight from its
 /// first position to its last at constant velocity. At least two frames from either end; empty if
 /// this distance is never more than 2 cm.

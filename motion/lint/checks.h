@@ -43,8 +43,8 @@ bool is_calculable(const Clip& clip);
 Findings find_jumps(const LintMotion& motion, const LintOptions& options);
 
 /// Whether from frame `step` to the next no joint rotates faster than `frozen_rad_s` and the root
-/// does not move faster than `frozen_m_s`. In a walk in place, the velocity of the floor is
-/// subtracted.
+/// does not move faster than `frozen_m_s`. For a walk in place, the root's velocity is that
+/// before `lint_motion` converted the walk to a travelling one.
 bool is_frozen(const LintMotion& motion, int step);
 
 /// Finds frozen intervals, in which nothing moves. No finding if the rest of the motion moves for
@@ -75,7 +75,9 @@ Findings find_drift(const LintMotion& motion, const LintOptions& options,
 /// disagree, because the lower sole keeps its height while a foot stands. No finding for loops.
 Findings find_rise(const LintMotion& motion, const LintMotion* original);
 
-/// Finds a jump at the seam of a loop, compared with the changes per frame elsewhere in the loop.
+/// Finds a jump at the seam of a loop: the change over the seam deviates from the mean of the
+/// preceding and following changes, by more than twice the deviations usual in the rest of the loop
+/// (their 95th percentile). No finding for loops of fewer than 8 frames.
 Findings find_broken_seam(const LintMotion& motion, const LintOptions& options);
 
 /// Finds joint angles beyond the healthy range (joint_angles.h) and beyond those that the original
@@ -90,7 +92,8 @@ Findings find_self_intersections(const LintMotion& motion, const LintOptions& op
 
 /// Finds feet that slide while they bear weight (weight_bearing.h), at any speed. With an original,
 /// the thresholds are its largest slip plus 0.5 cm (warning; at least the warning level of
-/// `options`) and plus 1.2 cm (error).
+/// `options`) and plus 1.2 cm (error), and of each plant only the part counts in which the
+/// original's foot stands too.
 Findings find_skating_feet(const LintMotion& motion, const LintOptions& options,
                            const LintMotion* original);
 
@@ -141,7 +144,8 @@ Findings find_shifted_limbs(const LintMotion& motion, const LintOptions& options
                             const LintMotion& original);
 
 /// Finds hands, feet and head that move more jerkily than in the original: root mean square, over
-/// 0.5 s, of the third derivative of their paths relative to the trunk.
+/// 0.5 s, of the third derivative of their paths relative to the trunk, divided by the 90th
+/// percentile of this value in the original (at least 10 m/s³).
 Findings find_jerks(const LintMotion& motion, const LintOptions& options,
                     const LintMotion& original);
 

@@ -16,7 +16,7 @@ struct LintOptions {
   Levels unit_error = {1e-6, 1e-3};   ///< deviation of quaternion length from 1
   Levels bone_drift = {0.001, 0.01};  ///< change of bone length, as a fraction of the median length
   /// Deviation of a change per frame from the mean of its neighbours, less what fast movement
-  /// explains; at frame rates below 30 Hz scaled by 30 Hz / rate.
+  /// explains; multiplied by 30 Hz / rate at frame rates below 30 Hz, and by 1.5 for toes.
   Levels jump_degrees = {20.0, 30.0};
   Levels jump_metres = {0.05, 0.1};  ///< the same for root positions
   Levels seam_degrees = {3.0, 8.0};  ///< deviation at a loop's seam, less twice the usual deviation

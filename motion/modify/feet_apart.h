@@ -9,9 +9,9 @@
 namespace mien::motion {
 
 /// Least step width of a motion, metres: the lateral distance of an ankle from the line between the
-/// other foot's previous and next plant; negative if the foot crosses that line. In standing, the
-/// lateral distance of the ankles; empty if the motion has neither steps nor standing. Ankle
-/// positions are means over a plant.
+/// other foot's previous and next plant; negative if the foot crosses that line. If the motion has
+/// no steps, the lateral distance of the ankles while both feet stand; empty if they never do.
+/// Ankle positions are means over a plant.
 std::optional<double> least_step_width(const Clip& clip, const std::vector<FootPlant>& plants);
 
 /// Width of a foot, metres: 0.09 at a stature of 1.75 m, the same as in the lint (support.h).

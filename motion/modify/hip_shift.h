@@ -22,8 +22,8 @@ enum class HipPath {
 /// is corrected too, so that planted feet are as high as in the original.
 ///
 /// The cycle displacement of a loop follows from its feet; drift sideways from its line of travel
-/// is removed evenly over the cycle. Neither clip walks in place; both have the same number of
-/// frames and frame rate.
+/// (all drift if the original travels less than 5 cm per cycle) is removed evenly over the cycle.
+/// Neither clip walks in place; both have the same number of frames and frame rate.
 Clip with_hip_shift(const Clip& clip, const Clip& original, const std::vector<FootPlant>& plants,
                     HipPath path);
 

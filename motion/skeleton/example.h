@@ -11,7 +11,7 @@ namespace mien::motion {
 /// that correspond between examples.
 struct Example {
   std::string name;              ///< referenced by ratings and weights: "normal", "sad_002", …
-  Clip clip;                     ///< loops for gait; one performance otherwise
+  Clip clip;                     ///< one cycle if it loops, as in walking; otherwise a whole motion
   std::vector<double> keytimes;  ///< seconds, ascending, first 0, last the clip's duration
 };
 

@@ -14,13 +14,13 @@ namespace mien::motion {
 struct WalkRequest {
   double pace = 0.0;  ///< relative to the mood's own speed: 0 stops, 1 walks; clamped to 0–1.2
   std::optional<double> heading_deg;  ///< about +Y from +Z; turns through the smaller angle
-  double turn_deg_s = 0.0;            ///< °/s to the left, if no heading is requested
+  double turn_deg_s = 0.0;    ///< °/s to the left, if no heading is requested; clamped to ±180
   std::vector<double> moods;  ///< weights ≥ 0, one per mood, normalised; empty: the first mood
 };
 
 /// An interactive walker that can run indefinitely, in real time: about 50 µs per pose, without
-/// threads, files or growing memory. Moods are corresponding versions of all its motions and are
-/// blended during the walk, including tempo.
+/// threads, files or growing memory. Each mood is a walk style, fitted for standing and for every
+/// pace; the moods are blended during the walk, including tempo.
 ///
 /// It plans footsteps as it walks (steered_walk.h) instead of searching a motion graph: in a graph,
 /// a new request has to wait for the next transition (some tenths of a second, up to a step or

@@ -51,7 +51,7 @@ struct MoodGaits {
 /// between.
 inline constexpr std::array<double, 6> gait_paces = {0.0, 0.25, 0.5, 0.75, 1.0, 1.2};
 
-/// Gaits of a steered walker on one body: several corresponding moods that differ in style only.
+/// Gaits of a steered walker on one body, for one or more moods.
 struct WalkerGaits {
   Skeleton body;
   std::vector<MoodGaits> moods;

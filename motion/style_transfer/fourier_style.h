@@ -15,7 +15,8 @@ struct FourierStyleOptions {
 /// θ(φ) = A₀ + Σ Aₙ sin(nφ + φₙ). The cycle's duration and the horizontal travel are stored
 /// separately.
 struct FourierMotion {
-  MotionCurves frame;  ///< heading, means and travel, which are not in the series; no values
+  MotionCurves frame;  ///< heading, means and travel, which are not in the series; its `values`
+                       ///< are empty
   double cycle_seconds = 0.0;  ///< 2π/ω
   Eigen::RowVectorXd mean;     ///< A₀
   Eigen::MatrixXd amplitudes;  ///< row n−1: Aₙ ≥ 0 of all curves; radians or metres

@@ -64,7 +64,8 @@ struct JointDifference {
   bool differs_itself() const;
 };
 
-/// Differences of all joints of the pair, in its order. `part` is set to the joint's name.
+/// Differences of all joints of the pair, in the pair's order. `part` is the joint's name; a caller
+/// that knows the body parts replaces it.
 std::vector<JointDifference> joint_differences(const PairedMotions& pair, const Skeleton& before,
                                                const Skeleton& now);
 

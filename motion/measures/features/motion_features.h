@@ -32,7 +32,11 @@ struct MotionFeature {
   std::string_view japanese;  ///< UTF-8, our translation
   FeatureUnit unit;
   FeatureGroup group;
-  /// True if it replaces a duplicate: of the 51 rows in the published tables, two occur twice.
+  /// True for three features that are not printed in the published tables as such. The tables have
+  /// 51 rows, but the rows step length FB and σ left foot LR are printed twice, and the row σ com
+  /// LR does not state whether it means position or velocity. sigma-left-foot-fb replaces the
+  /// second row σ left foot LR; sigma-com-pos-lr and sigma-com-vel-lr replace the row σ com LR and
+  /// the second row step length FB.
   bool reconstructed = false;
 };
 
@@ -53,7 +57,7 @@ struct FeatureOptions {
 
 using FeatureValues = std::array<double, motion_feature_count>;
 
-/// Measures one cycle of a loop, or a whole performance, sampled at 30 Hz.
+/// Measures one cycle of a loop, or the whole of any other motion, sampled at 30 Hz.
 ///
 /// Let f be the direction of travel (straighten.h), l the direction to its left, u up, and d the
 /// direction of a segment. Segments that point up (torso: pelvis to neck; head: neck to vertex)
@@ -70,9 +74,9 @@ using FeatureValues = std::array<double, motion_feature_count>;
 /// between the ankles along f and l at the heel strikes of both feet; they are slightly shorter
 /// than the distances between footprints because the rear heel has risen.
 ///
-/// Units are those in `motion_features`. Features that a motion lacks are NaN: a performance has no
-/// steps, an arm held out sideways has no forward angle. The values are invariant to rotation about
-/// the vertical and translation on the floor. Needs at least two frames.
+/// Units are those in `motion_features`. Features that a motion lacks are NaN: a motion without a
+/// gait cycle has no steps, an arm held out sideways has no forward angle. The values are invariant
+/// to rotation about the vertical and translation on the floor. Needs at least two frames.
 FeatureValues measure_features(const Example& example, const FeatureOptions& options = {});
 
 }  // namespace mien::motion

@@ -9,7 +9,7 @@ namespace mien::motion {
 /// Simple measures of a motion, used for motions without ratings.
 struct MotionMeasures {
   double speed_m_s = 0.0;          ///< of the pelvis over the floor
-  double tempo_hz = 0.0;           ///< cycles (or performances) per second
+  double tempo_hz = 0.0;           ///< cycles per second; without a loop, 1 / duration
   double travel_m = 0.0;           ///< horizontal travel per cycle
   double hand_range_m = 0.0;       ///< extent of a hand's path relative to the pelvis, mean of both
   double hand_speed_m_s = 0.0;     ///< relative to the pelvis, mean of both
@@ -30,7 +30,7 @@ inline constexpr int motion_measure_count = 15;
 /// The measures in the order of the struct.
 std::array<double, motion_measure_count> values_of(const MotionMeasures& measures);
 
-/// Measures one cycle of a travelling loop, or a whole performance.
+/// Measures one cycle of a travelling loop, or the whole of any other motion.
 MotionMeasures measure(const Example& example);
 
 }  // namespace mien::motion

@@ -114,7 +114,7 @@ constexpr auto measured_columns = table_of<MeasuredFeature>(
      {"value", "see unit", "empty where the motion has no steps", [](auto& r) { return r.value; }},
      {"unit", "", "unit of the value", [](auto& r) { return motion::symbol_of(r.feature.unit); }},
      {"group", "", "its group", [](auto& r) { return motion::id_of(r.feature.group); }},
-     {"reconstructed", "0/1", "1: not legible in the published tables",
+     {"reconstructed", "0/1", "1: replaces a repeated or ambiguous row of the published tables",
       [](auto& r) { return r.feature.reconstructed; }},
      {"name", "", "English name", [](auto& r) { return r.feature.name; }},
      {"name_ja", "", "Japanese name", [](auto& r) { return r.feature.japanese; }}});
@@ -156,7 +156,7 @@ void show_table(const std::vector<MeasuredFile>& all, const Console& console) {
     for (std::size_t i = 0; i < motion::motion_features().size(); ++i)
       if (motion::motion_features()[i].group == group) show_row(i, all, console);
   }
-  console.out << "\n* illegible in the published tables; reconstructed\n";
+  console.out << "\n* replaces a repeated or ambiguous row of the published tables\n";
 }
 
 int show_features(const FeaturesOptions& options, const Console& console) {
