@@ -162,7 +162,8 @@ std::vector<CommandOption> file_options(RegressOptions& options) {
           .between(0.0, 180.0)
           .with_default(),
       tolerance("--velocity", allowed.velocity_m_s,
-                "Tolerated difference of a joint's velocity, in metres per second"),
+                "Tolerated velocity difference of a joint, or of a point 10 cm off its bone, in "
+                "metres per second"),
       tolerance("--contacts", allowed.contact_seconds,
                 "Tolerated shift of a foot contact, in seconds"),
       tolerance("--slide", allowed.slide_m,
@@ -182,10 +183,9 @@ constexpr char footer[] =
     "Motions are compared as they are, without foot locking, alignment or rotation. Joints are "
     "paired by name; if the rigs differ, both are retargeted to one body. The report gives the "
     "largest change in a sentence, which names the joint that causes the change, not those that "
-    "move with it, and recognizes time shifts, left and right swapped, and a different path. It "
+    "move with it, and recognizes time shifts, left and right swapped, and a displaced figure. It "
     "also gives distances with and without alignment, velocities, foot contacts, faults that "
-    "appeared "
-    "or disappeared, and motion features.\n\n"
+    "appeared or disappeared, and motion features.\n\n"
     "The tolerances of a study are in its manifest (regression:).\n\n"
     "Exit code: 0 no difference beyond tolerance, 1 differences, 2 "
     "comparison failed (bad input, a damaged baseline, no space for the report).\n\n"

@@ -240,7 +240,8 @@ Command study_design_command() {
           option("-o,--output", &options->plans,
                  "CSV of all participants' plans (default: standard output)"),
           option("--balance", &options->balance,
-                 "CSV of how often each stimulus appears, in which position and after which other"),
+                 "CSV of how often each stimulus appears, in which position and after which other "
+                 "stimulus"),
           option("--participants", &options->participants,
                  "Number of participants (default: as in the manifest)")
               .between(1, 10000),

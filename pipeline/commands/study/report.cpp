@@ -240,7 +240,8 @@ Command study_report_command() {
            option("--frozen", &options->frozen,
                   "Archive written by mien study design --freeze: report differences from it"),
            option("--studies", &options->studies,
-                  "With --frozen: folder of all studies, to compare the media of this one")
+                  "With --frozen: folder that contains the study's folder; the media in it are "
+                  "compared, too")
                .formerly("--made")
                .with_default()},
       .notes =

@@ -51,8 +51,8 @@ constexpr auto dots_columns = table_of<DotRow>(
       [](auto& r) { return r.number; }},
      {"kind", "", "joint name, limb, noise or mask", [](auto& r) { return r.dot.kind; }},
      {"x_px", "pixels",
-      "centre of the dot from the left edge of the frame (of a stereo pair, too); empty if it is "
-      "behind the camera",
+      "centre of the dot from the left edge of the frame (of a stereo pair: of the whole frame "
+      "with both eyes); empty if it is behind the camera",
       [](auto& r) { return r.pixels(0); }},
      {"y_px", "pixels", "centre of the dot from the upper edge of the frame, downwards",
       [](auto& r) { return r.pixels(1); }},

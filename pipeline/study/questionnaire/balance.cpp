@@ -188,7 +188,7 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
                   range_text(position_range(balance), "times")),
       fmt::format("Each {} directly follows every other one {}.", form.judged,
                   range_text(succession_range(balance), "times")),
-      fmt::format("Every pair of {} co-occurs in {}.", form.stimuli > 1 ? "pairs" : "stimuli",
+      fmt::format("Any two {} are both shown in {}.", form.stimuli > 1 ? "pairs" : "stimuli",
                   range_text(concurrence_range(balance), "sessions"))};
   if (!balance.flipped.empty())
     sentences.push_back(fmt::format("The high end of each scale is on the left for {}.",
