@@ -125,9 +125,12 @@ TEST_F(StudioAtWork, IsReachedByItsLinkAloneAndEndsWhenTold) {
 TEST_F(StudioAtWork, WarnsOfFormerNames) {
   open(mien_with_studio_page(folder.path() / "bin"), 30, "{trail: {before: 1, faintest: 0.2}}");
   studio->send(SIGINT);
-  EXPECT_EQ(studio->wait(20.0).errors,
-            "warning: " + manifest.string() +
-                ":11:51: look.figure.trail.faintest: now called min_opacity; rename it\n");
+  const std::string errors = studio->wait(20.0).errors;
+  const std::string warning =
+      "warning: " + manifest.string() +
+      ":11:51: look.figure.trail.faintest: now called min_opacity; rename it\n";
+  EXPECT_TRUE(errors.starts_with(warning)) << errors;
+  EXPECT_EQ(errors.find("warning: ", 1), std::string::npos) << errors;
 }
 
 TEST_F(StudioAtWork, RefusesABrokenManifest) {
