@@ -25,6 +25,10 @@ struct Quality {
   /// Whether samples of two neighbouring pixels in a row are shaded together too; has an effect
   /// only if `samples_per_pixel` is at most 4 and at most `samples_shaded_together`.
   bool shades_pixel_pairs = false;
+
+  /// Whether neighbouring samples of one surface of the figure share what they find occluded of the
+  /// sky: less noise, but blurred by 3 pixels.
+  bool shares_figure_sky = false;
   int static_samples = 64;  ///< samples per pixel for static solids, rendered once per camera
 
   /// A figure's occlusion of the sky, as seen from the floor, is sampled at grid points, with

@@ -51,8 +51,14 @@ void add_sky(const PreparedScene& prepared, const SurfaceSamples& batch, const L
     add_light(batch.samples[i], of_figure ? &Pixel::known_figure : &Pixel::known_background,
               surface.albedo * unoccluded_sky_light(sky, surface.normal));
   }
-  const Contribution occluded = of_figure ? Contribution::minus_figure_if_occluded
-                                          : Contribution::minus_background_if_occluded;
+  const bool shares = of_figure && prepared.quality.shares_figure_sky;
+  const Contribution occluded = shares      ? Contribution::shared_sky_if_occluded
+                                : of_figure ? Contribution::minus_figure_if_occluded
+                                            : Contribution::minus_background_if_occluded;
+  std::array<int, lanes> numbers{};
+  for (int i = 0; shares && i < batch.samples.count; ++i)
+    numbers[static_cast<std::size_t>(i)] =
+        shadow_rays.shared_sky().add(batch.samples[i], batch.surfaces[static_cast<std::size_t>(i)]);
   const int rays = prepared.quality.sky_rays;
   const float share = 1.0f / static_cast<float>(rays);
   for (int k = 0; k < rays; ++k) {
@@ -61,9 +67,11 @@ void add_sky(const PreparedScene& prepared, const SurfaceSamples& batch, const L
     for (int i = 0; i < batch.samples.count; ++i) {
       const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
       const Vec3 direction = towards.at(i);
+      const Color light = share * sky_radiance(sky, direction);
       shadow_rays.enqueue(batch.samples[i], surface.origin, direction,
                           distance_to_end(prepared.scene, surface.origin, direction),
-                          share * surface.albedo * sky_radiance(sky, direction), occluded);
+                          shares ? light : Color(surface.albedo * light), occluded,
+                          numbers[static_cast<std::size_t>(i)]);
     }
   }
 }
@@ -155,6 +163,9 @@ void ShadowRayQueue::trace() {
         break;
       case Contribution::minus_figure_if_occluded:
         if (figure || background) add_light(query.sample, &Pixel::figure, -query.light);
+        break;
+      case Contribution::shared_sky_if_occluded:
+        if (figure || background) shared_sky_.occlude(query.sky_sample, query.light);
         break;
       case Contribution::minus_background_if_occluded:
         if (figure || background) add_light(query.sample, &Pixel::background, -query.light);

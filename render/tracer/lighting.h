@@ -6,6 +6,7 @@
 #include "render/tracer/line_shadow_queue.h"
 #include "render/tracer/pixel.h"
 #include "render/tracer/prepared_scene.h"
+#include "render/tracer/shared_sky.h"
 
 namespace mien::render {
 
@@ -15,6 +16,7 @@ enum class Contribution {
   background_if_unoccluded,      ///< added to the background
   minus_figure_if_occluded,      ///< subtracted from the figure
   minus_background_if_occluded,  ///< subtracted from the background
+  shared_sky_if_occluded,        ///< subtracted from the sky's light, shared by neighbours
   shadow_if_figure_occludes,     ///< subtracted from the static background, unless a
                                  ///< static solid occludes, too
   shadow_if_occluded             ///< subtracted from the unshadowed background
@@ -27,11 +29,12 @@ class ShadowRayQueue {
   explicit ShadowRayQueue(const PreparedScene& prepared) : prepared_(prepared) {}
 
   /// Queues a shadow ray. `light` is the radiance that the ray contributes for each of the
-  /// samples that `sample` represents.
+  /// samples that `sample` represents; for shared_sky_if_occluded, irradiance divided by π, of the
+  /// sample `sky_sample` of `shared_sky`.
   void enqueue(const Sample& sample, const Vec3& origin, const Vec3& direction, float distance,
-               const Color& light, Contribution contribution) {
+               const Color& light, Contribution contribution, int sky_sample = -1) {
     if ((light == 0.0f).all()) return;
-    queries_[static_cast<std::size_t>(rays_.count)] = {sample, light, contribution};
+    queries_[static_cast<std::size_t>(rays_.count)] = {sample, light, contribution, sky_sample};
     rays_.push(origin, direction, distance, sample.time, sample.present);
     if (rays_.count == packet_size) trace();
   }
@@ -39,16 +42,21 @@ class ShadowRayQueue {
   /// Traces the rays that are still queued.
   void trace();
 
+  /// The samples of the tile whose sky is shared; subtract it after `trace`.
+  SharedSky& shared_sky() { return shared_sky_; }
+
  private:
   struct Query {
     Sample sample;
     Color light = Color::Zero();
     Contribution contribution = Contribution::figure_if_unoccluded;
+    int sky_sample = -1;
   };
 
   const PreparedScene& prepared_;
   RayPacket rays_;
   std::array<Query, packet_size> queries_;
+  SharedSky shared_sky_;
 };
 
 /// Up to eight samples and the surfaces that they hit.

@@ -110,6 +110,7 @@ void TilePainter::draw_tile(const Tile& tile, bool open, const Canvas& canvas) {
   in_blocks_ = shared.pixels > 1;
   if (in_blocks_) blocks_.clear(block_of(shared));
   shaded_rows_.fill(0);
+  shadow_rays_.shared_sky().begin_tile(tile);
   pixels_.clear();
   pixels_.reserve(tile_size * tile_size);
   floors_.clear();
@@ -350,6 +351,7 @@ void TilePainter::finish(const Tile& tile) {
   trace(traced_);
   shade_figure();
   shadow_rays_.trace();
+  shadow_rays_.shared_sky().subtract();
   if (in_blocks_) {
     for (const Pixel& pixel : pixels_)
       if (pixel.block_samples > 0) blocks_.add(pixel.x, pixel.y, pixel.shadow_lights);

@@ -110,7 +110,9 @@ TEST_F(Triangles, AreHitInPatchesAsOneByOne) {
         if (std::abs(inside) < 1e-3 || std::abs(t) < 1e-3 || std::abs(volume) < 1e-2) continue;
         const bool is_hit = inside > 0.0 && t > 0.0;
         EXPECT_EQ(std::isfinite(found[k]), is_hit) << "trial " << trial << ", triangle " << number;
-        if (is_hit) EXPECT_NEAR(found[k], t, 1e-3 * (1.0 + t));
+        if (is_hit) {
+          EXPECT_NEAR(found[k], t, 1e-3 * (1.0 + t));
+        }
         ++(is_hit ? hits : misses);
       }
     }
