@@ -228,7 +228,6 @@ TEST(ClusteredTriangles, AreTheSameTrianglesCloserTogether) {
 
   cluster_triangles(mesh);
   EXPECT_LT(box_diagonals(mesh), 0.2 * box_diagonals(shuffled));
-  EXPECT_LT(box_diagonals(mesh), box_diagonals(before));
   std::vector<int> parts = mesh.triangle_parts;
   for (size_t i = 0; i < parts.size(); ++i)
     EXPECT_EQ(mesh.triangles[i], before.triangles[static_cast<size_t>(parts[i])])
