@@ -49,7 +49,7 @@ void cluster(const std::vector<Vec3>& centres, std::vector<int>::iterator first,
              std::vector<int>::iterator last) {
   constexpr std::ptrdiff_t together = 8;
   const std::ptrdiff_t count = last - first;
-  if (count <= together) return;
+  if (count <= together) return std::sort(first, last);  // whatever nth_element left
   const auto centre = [&](int triangle) -> const Vec3& {
     return centres[static_cast<size_t>(triangle)];
   };
