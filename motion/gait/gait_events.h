@@ -49,7 +49,8 @@ FootProgress foot_progress(const Clip& clip);
 
 /// Heel strikes and toe offs in order of time (Zeni et al. 2008): a heel strike is where the heel
 /// is farthest in front of the pelvis, a toe off where the toe is farthest behind it; next to a
-/// flight, they are moved to the end and the beginning of contact. Works for clips in place too.
+/// flight, the toe off is moved to the end of contact, and the heel strike to its beginning. Works
+/// for clips in place too.
 /// Events of a looping clip lie in [0, frames).
 std::vector<GaitEvent> gait_events(const Clip& clip);
 

@@ -58,11 +58,11 @@ class PathStream {
   int look_ahead_;
   std::vector<double> response_;  ///< impulse response of the bands, centred
   std::array<Signal, body_joint_count> signals_;
-  std::deque<Pose> waiting_;  ///< from the next frame to be returned to the newest
-  long first_dense_ = 0;      ///< index in the signal of the first sample that is kept
-  long given_ = 0;            ///< number of frames returned so far
-  std::optional<Pose> longer_before_;
-  std::optional<Pose> before_;  ///< the frame returned last
+  std::deque<Pose> waiting_;           ///< the frame that is returned next, and all later ones
+  long first_dense_ = 0;               ///< index in the signal of the first sample that is kept
+  long given_ = 0;                     ///< number of frames returned so far
+  std::optional<Pose> longer_before_;  ///< the last frame with lengthened paths, before mixing
+  std::optional<Pose> before_;         ///< the frame returned last
 };
 
 }  // namespace mien::motion

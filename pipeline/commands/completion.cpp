@@ -243,7 +243,7 @@ Command completion_command() {
           .summary = "Print the shell completion script",
           .options = {argument("shell", shell.get(), "Shell").one_of({"bash", "zsh"})},
           .notes =
-              "The Debian package installs both. Without the package, add:\n"
+              "The Debian package installs the scripts for both shells. Without the package, add:\n"
               "  source <(mien completion bash)     in ~/.bashrc\n"
               "  source <(mien completion zsh)      in ~/.zshrc, after compinit",
           .run = [shell](const Console& console) {

@@ -231,7 +231,8 @@ std::vector<CommandOption> look_options(LookOptions& look) {
 std::vector<CommandOption> picture_options(RenderOptions& options) {
   return {
       option("--still", &options.still,
-             "A still (.png or .exr) instead of a contact sheet, at that time in seconds (default: "
+             "A still (.png or .exr) instead of a contact sheet, at that time in seconds (without "
+             "a value: "
              "the middle, or the end of a trail)")
           .values(0, 1)
           .with_default("middle"),

@@ -17,7 +17,8 @@ Box box_of(const Triangle& triangle);
 /// The box around two boxes.
 Box hull(const Box& a, const Box& b);
 
-/// The box, larger by more than any rounding in the intersection with what it contains.
+/// The box, enlarged on all sides by more than the rounding errors of intersecting a ray with the
+/// shapes in it.
 Box padded(const Box& box);
 
 }  // namespace mien::render

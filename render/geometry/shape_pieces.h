@@ -30,7 +30,8 @@ void visit_pieces(const PreparedCone& cone, const PreparedCone* closing, Visit v
     if (closing == nullptr) {
       visit(std::array{ball(cone, i), ball(cone, i + 1)});
     } else {
-      // Between the two the solid may be a sphere of the larger radius anywhere on its axis.
+      // At times between its two positions, the moving cone may have become a sphere of the largest
+      // radius, anywhere on its axis.
       std::array balls{ball(cone, i), ball(cone, i + 1), ball(*closing, i), ball(*closing, i + 1)};
       const float radius =
           std::max({cone.radius_a, cone.radius_b, closing->radius_a, closing->radius_b});

@@ -45,8 +45,9 @@ struct Canvas {
 /// too coarse, by rays.
 void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas);
 
-/// As `draw`, for a picture whose background is shown, in small pieces: `drawn` is called with each
-/// piece as soon as it is rendered, while its framebuffer is still in the processor's caches.
+/// As `draw`, but in small pieces, and only for pictures without alpha (Background::shown): `drawn`
+/// is called with each piece as soon as it is rendered, while its framebuffer is still in the
+/// processor's caches.
 void draw_pieces(
     const PreparedScene& prepared, const Tile& part,
     const std::function<void(const Tile& piece, const Framebuffer& framebuffer)>& drawn);

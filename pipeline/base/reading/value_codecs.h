@@ -62,7 +62,7 @@ void assign(const nlohmann::json* value, std::array<Number, Count>& target) {
   for (std::size_t i = 0; i < Count; ++i) assign(&(*value)[i], target[i]);
 }
 
-/// A number, or an array of numbers.
+/// An optional number from a number, or an optional array from an array.
 template <class Value>
 void assign(const nlohmann::json* value, std::optional<Value>& target) {
   if (value == nullptr || value->is_number() != std::is_arithmetic_v<Value>) return;
@@ -77,7 +77,7 @@ inline void assign(const nlohmann::json* value, Enum& target, Words<Enum> words)
   target = meaning_of(words, value->get_ref<const std::string&>()).value_or(target);
 }
 
-/// Notation in documents of a type that has neither fields nor an `assign`.
+/// How values of a type that has neither fields nor an `assign` are written in documents.
 template <class Value>
 struct ValueCodec;
 

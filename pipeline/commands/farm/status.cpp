@@ -81,21 +81,23 @@ int show_status(const StatusCommand& command, const Console& console) {
 
 Command farm_status_command() {
   const auto options = std::make_shared<StatusCommand>();
-  return {.name = "status",
-          .summary = "Show what is done, what is running where, and what failed and why",
-          .options = all_of(
-              farm_options(options->study),
-              option("--watch", &options->watch,
-                     "Repeat until everything is done, at this interval in seconds (default 5)")
-                  .values(0, 1)
-                  .with_default("5")
-                  .between(0.5, 86400.0),
-              flag("--json", &options->json,
-                   "As JSON on standard output; with --watch one line per update")),
-          .notes =
-              "The status is read from the study's folder, from the reports of workers and, with "
-              "Slurm, from squeue.\n\nExample:\n  mien farm status my.yaml --watch",
-          .run = [options](const Console& console) { return show_status(*options, console); }};
+  return {
+      .name = "status",
+      .summary = "Show what is done, what is running where, and what failed and why",
+      .options = all_of(
+          farm_options(options->study),
+          option(
+              "--watch", &options->watch,
+              "Repeat until everything is done, at this interval in seconds (without a value: 5)")
+              .values(0, 1)
+              .with_default("5")
+              .between(0.5, 86400.0),
+          flag("--json", &options->json,
+               "As JSON on standard output; with --watch one line per update")),
+      .notes =
+          "The status is read from the study's folder, from the reports of workers and, with "
+          "Slurm, from squeue.\n\nExample:\n  mien farm status my.yaml --watch",
+      .run = [options](const Console& console) { return show_status(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -20,9 +20,9 @@ void check_motion_file(const std::string& path, const std::filesystem::path& fil
 void check_take(const std::string& path, const std::filesystem::path& file, const std::string& take,
                 FaultList& list);
 
-/// Returns a fault for each take or frame that a stimulus requests and its motion file lacks, also
-/// if the file cannot be interpreted. Reads only files of which a take or a frame is requested, and
-/// ignores other faults of the manifest.
+/// Returns a fault for each take or frame that a stimulus requests and its motion file lacks, and
+/// one for each such file that cannot be interpreted. Reads only files of which a take or a frame
+/// is requested, and ignores other faults of the manifest.
 std::vector<Fault> check_recordings(const Manifest& manifest);
 
 /// Returns a warning, which names the default take, for each motion file with several takes of

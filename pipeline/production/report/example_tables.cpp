@@ -96,7 +96,8 @@ constexpr auto expectations_columns = table_of<ExpectedExample>(
      {"above_previous", "0/1", "1: rated above the example expected below it; empty for the first",
       [](auto& r) { return r.is_above_previous(); }},
      {"people", "",
-      "participants who rated this example and the one before; empty for the first example and for "
+      "number of participants who rated this example and the one before; empty for the first "
+      "example and for "
       "given means",
       [](auto& r) { return r.of_step(&ExpectedStep::people); }},
      {"difference", "0–1",

@@ -126,8 +126,8 @@ std::string method_html(const AnswerSet& answer_set) {
   return paragraph(fmt::format(
       "All tests are two-sided with α = {:g}. Correction for multiple comparisons: {}, "
       "within each family of comparisons. In this section, the comparisons of all "
-      "videos on all scales form one family. In the sections on modified, acted and "
-      "neutral motions and on actors and other factors, each kind of comparison (such as "
+      "videos on all scales form one family. In the sections “Modified, acted and "
+      "neutral motions” and “Actors and other factors”, each kind of comparison (such as "
       "modified vs. acted) forms two families: those on the intended emotion's scale, "
       "and those on all other scales; in tables over all settings, the single emotions "
       "form one family, and the row “all” is not corrected. In these three sections, "
