@@ -56,8 +56,8 @@ struct WalkStyle {
   double arm_lag_share = 0.045;           ///< delay of the forearm's swing after the upper arm's
 
   /// How abruptly arms and trunk swing: 0 sinusoidal; towards 1 they move quickly between the ends
-  /// and pause there (tense, marching); towards −1 they move slowly and evenly through the ends
-  /// (languid). In [−1, 1].
+  /// and pause there (tense, marching); towards −1 they move at a more even speed, without
+  /// lingering at the ends (languid). In [−1, 1].
   double sharpness = 0.0;
 
   /// Heaviness of the steps: additional drop of the pelvis after each heel strike, metres.

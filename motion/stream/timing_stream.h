@@ -26,8 +26,8 @@ class TimingStream {
   TimingStream(const Modification& modification, const Skeleton& body, double frames_per_second,
                int look_ahead);
 
-  /// Takes the next frame and returns, once `look_ahead` frames have passed, the retimed frame that
-  /// many frames earlier.
+  /// Takes the next frame. Once `look_ahead` frames have passed, returns the retimed frame from
+  /// `look_ahead` frames before it.
   std::optional<Pose> push(const Pose& pose);
 
   /// Returns the remaining frames. Nothing may be pushed afterwards.

@@ -9,8 +9,8 @@
 
 namespace mien::motion {
 
-/// Largest sizes of input files, bytes: for documents written by people (manifest, scales, recipes,
-/// set), for tables (answers), and for recordings and characters.
+/// Largest sizes of files that are read, bytes: documents (YAML is limited further, to 16 MiB, when
+/// it is parsed), tables (answers), and recordings and characters.
 inline constexpr std::uintmax_t max_document_bytes = std::uintmax_t{64} << 20;
 inline constexpr std::uintmax_t max_table_bytes = std::uintmax_t{512} << 20;
 inline constexpr std::uintmax_t max_recording_bytes = std::uintmax_t{2} << 30;

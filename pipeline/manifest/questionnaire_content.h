@@ -37,8 +37,8 @@ ScaleSet questionnaire_scales(const Manifest& manifest);
 /// it does not name stimuli, in that of the manifest.
 std::vector<std::string> questionnaire_stimuli(const Manifest& manifest);
 
-/// Returns the ids of the one or two stimuli of each trial, in the order of the trials; all pairs
-/// if the questionnaire names none.
+/// Returns what trials can show: one stimulus each, in the order of questionnaire_stimuli, or the
+/// pairs that the questionnaire lists, in that order (all pairs if it lists none).
 std::vector<std::vector<std::string>> questionnaire_subjects(const Manifest& manifest);
 
 /// Returns the ids of all stimuli that a questionnaire shows in trials, in practice or as

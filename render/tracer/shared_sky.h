@@ -10,8 +10,8 @@
 
 namespace mien::render {
 
-/// The figure's occlusion of the sky on its own surfaces in a tile, averaged over neighbouring
-/// samples of one surface.
+/// The light of the sky that the figure occludes from its own surfaces, in one tile, averaged over
+/// neighbouring samples of the same surface.
 ///
 /// For previews: with the few rays that they have, an occluded ray would leave a dark dash. Samples
 /// count as of one surface if they show the same part and their normals differ by less than 60°;
@@ -21,7 +21,7 @@ class SharedSky {
   /// Begins a tile, without samples.
   void begin_tile(const Tile& tile);
 
-  /// Adds a shaded sample, nothing of whose sky is occluded; returns its number.
+  /// Adds a sample that was shaded as if its whole sky were visible; returns its number.
   int add(const Sample& sample, const Surface& surface);
 
   /// Adds to the light that a sample lacks: irradiance divided by π.

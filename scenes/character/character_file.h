@@ -44,7 +44,7 @@ struct BindPoseRig {
   std::vector<int> joint_of_node;     ///< −1 for nodes that are not joints
   motion::Skeleton skeleton;          ///< bind pose, frames parallel to the file's world
   std::vector<Eigen::Affine3d> bind;  ///< world transform of each joint
-  bool is_mirrored = false;  ///< whether the file holds the mirror image of the modelled figure
+  bool is_mirrored = false;  ///< whether the meshes are stored as the figure's mirror image
 
   /// For each skin and each of its joints: mesh space → world in the bind pose; empty for skins
   /// that are not in use.

@@ -101,7 +101,8 @@ struct PointLightOptions {
   /// dots, at a random position within the figure's extent and from a random phase on.
   int mask = 0;
 
-  std::optional<std::uint64_t> seed;  ///< default: derived from the production's seed
+  std::optional<std::uint64_t>
+      seed;  ///< default: Look::seed, which a study derives from its seed and the stimulus's id
 
   friend bool operator==(const PointLightOptions&, const PointLightOptions&) = default;
 };

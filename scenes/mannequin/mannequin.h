@@ -54,8 +54,8 @@ Surface largest_component(Surface surface);
 
 /// The texture of a mannequin. u is the side of the body (0 right … 0.5 midline … 1 left), v the
 /// signed depth inside the outline of the face, above 0.5 inside it and below 0.5 outside. Both
-/// change smoothly over the surface, and the texture has sharp borders across them: the borders on
-/// the body are clean curves however large its triangles are.
+/// change smoothly over the surface, and the texture changes colour abruptly at fixed values of u
+/// and v: the borders on the body are clean curves however large its triangles are.
 render::Texture mannequin_paint(const FigureColours& colours);
 
 /// The texture coordinates of a vertex in the bind pose.

@@ -18,8 +18,9 @@ namespace mien::pipeline {
 /// A column of a table of results.
 struct Column {
   std::string_view name;
-  std::string_view unit;     ///< "m", "0–1"; empty for names, texts and plain counts
-  std::string_view meaning;  ///< a sentence without its full stop, with the meaning of signs
+  std::string_view unit;  ///< "m", "0–1"; empty for names, texts and plain counts
+  std::string_view
+      meaning;  ///< a sentence without its full stop; says what positive and negative values mean
 };
 
 /// Description of a table of results, as listed in codebooks.

@@ -49,8 +49,8 @@ struct Basis {
 };
 
 constexpr char meaning_of_match[] =
-    "match means that D is below the threshold that ends a trial of the adjective paper's matching "
-    "task; this threshold is not a measure of perceptibility";
+    "match means that D is below the threshold that ends a trial of a published matching task; "
+    "this threshold is not a measure of perceptibility";
 
 ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
   ordered_json per_joint = ordered_json::object();
@@ -78,8 +78,8 @@ void show_takes(const Basis& basis, const Console& console) {
 
 void show_text(const motion::Distance& distance, const Basis& basis, const Console& console) {
   console.out << fmt::format(
-      "D        {:.4f} m, {} {:.2f} m, the threshold of the adjective paper's matching task\n",
-      distance.mean, distance.matches() ? "below" : "not below", motion::distance_threshold_m);
+      "D        {:.4f} m, {} {:.2f} m, the threshold of a published matching task\n", distance.mean,
+      distance.matches() ? "below" : "not below", motion::distance_threshold_m);
   console.out << fmt::format("D_sum    {:.3f} m\nMPJPE    {:.1f} mm\n", distance.sum,
                              1000.0 * distance.mpjpe);
   console.out << fmt::format("over     {} of the target, {} of the other motion\n", basis.target,
@@ -137,7 +137,7 @@ Command motion_compare_command() {
               "Walks are compared over their steadiest gait cycle, keytime by keytime; motions "
               "without a cycle over their whole duration. D is the mean distance of 20 joints at "
               "11 times. Two motions match if D is below 0.06 m, the distance that ends a trial "
-              "of the adjective paper's matching task; this threshold is not a measure of "
+              "of a published matching task; this threshold is not a measure of "
               "perceptibility.\n\n"
               "Example:\n"
               "  mien motion compare captured.bvh made.bvh --json",

@@ -18,8 +18,9 @@ namespace mien::pipeline {
 /// Command-line options that override a manifest.
 struct ProductionOptions {
   std::optional<Quality> quality;  ///< overrides the quality of all films
-  std::vector<std::string> only;   ///< ids of stimuli, overlays and sheets, including overlays and
-                                   ///< sheets whose stimuli are all named; empty: everything
+  /// Ids of the stimuli, overlays and sheets to make; overlays and sheets whose stimuli are all
+  /// named are made as well. Empty: everything.
+  std::vector<std::string> only;
   int jobs = 1;
   Stopwatch* drawing = nullptr;  ///< if not null, runs while frames are traced or encoded
 };

@@ -29,14 +29,16 @@ class UnwalkableStep : public Error {
 /// does not loop, and the plants of its feet. A turn continues at the pace of the preceding walk,
 /// and is made on the spot if there is none, unless its step has a pace of its own. With a graph,
 /// the walk is assembled from the motions of the graph's files, on the body of the first motion;
-/// for moods, versions of all motions with the recipe of an emotion applied are blended along the
-/// path. Throws Error; UnwalkableStep for a turn of a script that deviates by more than 10°.
+/// for moods, every motion is modified by the recipe of each emotion used, and these versions are
+/// blended along the path. Throws Error; UnwalkableStep for a turn of a script that deviates by
+/// more than 10°.
 motion::WalkedClip walked(const Stimulus& stimulus);
 
-/// Returns the path with moods given by adjectives converted to moods given by the walks of its set
-/// of built-in walks: the blend weights of a stimulus with these adjectives, or the nearest
-/// feasible ones, by the ratings of the built-in walks on the built-in scales. Moods given by walks
-/// are unchanged. Throws Error if the method cannot handle that many adjectives.
+/// Returns the path with each mood of adjectives replaced by a mood of weights of the path's set of
+/// built-in walks: the weights that a stimulus with these adjectives has or, if they are
+/// infeasible, with the nearest feasible ones, by the ratings of the built-in walks on the built-in
+/// scales. Moods given by walks are unchanged. Throws Error if the method cannot handle that many
+/// adjectives.
 WalkPath in_walks(WalkPath path);
 
 }  // namespace mien::pipeline
