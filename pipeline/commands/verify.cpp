@@ -126,8 +126,8 @@ Command verify_command() {
           "differs; extra files are reported only.\n\n"
           "A rerendered frame must have the same bytes as the frame that was kept. If only a video "
           "was kept, the rerendered frame must match the video: exactly for lossless formats, "
-          "otherwise at least as closely as the worst-matching frame did when the video was "
-          "encoded.\n\n"
+          "otherwise, within a small tolerance, as closely as the worst-matching frame did when "
+          "the video was encoded.\n\n"
           "Examples:\n"
           "  mien verify out/my-study\n"
           "  mien verify out/my-study --rerender 20",

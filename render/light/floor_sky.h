@@ -19,9 +19,9 @@ namespace mien::render {
 /// `Quality::floor_sky_tolerance` of the sky's light. Where that would require cells smaller than
 /// `Quality::floor_sky_cell`, such as under the feet, the error may be larger with
 /// `Quality::floor_sky_smooth`; without it the cell is unknown and each pixel casts its own rays.
-/// Larger cells that lie within the bounding sphere of a shape are unknown, too. Occlusion is
-/// neglected outside a square of 128 m, which extends at least 32 m from the figure's centre on
-/// each side.
+/// Cells that lie within the bounding sphere of a shape are not divided, but unknown, too.
+/// Occlusion is neglected outside a square of 128 m, which extends at least 32 m from the figure's
+/// centre on each side.
 ///
 /// Corners have the same positions on the floor and use the same random numbers in every picture.
 class FloorSky {

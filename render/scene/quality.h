@@ -13,8 +13,8 @@ enum class Background {
 
 /// Settings for the quality and cost of a picture. The same settings give the same bytes.
 ///
-/// Every shaded surface sample casts one shadow ray per light; samples of the floor share the lines
-/// of line_shadow.h where penumbrae are wide, and cast shadow rays only where lines do not apply.
+/// A shaded sample of a solid casts one shadow ray per light. On the floor, lines across the lights
+/// (line_shadow.h) replace them where possible; samples share a line where penumbrae are wide.
 struct Quality {
   int samples_per_pixel = 16;  ///< each is a primary ray where the pixel may show a solid
   int sky_rays = 2;            ///< rays towards the sky for each shaded surface sample

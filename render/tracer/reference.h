@@ -11,8 +11,8 @@ namespace mien::render {
 /// Each sample is one camera ray. For the point that it hits, one point of each light and one
 /// direction of the sky are chosen, and a shadow ray is cast towards each. Nothing is shared
 /// between samples or pixels, interpolated, known in closed form or kept from other pictures; the
-/// floor's lines are seen as they are at the ray's end. The background and the masks of the
-/// prepared scene are not used.
+/// grid of the floor is not filtered: each sample takes the albedo where its ray ends. The
+/// background and the masks of the prepared scene are not used.
 void draw_reference(const PreparedScene& prepared, const Tile& part, const Canvas& canvas);
 
 }  // namespace mien::render

@@ -45,8 +45,8 @@ struct HeadShape {
 HeadShape head_shape(const motion::Skeleton& body);
 
 /// Elevation of the clavicles, radians, at which the shoulders are as far below the head as on the
-/// standard body, within ±20°; less for short clavicles. Rigs whose clavicles begin at the throat
-/// have them level in the rest pose and raised by about this angle in captured motions.
+/// standard body, limited to ±20°, and reduced for short clavicles. Rigs whose clavicles begin at
+/// the throat have them level in the rest pose and raised by about this angle in captured motions.
 double collar_lift(const motion::Skeleton& body);
 
 }  // namespace mien::scenes

@@ -135,7 +135,8 @@ Command motion_compare_command() {
               flag("--json", &options->json, "As JSON")),
           .notes =
               "Walks are compared over their steadiest gait cycle, keytime by keytime; motions "
-              "without a cycle over their whole duration. D is the mean distance of 20 joints at "
+              "without a cycle are compared over their whole duration. D is the mean distance of "
+              "20 joints at "
               "11 times. Two motions match if D is below 0.06 m, the distance that ends a trial "
               "of a published matching task; this threshold is not a measure of "
               "perceptibility.\n\n"

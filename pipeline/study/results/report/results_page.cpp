@@ -141,7 +141,9 @@ std::string best_html(const Results& results, const PageParts& parts) {
   std::string html =
       method_html(results.answer_set) +
       paragraph(
-          "For each setting and each end of each scale, the video rated highest relative to the "
+          "A setting is a combination of levels of all factors except “made”, “emotion”, "
+          "“strength”, “example” and “clip”, such as “woman, walk”. For each setting and each end "
+          "of each scale, the video rated highest relative to the "
           "other videos of the setting. Difference: for each participant, the rating of this video "
           "minus the mean of the participant’s ratings of the other videos; the mean over "
           "participants, counted towards that end, is largest for this video. “Paired”: paired t "
