@@ -1,6 +1,6 @@
 #pragma once
 
-// Embree 3 and 4 behind one set of calls. Only embree_scene.cpp includes this.
+// Embree 3 and 4 behind one set of calls. In this module, only embree_scene.cpp includes this.
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>

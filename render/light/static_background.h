@@ -21,8 +21,8 @@ struct StaticBackground {
   std::vector<std::uint8_t> solid;  ///< 1 where a static solid may show; empty: none
   CameraFrame camera;               ///< locates pixels on the floor (FloorRow)
 
-  /// The floor's albedo, multiplied by the share that has not faded. For rows of uniform albedo it
-  /// is stored in `uniform_albedo` only, which is faster to read.
+  /// The floor's albedo, multiplied by the share that has not faded into the backdrop. For rows of
+  /// uniform albedo it is stored in `uniform_albedo` only, which is faster to read.
   std::vector<std::optional<Color>> uniform_albedo;  ///< one per row
   Framebuffer albedo;                                ///< albedo of the other rows
 

@@ -181,22 +181,24 @@ int show_prediction(const PredictOptions& options, const Console& console) {
 
 Command study_predict_command() {
   const auto options = std::make_shared<PredictOptions>();
-  return {.name = "predict",
-          .summary = "Predict ratings from motion features, with cross-validation",
-          .options = all_of(subject_options(options->subject),
-                            option("--motions", &options->motions, "Motion files without ratings"),
-                            take_option(options->take),
-                            option("-o,--output", &options->out, "Folder for the tables (CSV)")),
-          .notes =
-              "Ridge regression from motion features to each rated parameter, cross-validated by "
-              "leaving out each example and, where a style has several takes (sad_001, sad_002), "
-              "all takes of a style, because takes of one style are nearly identical. The tables "
-              "are prediction_checks.csv, left_out_predictions.csv and, with --motions, "
-              "predictions.csv and predicted_ratings.csv, which a manifest can take as ratings.\n\n"
-              "Examples:\n"
-              "  mien study predict --examples manifests/real-walks.yaml -o out/prediction\n"
-              "  mien study predict --examples builtin:walks-27 --motions walk.bvh run.bvh",
-          .run = [options](const Console& console) { return show_prediction(*options, console); }};
+  return {
+      .name = "predict",
+      .summary = "Predict ratings from motion features, with cross-validation",
+      .options = all_of(subject_options(options->subject),
+                        option("--motions", &options->motions, "Motion files without ratings"),
+                        take_option(options->take),
+                        option("-o,--output", &options->out, "Folder for the tables (CSV)")),
+      .notes =
+          "Ridge regression from motion features to each rated parameter, with two "
+          "cross-validations: leaving out each example in turn and, where a style has several "
+          "takes (sad_001, sad_002), "
+          "all takes of each style, because takes of one style are nearly identical. The tables "
+          "are prediction_checks.csv, left_out_predictions.csv and, with --motions, "
+          "predictions.csv and predicted_ratings.csv, which a manifest can take as ratings.\n\n"
+          "Examples:\n"
+          "  mien study predict --examples manifests/real-walks.yaml -o out/prediction\n"
+          "  mien study predict --examples builtin:walks-27 --motions walk.bvh run.bvh",
+      .run = [options](const Console& console) { return show_prediction(*options, console); }};
 }
 
 }  // namespace mien::pipeline

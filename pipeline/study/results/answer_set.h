@@ -100,7 +100,8 @@ struct AnswerSet {
   AttentionRule rule;
   std::vector<Unfinished> unfinished;
   bool without_unfinished = false;
-  std::set<std::string> worded_questions;  ///< ids of demographic questions answered in words
+  std::set<std::string>
+      worded_questions;  ///< ids of demographic questions whose answers are not numbers
   TestCorrection correction = TestCorrection::holm;
   double alpha = 0.05;  ///< significance level
   bool simulated = false;

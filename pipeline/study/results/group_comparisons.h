@@ -18,9 +18,9 @@ struct ParticipantGroups {
   std::vector<std::size_t> people_one, people_other;
 };
 
-/// The groups of the two most frequent answers to each demographic question answered in words, if
-/// at least two participants gave each answer. Participants for whom the table has answers to the
-/// question in several rows are omitted, even if the answers are equal.
+/// The groups of the two most frequent answers to each demographic question whose answers are not
+/// numbers, if at least two participants gave each answer. Participants for whom the table has
+/// answers to the question in several rows are omitted, even if the answers are equal.
 std::vector<ParticipantGroups> participant_groups(const ParticipantTable& participants,
                                                   const AnswerSet& answer_set);
 

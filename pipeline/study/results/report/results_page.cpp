@@ -247,7 +247,8 @@ std::string groups_part(const Results& results, const PageParts& parts) {
   if (table.empty()) return "";
   return paragraph(
              "Differences between groups of participants: Welch’s test of the participants’ means, "
-             "for the two most frequent answers to each demographic question. If gender was asked, "
+             "for the two most frequent answers to each demographic question whose answers are not "
+             "numbers. If gender was asked, "
              "the ratings of each group are drawn. Figures 41 to 43 of the emotion thesis concern "
              "gender, but the available text does not say whether that of the participants or of "
              "the person shown; for the latter, see the scale masculine – feminine in the other "
