@@ -6,10 +6,10 @@
 namespace mien::motion {
 
 /// Finds the joints of both arms and legs that names did not identify (−1), from the shape of the
-/// rig around the identified ones. A joint is as many joints away from its known neighbours in the
-/// limb as on the other side, if that is known. Otherwise it is, between two known joints, the
-/// joint that best divides the chain between them; at the start of a limb, the parent of the known
-/// joint; and at its end, the child of the known joint with the longest chain. An end (wrist,
+/// rig around the identified ones. If the opposite limb is known, a joint is as many joints away
+/// from its known neighbours as its counterpart there. Otherwise it is, between two known joints,
+/// the joint that best divides the chain between them; at the start of a limb, the parent of the
+/// known joint; and at its end, the child of the known joint with the longest chain. An end (wrist,
 /// ankle, toe) must lie at a plausible position for a human; twist joints are excluded. Joints that
 /// were found are added to `by_shape`; joints that cannot be found stay −1.
 void fill_limbs_by_shape(const BoneTree& tree, KeyJoints& keys);

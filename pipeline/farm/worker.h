@@ -34,10 +34,10 @@ struct WorkResult {
 };
 
 /// Runs items on `jobs` threads in the study's folder, which many processes may do at the same
-/// time. `items`: their tasks (graph_of_items); `names`: the items themselves. A failed item
-/// creates farm/failures/<item>.json in that folder, with a command that reproduces the failure:
-/// `command`, to which the item is added as --tasks. Success removes the file. Throws the
-/// exceptions of Store.
+/// time. `items`: the graph of the tasks that the items need (graph_of_items); `names`: the names
+/// of the items. A failed item creates farm/failures/<item>.json in that folder, with a command
+/// that reproduces the failure: `command`, to which the item is added as --tasks. Success removes
+/// the file. Throws the exceptions of Store.
 WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
                 const std::filesystem::path& folder, int jobs, const std::stop_token& stop,
                 const RunObserver& observer, const std::string& command);

@@ -28,7 +28,7 @@ struct FloorPixel {
   /// Light of the background that the figure occludes, as far as it is known without rays; summed
   /// over the samples, negative.
   Color known_occluded = Color::Zero();
-  int block_samples = 0;  ///< number of samples waiting for their block's line
+  int block_samples = 0;  ///< samples that wait for a line shared with other pixels
 };
 
 /// Subtracts from a number of samples of a pixel the light that is occluded: `hidden` (irradiance
@@ -90,7 +90,7 @@ struct Samples {
 };
 
 /// The random points of all samples for one dimension, of light or figure number `which`. Each
-/// sample has `times` points; returns number `plus` of them.
+/// sample has `times` points; returns the one with index `plus` for every sample.
 inline LanePoints points_for(const Samples& samples, Dimension dimension, int which = 0,
                              int times = 1, int plus = 0) {
   LaneWords index, seed;

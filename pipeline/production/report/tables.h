@@ -28,7 +28,7 @@ extern const StudyTable weights_table;
 extern const StudyTable clips_table;
 extern const StudyTable parameters_table;
 extern const StudyTable findings_table;
-extern const StudyTable foils_table;  ///< the certificates of all foils
+extern const StudyTable foils_table;  ///< measured differences of all foils from their originals
 
 /// Without rows if the study does not use its examples.
 extern const StudyTable examples_table;

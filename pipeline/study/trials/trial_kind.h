@@ -110,7 +110,7 @@ struct ItemResponse {
 struct SimulatedView {
   std::function<double(std::size_t)>
       opinion;  ///< value, on the item's scale, of the stimulus with this index in the trial
-  /// Level that the first stimulus has of the factor whose name is the id of the item.
+  /// The first stimulus's level of the factor that is named like the item, such as `emotion`.
   std::string shown;
   bool is_recognised = false;  ///< the participant recognises the shown level
   double chance = 0.0;         ///< random number from 0 to 1 for the simulated response
