@@ -73,8 +73,7 @@ struct Ray {
   Vec3 direction;
 
   RayLanes lanes() const {
-    return {&origin.x(),    &origin.y(),    &origin.z(),
-            &direction.x(), &direction.y(), &direction.z()};
+    return {&origin.x(), &origin.y(), &origin.z(), &direction.x(), &direction.y(), &direction.z()};
   }
 };
 
