@@ -46,12 +46,12 @@ struct KeyJoints {
   std::vector<int> by_shape;  ///< joints found by shape, since their names did not identify them
 };
 
-/// The groups of a rig: spine joints between pelvis and chest are divided between Spine and Chest
-/// (the lower half, rounded up, is Spine; a single joint is Chest), joints between chest and head
-/// form the neck, and joints between chest and upper arm the clavicle; joints between the fork of
-/// the legs and a thigh belong to the hip. A missing wrist, ankle or toe is placed at the tip of
-/// the preceding bone if the rig has one. Joints in `by_shape` are marked as found by "topology"
-/// and have a lower confidence.
+/// The groups of a rig: spine joints above the pelvis up to the chest joint are divided between
+/// Spine and Chest (the lower half is Spine; a single joint, the chest joint, is Chest), joints
+/// between chest and head form the neck, and joints between chest and upper arm the clavicle;
+/// joints between the fork of the legs and a thigh belong to the hip. A missing wrist, ankle or toe
+/// is placed at the tip of the preceding bone if the rig has one. Joints in `by_shape` are marked
+/// as found by "topology" and have a lower confidence.
 MappedJoints groups_of(const Skeleton& rig, const KeyJoints& keys, double confidence,
                        const std::string& found_by);
 

@@ -38,7 +38,7 @@ struct MotionWarpOptions {
 
 /// Motion warping (Witkin and Popović 1995). The changes of the curves (motion_curves.h) are cubic
 /// splines through the keys. Keys at most 2·`reach_seconds` apart form a group; the change is zero
-/// from `reach_seconds` before a group's first key and after its last. The time warp g is a
+/// more than `reach_seconds` before a group's first key and after its last. The time warp g is a
 /// monotone cubic (Fritsch–Carlson) through the keys moved in time, with fixed ends. In a loop,
 /// keys act across the seam.
 ///

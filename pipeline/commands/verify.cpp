@@ -125,9 +125,9 @@ Command verify_command() {
           "clean removed. Exit code: 1 if anything is missing or changed, or a rerendered frame "
           "differs; extra files are reported only.\n\n"
           "A rerendered frame must have the same bytes as the frame that was kept. If only a video "
-          "was kept, the rerendered frame must match the video: exactly for lossless formats, "
-          "otherwise, within a small tolerance, as closely as the worst-matching frame did when "
-          "the video was encoded.\n\n"
+          "was kept, the rerendered frame must match the video: exactly for lossless formats; "
+          "for others at least as closely as the worst-matching frame did when the video was "
+          "encoded, less a small tolerance.\n\n"
           "Examples:\n"
           "  mien verify out/my-study\n"
           "  mien verify out/my-study --rerender 20",

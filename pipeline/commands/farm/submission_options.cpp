@@ -91,7 +91,7 @@ std::vector<CommandOption> submission_options(SubmissionOptions& options) {
              "number"),
       option("--partition", &options.partition, "Slurm partition"),
       option("--time", &options.time, "Time limit per array task: minutes, HH:MM:SS or D-HH:MM:SS"),
-      option("--mem", &options.memory, "Memory per array task: 2G"),
+      option("--mem", &options.memory, "Memory per array task, such as 2G (default: the site's)"),
       option("--account", &options.account, "Slurm account"),
       option("--array-limit", &options.array_limit, "Maximum number of array tasks running at once")
           .between(1, 1'000'000),

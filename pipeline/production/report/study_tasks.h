@@ -12,9 +12,9 @@ namespace mien::pipeline {
 
 // Tasks that cover a study as a whole. `motions` and `manifest` must outlive them.
 
-/// Returns the key on which these tasks depend: the manifest's own text, because ids, roles and
-/// comparisons appear in tables and report, and the inputs of all motions and films, that is the
-/// tasks of `graph`.
+/// Returns the key on which these tasks depend. It covers the manifest's own text, because ids,
+/// roles and comparisons appear in tables and report, and the tasks of `graph`, which stand for the
+/// inputs of all motions and films.
 Hash study_key(const Manifest& manifest, const SharedDeterminants& shared, const TaskGraph& graph);
 
 /// Returns the forms of the tables of the task "tables".
