@@ -232,8 +232,7 @@ std::vector<CommandOption> picture_options(RenderOptions& options) {
   return {
       option("--still", &options.still,
              "A still (.png or .exr) instead of a contact sheet, at that time in seconds (without "
-             "a value: "
-             "the middle, or the end of a trail)")
+             "a value: the middle, or the end of a trail)")
           .values(0, 1)
           .with_default("middle"),
       option("--dots", &options.dots,

@@ -98,9 +98,9 @@ bool may_intersect(const BoundingSphere& sphere, const Vec3& origin, const Vec3&
 }
 
 std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes) {
-  // A piece of a round cone is as thick as it is long; of triangles, which come in the order of the
-  // surface, so many at a time make a patch.
-  constexpr std::size_t patch = 64;
+  // A piece of a round cone is as thick as it is long; triangles are near each other if they are in
+  // the list (Mesh::triangles), and so many at a time have a sphere.
+  constexpr std::size_t together = 64;
   std::vector<BoundingSphere> spheres;
   Eigen::Array3f low = Eigen::Array3f::Constant(infinity), high = -low;
   std::size_t gathered = 0;
@@ -118,7 +118,7 @@ std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes) {
       low = low.min(ball.centre.array() - ball.radius);
       high = high.max(ball.centre.array() + ball.radius);
     }
-    if (++gathered == patch || !of_triangle) close();
+    if (++gathered == together || !of_triangle) close();
   });
   close();
   return spheres;

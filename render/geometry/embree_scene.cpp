@@ -18,7 +18,8 @@ struct EmbreeScene::Contents {
   explicit Contents(Shapes traced);
 
   Shapes shapes;
-  std::vector<TrianglePatch> patches;  // of the triangles, when the shutter opens
+  std::vector<TrianglePatch> patches;          // of the triangles, when the shutter opens
+  std::vector<TrianglePatch> closing_patches;  // if they move: when it closes
 
   /// Padded boxes of the primitives of Embree's two geometries, round cones and patches of
   /// triangles, when the shutter opens and, if they move, when it closes.
@@ -105,15 +106,9 @@ void cone_crossings(const Shapes& shapes, std::size_t index, const PacketFields&
 float patch_crossings(const Contents& scene, std::size_t index, const PacketFields& packet,
                       unsigned lane, float* distances) {
   const TrianglePatch& patch = scene.patches[index];
-  const Shapes& shapes = scene.shapes;
-  if (shapes.closing_triangles.empty())
-    return intersect_patch(patch, packet.rays(), lane, distances);
-  TrianglePatch moved;
-  const std::size_t first = index * patch_size;
-  const std::size_t count = std::min(patch_size, shapes.triangles.size() - first);
-  for (std::size_t i = 0; i < count; ++i)
-    moved.set(i, shapes.triangle_at(first + i, packet.time()[lane]));
-  return intersect_patch(moved, packet.rays(), lane, distances);
+  if (scene.closing_patches.empty()) return intersect_patch(patch, packet.rays(), lane, distances);
+  return intersect_patch(patch_between(patch, scene.closing_patches[index], packet.time()[lane]),
+                         packet.rays(), lane, distances);
 }
 
 bool is_there(const Shapes& shapes, std::size_t shape, const PacketFields& packet, unsigned lane) {
@@ -133,12 +128,11 @@ class PacketHits {
   /// of the lower number.
   void offer(const Shapes& shapes, unsigned lane, unsigned number, float distance) {
     float& reach = packet.far_distance()[lane];
-    if (distance > reach) return;
     unsigned& geometry = RTCHitN_geomID(hit_, packet.lanes, lane);
     unsigned& primitive = RTCHitN_primID(hit_, packet.lanes, lane);
     const bool earlier = geometry != RTC_INVALID_GEOMETRY_ID &&
                          (geometry_ < geometry || (geometry_ == geometry && number < primitive));
-    if (!(distance < reach || earlier)) return;
+    if (!(distance < reach || (distance == reach && earlier))) return;
     if (!is_there(shapes, number + (geometry_ == 0 ? 0 : shapes.cones.size()), packet, lane))
       return;
     reach = distance;
@@ -269,6 +263,7 @@ void RayPacket::push(const Vec3& origin, const Vec3& direction, float distance, 
 EmbreeScene::Contents::Contents(Shapes traced)
     : shapes(std::move(traced)),
       patches(patches_of(shapes.triangles)),
+      closing_patches(patches_of(shapes.closing_triangles)),
       cone_boxes{boxes_of(shapes.cones, 1), boxes_of(shapes.closing_cones, 1)},
       patch_boxes{boxes_of(shapes.triangles, patch_size),
                   boxes_of(shapes.closing_triangles, patch_size)} {}

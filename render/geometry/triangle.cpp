@@ -58,10 +58,40 @@ void TrianglePatch::set(std::size_t lane, const Triangle& triangle) {
 }
 
 std::vector<TrianglePatch> patches_of(const std::vector<Triangle>& triangles) {
-  std::vector<TrianglePatch> patches((triangles.size() + patch_size - 1) / patch_size);
+  std::vector<TrianglePatch> patches((triangles.size() + patch_size - 1) / patch_size,
+                                     TrianglePatch{});
   for (std::size_t i = 0; i < triangles.size(); ++i)
     patches[i / patch_size].set(i % patch_size, triangles[i]);
   return patches;
+}
+
+MIEN_FOR_AVX2_TOO TrianglePatch patch_between(const TrianglePatch& from, const TrianglePatch& to,
+                                              float time) {
+  TrianglePatch patch;
+  const auto move = [time](float opening, float closing) {
+    return opening + time * (closing - opening);
+  };
+#pragma omp simd
+  for (std::size_t i = 0; i < patch_size; ++i) {
+    const float ax = move(from.a.x[i], to.a.x[i]), ay = move(from.a.y[i], to.a.y[i]);
+    const float bx = move(from.b.x[i], to.b.x[i]), by = move(from.b.y[i], to.b.y[i]);
+    const float cx = move(from.c.x[i], to.c.x[i]), cy = move(from.c.y[i], to.c.y[i]);
+    const float az = move(from.a.z[i], to.a.z[i]), bz = move(from.b.z[i], to.b.z[i]);
+    const float cz = move(from.c.z[i], to.c.z[i]);
+    patch.a.x[i] = ax;
+    patch.a.y[i] = ay;
+    patch.a.z[i] = az;
+    patch.b.x[i] = bx;
+    patch.b.y[i] = by;
+    patch.b.z[i] = bz;
+    patch.c.x[i] = cx;
+    patch.c.y[i] = cy;
+    patch.c.z[i] = cz;
+    patch.normal.x[i] = (by - ay) * (cz - az) - (bz - az) * (cy - ay);
+    patch.normal.y[i] = (bz - az) * (cx - ax) - (bx - ax) * (cz - az);
+    patch.normal.z[i] = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+  }
+  return patch;
 }
 
 MIEN_FOR_AVX2_TOO float intersect_patch(const TrianglePatch& patch, const RayLanes& rays,

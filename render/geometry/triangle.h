@@ -21,9 +21,9 @@ inline constexpr std::size_t patch_size = 8;
 /// hits.
 struct TrianglePatch {
   struct Vectors {
-    alignas(32) float x[patch_size] = {};
-    alignas(32) float y[patch_size] = {};
-    alignas(32) float z[patch_size] = {};
+    alignas(32) float x[patch_size];
+    alignas(32) float y[patch_size];
+    alignas(32) float z[patch_size];
 
     void set(std::size_t lane, const Vec3& vector) {
       x[lane] = vector.x();
@@ -43,6 +43,9 @@ struct TrianglePatch {
 
 /// Returns the triangles in patches of consecutive ones: triangle i is lane i mod 8 of patch i / 8.
 std::vector<TrianglePatch> patches_of(const std::vector<Triangle>& triangles);
+
+/// Returns the patch at a time from 0 (`from`) to 1 (`to`), moved in straight lines.
+TrianglePatch patch_between(const TrianglePatch& from, const TrianglePatch& to, float time);
 
 /// Writes, for each triangle of the patch, the distance at which one of the rays hits it; infinity
 /// where it misses, also if its line crosses the triangle behind the origin. Returns the least of

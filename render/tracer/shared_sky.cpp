@@ -8,11 +8,14 @@ namespace {
 constexpr int near_rows = 3;
 constexpr int near_columns = 1;
 
-/// 1 for equal normals, 0 from 60° on.
+/// 1 for equal normals, 0 from 60° on and for what is no normal.
 float likeness(const Vec3& a, const Vec3& b) {
-  const float above = std::max(2.0f * a.dot(b) - 1.0f, 0.0f);
+  const float above = std::max(0.0f, 2.0f * a.dot(b) - 1.0f);
   return above * above;
 }
+
+/// The number of samples that a shaded one represents.
+float represented(const Sample& sample) { return sample.weight + sample.partner_weight; }
 
 }  // namespace
 
@@ -34,8 +37,8 @@ int SharedSky::add(const Sample& sample, const Surface& surface) {
 }
 
 Color SharedSky::mean_near(const SkySample& here) const {
-  Color sum = Color::Zero();
-  float weights = 0.0f;
+  float weights = represented(here.sample);
+  Color sum = weights * here.occluded;
   const int last_row = std::min(here.row + near_rows, rows - 1);
   const int last_column = std::min(here.column + near_columns, columns - 1);
   for (int row = std::max(here.row - near_rows, 0); row <= last_row; ++row) {
@@ -44,8 +47,9 @@ Color SharedSky::mean_near(const SkySample& here) const {
       while (number >= 0) {
         const SkySample& other = samples_[static_cast<std::size_t>(number)];
         number = other.next;
-        if (other.part != here.part) continue;
-        const float weight = likeness(other.normal, here.normal);
+        if (other.part != here.part || &other == &here) continue;
+        const float weight = represented(other.sample) * likeness(other.normal, here.normal);
+        if (!(weight > 0.0f)) continue;
         sum += weight * other.occluded;
         weights += weight;
       }

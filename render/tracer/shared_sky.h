@@ -15,7 +15,8 @@ namespace mien::render {
 ///
 /// For previews: with the few rays that they have, an occluded ray would leave a dark dash. Samples
 /// count as of one surface if they show the same part and their normals differ by less than 60°;
-/// those with similar normals count most. They are neighbours within 3 pixels, in one tile.
+/// those with similar normals count most. They are neighbours within 3 rows and one pair of
+/// columns, in one tile.
 class SharedSky {
  public:
   /// Begins a tile, without samples.

@@ -179,6 +179,7 @@ Character character_of(const CharacterFile& file) {
   character.bind_rotations = bind_rotations_of(recording, mapping);
   transform(character, mapping.to_y_up, mapping.metres_per_unit * assumed_extent / extent);
   check_meshes(file, character);
+  for (SkinnedMesh& mesh : character.meshes) cluster_triangles(mesh);
   name_parts(character);
   measure_stature(character);
   return character;

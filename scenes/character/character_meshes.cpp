@@ -238,7 +238,6 @@ std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BindP
   }
   std::erase_if(meshes, [](const SkinnedMesh& mesh) { return mesh.triangles.empty(); });
   if (meshes.empty()) motion::refuse(file.gltf, "holds no triangles", "export the figure's meshes");
-  for (SkinnedMesh& mesh : meshes) cluster_triangles(mesh);
   unsupported.add_warnings(warnings);
   return meshes;
 }
