@@ -57,9 +57,8 @@ struct Mesh {
   std::vector<Vec3> positions;           ///< positions of the vertices, metres
   std::vector<Vec3> normals;             ///< unit, one per vertex
   std::vector<std::array<float, 2>> uv;  ///< one per vertex; empty: no texture
-  /// Indices of vertices. The tracer bounds consecutive triangles together: it is fast if these are
-  /// near each other. Apart from rounding, their order affects only how finely the occlusion of the
-  /// sky is interpolated on the floor.
+  /// Indices of vertices. Consecutive triangles should be near each other, for speed: the tracer
+  /// bounds them together. Their order also affects the grid of the sky's occlusion on the floor.
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> triangle_parts;  ///< one per triangle; empty: `part` for all
   int material = 0;                 ///< index into Scene::materials
