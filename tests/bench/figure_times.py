@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Whole commands that make a film of each kind of figure:
-figure_times.py [--runs 3] [--qualities draft,standard] [--figures stick,mannequin,FILE] [MIEN ...]
+figure_times.py [--runs 3] [--qualities draft,standard] [--figures stick,mannequin,FILE] [--shutter 180] [MIEN ...]
 
 Frames per second and processor milliseconds per frame of `mien render`, 1280 x 720, of a walk of about
 190 frames: the median of the runs. With several programs (from before and after a change) the runs
@@ -36,6 +36,7 @@ def main():
     options.add_argument("--runs", type=int, default=3)
     options.add_argument("--qualities", default="draft,standard")
     options.add_argument("--figures", default="stick,mannequin")
+    options.add_argument("--shutter", default="0", help="motion blur, degrees")
     given = options.parse_args()
     programs = [str(pathlib.Path(program).resolve()) for program in given.programs]
     with tempfile.TemporaryDirectory() as folder:
@@ -49,7 +50,8 @@ def main():
                 for _ in range(given.runs):
                     for number, program in enumerate(programs):
                         wall, spent, line = timed([program, "render", motion, "-o", film, "--size", "1280x720",
-                                                   "--quality", quality, "--figure", figure])
+                                                   "--quality", quality, "--figure", figure,
+                                                   "--shutter", given.shutter])
                         frames = int(line.split(": ")[1].split(" frames")[0])
                         times[number].append((wall, spent))
                 medians = [[statistics.median(column) for column in zip(*runs)] for runs in times]

@@ -214,11 +214,11 @@ Command motion_stream_command() {
                     "An emotion, or the value of `modify:` in a manifest"),
            option("-o,--out", &options->out, "BVH file to write (default: standard output)"),
            flag("--lines", &options->lines, "Write frame lines only, without the hierarchy"),
-           option(
-               "--delay", &options->delay_ms,
-               "Latency in milliseconds (default: for paths, the shortest with which the built-in "
-               "motions stay within 1 cm of what mien motion modify makes without foot locking; "
-               "none for posture and acceleration)")
+           option("--delay", &options->delay_ms,
+                  "Latency in milliseconds (default: if the change has paths, the shortest at "
+                  "which the "
+                  "built-in motions stay within 1 cm of the result of mien motion modify without "
+                  "foot locking; otherwise 0)")
                .between(0.0, 10000.0),
            option("--leave-out", &options->leave_out,
                   "Parts of the change to leave out: tempo, variation, acceleration, paths")

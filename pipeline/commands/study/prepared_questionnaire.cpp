@@ -9,6 +9,7 @@ namespace mien::pipeline {
 PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& arguments,
                                              const Console& console) {
   const std::filesystem::path file = resolve_manifest(arguments.manifest, console);
+  // Its warnings have been printed: participants_manifest read it before.
   Manifest manifest = load_manifest(file, process_environment(), arguments.out);
   questionnaire_of(manifest);
   ProductionArguments shown = arguments;

@@ -101,12 +101,12 @@ class SimulatedSession {
   const ResponseScales& scales_;
 };
 
-/// A questionnaire with the names of keys that its design_hash is made of. They are kept when keys
-/// are renamed, as the column `is_catch` of plans is: studies in progress keep their hash.
+/// A questionnaire with the names that its keys had at first, as the column `is_check` of plans has
+/// in design_hash: renaming a key must not change the hash of a study in progress.
 OrderedJson with_former_keys(const OrderedJson& questionnaire) {
   OrderedJson former = OrderedJson::object();
   for (const auto& [key, value] : questionnaire.items())
-    former[key == "retest" ? "catch" : key] = value;
+    former[key == "retest" ? "catch" : key == "no_repeats" ? "apart" : key] = value;
   return former;
 }
 

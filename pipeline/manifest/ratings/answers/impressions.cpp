@@ -80,8 +80,8 @@ constexpr auto impressions_columns = table_of<Impression>(
      {"mean", "0–1", "mean answer rescaled to 0 (low end) to 1 (high end)",
       [](auto& r) { return r.mean(); }},
      {"sd", "0–1",
-      "standard deviation of the answers rescaled to 0–1 (divisor n, unless mien study analyze was "
-      "called with another); empty for given means",
+      "standard deviation of the answers rescaled to 0–1 (divisor n; in the table of mien study "
+      "analyze, that chosen by --sd); empty for given means",
       [](auto& r) { return r.deviation(); }},
      {"mean_answer", "scale",
       "mean answer in the units of the scale; on a scale from −2 to 2, negative towards the low "
