@@ -216,9 +216,8 @@ Command motion_stream_command() {
            flag("--lines", &options->lines, "Write frame lines only, without the hierarchy"),
            option("--delay", &options->delay_ms,
                   "Latency in milliseconds (default: if the change has paths, the shortest at "
-                  "which the "
-                  "built-in motions stay within 1 cm of the result of mien motion modify without "
-                  "foot locking; otherwise 0)")
+                  "which the built-in motions stay within 1 cm of the result of mien motion "
+                  "modify without foot locking; otherwise 0)")
                .between(0.0, 10000.0),
            option("--leave-out", &options->leave_out,
                   "Parts of the change to leave out: tempo, variation, acceleration, paths")
