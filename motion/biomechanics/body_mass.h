@@ -28,7 +28,7 @@ struct SegmentMass {
 /// midpoint between the hip joints. The centre of mass of the hand lies at the published distance
 /// from the wrist, scaled with stature; that of the foot lies halfway between the ankle and toe
 /// joints. Winter locates the centre of mass of the head at the ear canal, which the body does not
-/// have; the midpoint between neck and vertex is used instead, as in de Leva.
+/// have; the midpoint between neck and vertex is used instead, about as in de Leva.
 std::vector<SegmentMass> segment_masses(const Skeleton& body, const JointTransforms& pose,
                                         MassModel model = MassModel::de_leva_male);
 

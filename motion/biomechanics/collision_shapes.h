@@ -30,8 +30,8 @@ const std::vector<CollisionPart>& collision_parts();
 /// those of an adult of 1.75 m, scaled to the body.
 std::vector<RoundCone> collision_shapes(const Skeleton& body, const JointTransforms& world);
 
-/// Penetration depth of two shapes, metres. If they do not overlap, it is negative: minus the
-/// distance between them.
+/// Penetration depth of two shapes where their axes are nearest to each other, metres. Negative if
+/// the shapes do not overlap there.
 double penetration_depth(const RoundCone& a, const RoundCone& b);
 
 /// A pair of parts to test for intersection. Pairs within the trunk and head (head, neck, chest,

@@ -35,7 +35,7 @@ LintMotion lint_motion(const Clip& motion);
 /// motion's duration, in the same lap; fractional, and within the frames of `other.clip`.
 double corresponding_frame(const LintMotion& motion, double frame, const LintMotion& other);
 
-/// Seconds of `other` that correspond to one second of `motion`: 1 unless the tempo was changed.
+/// Seconds of `other` that correspond to one second of `motion`: 1 if both have the same duration.
 double pace(const LintMotion& motion, const LintMotion& other);
 
 }  // namespace mien::motion

@@ -27,7 +27,8 @@ std::vector<Support> supports(const LintMotion& motion);
 /// minus the distance to its edge. `corners` must not be empty.
 double signed_distance_to_hull(const Vec3& point, const std::vector<Vec3>& corners);
 
-/// The point of the convex hull nearest to `point`, on the floor. `corners` must not be empty.
+/// The point on the floor that lies in the convex hull and is nearest to `point`. `corners` must
+/// not be empty.
 Vec3 nearest_in_hull(const Vec3& point, const std::vector<Vec3>& corners);
 
 /// Dynamics and base of support of a motion, one entry per frame of its prepared clip: the input of
@@ -39,8 +40,8 @@ struct BodyOnFloor {
 
 BodyOnFloor body_on_floor(const LintMotion& motion);
 
-/// Sets the values of the first and last 0.1 s to NaN, where accelerations are unreliable, unless
-/// the motion is a loop. One value per frame.
+/// If the motion is not a loop, sets the values of its first and last 0.1 s to NaN, because
+/// accelerations are unreliable there. `values` has one entry per frame.
 void mask_ends(const LintMotion& motion, std::vector<double>& values);
 
 }  // namespace mien::motion

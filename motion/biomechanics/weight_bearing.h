@@ -13,7 +13,7 @@ struct WeightBearing {
   std::vector<bool> right;      ///< the right foot bears weight
   std::vector<bool> planted;    ///< at least one foot is planted
   std::vector<bool> elsewhere;  ///< a knee, a hand or the pelvis rests on the floor
-  std::vector<bool> falls;      ///< the acceleration is that of free fall, as in running or jumping
+  std::vector<bool> falls;      ///< the body is in free fall, as in running or jumping
 
   /// Whether nothing bears the weight in a frame although the body is not in free fall.
   bool is_unsupported(int frame) const {

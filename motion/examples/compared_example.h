@@ -8,8 +8,8 @@ namespace mien::motion {
 /// A recorded motion in the form compared by `mien motion compare`: one gait cycle if it contains
 /// one, otherwise the whole motion. With `settle`, its planted feet are locked to the floor
 /// (settled_feet.h), as in a blend: captured feet often float above the floor, which would dominate
-/// the distance. The feet of a loop that walks in place are not locked. Throws Error if the motion
-/// is not human or has fewer than two frames.
+/// the distance. The feet of a loop without cycle displacement, such as a walk in place, are not
+/// locked. Throws Error if the motion is not human or has fewer than two frames.
 Example compared_example(const Recording& recording, bool settle = true);
 
 /// `compared_example` of a clip after the rounding caused by writing it to a BVH file and reading

@@ -39,9 +39,9 @@ std::vector<std::string> example_names(const ExampleFolder& folder);
 /// The source of an example.
 struct ExampleOrigin {
   std::filesystem::path file;
-  double frames_per_second = 0.0;  ///< frame rate of the file
-  int file_frames = 0;             ///< number of frames of the file
-  FrameRange frames;               ///< frames of the file from which the example was cut
+  double frames_per_second = 0.0;  ///< frame rate of the take in the file
+  int file_frames = 0;             ///< number of frames of the take
+  FrameRange frames;               ///< frames of the take from which the example was cut
   bool is_mirrored = false;        ///< the range is one step; the other step is its mirror image
 };
 
@@ -55,11 +55,11 @@ struct LoadedExamples {
 
 /// Loads a set of examples: reads the files, maps all files of one rig together, and cuts and
 /// straightens each motion (make_example.h). If the set is blendable, all motions are retargeted to
-/// the body of the first one (retarget.h), and the detected keytimes of examples that do not loop
-/// are reduced to the same number (`even_keytimes`). Throws Error naming the file if one is
-/// unreadable, is not human or, in a blendable set, has a different number of keytimes than the
-/// first; if a name occurs twice; and if manual keytimes are missing for a file or refer to one
-/// that does not exist.
+/// the body of the first one (retarget.h). If, in addition, no example loops, detected keytimes are
+/// reduced to the same number (`even_keytimes`). Throws Error naming the file if one is unreadable,
+/// is not human or, in a blendable set, has a different number of keytimes than the first; if a
+/// name occurs twice; and if manual keytimes are missing for a file or refer to one that does not
+/// exist.
 LoadedExamples load_examples(const ExampleFolder& folder);
 
 /// Whether a file name matches a pattern of `*` (any characters), `?` (any one character), `[abc]`

@@ -33,15 +33,20 @@ struct PreparedExample {
   FrameRange frames;               ///< the frames of the take that were used
 };
 
-/// Prepares a clip for blending. One gait cycle is cut out; if it is detected and complete, the cut
-/// is made at the frames with the lowest seam cost (gait/loop.h) up to 3 away from its heel
-/// strikes. It is closed into a loop that begins at the left heel strike, and straightened (along
-/// +Z from the origin); its feet rest on the floor, and it has the 7 keytimes of gait.h. A clip
-/// without a gait cycle is used whole and straightened; its keytimes are the start, the minima of
-/// speed (`speed_minima`) and the end or, with start_peak_end, the start, `peak_seconds` and the
-/// end. With manual keytimes, the part of the clip from the first keytime to the last is used and
-/// straightened. A clip that loops is
-/// not cut; without a gait cycle, its keytimes are its start and its end.
+/// Prepares a clip for blending.
+///
+/// - By default, one gait cycle is cut out. If it is a detected cycle of two steps, the cut is made
+///   at the frames with the lowest seam cost (gait/loop.h) up to 3 away from its ends. The cycle is
+///   closed into a loop that begins at the left heel strike, and straightened (along +Z from the
+///   origin); its feet rest on the floor, and it has the 7 keytimes of gait.h.
+/// - A clip without a gait cycle is used whole and straightened, and so is every clip with a
+///   `CycleChoice` other than automatic. Its keytimes are the start, the minima of speed
+///   (`speed_minima`) and the end or, with start_peak_end, the start, `peak_seconds` and the end.
+/// - A clip that loops is straightened but not cut. Without a gait cycle, its keytimes are its
+/// start
+///   and its end.
+/// - With manual keytimes, whatever the other options, the part of the clip from the first keytime
+///   to the last is used and straightened.
 ///
 /// Throws Error naming the clip if it has fewer than two frames; if manual frames lie outside it,
 /// are less than 8 apart or contain no gait cycle; if manual keytimes are fewer than two, lie
@@ -65,7 +70,7 @@ std::optional<double> peak_seconds(const Clip& clip);
 /// A pause of a motion: a local minimum of speed.
 struct SpeedMinimum {
   double seconds = 0.0;
-  double depth = 0.0;  ///< m/s below the lower of the two adjacent maxima
+  double depth = 0.0;  ///< m/s; prominence of the minimum (peaks.h)
 };
 
 /// The pauses of a clip: minima of the maximum speed of hands and feet relative to the pelvis

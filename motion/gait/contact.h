@@ -8,7 +8,7 @@
 namespace mien::motion {
 
 struct ContactOptions {
-  double height_metres = 0.04;         ///< maximum height above the stance level of the point
+  double height_metres = 0.04;         ///< maximum height of a point above its stance level
   double on_speed = 0.15;              ///< m/s; contact begins below this speed
   double off_speed = 0.3;              ///< m/s; contact ends above this speed
   double shortest_gap = 0.07;          ///< seconds; shorter gaps in a contact are closed

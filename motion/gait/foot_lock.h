@@ -22,8 +22,8 @@ struct FootLockOptions {
 /// the mean height error of both feet; then each foot is shifted by the remaining error, because in
 /// captures one foot is often higher than the other. Toes that are raised while the heel stands are
 /// lowered. Corrections fade out during the swing. The pelvis is lowered smoothly where a leg would
-/// have to stretch; knees stay in their planes and bones keep their lengths (after Kovar, Schreiner
-/// and Gleicher 2002). The clip must not walk in place.
+/// have to stretch, and knees bent backwards are bent forwards (after Kovar, Schreiner and Gleicher
+/// 2002; foot_placement.h). The clip must not walk in place.
 Clip foot_locked(const Clip& clip, const std::vector<FootPlant>& plants,
                  const FootLockOptions& options = {});
 

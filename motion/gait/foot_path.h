@@ -50,7 +50,7 @@ struct Stance {
 /// both less than `flat_metres` above their lowest positions. The heel or ball is on the floor
 /// while it is less than `lifted_metres` above its height at flat foot. A foot that never becomes
 /// flat (running on the toes, or never level in a noisy capture) is treated as flat in the frame in
-/// which the larger of the two heights above the lowest positions is smallest.
+/// which the greater of the heights of heel and ball, each above its lowest position, is least.
 Stance stance_of(const FootPath& path, const FootPlant& plant, double flat_metres,
                  double lifted_metres);
 

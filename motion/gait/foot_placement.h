@@ -21,11 +21,11 @@ struct FootTrajectory {
   std::vector<FootPlace> places;  ///< one per frame
 };
 
-/// Moves the feet to given targets by leg IK. Corrections at the ends of an interval fade over
-/// `blend_seconds`; the pelvis is lowered smoothly where a leg cannot reach; knees stay in their
-/// planes, except that knees bent backwards are bent forwards, and bones keep their lengths (after
-/// Kovar, Schreiner and Gleicher 2002). `lowered` holds the metres by which the left and the right
-/// foot are lowered in all frames.
+/// Moves the feet to given targets by leg IK. Beyond the ends of an interval, its corrections fade
+/// over `blend_seconds` or, if that is shorter, half of the time to the next interval. The pelvis
+/// is lowered smoothly where a leg cannot reach. Bones keep their lengths, and knees their planes;
+/// knees bent backwards are bent forwards (after Kovar, Schreiner and Gleicher 2002). `lowered`
+/// holds the metres by which the left and the right foot are lowered in all frames.
 Clip with_feet_placed(const Clip& clip, const std::vector<FootTrajectory>& stretches,
                       const FootLockOptions& options = {},
                       const std::array<double, 2>& lowered = {0.0, 0.0});

@@ -15,9 +15,9 @@ namespace mien::motion {
 /// plant. If several points are in contact, the slowest one counts, so a foot that rolls over the
 /// edge of its heel, or lifts its heel or pivots on its ball, does not slide.
 ///
-/// `planted_drift` (foot_lock.h) measures other points: a point of the heel 2 cm above the sole,
-/// which moves by half a centimetre when the heel rolls down, and the ball, until it is 1 cm above
-/// the floor.
+/// `planted_drift` (foot_lock.h) measures two points 2 cm above the sole: one of the heel, which
+/// moves by half a centimetre when the heel rolls down, and one of the ball, until it has risen by
+/// 1 cm.
 double planted_slide(const Clip& clip, const std::vector<FootPlant>& plants);
 
 }  // namespace mien::motion

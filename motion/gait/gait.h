@@ -21,8 +21,9 @@ inline constexpr int gait_keytime_count = 7;
 /// end of the step. In running, each toe off precedes the strike of the other foot; its keytime is
 /// then set to one frame after the strike, so that keytimes always ascend.
 struct GaitCycle {
-  int start_frame = 0;  ///< frame nearest to the heel strike that begins the cycle
-  int end_frame = 0;    ///< frame nearest to the next strike of this foot (`is_half`: of the other)
+  int start_frame =
+      0;              ///< frame nearest to the heel strike (or similar pose) that begins the cycle
+  int end_frame = 0;  ///< frame nearest to the next strike of this foot (`is_half`: of the other)
   bool starts_left = true;   ///< cut at left heel strikes; false: at right ones or at similar poses
   double left_strike = 0.0;  ///< frame of the left heel strike; < end_frame unless `is_half`
   std::array<double, gait_keytime_count> keytimes{};
@@ -41,7 +42,7 @@ std::vector<GaitCycle> gait_cycles(const Clip& clip);
 /// The steadiest cycle; empty if no cycle is a walk or run (steadiness ≥ 0.1). In a take without
 /// cycles that lasts up to 4 s, the cycle extends between the two most similar poses, 0.5–2 s
 /// apart, if they are similar enough and enclose a left and a right step. In all remaining takes
-/// without cycles, the last step and its mirror image are used (`is_half`).
+/// without cycles, the last step and its mirror image are used (`is_half`); empty if there is none.
 std::optional<GaitCycle> steadiest_cycle(const Clip& clip);
 
 /// The cycle of a looping clip that contains exactly one gait cycle: `start_frame` is 0,

@@ -7,7 +7,7 @@
 
 namespace mien::motion {
 
-/// A flight phase of running: an interval between two plants without ground contact.
+/// A flight phase of running: an interval without ground contact between two plants.
 struct Flight {
   int first = 0;
   int last = 0;                ///< inclusive
@@ -17,9 +17,9 @@ struct Flight {
 
 /// The flight phases of a clip that does not loop: gaps of at least 0.06 s between plants. The mean
 /// height of the pelvis in the gap must be above its mean over the gap and 0.4 s on either side
-/// and, if the gap lasts 0.25 s or more, the pelvis must be in free fall. In walking, by contrast,
-/// the pelvis is lowest between two single supports, where a strict contact threshold may also
-/// leave a gap.
+/// and, if the gap lasts 0.25 s or more, the pelvis must accelerate downwards by more than 4 m/s².
+/// In walking, by contrast, the pelvis is lowest between two single supports, where a strict
+/// contact threshold may also leave a gap.
 std::vector<Flight> flights(const Clip& clip, const std::vector<FootPlant>& plants);
 
 struct GaitEvent {
@@ -28,7 +28,8 @@ struct GaitEvent {
   bool left = true;
   double frame = 0.0;  ///< fractional; by a parabola through the three nearest frames, or at the
                        ///< edge of a flight
-  bool confirmed = false;  ///< a contact of the foot begins or ends within 0.1 s
+  bool confirmed =
+      false;  ///< contact begins (strike) or ends (toe off) within 0.1 s, or at a flight
 };
 
 /// Position of each foot relative to the pelvis along the walking direction, metres, one entry per
@@ -47,11 +48,10 @@ std::vector<Vec3> walking_directions(const Clip& clip);
 
 FootProgress foot_progress(const Clip& clip);
 
-/// Heel strikes and toe offs in order of time (Zeni et al. 2008): a heel strike is where the heel
-/// is farthest in front of the pelvis, a toe off where the toe is farthest behind it; next to a
-/// flight, the toe off is moved to the end of contact, and the heel strike to its beginning. Works
-/// for clips in place too.
-/// Events of a looping clip lie in [0, frames).
+/// Heel strikes and toe offs in order of time (Zeni et al. 2008): a heel strike is when the heel is
+/// farthest in front of the pelvis, a toe off when the toe is farthest behind it. The toe off
+/// before a flight is moved to the end of contact, and the heel strike after a flight to the
+/// beginning of contact. The clip may walk in place. Events of a looping clip lie in [0, frames).
 std::vector<GaitEvent> gait_events(const Clip& clip);
 
 }  // namespace mien::motion

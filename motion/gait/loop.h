@@ -6,8 +6,8 @@ namespace mien::motion {
 
 /// Mismatch between the end and the start of a cycle: the sum over joints of the squared distances
 /// between their direction vectors, plus (0.1 s)² times the squared distances between the
-/// velocities of these vectors. Heading and horizontal position are ignored. Both frames must lie
-/// in the clip.
+/// velocities of these vectors. Heading and root position are ignored. Both frames must lie in the
+/// clip.
 double seam_cost(const Clip& clip, int start, int end);
 
 struct CycleRange {
@@ -22,19 +22,20 @@ CycleRange best_cut(const Clip& clip, CycleRange near, int search = 3);
 /// so the loop has end − start frames. The seam is smoothed: the difference between the two frames
 /// is distributed over the cycle (rotations, including the heading, by their logarithms, and the
 /// height of the root), then the difference between the velocities fades over 0.2 s on either side
-/// (after Holden's looping demonstration). A motion that repeats exactly is unchanged. The
-/// horizontal displacement from `start` to `end` becomes `cycle_displacement`.
+/// (after Holden's looping demonstration). A motion that repeats exactly is unchanged, provided
+/// that the clip has a frame before `start` or after `end`. The horizontal displacement from
+/// `start` to `end` becomes `cycle_displacement`.
 ///
-/// 0 ≤ start, end < frames, end − start ≥ 3 and the clip itself does not loop.
+/// Both frames must lie in the clip, `end` at least 3 after `start`, and the clip must not loop.
 Clip closed_loop(const Clip& clip, int start, int end);
 
-/// As `closed_loop`, but also includes frame `end`: the pose of the first frame, displaced by one
-/// cycle displacement.
+/// As `closed_loop`, but the result does not loop. It includes frame `end`, which has the pose of
+/// the first frame, displaced by one cycle displacement.
 Clip closed_ends(const Clip& clip, int start, int end);
 
 /// One step, frames `start` to `end`, and its mirror image as a loop of 2·(end − start) frames, for
 /// takes too short for two steps. The step is rotated to walk along +Z, and its end is adjusted to
-/// match the mirror image of its start, as in `closed_loop`. The same conditions apply.
+/// match the mirror image of its start. The conditions of `closed_loop` apply.
 Clip mirrored_loop(const Clip& clip, int start, int end);
 
 /// The loop shifted cyclically: the same periodic motion, beginning at frame `frames` of `loop`.

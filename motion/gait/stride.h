@@ -22,13 +22,13 @@ struct Stride {
   double toe_off = 0.0;
   double passes = 0.0;
   double next_strike = 0.0;
-  bool confirmed = true;  ///< all events agree with foot contacts
+  bool confirmed = true;  ///< all heel strikes and toe offs agree with foot contacts
 
   double period() const { return next_strike - strike; }
 };
 
 /// All strides of one foot in order of time. An interval between two strikes of the foot is omitted
-/// if it does not contain exactly one step of the other foot.
+/// unless the other foot strikes exactly once in it and all other events are found.
 std::vector<Stride> strides(std::span<const GaitEvent> events, const FootProgress& progress,
                             bool left);
 
