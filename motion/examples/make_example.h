@@ -42,9 +42,8 @@ struct PreparedExample {
 /// - A clip without a gait cycle is used whole and straightened, and so is every clip with a
 ///   `CycleChoice` other than automatic. Its keytimes are the start, the minima of speed
 ///   (`speed_minima`) and the end or, with start_peak_end, the start, `peak_seconds` and the end.
-/// - A clip that loops is straightened but not cut. Without a gait cycle, its keytimes are its
-/// start
-///   and its end.
+/// - A clip that loops is straightened but not cut. If it has no gait cycle, its keytimes are its
+///   start and its end.
 /// - With manual keytimes, whatever the other options, the part of the clip from the first keytime
 ///   to the last is used and straightened.
 ///

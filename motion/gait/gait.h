@@ -21,9 +21,8 @@ inline constexpr int gait_keytime_count = 7;
 /// end of the step. In running, each toe off precedes the strike of the other foot; its keytime is
 /// then set to one frame after the strike, so that keytimes always ascend.
 struct GaitCycle {
-  int start_frame =
-      0;              ///< frame nearest to the heel strike (or similar pose) that begins the cycle
-  int end_frame = 0;  ///< frame nearest to the next strike of this foot (`is_half`: of the other)
+  int start_frame = 0;  ///< frame nearest to the heel strike or similar pose at the start
+  int end_frame = 0;    ///< frame nearest to the next strike of this foot (`is_half`: of the other)
   bool starts_left = true;   ///< cut at left heel strikes; false: at right ones or at similar poses
   double left_strike = 0.0;  ///< frame of the left heel strike; < end_frame unless `is_half`
   std::array<double, gait_keytime_count> keytimes{};

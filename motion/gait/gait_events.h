@@ -28,8 +28,8 @@ struct GaitEvent {
   bool left = true;
   double frame = 0.0;  ///< fractional; by a parabola through the three nearest frames, or at the
                        ///< edge of a flight
-  bool confirmed =
-      false;  ///< contact begins (strike) or ends (toe off) within 0.1 s, or at a flight
+  /// Contact of the foot begins (heel strike) or ends (toe off) within 0.1 s, or at a flight.
+  bool confirmed = false;
 };
 
 /// Position of each foot relative to the pelvis along the walking direction, metres, one entry per

@@ -22,7 +22,7 @@ struct TakeLimits {
   double frozen_rad_s = 0.001;          ///< in frozen frames, no joint rotates faster, rad/s, …
   double frozen_m_s = 0.001;            ///< … and the root does not move faster, m/s
   Levels frozen_seconds = {0.25, 1.0};  ///< duration of a frozen interval
-  double calibration_seconds = 0.1;     ///< start of the take in which a calibration pose may end
+  double calibration_seconds = 0.1;     ///< maximum duration of a calibration pose that moves
   int calibration_joints = 3;           ///< the pose ends if more joints than this jump at once
   /// The pose also ends if half of the joints move this many times as far as afterwards.
   double calibration_times = 5.0;
@@ -56,12 +56,12 @@ Findings find_frozen(const LintMotion& motion, const LintMotion* original);
 /// joints (including the root) jump at once; or in which at least one jumps, while half of all
 /// joints and more than `calibration_joints` rotate by more than 1° and by more than
 /// `calibration_times` times their largest rotation per frame in the following
-/// `calibration_seconds`. The pose lasts at most `calibration_seconds`, or as long as nothing
-/// moves. No finding for loops.
+/// `calibration_seconds`. The pose lasts at most `calibration_seconds` or, if nothing moves
+/// meanwhile, longer. No finding for loops.
 Findings find_calibration_pose(const LintMotion& motion, const LintOptions& options);
 
 /// Finds walking in place; the measured value is the speed of the floor, m/s. No finding for loops,
-/// which are in place on purpose, nor if the original also walks in place.
+/// which may walk in place on purpose, nor if the original walks in place.
 Findings find_walk_on_spot(const LintMotion& motion, const LintMotion* original);
 
 /// Finds steady sliding of the whole body while both feet bear weight for at least `drift_seconds`:
@@ -70,14 +70,15 @@ Findings find_drift(const LintMotion& motion, const LintOptions& options,
                     const LintMotion* original);
 
 /// Finds steady rising or sinking of the whole body over the take: a line fitted to the height of
-/// the lower sole rises or sinks by more than the threshold and explains half of the variance, and
-/// the median change per frame agrees with the slope of the line. On stairs and slopes they
-/// disagree, because the lower sole keeps its height while a foot stands. No finding for loops.
+/// the lower sole rises or sinks by more than the threshold and explains at least half of the
+/// variance, and the median change per frame agrees with the slope of the line. On stairs and
+/// slopes the two disagree, because the lower sole keeps its height while a foot stands. No finding
+/// for loops.
 Findings find_rise(const LintMotion& motion, const LintMotion* original);
 
-/// Finds a jump at the seam of a loop: the change over the seam deviates from the mean of the
-/// preceding and following changes, by more than twice the deviations usual in the rest of the loop
-/// (their 95th percentile). No finding for loops of fewer than 8 frames.
+/// Finds a jump at the seam of a loop. Measured is the deviation of the change over the seam from
+/// the mean of the preceding and following changes, minus twice the deviation usual in the rest of
+/// the loop (its 95th percentile). No finding for loops of fewer than 8 frames.
 Findings find_broken_seam(const LintMotion& motion, const LintOptions& options);
 
 /// Finds joint angles beyond the healthy range (joint_angles.h) and beyond those that the original
@@ -131,21 +132,21 @@ Findings find_unnatural_torques(const LintMotion& motion, const BodyOnFloor& bod
                                 const BodyOnFloor* original_body);
 
 /// Finds feet that touch or leave the floor at other times than in the original, or are no longer
-/// planted. Time shifts are in seconds of the original, here and below, because a motion may be
-/// slowed down as a whole.
+/// planted. Time shifts are in seconds of the original, here and in `find_shifted_limbs`, because a
+/// motion may be slowed down as a whole.
 Findings find_shifted_contacts(const LintMotion& motion, const LintOptions& options,
                                const LintMotion& original);
 
 /// Finds hands, feet and head that move earlier or later than in the original. The shift is the one
-/// with the highest correlation between the limb's path and its original path, in windows of 2 s,
-/// minus the median shift of the limbs (if at least three correlate well). Also finds limbs whose
-/// correlation is low at any shift.
+/// with the highest correlation between the limb's path and its original path, in windows of 2 s
+/// (of a loop: one lap), minus the median shift of the limbs (if at least three correlate well).
+/// Also finds limbs whose correlation is low at every shift.
 Findings find_shifted_limbs(const LintMotion& motion, const LintOptions& options,
                             const LintMotion& original);
 
-/// Finds hands, feet and head that move more jerkily than in the original: root mean square, over
-/// 0.5 s, of the third derivative of their paths relative to the trunk, divided by the 90th
-/// percentile of this value in the original (at least 10 m/s³).
+/// Finds hands, feet and head that move more jerkily than in the original. Measured is the root
+/// mean square, over 0.5 s, of the third derivative of their paths relative to chest or pelvis,
+/// divided by its 90th percentile in the original (at least 10 m/s³).
 Findings find_jerks(const LintMotion& motion, const LintOptions& options,
                     const LintMotion& original);
 

@@ -15,7 +15,7 @@ enum class Severity {
 /// "warning", "error".
 std::string_view name_of(Severity severity);
 
-/// A fault of a motion and its location.
+/// What a check found in a motion, and where.
 struct Finding {
   std::string check;  ///< identifier of the check: one of `lint_checks()` (lint.h)
   /// "LeftKnee"; two interpenetrating parts: "LeftWrist/Chest"; empty: the whole body.
@@ -25,7 +25,7 @@ struct Finding {
                   ///< is frame 0 again
   double measured = 0.0;   ///< the worst value in these frames, in `unit`
   double threshold = 0.0;  ///< the exceeded threshold of this severity, in `unit`
-  std::string unit;        ///< "m", "m/s", "°", "rad/s", "N·m", "s", …; empty: a ratio
+  std::string unit;        ///< "m", "m/s", "°", "rad/s", "N·m", "s", …; empty: no unit
   Severity severity = Severity::warning;
   std::string sentence;  ///< description for readers who do not know the thresholds
 };

@@ -31,19 +31,21 @@ const std::vector<LintCheck>& lint_checks();
 ///
 /// With an `original` (the motion before modification, on any canonical body), faults of the
 /// original count less, and contact timing, limb phases and jerk are compared with it. The
-/// durations may differ: moments at the same fraction of the duration correspond. Findings are
-/// ordered by check, frame and joint. A clip without frames has none.
+/// durations may differ: moments at the same fraction of the duration correspond.
+///
+/// Findings are ordered by check, frame and joint. A clip without frames has none. If a clip has
+/// non-finite numbers or rotations of length zero, only invalid data are found.
 std::vector<Finding> lint(const Clip& clip, const LintOptions& options = {},
                           const Clip* original = nullptr);
 
 /// The finding of the check `calibration-pose`: a different pose before the motion of a canonical
-/// body, such as a T-pose in frame 0. Empty if there is none, or if the clip has no frames or
-/// non-finite numbers.
+/// body, such as a T-pose in frame 0. Empty if there is none, or if the clip has no frames, invalid
+/// numbers or another skeleton.
 std::optional<Finding> calibration_pose(const Clip& clip);
 
 /// Checks the data of a recording as read from a file for non-finite numbers, invalid rotations and
-/// changing bone lengths. After conversion to the canonical body such changes can no longer be
-/// detected, because its bone lengths are constant.
+/// changing bone lengths. After conversion to the canonical body, changes of length can no longer
+/// be detected, because the body's bone lengths are constant.
 std::vector<Finding> lint(const Recording& recording, const LintOptions& options = {});
 
 }  // namespace mien::motion

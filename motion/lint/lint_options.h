@@ -8,7 +8,8 @@ struct Levels {
   double error = 0.0;
 };
 
-/// Thresholds of the checks. Lengths are for a stature of 1.75 m and scale with the body.
+/// Thresholds of the checks. Lengths are for a stature of 1.75 m and scale with the body, except
+/// those under "Data".
 struct LintOptions {
   double body_mass_kg = 70.0;
 
@@ -16,7 +17,8 @@ struct LintOptions {
   Levels unit_error = {1e-6, 1e-3};   ///< deviation of quaternion length from 1
   Levels bone_drift = {0.001, 0.01};  ///< change of bone length, as a fraction of the median length
   /// Deviation of a change per frame from the mean of its neighbours, less what fast movement
-  /// explains; multiplied by 30 Hz / rate at frame rates below 30 Hz, and by 1.5 for toes.
+  /// explains. The thresholds are multiplied by 30 Hz / rate at frame rates below 30 Hz, and those
+  /// of toes by 1.5.
   Levels jump_degrees = {20.0, 30.0};
   Levels jump_metres = {0.05, 0.1};  ///< the same for root positions
   Levels seam_degrees = {3.0, 8.0};  ///< deviation at a loop's seam, less twice the usual deviation
