@@ -35,8 +35,8 @@ struct AsfFile {
   double radians_per_unit = radians_per_degree;
 };
 
-/// Reads an ASF text to its end. Every bone must have a name, direction, length and axis, and at
-/// most one parent. Throws mien::Error.
+/// Reads an ASF text to its end. Every bone of :bonedata must have a name, direction, length and
+/// axis, and at most one parent. Throws mien::Error.
 AsfFile parse_asf_file(TextCursor& cursor);
 
 }  // namespace mien::motion

@@ -33,9 +33,10 @@ inline constexpr int bvh_time_decimals = 12;
 
 /// The recording as BVH text, joints depth first. The root has the channels X, Y, Z position and Z,
 /// X, Y rotation; other joints have the Z, X, Y rotation only, or all six channels if their offset
-/// changes over the poses. Angles continue beyond ±180°, so that interpolated curves do not jump.
-/// Positions have up to 7 decimals, angles up to 9; zeros at the end are omitted. Control
-/// characters and braces in names are replaced by '_'.
+/// in any pose differs from that of the skeleton. Angles continue beyond ±180°, so that
+/// interpolated curves do not jump. Positions have up to 7 decimals, angles up to 9; zeros at the
+/// end are omitted. In names, control characters and braces are replaced by '_', and spaces at
+/// either end are removed; an empty name becomes "joint_" and the index of the joint.
 ///
 /// The recording has at least one pose. The same recording always produces the same text.
 std::string to_bvh(const Recording& recording);

@@ -23,8 +23,9 @@ struct BvhHierarchy {
   std::vector<BvhChannel> channels;  ///< in the order of the numbers of a frame
 };
 
-/// The text with its comments (from '#' or '//' to the end of the line) replaced by blanks, so that
-/// positions in the text are preserved.
+/// The text with its comments replaced by blanks, so that positions in the text are preserved. A
+/// comment begins with '#' or '//', at the start of a line or after a blank, and extends to the end
+/// of the line. Lines that name a joint have no comments.
 std::string without_bvh_comments(std::string_view text);
 
 /// Parses the text from HIERARCHY up to and including MOTION. Throws mien::Error.

@@ -13,7 +13,7 @@ namespace mien::motion {
 /// frame.
 class BvhText {
  public:
-  /// `moving`: for each joint, whether its offset changes over the poses; if empty, no offset does.
+  /// `moving`: for each joint, whether frames include its offset; if empty, they include none.
   explicit BvhText(Skeleton skeleton, std::vector<bool> moving = {});
 
   /// The header from HIERARCHY to Frame Time; `frames` is the value of `Frames:`.

@@ -34,15 +34,15 @@ std::size_t add(GlbBuffer& buffer, const std::vector<std::uint32_t>& numbers, Gl
                 GlbUse use = GlbUse::none);
 
 /// As `add`, with the minimum and maximum of each component, which glTF requires for keyframe times
-/// and positions. There must be at least one element.
+/// and vertex positions. There must be at least one element.
 std::size_t add_bounded(GlbBuffer& buffer, const std::vector<float>& numbers, GlbElement element,
                         GlbUse use = GlbUse::none);
 
 /// Adds a file, such as an image. Returns the index of its buffer view.
 std::size_t add_file(GlbBuffer& buffer, std::string_view file);
 
-/// The bytes of a GLB file with the given document, to which the version and the description of the
-/// buffer are added. Invalid UTF-8 in names is allowed.
+/// The bytes of a GLB file with the given document, to which the accessors, buffer views and buffer
+/// are added. Invalid UTF-8 in names is replaced.
 std::string glb_of(nlohmann::ordered_json document, const GlbBuffer& buffer);
 
 }  // namespace mien::motion

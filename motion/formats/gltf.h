@@ -18,19 +18,19 @@ namespace mien::motion {
 /// - The skeleton consists of the joints of the skins and the nodes between them, parents first and
 ///   children in the order of the file. Without a skin, it consists of the nodes of the tree that
 ///   the animation moves, with exceptions (gltf_figure.h). If there are several figures, the one
-///   with the most joints is used, and `notes` gets a sentence about this. A node without a name is
-///   called "joint_0", "joint_1", … by its index in the skeleton. If the only child of a leaf joint
-///   is a node that is not animated and has no children, mesh or camera, its position is the `tip`
-///   of the joint.
+///   with the most joints is used, and `notes` gets a sentence about others of two or more joints.
+///   A node without a name is called "joint_0", "joint_1", … by its index in the skeleton. If the
+///   only child of a leaf joint is a node that is not animated and has no children, mesh or camera,
+///   its position is the `tip` of the joint.
 /// - World positions are exact for any scales and for matrices without shear: nodes above the root
 ///   become part of the root's pose, and scales become part of the offsets. Poses get `offsets`
 ///   only if a joint moves relative to its parent by more than a millionth of the longest offset.
 /// - Supported are STEP, LINEAR and CUBICSPLINE interpolation, float and integer values, sparse
 ///   accessors, and buffer views compressed by meshopt.
 /// - Frames extend from the first key to the last. Their rate is that of the keys if the track with
-///   the most keys has evenly spaced keys at 10 per second or more (or fewer for recordings,
-///   gltf_track.h), otherwise 30 per second. Without an animation there is one frame, the pose of
-///   the nodes.
+///   the most keys has evenly spaced keys at 10 per second or more (or fewer in some cases, see
+///   `timing_of` in gltf_track.h), otherwise 30 per second. Without an animation of the figure
+///   there is one frame, the pose of the nodes.
 ///
 /// Throws mien::Error naming the file (for JSON faults also line and column) if it contains no
 /// figure or is invalid: for example if `take` does not exist, indices or buffers are out of
@@ -46,10 +46,10 @@ Recording parse_gltf(std::string_view bytes, const std::string& file_name,
 
 /// The recording as a binary glTF file. It has a node for each joint and one named "…_end" for each
 /// tip; one animation, with a rotation track for every joint and a translation track for the root
-/// and for joints whose offset changes over the poses; and a mesh of octahedra along the bones,
-/// skinned so that importers create an armature from the nodes. The bind pose has no rotations.
-/// Numbers are 32-bit floats. Lengths are written unchanged, and glTF readers interpret them as
-/// metres; use `in_metres` beforehand to convert them.
+/// and for joints whose offset in any pose differs from that of the skeleton; and a mesh of
+/// octahedra along the bones, skinned so that importers create an armature from the nodes. The bind
+/// pose has no rotations. Keys and vertices are 32-bit floats. Lengths are written unchanged, and
+/// glTF readers interpret them as metres; use `in_metres` beforehand to convert them.
 ///
 /// The recording has at least one pose. The same recording always produces the same bytes.
 std::string to_glb(const Recording& recording);

@@ -13,10 +13,10 @@ namespace mien::motion {
 /// states its purpose in error messages: "keys".
 size_t accessor_count(const GltfFile& file, int accessor, std::string_view use);
 
-/// The numbers of an accessor with `components` numbers per element (1, 2, 3, 4 or 16). Floats and
-/// plain integers are returned unchanged, normalised integers as −1…1 or 0…1; sparse values are
-/// applied. Throws mien::Error for any other type, for bytes outside the buffer and for numbers
-/// that are not finite.
+/// The numbers of an accessor with `components` numbers per element (1, 2, 3, 4 or 16): floats, or
+/// integers of 8 or 16 bits. Normalised integers are returned as −1…1 or 0…1, all other numbers
+/// unchanged; sparse values are applied. Throws mien::Error for any other type, for bytes outside
+/// the buffer and for numbers that are not finite.
 std::vector<double> accessor_numbers(const GltfFile& file, int accessor, size_t components,
                                      std::string_view use);
 

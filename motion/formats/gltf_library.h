@@ -23,14 +23,15 @@ struct GltfFile {
 GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
                          const std::optional<std::filesystem::path>& folder);
 
-/// The JSON text of a text or binary glTF file. Throws mien::Error if the file is truncated.
+/// The JSON text of a text or binary glTF file. Throws mien::Error if a binary file is truncated or
+/// is not of version 2.
 std::string_view gltf_json_text(std::string_view bytes, const std::string& name);
 
 /// A relative URI as a path: "a%20walk.bin" names the file "a walk.bin".
 std::string path_of_gltf_uri(const std::string& uri);
 
-/// The bytes of a data URI, or of the file in `folder` that the URI names. `use` states its purpose
-/// in error messages: "buffer". Throws mien::Error.
+/// The bytes of a data URI, or of the file in `folder` that the URI names. `use` states the purpose
+/// of the bytes in error messages: "buffer". Throws mien::Error.
 std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::string& name,
                                              const std::optional<std::filesystem::path>& folder,
                                              std::string_view use);

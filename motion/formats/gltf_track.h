@@ -36,10 +36,9 @@ struct GltfTake {
 
 std::vector<GltfTake> gltf_takes(const GltfFile& file);
 
-/// The tracks of an animation of the file.
-/// Throws mien::Error for keyframe times that are negative or do not increase, more or fewer values
-/// than keys, two tracks for the same component of a node, rotations of length zero, and for the
-/// reasons of `accessor_numbers`.
+/// The tracks of an animation of the file. Throws mien::Error for keyframe times that are negative
+/// or do not increase, more or fewer values than keys, two tracks for the same component of a node,
+/// rotations of length zero, and for the reasons of `accessor_numbers`.
 std::vector<GltfTrack> parse_tracks(const GltfFile& file, int animation);
 
 /// The frame rate stated by the GLB writer for an animation; 0 if there is none.

@@ -23,7 +23,7 @@ struct BlendOptions {
   WarpShape warp = WarpShape::monotone;
 };
 
-/// Weighted mean of rotations. Weights are ≥ 0 and sum to 1. Exact if one weight is 1.
+/// Weighted mean of rotations. Weights are ≥ 0 and sum to 1.
 Quat blend_rotations(std::span<const Quat> rotations, std::span<const double> weights,
                      RotationBlend how);
 
@@ -37,7 +37,7 @@ std::vector<double> mean_keytimes(const ExampleSet& set, const Eigen::VectorXd& 
 /// `weights` has one entry per example, all ≥ 0 and summing to 1. All examples have the same body
 /// and the same number of keytimes. The duration is rounded to whole frames, so that a loop can be
 /// played without a seam, and the keytimes are scaled accordingly. With all weight on one example,
-/// and at its frame rate, the result is that example.
+/// the result at that example's frame rate is its motion.
 Example blend(const ExampleSet& set, const Eigen::VectorXd& weights,
               const BlendOptions& options = {});
 

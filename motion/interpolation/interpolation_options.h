@@ -9,7 +9,7 @@ namespace mien::motion {
 
 /// Method of computing blend weights from parameters.
 enum class InterpolationMethod {
-  reach,     ///< meets the request exactly, with weights as near as possible to `cardinal`; default
+  reach,     ///< meets the request where possible, with weights nearest to `cardinal`; default
   cardinal,  ///< linear part and cubic B-splines (cardinal_basis.h); the method of the paper
   nearest,   ///< nearest neighbours among examples and random blends of them
   inverse_distance,  ///< inverse distance weighting (Shepard)
@@ -66,7 +66,7 @@ struct StatisticalModelOptions {
   ModelEstimate estimate = ModelEstimate::expected;
   double noise = 0.1;  ///< for `most_likely`: standard deviation of the noise in parameters, > 0
   double variance_share = 0.95;  ///< fraction of the examples' variance that the components retain
-  double ridge = 1e-3;           ///< added to the variances of the parameters
+  double ridge = 1e-3;           ///< for `expected`: added to the variances of the parameters
   int samples = 60;              ///< times at which a motion is sampled, from first to last keytime
 
   friend bool operator==(const StatisticalModelOptions&, const StatisticalModelOptions&) = default;

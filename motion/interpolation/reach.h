@@ -37,7 +37,7 @@ struct ParameterRange {
 
 /// Feasible range of parameter `which` over all weights ≥ 0 with Σ = 1 that give the other
 /// parameters the values in `request` or, if the examples do not allow that, the nearest possible
-/// ones. `places` has one row per example. Exact to 1e-6; solved by linear programming.
+/// ones. `places` has one row per example. Exact to 1e-6.
 ParameterRange feasible_range(const Eigen::MatrixXd& places, const Eigen::RowVectorXd& request,
                               Eigen::Index which);
 

@@ -20,8 +20,8 @@ namespace mien::motion {
 /// The coordinates at given parameters are either expected, E[c|p] = Σ_cp (Σ_pp + ridge)⁻¹ (p −
 /// p̄), or most likely, minimising ‖C c − (p − p̄)‖²/noise² + cᵀ Λ⁻¹ c. Here C is the regression of
 /// parameters on coordinates, which predicts the parameters of a motion, and Λ holds the variances
-/// of the components. Both estimates are linear in p. Unlike the other methods, the model does not
-/// reproduce its examples: variation that only few of them share is lost. Sizes below: D numbers
+/// of the components. Both estimates are linear in p. The model does not reproduce its examples
+/// exactly: variation that only few of them share is lost. Sizes below: D numbers
 /// per vector, q components, M parameters, N examples.
 struct StatisticalModel {
   Skeleton body;
@@ -34,7 +34,7 @@ struct StatisticalModel {
   Eigen::VectorXd variances;          ///< q, descending
   double kept_variance = 1.0;         ///< retained fraction of the examples' variance
   Eigen::RowVectorXd parameter_mean;  ///< M
-  Eigen::MatrixXd regression;  ///< q × M: from parameters to coordinates, by either estimate
+  Eigen::MatrixXd regression;  ///< q × M: from parameters to coordinates, by the chosen estimate
   Eigen::MatrixXd example_coordinates;  ///< q × N: coordinates c of the examples
 };
 

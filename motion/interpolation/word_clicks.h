@@ -44,7 +44,8 @@ struct ClickPath {
 
 /// Simulates a patient user who starts from equal weights and repeatedly clicks on the parameter
 /// farthest from the request, passing over parameters whose click would not reduce the total
-/// deviation. Ends when every parameter is within half a step of the request, or no click helps.
+/// deviation. Ends when every parameter is within half a step of the request, when no click helps,
+/// or after 400 clicks.
 ClickPath click_towards(const WordClicks& words, const Eigen::RowVectorXd& request);
 
 }  // namespace mien::motion

@@ -66,7 +66,8 @@ class ByteWriter {
 };
 
 /// Reads the values in the order in which ByteWriter wrote them. Throws Error for invalid input: a
-/// count beyond the remaining bytes, a number that is not finite, an unknown enumerator.
+/// count beyond the remaining bytes, a number that is not finite (except by `number_or_nan`), a
+/// rotation that is not a unit quaternion, an unknown enumerator.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : remaining_(bytes) {}

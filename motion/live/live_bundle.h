@@ -40,8 +40,9 @@ struct LiveBundle {
 /// Version of the binary layout.
 inline constexpr int live_bundle_version = 1;
 
-/// The binary form of a bundle: "MIENLIVE", then the version, length and checksum of the rest, then
-/// the bundle; little endian, doubles exact. The same bundle always produces the same bytes.
+/// The binary form of a bundle: "MIENLIVE", the version of the layout, the length and checksum of
+/// the bytes that follow, and these bytes; little endian, doubles exact. The same bundle always
+/// produces the same bytes.
 std::string to_bytes(const LiveBundle& bundle);
 
 /// Parses a bundle. Throws Error if the bytes are not a bundle, are of another version, truncated

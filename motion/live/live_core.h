@@ -21,7 +21,7 @@ struct LiveSetting {
   std::vector<double> values;        ///< 0 to 1, one per slider
 };
 
-/// A motion to be shown: one cycle of a loop.
+/// A motion to be shown; of a loop, one cycle.
 struct LiveMotion {
   Example motion;
   Eigen::VectorXd weights;  ///< one per example; empty if it is not a blend

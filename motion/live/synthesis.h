@@ -47,9 +47,9 @@ struct FeatureTable {
 Eigen::RowVectorXd measured_parameters(const std::vector<std::string>& names,
                                        const SynthesizedMotion& made, const FeatureTable& features);
 
-/// The motion whose measured features are closest to the requested ones. Slider values are
-/// corrected by the deviations in up to eight trials, until no scaled feature deviates by 0.005 or
-/// more.
+/// A motion whose measured features are close to the requested ones. Slider values are corrected by
+/// the deviations in up to eight trials, until no scaled feature deviates by 0.005 or more; the
+/// best trial is returned.
 SynthesizedMotion synthesize_with_features(const FittedInterface& interface,
                                            const Eigen::RowVectorXd& requested,
                                            const SynthesisContext& context,
