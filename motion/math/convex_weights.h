@@ -10,13 +10,13 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
 
 // Convex weights of points (≥ 0, sum 1) that yield a given weighted mean.
 
-/// Weights whose weighted mean of the points (columns of a D × N matrix) lies nearest to `target`,
-/// and equals it if it lies within their convex hull. At most D + 1 weights are above 0. The mean
-/// is a continuous function of the target; the weights need not be.
+/// Weights whose weighted mean of the points (columns of a D × N matrix) lies nearest to `target`.
+/// A target within the convex hull of the points is met exactly. At most D + 1 weights are above 0.
+/// The mean is a continuous function of the target; the weights need not be.
 Eigen::VectorXd weights_nearest_to(const Eigen::MatrixXd& points, const Eigen::VectorXd& target);
 
-/// The weights w that minimize |C w − d| among those with the same weighted mean of the points as
-/// `start`. The columns of C must be linearly independent, so the solution is unique; it is a
+/// The convex weights w that minimize |C w − d| and give the points the same weighted mean as
+/// `start` does. The columns of C must be linearly independent, so the solution is unique; it is a
 /// continuous function of the mean and of d. An active-set method for convex quadratic programming
 /// (Nocedal & Wright, Numerical Optimization, 2006, algorithm 16.3), starting from the feasible
 /// `start`, a result of weights_nearest_to.

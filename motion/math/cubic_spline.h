@@ -17,8 +17,8 @@ struct CubicSpline {
 CubicSpline level_spline(std::vector<double> times, const Eigen::MatrixXd& values);
 
 /// The periodic spline through the knots, which repeat after `period`. The period is longer than
-/// the time from the first knot to the last: the first knot is not repeated at the end. At least 1
-/// knot.
+/// the time from the first knot to the last: the arguments do not repeat the first knot at the end.
+/// The result does. At least 1 knot.
 CubicSpline periodic_spline(std::vector<double> times, const Eigen::MatrixXd& values,
                             double period);
 

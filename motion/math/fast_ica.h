@@ -6,7 +6,8 @@
 
 namespace mien::motion {
 
-/// The rotation that makes whitened signals as independent as possible.
+/// The rotation (or rotation with reflection) that makes whitened signals as independent as
+/// possible.
 struct FastIca {
   Eigen::MatrixXd rotation;  ///< orthonormal; sources = signals · rotation
   int iterations = 0;
@@ -15,7 +16,7 @@ struct FastIca {
 
 /// FastICA (Hyvärinen 1999) with g = tanh and symmetric decorrelation. The rows of `white` are
 /// samples; its columns are uncorrelated signals of mean zero and unit variance. The initial guess
-/// depends on the seed alone.
+/// is random, determined by the seed.
 FastIca fast_ica(const Eigen::MatrixXd& white, std::uint64_t seed, int most_iterations = 500);
 
 }  // namespace mien::motion

@@ -10,7 +10,7 @@ namespace mien::motion {
 /// Extension of a signal beyond its ends for filtering.
 enum class SignalEnds {
   open,      ///< odd reflection: the signal rotated by 180° about its end points
-  periodic,  ///< the signal repeats: sample n is sample 0
+  periodic,  ///< the signal repeats: the last sample is followed by the first
 };
 
 /// Second-order Butterworth low-pass filter, run forward and backward for zero phase lag; at

@@ -61,8 +61,8 @@ std::vector<Value> smoothed_once(const std::vector<Value>& signal, int level, Si
   return smooth;
 }
 
-/// The signal, padded at both ends with its end values. The padding at each end is as wide as a
-/// filter with `levels` bands reaches to one side.
+/// The signal, padded at both ends with its end values. At each end, as many samples are added as
+/// `levels` steps of smoothing reach to one side.
 template <typename Value>
 std::vector<Value> with_repeated_ends(std::span<const Value> signal, int levels) {
   const auto pad = static_cast<std::size_t>(2 * ((1L << levels) - 1));
@@ -99,8 +99,8 @@ Pyramid<Value> pyramid(std::span<const Value> signal, int levels, SignalEnds end
 }
 
 /// The signal with its bands weighted: band k by gains[k], and the residual below the last band by
-/// `rest_gain`. The time is O(samples · gains.size()); the memory is that of three signals,
-/// whatever the number of bands. If all gains are 1, the result equals the signal up to rounding.
+/// `rest_gain`. Gains beyond `band_count` are ignored. The time is O(samples · gains.size()), the
+/// memory O(samples).
 template <typename Value>
 std::vector<Value> with_band_gains(std::span<const Value> signal, std::span<const double> gains,
                                    double rest_gain, SignalEnds ends) {

@@ -33,7 +33,7 @@ Quat heading(const Vec3& direction);
 Quat twist_about(const Quat& rotation, const Vec3& axis);
 
 /// The rotation whose matrix columns are x, y, z after Gram–Schmidt: x exact in direction, y as
-/// near to `y_hint` as orthogonality allows.
+/// near to `y_hint` as orthogonality allows. `x` and `y_hint` must not be parallel.
 Quat frame_from(const Vec3& x, const Vec3& y_hint);
 
 enum class Axis { x, y, z };

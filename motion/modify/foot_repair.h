@@ -7,12 +7,12 @@
 
 namespace mien::motion {
 
-/// The clip with its feet locked (foot_lock.h) repeatedly: until they drift by less than 0.5 mm, or
-/// six times, of which the result with the least drift is returned. A capture's foot skate is thus
+/// The clip with its feet locked (foot_lock.h) repeatedly, at most six times, until they drift by
+/// less than 0.5 mm. The result with the least drift is returned. A capture's foot skate is thus
 /// not carried into its modification.
 Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants);
 
-/// The clip with the foot plants of `still`, the original with locked feet. After a smooth hip
+/// The clip with the foot plants of `still` (the original with locked feet). After a smooth hip
 /// shift (hip_shift.h), each planted foot rolls from heel to ball as in `still`, translated over
 /// the floor and rotated about the vertical to its position after the modification; the legs follow
 /// by inverse kinematics (foot_placement.h). Toes that would scrape the floor in the swing are then
@@ -31,8 +31,8 @@ Clip with_repaired_feet(const Clip& clip, const Clip& original,
 /// at toe off, when the foot pivots about their tip.
 Clip with_feet_above_floor(const Clip& clip, const Clip& original);
 
-/// The clip with swinging feet raised, smoothly, where they are both lower than in `original` and
-/// less than 15 mm above the floor. Plants are unchanged.
+/// The clip with swinging feet raised, smoothly, to their height in `original`, but at least to the
+/// floor and at most to 15 mm. Higher feet and plants are unchanged.
 Clip with_toe_clearance(const Clip& clip, const Clip& original,
                         const std::vector<FootPlant>& plants);
 

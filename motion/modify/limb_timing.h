@@ -9,7 +9,7 @@
 
 namespace mien::motion {
 
-/// A part of the body that is retimed as a whole: all its joints keep the same timing.
+/// A part of the body that is retimed as a whole: the timing of all its joints changes alike.
 enum class Limb { head, left_hand, right_hand, left_foot, right_foot };
 
 inline constexpr std::array<Limb, 5> all_limbs = {Limb::head, Limb::left_hand, Limb::right_hand,
@@ -40,8 +40,8 @@ std::vector<double> constant_speed_durations(std::span<const double> speeds);
 inline constexpr double max_pause_factor = 5.5;
 
 /// Relative durations of all intervals, by which the end becomes even slower where it is slow:
-/// groups of successive intervals, 0.15 s long in all (at least 3 intervals), that are slower than
-/// both neighbouring groups last `pause_factor` times as long. All other intervals have the
+/// groups of successive intervals, about 0.15 s long in all (at least 3 intervals), that are slower
+/// than both neighbouring groups last `pause_factor` times as long. All other intervals have the
 /// duration 1, and so do groups that never exceed 0.05 m/s, in which the end stands still.
 std::vector<double> accelerated_durations(std::span<const double> speeds, double frames_per_second,
                                           bool loops, double pause_factor = max_pause_factor);
@@ -53,7 +53,7 @@ std::vector<double> near_only(std::span<const double> durations, std::span<const
 
 /// Returns, for each frame of the retimed limb, the (fractional) source frame in the original if
 /// the original's intervals are given these durations. Segments of about `segment_seconds` keep
-/// their length, so that limbs stay synchronised; the time curve is smoothed over 0.1 s. Never
+/// their length, so that limbs stay synchronised; the time curve is smoothed over ±0.1 s. Never
 /// decreasing. A clip that does not loop keeps its ends; the source frames of a loop may lie before
 /// its first frame or after its last.
 std::vector<double> source_frames(std::span<const double> durations, double segment_seconds,
@@ -68,10 +68,11 @@ std::vector<int> contact_frames(const std::vector<FootPlant>& plants, int frame_
 /// Retimes one limb of the clip by the source frame of each frame (`source_frames`).
 void retime(Clip& clip, Limb limb, const std::vector<double>& sources);
 
-/// The clip with the end joints of its limbs moving at constant speed.
+/// The clip with the end joints of the given limbs moving at constant speed in each segment of
+/// `constant_segment_seconds`, except in pauses.
 Clip with_constant_speed(const Clip& clip, const Limbs& limbs);
 
-/// The clip with all pauses of its limbs stretched (full acceleration).
+/// The clip with all pauses of the given limbs stretched (full acceleration).
 Clip with_acceleration(const Clip& clip, const Limbs& limbs);
 
 /// Like with_acceleration, but only near the given frames.

@@ -31,7 +31,7 @@ struct PathGains {
 /// Where acceleration applies.
 enum class AccelerationPlace {
   pauses,    ///< at all slow moments of the limb
-  contacts,  ///< only within 0.2 s of a foot landing; nowhere if no foot lands
+  contacts,  ///< only at slow moments within 0.2 s of a foot landing
 };
 
 /// The limbs that are retimed, each independently. Arms include the clavicles, feet the whole leg;
@@ -91,8 +91,8 @@ struct ModifiedClip {
 bool is_identity(const Modification& modification);
 
 /// The modification at a strength: 0 is the identity, 1 the modification itself; above 1 it is
-/// exaggerated within the valid ranges. Angles, logarithms of tempo, and distances from 1 or 0 are
-/// multiplied.
+/// exaggerated. Angles, logarithms of tempo, and distances from 1 or 0 are multiplied; paths,
+/// acceleration, tempo and variation stay within their ranges.
 Modification scaled(const Modification& modification, double strength);
 
 /// Throws mien::Error for a number outside its range.
@@ -101,9 +101,9 @@ void check(const Modification& modification);
 /// The modified clip of the canonical body. Steps in the order of the emotion thesis: path lengths,
 /// hip shift, limb timing, and bilinear interpolation on the grid of nine motions (nine_grid.h);
 /// then variation, tempo, posture, joint limits and foot repair. Hips are adducted less than
-/// requested if steps would otherwise become narrower than a foot (feet_apart.h). Bone lengths
-/// never change; a loop stays a loop. Clips may walk in place. Throws mien::Error as `check` does,
-/// and for a skeleton other than the canonical body.
+/// requested if steps would otherwise become narrower than a foot and than in the original
+/// (feet_apart.h). Bone lengths never change; a loop stays a loop. Clips may walk in place. Throws
+/// mien::Error as `check` does, and for a skeleton other than the canonical body.
 ModifiedClip modify(const Clip& clip, const Modification& modification);
 
 /// Like `modify`, without the report.

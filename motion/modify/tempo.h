@@ -8,8 +8,8 @@
 namespace mien::motion {
 
 /// The clip played `tempo` times as fast at the same frame rate; rotations (as direction vectors)
-/// and root positions are interpolated by splines. A loop's duration is rounded to whole frames, at
-/// least 3; its cycle displacement is unchanged.
+/// and root positions are interpolated by splines. The duration is rounded to whole frames (of a
+/// loop, at least 3). The cycle displacement is unchanged.
 Clip with_tempo(const Clip& clip, double tempo);
 
 /// The plants of a clip after a change of tempo that took it from `frames_before` to `frames_after`

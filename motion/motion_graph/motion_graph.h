@@ -27,12 +27,12 @@ struct MotionGraphOptions {
   /// it is not. The blend rotates the pelvis by the remaining difference, in addition to the
   /// motions' own rotation: 5° over a third of a second add up to 0.7° per frame at 30 frames per
   /// second. Where the blend would rotate the pelvis faster than both motions by 0.9° per frame or
-  /// more, a smaller limit applies: 3/4, 1/2 or 1/4 of this, or 0.
+  /// more, a smaller limit applies: 3/4, 1/2 or 1/4 of this value, or 0.
   double most_facing_change_deg = 5.0;
   /// Threads for the comparison; 0: one per processor. The graph does not depend on their number.
   int threads = 0;
-  /// Looping clips are unrolled to at least this duration, seconds, and always by one window beyond
-  /// a whole number of cycles, so that the end can join the start.
+  /// Looping clips are repeated for this duration, seconds, or for one cycle if that is longer, and
+  /// continue for one window more, so that the end can join the start.
   double unrolled_seconds = 2.0;
 };
 
@@ -40,12 +40,13 @@ struct MotionGraphOptions {
 /// the other over the window.
 struct GraphTransition {
   int from_clip = 0;
-  int from_frame = 0;  ///< first frame of the blend in the clip that is left
+  int from_frame = 0;  ///< first frame of the blend in `from_clip`
   int to_clip = 0;
-  int to_frame = 0;     ///< first frame of the blend in the clip that is entered
+  int to_frame = 0;     ///< first frame of the blend in `to_clip`
   double metres = 0.0;  ///< distance of the windows
-  double turn = 0.0;    ///< rotation about +Y that aligns the second clip with the first, radians:
-                        ///< that of the least distance, limited by `most_facing_change_deg`
+  /// Rotation about +Y that aligns the second clip with the first, radians: that of the least
+  /// distance, changed where `most_facing_change_deg` requires it.
+  double turn = 0.0;
 };
 
 /// A branching point in a clip, just before `frame`.
@@ -81,22 +82,23 @@ struct MotionGraph {
   std::vector<std::vector<double>> frame_seconds;
 };
 
-/// The graph of the clips: local minima of the distance below the threshold become transitions in
-/// both directions; only the largest strongly connected component (by the number of frames on its
-/// edges) is kept.
+/// The graph of the clips: local minima of the distance up to the threshold become transitions in
+/// both directions, unless contacts differ too much (`most_contact_change`) or the entered clip
+/// ends with the window; only the largest strongly connected component (by the number of frames on
+/// its edges) is kept.
 ///
-/// Throws mien::Error without clips, for clips shorter than two windows, for clips that differ in
-/// frame rate or bone lengths (by more than a millimetre), for options out of range, and when no
-/// component contains a cycle; the message then states the smallest sufficient threshold, if one up
-/// to 1 m suffices.
+/// Throws mien::Error without clips, for clips shorter than two windows, for clips that are not of
+/// the canonical body or differ in frame rate or body (in an offset by more than a millimetre), for
+/// options out of range, and when no component contains a cycle; the message then states a
+/// sufficient threshold, if one up to 1 m suffices.
 MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& options = {});
 
 /// The graph with its clips replaced by other motions with the same numbers of frames; they may
 /// have another body than the former ones, but must all have the same. The topology is kept; the
-/// alignments of the windows are recomputed. Use it to apply a modification (modify/modification.h)
-/// to all clips, or to replace them by corresponding versions or by blends of such. Throws
-/// mien::Error for clips that differ from the graph's in number, frames or frame rate, that loop,
-/// or that differ from each other in body.
+/// alignments of the windows and the foot plants are recomputed. Use it to apply a modification
+/// (modify/modification.h) to all clips, or to replace them by corresponding versions or by blends
+/// of such. Throws mien::Error for clips that differ from the graph's in number, frames or frame
+/// rate, that loop, or that differ from each other in body.
 MotionGraph with_motions(MotionGraph graph, std::span<const Clip> clips);
 
 /// A motion with the duration of each frame, as returned by `synchronised`.
@@ -107,9 +109,9 @@ struct SynchronisedMotion {
 MotionGraph with_motions(MotionGraph graph, std::span<const SynchronisedMotion> motions);
 
 /// A version of a motion synchronised with a reference by corresponding keytimes (seconds,
-/// ascending, the same number in both): each frame shows the moment that corresponds to the same
-/// frame of the reference, and has its own duration. Throws mien::Error when the keytimes do not
-/// correspond or lie outside the clips.
+/// ascending, the same number in both): frame i shows the moment that corresponds to frame i of the
+/// reference, and has its own duration. Throws mien::Error when there are fewer than two keytimes,
+/// when they are not ascending or lie outside the clips, and when their numbers differ.
 SynchronisedMotion synchronised(const Clip& version, std::span<const double> version_keytimes,
                                 const Clip& reference, std::span<const double> reference_keytimes);
 

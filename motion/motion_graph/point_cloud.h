@@ -13,7 +13,8 @@ struct CloudOptions {
   /// Length of the compared windows of frames, seconds: the duration of the blend that would join
   /// them, so that velocities are compared too (Kovar, Gleicher and Pighin 2002: about 1/3 s).
   double window_seconds = 1.0 / 3.0;
-  /// Distance of the virtual point from each bone, metres, so that a twist about the bone counts.
+  /// Distance of each joint's virtual point from the bone, metres, so that a twist about the bone
+  /// counts.
   double virtual_point_m = 0.1;
   /// Weight of each joint and its virtual point, by BodyJoint; only ratios matter.
   std::array<double, body_joint_count> joint_weights = [] {

@@ -21,8 +21,8 @@ double contact_change(const FootContacts& contacts, const DistanceMinimum& minim
 /// windows, with the second clip rotated by the transition's `turn`.
 double facing_change(const MotionGraph& graph, const GraphTransition& transition);
 
-/// By how many radians per frame the pelvis rotates faster in the blend than in both motions;
-/// maximum over the frames of the blend.
+/// By how many radians per frame the pelvis rotates faster in the blend than in the faster of the
+/// two motions; maximum over the frames of the blend, at least 0.
 double turn_beyond_motions(const MotionGraph& graph, const GraphTransition& transition);
 
 }  // namespace mien::motion

@@ -26,9 +26,9 @@ struct WalkFrame {
   int frame = 0;
   int to_clip = -1;  ///< the clip that is entered; −1 outside of transitions
   int to_frame = 0;
-  double share = 1.0;  ///< of `clip`: 2p³ − 3p² + 1 (Kovar et al. 2002, section 3.3), where
-                       ///< p rises from 0 to 1 over the window
-  double turn = 0.0;   ///< rotation that aligns `to_clip` with `clip`, radians
+  double share = 1.0;  ///< of `clip`: 2p³ − 3p² + 1 (Kovar et al. 2002, section 3.3), where p rises
+                       ///< over the window, from above 0 to below 1; 1 outside of transitions
+  double turn = 0.0;  ///< rotation that aligns `to_clip` with `clip`, radians
 };
 
 /// WalkFrame::share at a frame of a transition's window.

@@ -13,7 +13,7 @@ namespace mien::motion {
 /// Horizontal motion of an edge, in the coordinates of the clip that it leaves.
 struct EdgeSteps {
   std::vector<Vec3> steps;      ///< displacement of the pelvis in each frame, metres
-  std::vector<double> facings;  ///< of the pelvis after each frame, radians about +Y from +Z
+  std::vector<double> facings;  ///< of the pelvis in each frame, radians about +Y from +Z
   std::vector<double> seconds;  ///< duration of each frame
   /// Rotation that aligns the clip that the edge enters with the one that it leaves, radians.
   double turn = 0.0;
@@ -35,8 +35,8 @@ struct WalkState {
   double way = 0.0;
 };
 
-/// Cost of one more frame, ≥ 0. `state` is the state after the frame, except for `way`, which the
-/// cost may advance.
+/// Cost of one more frame, ≥ 0. `step` is the displacement in this frame. `place`, `facing`,
+/// `seconds` and `played` of `state` are those after the frame; the cost may advance `way`.
 using FrameCost = std::function<double(WalkState& state, const Vec3& step)>;
 /// Whether the walk has reached its goal.
 using GoalReached = std::function<bool(const WalkState& state)>;
@@ -50,9 +50,9 @@ struct MixedGraph {
   const MotionGraph& graph() const { return versions.front(); }
 };
 
-/// The cheapest walk from the best of several starts until `done`, searched by branch and bound
-/// over `ahead_seconds` at a time, of which `kept_seconds` are kept. Throws mien::Error when `way`
-/// makes no progress.
+/// A walk from the best of several starts until `done`. Branch and bound finds the cheapest walk
+/// over the next `ahead_seconds`, of which about `kept_seconds` are kept before the next search.
+/// Throws mien::Error when `way` makes no progress, and when the walk takes over an hour.
 GraphWalk search_walk(const MixedGraph& mixed, const std::vector<WalkState>& starts,
                       const FrameCost& cost, const GoalReached& done,
                       const GuidedWalkOptions& options);

@@ -22,16 +22,16 @@ std::vector<Emotion> circumplex_emotions();
 /// The walk style of an emotional state.
 ///
 /// Arousal raises speed and cadence, widens the arm swing and flexes the elbows. Valence lifts
-/// chest and head, and adds bounce, arm swing and trunk rotation. Two interaction terms apply to
-/// unpleasant states: tension = max(arousal, 0)·(1 − valence)/2 raises the shoulders, flexes elbows
-/// and knees, and makes arms and trunk swing more abruptly (WalkStyle::sharpness); weariness =
-/// max(−arousal, 0)·(1 − valence)/2 slumps the trunk, lowers foot clearance and adds sway. (0, 0)
-/// is the ordinary walk. Signs after Montepare et al. 1987, Roether et al. 2009, Michalak et al.
+/// chest and head, and adds bounce, arm swing and trunk rotation. Two interaction terms increase
+/// with unpleasantness: tension = max(arousal, 0)·(1 − valence)/2 raises the shoulders, flexes
+/// elbows and knees, and makes arms and trunk swing more abruptly (WalkStyle::sharpness); weariness
+/// = max(−arousal, 0)·(1 − valence)/2 slumps the trunk, lowers foot clearance and adds sway. (0, 0)
+/// is an ordinary walk. Signs after Montepare et al. 1987, Roether et al. 2009, Michalak et al.
 /// 2009, Barliya et al. 2013.
 WalkStyle affective_walk(double valence, double arousal);
 
-/// The same style `factor` times as fast: step length and cadence are each multiplied by its square
-/// root, and dependent parameters change as in `ordinary_walk`.
+/// The same style `factor` times as fast: step length and cadence are each multiplied by the square
+/// root of `factor`, and dependent parameters change as in `ordinary_walk`.
 WalkStyle at_pace(const WalkStyle& style, double factor);
 
 }  // namespace mien::motion

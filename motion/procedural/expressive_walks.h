@@ -40,8 +40,8 @@ WalkStyle tired_walk();
 /// Gross 2013 on contentment).
 WalkStyle relaxed_walk();
 
-/// Fast, springy, with wide swings of bent arms that start abruptly, head up (after the same
-/// studies of joy as happy_walk, but more pronounced: Montepare et al. 1987; Roether et al. 2009).
+/// Fast, springy, with wide swings of bent arms that start abruptly, head up (Montepare et al. 1987
+/// and Roether et al. 2009 on joy; more pronounced than happy_walk).
 WalkStyle excited_walk();
 
 /// Firm, broad and heavy: arms abducted and internally rotated, chest out, feet apart, full steps

@@ -5,8 +5,8 @@
 
 namespace mien::motion {
 
-/// The points of a foot that touch the floor, in the ankle's frame (sole flat, toes along +Z), and
-/// the joint heights of a flat foot. Metres.
+/// The points about which a foot rolls, in the ankle's frame (sole flat, toes along +Z), and the
+/// joint heights of a flat foot. Metres.
 struct FootShape {
   double ankle_height;  ///< above the floor, sole flat
   Vec3 heel;            ///< the edge on which the foot rolls after heel strike
@@ -31,7 +31,7 @@ Quat foot_rotation(const FootPose& foot);
 
 /// Pitch of the sole during stance, radians: toes up at heel strike, then flat, then heel up until
 /// toe off. `phase` is measured from heel strike, 0 to stance_share. The pitch is continuously
-/// differentiable, also where the stance joins the swing.
+/// differentiable.
 double stance_pitch(const WalkStyle& style, double phase);
 
 /// Offsets from the ankle to the pivot of a rolling foot, in world axes.

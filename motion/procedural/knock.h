@@ -8,8 +8,8 @@ namespace mien::motion {
 /// they apply to every body.
 struct KnockStyle {
   int knocks = 3;
-  double still_seconds = 0.4;   ///< before the hand rises and after it is lowered
-  double raise_seconds = 0.8;   ///< from the thigh to the door; lowering takes 1.2 times that
+  double still_seconds = 0.4;  ///< before the hand rises and after it is lowered
+  double raise_seconds = 0.8;  ///< from rest to in front of the door; lowering takes 1.2 times that
   double knock_seconds = 0.32;  ///< from one hit to the next
   double height = 0.1;          ///< of the wrist above the shoulder at a hit
   double reach = 0.72;          ///< of the wrist in front of the shoulder at a hit

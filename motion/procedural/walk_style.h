@@ -3,8 +3,9 @@
 namespace mien::motion {
 
 /// Parameters of the parametric walker on level ground. The defaults describe an ordinary adult
-/// walk at a comfortable speed. Angles are in degrees, lengths in metres for a stature of 1.75 m
-/// (scaled with leg length on other bodies), shares in fractions of the gait cycle.
+/// walk at a comfortable speed. Angles are in degrees, shares in fractions of the gait cycle.
+/// Lengths (metres) and the speed are those for a stature of 1.75 m; on other bodies they are
+/// scaled with leg length.
 ///
 /// A "range" is measured from one extreme to the other; an "amplitude" is half of it.
 struct WalkStyle {
@@ -23,7 +24,7 @@ struct WalkStyle {
   double swing_knee_deg = 61.0;     ///< peak knee flexion of the swing
   double stance_knee_deg = 5.0;     ///< least knee flexion in stance; 2° more at heel strike
   double foot_clearance_m = 0.015;  ///< least height of swinging toes above planted toes
-  double knee_splay_deg = 0.0;      ///< knees out, from the line of the feet
+  double knee_splay_deg = 0.0;      ///< knees out, from a direction between pelvis and foot
 
   // Pelvis.
   double bounce_m = 0.043;            ///< vertical range, two periods per cycle

@@ -8,18 +8,19 @@
 namespace mien::motion {
 
 /// One cycle of a walk in the given style: a loop along +Z on the line x = 0. The cycle starts at
-/// left heel strike and lasts the nearest whole number of frames; the step length is exact.
-/// Keytimes: left heel strike, right toe off, left mid-stance (the right ankle passes the left),
-/// right heel strike, left toe off, right mid-stance, left heel strike again.
+/// left heel strike and lasts the nearest whole number of frames, at least 8; the step length is
+/// exact. Keytimes: left heel strike, right toe off, left mid-stance (the right ankle passes the
+/// left), right heel strike, left toe off, right mid-stance, left heel strike again.
 ///
 /// The feet are fixed to the floor: they roll over heel and ball without slipping, and the legs
 /// follow by two-bone inverse kinematics between the feet and the moving pelvis. The pelvis is as
-/// high as the style's `stance_knee_deg` allows, so that the knees never fully extend. The swing
-/// follows the normal knee curve, adjusted so that it joins the stance at both ends without jumps
-/// (`fit_swing`, leg_cycle.h).
+/// high as possible without the knee of a stance leg being straighter than the style's
+/// `stance_knee_deg`. The swing follows the normal knee curve, adjusted so that it joins the stance
+/// at both ends without jumps (`fit_swing`, leg_cycle.h).
 ///
-/// Throws mien::Error when the style is impossible (steps too long for the legs, no swing or no
-/// double support) or when speed, cadence or frame rate is not positive.
+/// Throws mien::Error when steps are too long for the legs, when `stance_share` is not between 0.5
+/// and 0.85, when `heel_strike_deg` or `toe_off_deg` is negative, and when speed, cadence or frame
+/// rate is not positive.
 Example walk(const WalkStyle& style, double frames_per_second, const Skeleton& body);
 
 /// Sets the rotations of spine, chest, neck, head and both arms at a phase of the gait cycle (0 is

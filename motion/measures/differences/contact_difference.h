@@ -29,8 +29,7 @@ struct FootDifference {
 };
 
 /// Contact differences of the left and the right foot. Both clips are of the canonical body; if one
-/// has fewer than three frames, there are no differences. Contacts are detected as in contact.h, at
-/// each motion's own frame rate.
+/// has fewer than three frames, there are no differences. Contacts are detected as in contact.h.
 std::array<FootDifference, 2> contact_differences(const Clip& before, const Clip& now);
 
 }  // namespace mien::motion

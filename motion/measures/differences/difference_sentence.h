@@ -8,9 +8,10 @@ namespace mien::motion {
 
 /// The largest change of a motion in one line: "left forearm twisted by up to 1.0°, at 0.43 s".
 ///
-/// Changes of the whole motion take precedence: delayed or missing frames, a different frame rate,
-/// exchanged sides, a displaced figure. Otherwise the line names a changed bone or, if there is
-/// none, the joint with the largest local rotation, and in addition a sliding foot. It is "no
+/// Changes of the whole motion take precedence: delayed or missing frames, the same frames at a
+/// different rate or in reverse order, exchanged sides, a different scale, a displaced figure whose
+/// poses are unchanged. Otherwise the line names a changed bone or, if there is none, the joint
+/// with the largest local rotation; a displaced figure and a sliding foot are added. It is "no
 /// difference" if the motions are identical.
 std::string largest_change(const MotionDifference& difference);
 

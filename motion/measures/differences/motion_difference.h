@@ -63,10 +63,10 @@ struct FeatureDifference {
 /// in seconds.
 ///
 /// Everything is exactly zero or empty for equal motions. Distances are symmetric if both have the
-/// same frame rate, except `aligned_m` and `pa_mpjpe`, which are at the scale of the first motion,
-/// and `BodyDifference::mpjpe_m`, which is a mean over the frames of the first.
+/// same frame rate and skeleton, except `aligned_m` and `pa_mpjpe`, which are at the scale of the
+/// first motion, and `BodyDifference::mpjpe_m`, which is a mean over the frames of the first.
 struct MotionDifference {
-  bool identical = false;  ///< whether all numbers of one exactly equal those of the other
+  bool identical = false;  ///< whether all numbers and names are exactly equal
   /// Whether both were mapped to the canonical body because their rigs differ; the mapping
   /// (calibration, floor) is then part of the comparison.
   bool on_body = false;

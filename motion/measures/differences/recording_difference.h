@@ -25,18 +25,19 @@ struct ComparedRecordings {
   std::vector<std::pair<std::string, std::string>> renamed;
 };
 
-/// Prepares two recordings for comparison. If at least three quarters of the joints of each also
-/// occur, by name, in the other, the recordings are compared on their own joints, otherwise on the
-/// canonical body. Recordings of the same file format are assumed to have the same unit and up
-/// axis, as determined for the first; for different formats they are determined separately.
-/// Recordings of the same format whose joints have the same names and parents are mapped to the
-/// body by the same calibration, that of the first.
+/// Prepares two recordings for comparison. If at least three quarters of the joint names of each
+/// occur in the other, or if skeletons of the same file format differ only in names (`renamed`),
+/// the recordings are compared on their own joints, otherwise on the canonical body. Recordings of
+/// the same file format are assumed to have the same unit and up axis, as determined for the first;
+/// for different formats they are determined separately. Recordings of the same format whose joints
+/// have the same names and parents are mapped to the body by the same calibration, that of the
+/// first.
 ///
 /// Throws Error if a recording has no frames, or if the rigs differ and are not both human.
 ComparedRecordings compared_recordings(const Recording& before, const Recording& now);
 
-/// Like the comparison of clips, but contacts, lint and D are measured on the canonical body, each
-/// motion on its own floor.
+/// Like the comparison of clips, but contacts and D are measured on the canonical body, each motion
+/// on its own floor, and lint findings are those of the recordings and of the canonical body.
 MotionDifference motion_difference(const ComparedRecordings& recordings,
                                    const MotionDifferenceOptions& options = {});
 

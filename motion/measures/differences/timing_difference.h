@@ -30,15 +30,16 @@ struct FrameGap {
 };
 
 /// Timing of two motions. A shift or a gap is reported if it explains at least 99 % of the squared
-/// distances between the points of all joints; at most one of the two is reported.
+/// distances between the points of all joints; at most one of shift, gap, `other_pace`, `reversed`
+/// and `every` is reported.
 struct TimingDifference {
   MotionLength before, now;
   std::optional<TimeShift> shift;
   std::optional<FrameGap> gap;
   bool other_pace = false;  ///< the same frames at a different frame rate
   bool reversed = false;    ///< the same frames in reverse order
-  int every = 1;  ///< k: the second motion has every k-th frame of the first at 1/k of the rate;
-                  ///< −k: the first has every k-th frame of the second
+  int every = 1;  ///< k: the second motion has only every k-th frame of the first, at 1/k of the
+                  ///< rate; −k: the first has only every k-th frame of the second; 1: neither
 
   bool same_length() const {
     return before.frames == now.frames &&
@@ -46,9 +47,9 @@ struct TimingDifference {
   }
 };
 
-/// Compares the timing. Considered are shifts of up to half a second, but at most a quarter of the
-/// shorter motion; and gaps of 1 to 3 frames or of the difference in frame counts, if that is at
-/// most a quarter of the first motion.
+/// Compares the timing. Shifts of up to half a second are considered, but at most a quarter of the
+/// shorter motion. Gaps may have 1 to 3 frames, or as many as the frame counts differ by if that is
+/// at most a quarter of the first motion.
 TimingDifference timing_difference(const Clip& before, const Clip& now, const PairedMotions& pair);
 
 }  // namespace mien::motion

@@ -38,8 +38,8 @@ struct WholeBodyChange {
 WholeBodyChange whole_change(const PairedMotions& pair, const Skeleton& before,
                              const Skeleton& now);
 
-/// Difference in the placement of the body, measured at its first joint with more than one child
-/// (the pelvis), in world space. One value per frame.
+/// Difference in the placement of the body, measured in world space at its first shared joint with
+/// more than one child (usually the pelvis). One value per frame.
 struct RootDifference {
   int joint = 0;                        ///< index among the shared joints
   std::vector<double> path_m;           ///< horizontal distance

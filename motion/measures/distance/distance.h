@@ -32,10 +32,10 @@ struct Distance {
   bool matches() const { return mean < distance_threshold_m; }
 };
 
-/// Compares the motions at corresponding times. If both have the same number of keytimes, both are
-/// warped to common keytimes, the means of their normalized ones, and compared at the normalized
-/// times t/T; otherwise t/T is a fraction of each duration. D is symmetric; `mpjpe` is not,
-/// because it uses the target's frames. Bone lengths are not changed or scaled.
+/// Compares the motions at corresponding times. If their keytimes are equal in number but differ,
+/// both are warped to common keytimes (the means of their normalized ones) and compared at the
+/// normalized times t/T. Otherwise t/T is a fraction of each duration. D is symmetric; `mpjpe` is
+/// not, because it uses the target's frames. Bone lengths are not changed or scaled.
 Distance distance(const Example& target, const Example& created,
                   Alignment alignment = Alignment::pelvis);
 

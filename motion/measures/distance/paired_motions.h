@@ -38,17 +38,18 @@ struct PairedMotions {
   double seconds(int frame) const { return frame / frames_per_second; }
 };
 
-/// Pairs the joints by name (of joints with the same name, the first) and the frames by time.
-/// Throws Error, naming the clip, if a clip has no frames or contains a non-finite number, and if
-/// the two have no joint in common.
+/// Pairs the joints by name and the frames by time. Of several joints of one skeleton with the same
+/// name only the first is paired, unless both skeletons have the same list of names. Throws Error,
+/// naming the clip, if a clip has no frames or contains a non-finite number, and if the two have no
+/// joint in common.
 PairedMotions paired(const Clip& before, const Clip& now);
 
 /// Whether both frame rates are equal within the rounding of files.
 bool same_rate(double before, double now);
 
 /// A joint's coordinate frame relative to its nearest shared ancestor, or to the world if it has
-/// none. Where the skeletons agree, the numbers are taken directly from the poses, so that equal
-/// poses yield exactly equal coordinate frames.
+/// none. Where that is the joint's parent, the numbers are taken directly from the poses, so that
+/// equal poses yield exactly equal coordinate frames.
 struct LocalFrame {
   Vec3 offset;
   Quat rotation;

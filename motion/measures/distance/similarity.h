@@ -17,8 +17,8 @@ struct Similarity {
 
 /// The similarity that maps the points of `from` to those of `to` with the least sum of squared
 /// distances (Procrustes alignment), never including a reflection (Umeyama 1991, eq. 40–42). If all
-/// points coincide, the result is a translation only; if both sets are equal, it is exactly the
-/// identity. Both must have the same number of points, at least one.
+/// points of `from` coincide, the result is a translation only; if both sets are equal, it is
+/// exactly the identity. Both must have the same number of points, at least one.
 Similarity similarity_fit(std::span<const Vec3> from, std::span<const Vec3> to);
 
 /// A rotation about the vertical and a translation, after reflection in the plane x = 0 if

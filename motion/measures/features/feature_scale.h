@@ -30,8 +30,8 @@ FeatureScale fit_feature_scale(std::span<const FeatureValues> examples,
                                FeatureScaling how = FeatureScaling::min_max);
 
 /// Returns the scaled values; NaN where an example lacks the feature, and where the motion lacks it
-/// unless it is constant over the examples. Values are not clipped: those of a motion beyond the
-/// range of the examples lie outside [0, 1].
+/// unless it is constant over the examples. Values are not clipped: with `min_max`, those of a
+/// motion beyond the range of the examples lie outside [0, 1].
 FeatureValues scaled(const FeatureScale& scale, const FeatureValues& values);
 
 /// A primary feature parameter: the mean of the group's features, ignoring NaN. Empty if all are

@@ -30,7 +30,8 @@ inline constexpr int motion_measure_count = 15;
 /// The measures in the order of the struct.
 std::array<double, motion_measure_count> values_of(const MotionMeasures& measures);
 
-/// Measures one cycle of a travelling loop, or the whole of any other motion.
+/// Measures one cycle of a travelling loop, or the whole of any other motion. Directions assume
+/// travel along +Z (`straightened`, straighten.h).
 MotionMeasures measure(const Example& example);
 
 }  // namespace mien::motion
