@@ -15,8 +15,9 @@ using FootNumbers = Eigen::Matrix<double, 6, 1>;
 ///
 /// The foot stands on a fixed footprint or swings to the next one. The swing is that of a steady
 /// straight walk (leg_cycle.h) plus a difference, which is interpolated from its value at toe off
-/// to the value required by the next footprint. A steady walk thus equals that of the parametric
-/// walker, and in starts, stops and turns the foot leaves and meets the floor without sliding.
+/// to the value required by the next footprint. A steady walk thus agrees closely with that of the
+/// parametric walker, and in starts, stops and turns the foot leaves and meets the floor without
+/// sliding.
 struct SteppingLeg {
   bool swinging = false;
   bool held = true;  ///< planted regardless of its phase, until the walk continues
@@ -44,7 +45,7 @@ struct LegMoment {
   double phase_rate = 0.0;  ///< 1/s
 };
 
-/// Phase of the leg's own cycle, 0 ≤ own < 1; 0 is its heel strike.
+/// Phase of the leg's own cycle, from 0 (its heel strike) to less than 1.
 double own_phase(const LegCycle& steady, double cycle_phase);
 
 /// The foot's pose in the root's frame.
