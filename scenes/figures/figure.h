@@ -13,8 +13,9 @@
 
 namespace mien::scenes {
 
-/// Height of the drawn figure, metres: the stature of a canonical body; for any other skeleton the
-/// largest distance of a joint or of its tip from the root in the first frame, at least 0.2.
+/// Height of the drawn figure, metres: the standing height of a canonical body (body.h); for any
+/// other skeleton the largest distance of a joint or tip from the root in the first frame, at least
+/// 0.2.
 double figure_height(const motion::Clip& clip);
 
 /// The properties of a kind of figure, declared as the member `kind` of its options. All code that

@@ -57,7 +57,8 @@ struct Shot {
   SetPlan set;
   Place place;                 ///< placement of the set
   render::Scene static_scene;  ///< the static part of the set
-  /// Travel per frame that was removed from the first actor, metres.
+  /// Travel per frame that was removed from the first actor, metres; for a point-light figure,
+  /// that of the dots as displayed (changed_step).
   motion::Vec3 step = motion::Vec3::Zero();
   CameraRig cameras;
   Action action;                      ///< motion that the cameras frame
