@@ -26,7 +26,7 @@ struct SteppingLeg {
   Vec3 print = Vec3::Zero();  ///< the footprint, as in `rolled_foot` (foot_roll.h)
   double yaw = 0.0;
   DampedSpring more_pitch;  ///< pitch in addition to that of the stance, radians; fades
-  DampedSpring heel_rise;   ///< pitch of the heel needed for the leg to reach, radians
+  DampedSpring heel_rise;   ///< rise of the heel that lets the leg reach the floor, radians
 
   // While swinging.
   double toe_off = 0.0;                          ///< phase of the leg's own cycle at toe off

@@ -33,7 +33,7 @@ struct Character {
   /// metres.
   double sole_depth = 0.0;
 
-  std::vector<std::string> warnings;  ///< parts of the file that are not rendered, as sentences
+  std::vector<std::string> warnings;  ///< on what is not rendered and on the rig, as sentences
 };
 
 /// File name endings that `read_character` supports.
