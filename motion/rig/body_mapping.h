@@ -28,7 +28,7 @@ struct BodyMapping {
 };
 
 /// Recognises a human rig by joint names, else by topology (rig_topology.h), and calibrates it.
-/// Throws Error, naming what is missing, if the rig is not recognised as human.
+/// Throws Error if the recording has no frames or its rig is not recognised as human.
 BodyMapping recognise(const Recording& recording);
 
 /// As above, calibrated over several recordings of one rig together, so that measured quantities
@@ -64,14 +64,16 @@ Clip to_body(const Recording& recording);
 struct RigAnalysis {
   std::optional<BodyMapping> human;  ///< empty if the figure was not recognised as human
   std::string rejection;             ///< a sentence on why `human` is empty; else empty
-  /// Notes of the file reader, then the warnings of the mapping or the rejection.
+  /// Notes of the file reader; then the warnings of the mapping or, for a figure that was not
+  /// recognised, the rejection and how it is shown.
   std::vector<std::string> warnings;
   Quat to_y_up = Quat::Identity();
   std::string up = "+Y";
   double metres_per_unit = 1.0;  ///< 1 if not human: the unit is unknown
-  double floor = 0.0;  ///< height of the lowest joint of all frames, metres, rotated to +Y up
+  double floor = 0.0;  ///< lowest height of a joint in any frame after rotation to +Y up, metres
 };
 
+/// Throws Error if the recording has no frames.
 RigAnalysis analyse_rig(const Recording& recording);
 
 }  // namespace mien::motion

@@ -25,7 +25,7 @@ struct Calibration {
 /// from that of the elbow (mean over frames with more than 15° of flexion), for the trunk from the
 /// lines through hips and shoulders, for neck, head, clavicles and hands from their mean
 /// orientation relative to chest and forearm, for feet from standing flat. If the rig aligns its
-/// limbs with axes of their joint frames, a measured reference within 20° of such an axis is
+/// limbs with axes of their joint frames, a measured reference near such an axis is
 /// replaced by that axis, so that all recordings of the rig agree.
 Calibration calibrate(std::span<const RigMotion> motions);
 

@@ -50,12 +50,13 @@ struct KeyJoints {
 /// Spine and Chest (the lower half is Spine; a single joint, the chest joint, is Chest), joints
 /// between chest and head form the neck, and joints between chest and upper arm the clavicle;
 /// joints between the fork of the legs and a thigh belong to the hip. A missing wrist, ankle or toe
-/// is placed at the tip of the preceding bone if the rig has one. Joints in `by_shape` are marked
-/// as found by "topology" and have a lower confidence.
+/// is placed at the tip of the preceding bone if that bone has a tip. Joints in `by_shape` are
+/// marked as found by "topology" and have a lower confidence.
 MappedJoints groups_of(const Skeleton& rig, const KeyJoints& keys, double confidence,
                        const std::string& found_by);
 
-/// Whether no rig joint is mapped to more than one joint of the canonical body.
+/// Whether no rig joint is mapped to more than one joint of the canonical body (joints at tips are
+/// not counted).
 bool are_disjoint(const MappedJoints& joints);
 
 /// Joints on the path from `ancestor` (excluded) down to `descendant` (included). Empty if

@@ -13,13 +13,13 @@ namespace mien::motion {
 ///
 /// Missing joints are filled in: a missing spine is placed at the pelvis, a missing neck at 7/10 of
 /// the distance from chest to head, a missing clavicle near the midline at the height of its
-/// shoulder, a missing toe on the floor 0.13 m (at 1.75 m stature) in front of the ankle; a missing
-/// head, wrist or tip is placed by average proportions.
+/// shoulder, a missing toe 0.13 m (at 1.75 m stature) in front of the ankle and `ankle_height`
+/// below it; a missing head, wrist or tip is placed by average proportions.
 Skeleton proportions(std::span<const RigMotion> motions,
                      const std::array<Quat, body_joint_count>& constants);
 
-/// Whether the canonical joint corresponds to a chain of several rig joints: it has the position of
-/// the first and the rotation of the last, so it must be aimed at its child (see
+/// Whether the canonical joint has the position of one rig joint (the first of its group) and the
+/// rotation of another (the last), so that it must be aimed at its child (see
 /// `canonical_rotation`).
 bool is_aimed(const MappedJoint& joint);
 

@@ -16,8 +16,8 @@ Recording in_metres(Recording recording);
 void to_metres(double metres_per_unit, const Quat& to_y_up, Skeleton& body,
                std::vector<Pose>& poses);
 
-/// A recording as a clip in metres, +Y up, on the floor: of the canonical body if the figure is
-/// human, else of the recording's own skeleton, so that it can still be drawn.
+/// A recording as a clip, +Y up, on the floor: of the canonical body if the figure is human, else
+/// of the recording's own skeleton with one unit taken as a metre, so that it can still be drawn.
 Clip clip_of(const Recording& recording);
 
 }  // namespace mien::motion

@@ -15,8 +15,8 @@ namespace mien::motion {
 /// the same meaning on both sides of a rig.
 ///
 /// Joints with uninformative names are found from the shape of the rig around the others
-/// (joints_by_shape.h). Empty if thighs, shanks, upper arms and forearms are not all found on both
-/// sides, or if the tree contradicts them.
+/// (joints_by_shape.h). Empty if thighs, shanks, ankles (or tips of the shanks), upper arms and
+/// forearms are not all found on both sides, or if the tree contradicts them.
 std::optional<KeyJoints> key_joints_by_name(const BoneTree& tree);
 
 /// Like the above, with bone lengths from the rig's offsets.

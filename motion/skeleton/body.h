@@ -57,7 +57,8 @@ BodyJoint mirrored(BodyJoint joint);
 bool is_left(BodyJoint joint);
 bool is_right(BodyJoint joint);
 
-/// Unit direction, at rest, from the joint to its main child or its tip.
+/// Unit direction, at rest, of the bone from the joint to its main child or its tip; horizontal for
+/// the ankles.
 Vec3 rest_direction(BodyJoint joint);
 
 /// A body of average adult proportions (de Leva 1996 segment lengths, male), scaled to `height_m`.

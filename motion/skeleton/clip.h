@@ -10,11 +10,11 @@
 namespace mien::motion {
 
 /// A motion in metres, +Y up, the floor at y = 0; of the canonical body (body.h) unless stated
-/// otherwise, as for `clip_of`. On the canonical body bone lengths never change: poses have no
-/// offsets of their own.
+/// otherwise, as for `clip_of`. In motions of the canonical body, bone lengths are constant:
+/// poses have no offsets of their own.
 ///
 /// Frame i is at i / frames_per_second seconds. A clip that `loops` holds one cycle without the
-/// repeated last frame: frame n is frame 0 displaced by `cycle_displacement`.
+/// repeated last frame: the last frame is followed by frame 0, displaced by `cycle_displacement`.
 struct Clip {
   std::string name;
   Skeleton body;

@@ -7,8 +7,8 @@
 
 namespace mien::motion {
 
-/// A motion prepared for blending: it walks along +Z, starts at its first keytime, and has keytimes
-/// that correspond between examples.
+/// A motion prepared for blending: its mean direction (straighten.h) is +Z, it starts at its first
+/// keytime, and its keytimes correspond between examples.
 struct Example {
   std::string name;              ///< referenced by ratings and weights: "normal", "sad_002", …
   Clip clip;                     ///< one cycle if it loops, as in walking; otherwise a whole motion

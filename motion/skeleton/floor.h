@@ -9,8 +9,9 @@ namespace mien::motion {
 /// Height of the floor under a clip: the level on which the lower foot stands, measured at the ball
 /// of the foot while it rests (median height while it is slow). Toes that dip at toe off are
 /// ignored, as are rests more than 0.08 m (at a stature of 1.75 m) above the lowest (steps, raised
-/// feet). If no ball rests, the result is the third percentile of the height of the lowest sole
-/// point in the frames in which that point is slow (in all frames if it never is). Metres.
+/// feet). If neither ball rests, the result is the third percentile of the height of the lowest
+/// sole point in the frames in which that point is slow (in all frames if it hardly ever is).
+/// Metres.
 double floor_height(const Clip& clip);
 
 /// The rotation that levels a sloping floor, which occurs in captures with a misaligned capture

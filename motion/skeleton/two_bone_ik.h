@@ -11,7 +11,7 @@ struct TwoBoneLimb {
   Vec3 end;
 };
 
-/// Rotations by which to multiply the world rotations of the limb's two bones from the left.
+/// Rotations of the limb's two bones, world space: new world rotation = turn · previous one.
 struct TwoBoneSolution {
   Quat upper_turn = Quat::Identity();
   Quat lower_turn = Quat::Identity();

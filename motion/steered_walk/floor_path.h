@@ -7,7 +7,8 @@
 
 namespace mien::motion {
 
-/// A path on the floor with rounded corners, sampled at equal steps of arc length. y is 0.
+/// A path on the floor with rounded corners; y is 0. Its points are equally spaced along the
+/// polyline from which it was made; arc lengths are measured along that polyline.
 struct FloorPath {
   std::vector<Vec3> points;
   double step_m = 0.05;  ///< arc length between points

@@ -15,9 +15,9 @@ struct DampedSpring {
 /// exact solution for any step.
 DampedSpring spring_step(const DampedSpring& number, double goal, double stiffness, double seconds);
 
-/// Root motion of a walker: position and heading on the floor and their rates; steps are planned in
-/// this frame. Speed and turning rate follow their goals with mean lags of 0.54 and 0.43 s and
-/// continuous acceleration.
+/// Root motion of a walker: its position and heading on the floor, and their rates. Steps are
+/// planned relative to it. Speed and turning rate follow their goals with mean lags of 0.54 and
+/// 0.43 s and continuous acceleration.
 struct RootMotion {
   Vec3 place = Vec3::Zero();  ///< on the floor, metres
   double heading = 0.0;       ///< about +Y from +Z, radians

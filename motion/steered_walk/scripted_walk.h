@@ -54,8 +54,8 @@ WalkedClip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> 
 /// A walker that starts on the first point of a path over the floor (x, z in metres; y is ignored),
 /// walks along it at a pace, and stops at its end. It looks ahead along the path, so it cuts
 /// corners by a few centimetres, and it slows down more in sharper corners; on a path with curve
-/// radii above half a metre it deviates by less than 0.2 m. `options.place` and `heading` are
-/// ignored. Throws as above, and for a path shorter than 0.1 m.
+/// radii above half a metre it deviates by less than 0.2 m. `options.place` and
+/// `options.heading` are ignored. Throws as above, and for a path shorter than 0.1 m.
 WalkedClip walk_along(const WalkerGaits& gaits, std::span<const Vec3> path, double pace = 1.0,
                       const ScriptedWalkOptions& options = {});
 

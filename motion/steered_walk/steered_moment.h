@@ -16,13 +16,13 @@ struct SteeredMoment {
 
 SteeredMoment moment_at(const WalkerGaits& gaits, const SteeredWalk& walker);
 
-/// Shares of the moods, which sum to 1: those requested (`asked` as in Steering::moods), and those
-/// to which the walker has come so far.
+/// Shares of the moods, which sum to 1: those requested (`asked` as in Steering::moods), and the
+/// present values of a walker's springs.
 std::vector<double> mood_goals(const std::vector<double>& asked, std::size_t moods);
 std::vector<double> shares_of(const std::vector<DampedSpring>& moods);
 
-/// Lifts the heels of standing feet as far as the legs need to reach them, and lowers the pelvis
-/// smoothly by the remaining distance.
+/// Lifts the heels of standing feet until the legs reach the feet, and lowers the pelvis by the
+/// remaining distance, both smoothly over time; `seconds` have passed since the last call.
 void follow_reach(const SteeredMoment& moment, double seconds, SteeredWalk& walker);
 
 }  // namespace mien::motion

@@ -10,12 +10,12 @@
 
 namespace mien::motion {
 
-/// Control input of a walker, in effect until it is changed.
+/// Control input of a walker.
 struct Steering {
   double pace = 0.0;              ///< relative to the mood's own speed; 0 stops; at most 1.2
   std::optional<double> heading;  ///< radians about +Y from +Z; turns through the smaller angle
   double turning = 0.0;           ///< radians/s to the left, if no heading is requested
-  std::vector<double> moods;  ///< weights ≥ 0, one per mood, normalised; empty: the first mood
+  std::vector<double> moods;  ///< weights ≥ 0, one per mood, of any sum; empty: the first mood
 };
 
 /// State of a walker. It plans no more than the next step: each foot placement is computed from the

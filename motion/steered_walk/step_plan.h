@@ -20,8 +20,8 @@ struct RootGoal {
 double remaining_turn(const RootMotion& root, const Steering& steering);
 
 /// The present goals of the root motion. `own` is the moods' speed at pace 1, m/s. Turning is
-/// limited by the lateral acceleration that people accept in curves, and speed is reduced in sharp
-/// turns.
+/// limited (`fastest_turning`, `most_sideways_acceleration`), and speed is reduced in sharp turns
+/// to a requested heading.
 RootGoal goal_of(const RootMotion& root, const Steering& steering, double own);
 
 /// The predicted root motion under constant steering.

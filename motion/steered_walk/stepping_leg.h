@@ -15,8 +15,9 @@ using FootNumbers = Eigen::Matrix<double, 6, 1>;
 ///
 /// The foot stands on a fixed footprint or swings to the next one. The swing is that of a steady
 /// straight walk (leg_cycle.h) plus a difference, which is interpolated from its value at toe off
-/// to the value required by the next footprint. A steady walk thus equals that of the parametric
-/// walker, and in starts, stops and turns the foot leaves and meets the floor without sliding.
+/// to the value required by the next footprint. A steady walk thus agrees closely with that of the
+/// parametric walker, and in starts, stops and turns the foot leaves and meets the floor without
+/// sliding.
 struct SteppingLeg {
   bool swinging = false;
   bool held = true;  ///< planted regardless of its phase, until the walk continues
@@ -25,7 +26,7 @@ struct SteppingLeg {
   Vec3 print = Vec3::Zero();  ///< the footprint, as in `rolled_foot` (foot_roll.h)
   double yaw = 0.0;
   DampedSpring more_pitch;  ///< pitch in addition to that of the stance, radians; fades
-  DampedSpring heel_rise;   ///< pitch of the heel needed for the leg to reach, radians
+  DampedSpring heel_rise;   ///< rise of the heel that lets the leg reach the floor, radians
 
   // While swinging.
   double toe_off = 0.0;                          ///< phase of the leg's own cycle at toe off
@@ -44,7 +45,7 @@ struct LegMoment {
   double phase_rate = 0.0;  ///< 1/s
 };
 
-/// Phase of the leg's own cycle, 0 ≤ own < 1; 0 is its heel strike.
+/// Phase of the leg's own cycle, from 0 (its heel strike) to less than 1.
 double own_phase(const LegCycle& steady, double cycle_phase);
 
 /// The foot's pose in the root's frame.

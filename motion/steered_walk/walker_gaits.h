@@ -8,7 +8,7 @@
 
 namespace mien::motion {
 
-/// Results of the search of `fit_swing` (leg_cycle.h) for a leg.
+/// Results of the search of `fit_swing` for a leg; members as in LegCycle (leg_cycle.h).
 struct FittedSwing {
   double knee_peak = 0.0;
   double lift = 0.0;

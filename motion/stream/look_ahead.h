@@ -25,13 +25,14 @@ inline constexpr double largest_stream_error = 0.01;
 Modification without_repair(Modification modification);
 
 /// Shortest look-ahead for path lengths, frames, at which no joint deviates by more than
-/// `largest_error` (metres) from the offline modification; 0 if path lengths are unchanged.
-/// Determined by trial on the built-in motions ("actors" and "walks-10", with loops repeated four
-/// times), plus a margin because errors are larger in captures. Takes about a second; depends on
-/// the arguments only.
+/// `largest_error` (metres) from the offline result; 0 if path lengths are unchanged. Determined by
+/// trial on the built-in motions ("actors" and "walks-10", with loops repeated four times), with a
+/// margin because errors are larger in captures. Takes about a second; depends on the arguments
+/// only.
 ///
-/// Soft joint limits are excluded: they depend on the motion's joint ranges, which no look-ahead
-/// can predict, so they deviate until the motion has covered its range.
+/// Other changes than those of path lengths are not tried. Soft joint limits depend on the motion's
+/// joint ranges, which no look-ahead can predict, so they deviate until the motion has covered its
+/// range.
 int shortest_look_ahead(const Modification& modification, double frames_per_second,
                         double largest_error = largest_stream_error);
 

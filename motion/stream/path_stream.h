@@ -10,7 +10,7 @@
 
 namespace mien::motion {
 
-/// Change of path lengths: a blend of the motion filtered with these gains and the unchanged motion
+/// Change of path lengths: a blend of the unchanged motion and the motion filtered with `gains`
 /// (nine_grid.h).
 struct PathMix {
   PathGains gains;
@@ -33,8 +33,8 @@ class PathStream {
  public:
   PathStream(const PathMix& mix, double frames_per_second, int look_ahead);
 
-  /// Takes the next frame and returns, once `look_ahead` frames have passed, the modified frame
-  /// that many frames earlier.
+  /// Takes the next frame. Once `look_ahead` frames have passed, returns the modified frame from
+  /// `look_ahead` frames before it.
   std::optional<Pose> push(const Pose& pose);
 
   /// Returns the remaining frames. Nothing may be pushed afterwards.
@@ -61,8 +61,8 @@ class PathStream {
   std::deque<Pose> waiting_;           ///< the frame that is returned next, and all later ones
   long first_dense_ = 0;               ///< index in the signal of the first sample that is kept
   long given_ = 0;                     ///< number of frames returned so far
-  std::optional<Pose> longer_before_;  ///< the last frame with lengthened paths, before mixing
-  std::optional<Pose> before_;         ///< the frame returned last
+  std::optional<Pose> longer_before_;  ///< the last filtered frame, before mixing
+  std::optional<Pose> before_;         ///< the last mixed frame
 };
 
 }  // namespace mien::motion

@@ -13,14 +13,15 @@ namespace mien::motion {
 
 /// Applies a posture change as `with_posture` does, frame by frame with a delay of `look_ahead`
 /// frames. The limbs' strengths are smoothed over the frames received so far, as if the motion
-/// ended there; without look-ahead they are not smoothed. Trunk and head need no look-ahead.
+/// ended with the newest; without look-ahead they are not smoothed. Trunk and head need no
+/// look-ahead.
 class PostureStream {
  public:
   PostureStream(const Modification& modification, const Skeleton& body, double frames_per_second,
                 int look_ahead);
 
-  /// Takes the next frame and returns, once `look_ahead` frames have passed, the modified frame
-  /// that many frames earlier.
+  /// Takes the next frame. Once `look_ahead` frames have passed, returns the modified frame from
+  /// `look_ahead` frames before it.
   std::optional<Pose> push(Pose pose);
 
   /// Returns the remaining frames. Nothing may be pushed afterwards.

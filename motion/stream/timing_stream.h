@@ -15,7 +15,7 @@ namespace mien::motion {
 /// accelerated, so that the limb alternately leads and lags the trunk. A stream cannot show future
 /// frames, so each limb here plays the received frames at its own rate, 0 to `look_ahead` frames +
 /// `longest_lag_seconds` behind the newest. It falls behind in its pauses and catches up after
-/// them. A pause is detected by comparing the speed of the limb's end relative to the hips,
+/// them. A pause is detected by comparing the speed of the limb's end relative to the pelvis,
 /// measured over 0.1 s, with its mean over the last 0.9 s (1.5 s for constant speed). Pauses are
 /// stretched by up to `max_pause_factor`; for constant speed, durations follow
 /// `constant_speed_durations`. A limb whose speed does not vary is unchanged.
@@ -33,8 +33,8 @@ class TimingStream {
   /// Returns the remaining frames. Nothing may be pushed afterwards.
   std::vector<Pose> finish();
 
-  /// Lag of a limb behind the trunk that is largest in magnitude, frames; negative if the limb was
-  /// ahead.
+  /// Of the lags of all limbs behind the trunk so far, the one with the largest magnitude, frames;
+  /// negative if the limb was ahead.
   double largest_lag() const { return largest_lag_; }
 
  private:

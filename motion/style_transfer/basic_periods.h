@@ -32,8 +32,8 @@ struct PeriodMeasure {
   /// Share of the effector's path covered at equal steps of time, 0 … 1, ascending.
   std::vector<double> path = std::vector<double>(period_steps + 1);
   /// Root mean square deviation from the line between the period's ends (for a loop, from the
-  /// mean), at equal steps of the path, summed over the joints of each class; radians, for the root
-  /// position metres.
+  /// mean), at equal steps of the path, summed over the joints of each class; radians (root
+  /// position: metres).
   std::array<double, amplitude_classes> amplitudes = {};
 };
 

@@ -24,8 +24,8 @@ struct DisplacementMapOptions {
 /// Displacement mapping (Bruderlin and Williams 1995): a cubic spline through the keys of each
 /// joint, with value and slope zero at the window's ends, is applied to the motion as an additional
 /// rotation and translation. Outside the window the motion is unchanged. Throws Error if the window
-/// is empty or too long, a key does not lie inside it, two keys of one joint are at the same time,
-/// or a key of another joint than the pelvis has a `shift`.
+/// is empty, too long or beyond the motion, a key does not lie inside it, two keys of one joint are
+/// at the same time, or a key of another joint than the pelvis has a `shift`.
 Clip displaced(const Clip& motion, const std::vector<DisplacementKey>& keys,
                const DisplacementMapOptions& options = {});
 

@@ -31,7 +31,7 @@ std::string_view name_of(DriveQuantity quantity);
 /// Values of the quantity, frame by frame.
 std::vector<double> quantity_of(const Clip& clip, DriveQuantity quantity);
 
-/// Correlation of two quantities: y ≈ slope·x + intercept by least squares.
+/// Regression of a quantity y on a quantity x: y ≈ slope·x + intercept by least squares.
 struct Drive {
   double slope = 0.0;
   double intercept = 0.0;
@@ -40,8 +40,8 @@ struct Drive {
 
 Drive drive_between(const std::vector<double>& x, const std::vector<double>& y);
 
-/// Edit of a quantity y: y' = scale·y + shift. The quantities in `correlated` change too, in
-/// proportion to the slope of their regression on y in the motion.
+/// Edit of a quantity y: y' = scale·y + shift. The quantities in `correlated` also change: by
+/// the change of y times the slope of their regression on y in the motion.
 struct DriveEdit {
   DriveQuantity quantity = DriveQuantity::left_hand_distance;
   double scale = 1.0;
@@ -53,9 +53,10 @@ struct DriveOptions {
   double amount = 1.0;  ///< factor of `scale` − 1 and of `shift`
 };
 
-/// Editing by drives and correlations (Neff and Kim 2009): edits are applied in order; arms and
-/// legs follow by two-bone inverse kinematics, and hands and feet keep their world orientation. A
-/// position out of the limb's reach is approached as far as possible. Bone lengths are kept.
+/// Editing by drives and correlations (Neff and Kim 2009). Edits are applied in order. Positions of
+/// the hands and the height of the pelvis are set by two-bone inverse kinematics of arms and legs,
+/// which keeps the world orientation of hands and feet. A position out of the limb's reach is
+/// approached as far as possible. Bone lengths are kept.
 Clip driven(const Clip& motion, const std::vector<DriveEdit>& edits,
             const DriveOptions& options = {});
 

@@ -42,7 +42,7 @@ EmotionTransform emotion_transform(const Clip& neutral, const Clip& emotional);
 
 /// Applies the transform to a motion: first scales the deviations, then warps time. Ratios are
 /// raised to the power `amount`; timing is interpolated between even (0) and the transform's (1),
-/// and stays ascending. The method does not change the mean posture. Foot plants are not restored.
+/// and stays ascending. Mean postures are not transferred. Foot plants are not restored.
 Clip transformed(const Clip& motion, const EmotionTransform& transform,
                  const EmotionTransformOptions& options = {});
 

@@ -11,8 +11,8 @@ namespace mien::motion {
 struct LtiStyleOptions {
   double amount = 1.0;  ///< 0: motion unchanged; 1: translated; above 1: exaggerated
   int order = 10;       ///< number of states of the model, 1 … 10
-  int inputs = 3;  ///< number of principal components of the neutral motion used as inputs, ≥ 1
-  bool timing = true;                     ///< whether to translate the timing too
+  int inputs = 3;       ///< number of principal components used as inputs, 1 … `curve_count`
+  bool timing = true;   ///< whether to translate the timing too
   IterativeMotionWarpingOptions warping;  ///< `smoothness` as for 30 frames per second
 };
 
@@ -34,7 +34,7 @@ struct LtiStyleModel {
 };
 
 /// Fits the model. Both clips must loop and begin at the same phase of the cycle, or neither may
-/// loop; throws Error otherwise and for options out of range.
+/// loop. Throws Error if only one loops, and for options out of range.
 LtiStyleModel fit_lti_style(const Clip& neutral, const Clip& styled,
                             const LtiStyleOptions& options = {});
 

@@ -35,7 +35,8 @@ struct MotionCurves {
   int frame_count() const { return static_cast<int>(values.rows()); }
 };
 
-/// Of all rotation vectors of the same rotation, the one nearest to `previous`.
+/// `vector` or the rotation vector of the same rotation in the opposite direction, whichever is
+/// nearer to `previous`.
 Vec3 unwrapped(const Vec3& vector, const Vec3& previous);
 
 /// Mean rotation (Karcher mean) of every joint; that of the pelvis in the frame of the mean
@@ -65,9 +66,9 @@ Eigen::MatrixXd with_closing_frame(const MotionCurves& curves);
 /// Number of frame intervals: frames − 1, or the number of frames for a loop.
 double frame_span(const MotionCurves& curves);
 
-/// Smooths `times`, the frames of `to` that correspond to the frames of `from`, which dynamic
-/// programming finds in whole and half frames only: their deviation from a uniform time mapping is
-/// low-pass filtered at 4 Hz.
+/// Smooths `times`: for each frame of `from` the corresponding frame of `to`, which dynamic
+/// programming determines in coarse steps only. The deviation of `times` from a uniform time
+/// mapping is low-pass filtered at 4 Hz.
 std::vector<double> smoothed_times(const std::vector<double>& times, const MotionCurves& from,
                                    const MotionCurves& to);
 

@@ -38,12 +38,12 @@ struct MotionWarpOptions {
 
 /// Motion warping (Witkin and Popović 1995). The changes of the curves (motion_curves.h) are cubic
 /// splines through the keys. Keys at most 2·`reach_seconds` apart form a group; the change is zero
-/// more than `reach_seconds` before a group's first key and after its last. The time warp g is a
+/// more than `reach_seconds` before a group's first key or after its last. The time warp g is a
 /// monotone cubic (Fritsch–Carlson) through the keys moved in time, with fixed ends. In a loop,
 /// keys act across the seam.
 ///
-/// Throws Error if keys lie outside the motion or the result, two keys are at the same time, or
-/// their order in the result differs from that in the motion.
+/// Throws Error if an option is out of range, keys lie outside the motion or the result, two keys
+/// are at the same time, or their order in the result differs from that in the motion.
 Clip motion_warped(const Clip& motion, const std::vector<WarpKey>& keys,
                    const MotionWarpOptions& options = {});
 

@@ -43,7 +43,7 @@ struct StyleComponents {
 /// principal components and rotates them to independence by FastICA (Hyvärinen 1999; tanh,
 /// symmetric). The same seed yields the same components; signs are chosen so that the largest
 /// element of each mixing row is positive. Both clips must loop and begin at the same phase of the
-/// cycle, or neither may loop; throws Error otherwise and for options out of range.
+/// cycle, or neither may loop. Throws Error if only one loops, and for options out of range.
 StyleComponents style_components(const Clip& neutral, const Clip& styled,
                                  const StyleComponentOptions& options = {});
 

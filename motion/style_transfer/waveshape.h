@@ -18,7 +18,8 @@ struct Waveshape {
   std::vector<std::pair<double, double>> points;
 };
 
-/// S(angle); beyond a limit y₀ it is y₀ + m(1 − exp(−(x − y₀)/m)), with m the softness.
+/// S(angle). Beyond the upper limit y₀ it is y₀ + m(1 − exp(−(x − y₀)/m)), with m the softness; the
+/// lower limit is softened in the same way.
 double shaped(const Waveshape& shape, double angle);
 
 struct JointWaveshape {

@@ -23,8 +23,8 @@ enum class LineEnds { escaped, kept };
 /// Harmless text is returned unchanged.
 std::string printable(std::string_view text, LineEnds line_ends = LineEnds::escaped);
 
-/// Returns at most `most` characters of the text, escaped, and truncated between characters with
-/// "…". Examines no more of a long text than it shows.
+/// Returns the text, escaped; if that has more than `most` characters, only its beginning and "…",
+/// at most `most` characters in all. Examines no more of a long text than it shows.
 std::string excerpt(std::string_view text, std::size_t most = max_quoted_characters,
                     LineEnds line_ends = LineEnds::escaped);
 

@@ -17,9 +17,9 @@ inline constexpr std::uintmax_t max_recording_bytes = std::uintmax_t{2} << 30;
 inline constexpr std::uintmax_t any_size = std::numeric_limits<std::uintmax_t>::max();
 
 /// Returns why a file cannot be read, as a phrase to follow its name: "there is no such file", "is
-/// a pipe, not a file", "has 8 GiB, more than the 64 MiB that can be read". Empty if it can be
-/// read. Only regular files are read: a pipe, a socket or a device may block or never end. Does not
-/// open the file.
+/// a pipe, not a file", "has 8 GiB, more than the 64 MiB that can be read". Empty if there is
+/// no such reason. Only regular files are read: a pipe, a socket or a device may block or never
+/// end. Does not open the file, so missing permission to read it is not noticed.
 std::string read_error(const std::filesystem::path& path, std::uintmax_t most_bytes);
 
 /// The bytes of a file, or the reason that they could not be read.
@@ -36,7 +36,8 @@ inline bool is_lfs_pointer(std::string_view bytes) {
   return bytes.starts_with("version https://git-lfs.github.com/spec/");
 }
 
-/// The bytes of a motion or character file. Throws mien::Error when it cannot be read.
+/// The bytes of a motion or character file. Throws mien::Error when it cannot be read or is a
+/// git LFS pointer.
 std::string read_contents(const std::filesystem::path& path);
 
 }  // namespace mien::motion

@@ -11,13 +11,13 @@ namespace mien::motion {
 /// neighbouring letters that turn one word into the other. Counts bytes; case-sensitive.
 int edit_distance(std::string_view from, std::string_view to);
 
-/// The candidate that was most likely meant by `word`; empty if none is near.
+/// The candidate that was most likely meant by `word`; empty if there is none.
 ///
 /// A candidate is near if it differs by at most one edit per three letters (but at least one is
 /// allowed), ignoring case; a hyphenated word is also compared with its halves exchanged
 /// ("happy-sad"). Of equally near candidates the first is taken. If none is near, a candidate is
 /// returned if it is the only one that continues `word` with a hyphen or an underscore ("limit_s"
-/// for "limit"). Words over 200 bytes have no near candidate.
+/// for "limit"). Empty for words over 200 bytes.
 std::optional<std::string> nearest_word(std::string_view word,
                                         std::span<const std::string> candidates);
 

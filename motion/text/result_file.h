@@ -22,8 +22,8 @@ class WriteFailure : public std::runtime_error {
   std::error_code code_;
 };
 
-/// "out.bvh: cannot be written (No space left on device); make room": the path, the system's
-/// reason, and the remedy.
+/// "out.bvh: cannot be written (No space left on device); free some space, and try again": the
+/// path, the system's reason, and the remedy if one is known.
 WriteFailure cannot_be_written(const std::filesystem::path& file, std::error_code code);
 
 namespace motion {

@@ -33,8 +33,8 @@ struct CameraRig {
   }
 };
 
-/// The motion that the camera frames: joint positions of all frames, and the figure's facing
-/// direction.
+/// The motion that the camera frames: positions of joints and tips in all frames, and the figure's
+/// facing direction.
 struct Action {
   std::vector<std::vector<motion::Vec3>> points;  ///< world space, metres; frame by frame
   motion::Vec3 forward = motion::Vec3::UnitZ();   ///< unit, horizontal

@@ -33,7 +33,7 @@ struct Character {
   /// metres.
   double sole_depth = 0.0;
 
-  std::vector<std::string> warnings;  ///< parts of the file that are not rendered, as sentences
+  std::vector<std::string> warnings;  ///< on what is not rendered and on the rig, as sentences
 };
 
 /// File name endings that `read_character` supports.
@@ -50,9 +50,9 @@ bool is_character_file(const std::filesystem::path& path);
 /// - Joints are identified by the names of common rigs (motion/rig/rig_names.h), by the humanoid
 ///   bones of VRM 0 and 1, or else by the shape of their tree. The bind pose, a T-pose or an
 ///   A-pose, determines the orientation of the joints relative to the bones.
-/// - The bind pose is that of the inverse bind matrices. The pose of the file's nodes only
-///   determines the orientation of the whole, and the positions of skins that share no joint, of
-///   joints without such a matrix and of meshes without a skin.
+/// - The bind pose is that of the inverse bind matrices. The pose of the file's nodes
+///   determines only the orientation of the whole, and the positions of skins that share no joint,
+///   of joints without such a matrix and of meshes without a skin.
 ///
 /// Throws mien::Error, naming the file, if it does not contain such a character: no skin, no human
 /// figure, indices out of range, numbers that are not finite, cycles, missing pictures.
@@ -74,8 +74,8 @@ motion::Clip retargeted_to(const Character& character, const motion::Clip& clip)
 
 /// World transforms of the rig's joints in a pose of the character's body; rotations are relative
 /// to the bind pose. Rig joints that correspond to a joint of the body rotate with it; all others
-/// follow their parent, and those above the pelvis follow it. The twist of toes, head and hands is
-/// limited (leaf_twist.h).
+/// follow their parent, and those above the pelvis follow the pelvis. The twist of toes, head and
+/// hands is limited (leaf_twist.h).
 motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose);
 
 /// World transforms of the rig's joints in the bind pose, as by `rig_pose`: all rotations are the
@@ -91,7 +91,7 @@ std::vector<int> body_joint_of(const Character& character);
 std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose);
 
 /// Appends the posed character to a scene, with its materials and textures, as part of the scene's
-/// last figure; parts are named like the body's joints. The character must outlive the scene.
+/// last figure. Its parts are named like the body's joints. The character must outlive the scene.
 void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose);
 
 }  // namespace mien::scenes

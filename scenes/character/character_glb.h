@@ -7,7 +7,7 @@
 namespace mien::scenes {
 
 /// The character as a GLB file (skinned_glb.h); `rig_pose` returns the transforms of its joints.
-/// Throws Error.
+/// Throws as `skinned_glb`.
 std::string to_glb(const Character& character);
 
 }  // namespace mien::scenes

@@ -6,7 +6,7 @@
 namespace mien::scenes {
 
 /// Limit of the twist of the body's end joints about their bones, radians: small for toes; for head
-/// and hands about the anatomical range of neck and forearm; π, which is no limit, for other
+/// and hands roughly the anatomical range of neck and forearm; π, which is no limit, for other
 /// joints.
 ///
 /// Recordings and rigs do not determine the twist of an end joint, and linear blend skinning

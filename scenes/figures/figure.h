@@ -13,8 +13,9 @@
 
 namespace mien::scenes {
 
-/// Height of the drawn figure, metres: the stature of a canonical body; for any other skeleton the
-/// largest distance of a joint or of its tip from the root in the first frame, at least 0.2.
+/// Height of the drawn figure, metres: the standing height of a canonical body (body.h); for any
+/// other skeleton the largest distance of a joint or tip from the root in the first frame, at least
+/// 0.2.
 double figure_height(const motion::Clip& clip);
 
 /// The properties of a kind of figure, declared as the member `kind` of its options. All code that
@@ -121,12 +122,12 @@ struct TrailOptions {
   /// the clip and stays, so that the last picture shows them all.
   int poses = 6;
 
-  int before = 0;                   ///< onion skin: number of poses before the present one
-  int after = 0;                    ///< onion skin: number of poses after the present one
-  double every_s = 0.2;             ///< interval between the onion skin's poses, seconds
-  double min_opacity = 0.15;        ///< lower limit of the opacity of poses, which decreases with
-                                    ///< their distance from the present, 0 … 1
-  double trace_width_m = 0.018;     ///< width of the traces of joints
+  int before = 0;                ///< onion skin: number of poses before the present one
+  int after = 0;                 ///< onion skin: number of poses after the present one
+  double every_s = 0.2;          ///< interval between the onion skin's poses, seconds
+  double min_opacity = 0.15;     ///< 0 … 1: lower limit of the opacity of poses, which decreases
+                                 ///< with their distance in time from the present one
+  double trace_width_m = 0.018;  ///< width of the traces of joints
   std::vector<std::string> traces;  ///< "feet", "hands", "head", "pelvis", or names of joints
 
   friend bool operator==(const TrailOptions&, const TrailOptions&) = default;

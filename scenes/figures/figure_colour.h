@@ -12,7 +12,7 @@ bool is_hex_colour(std::string_view text);
 /// The linear colour of "#rrggbb" (sRGB).
 render::Color colour_from_hex(std::string_view hex);
 
-/// The role of a figure, which determines its hue in all pictures and sheets.
+/// The role of a figure, which determines its hue.
 enum class Role { target, created, reference, neutral };
 
 /// A figure's colours, linear Rec.709 albedo. Left limbs are lighter than right ones, so that

@@ -33,8 +33,8 @@ Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& o
 /// The material of a mannequin's surface; `texture` is the index of its paint in Scene::textures.
 render::Material mannequin_skin(int texture);
 
-/// Appends the mannequin in a pose of the body that it was made for (dual quaternion skinning), its
-/// parts named like the body's joints, as parts of the scene's last figure. The mannequin must
+/// Appends the mannequin, in a pose of the body that it was made for, to the scene's last figure
+/// (dual quaternion skinning). Its parts are named like the body's joints. The mannequin must
 /// outlive the scene.
 void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose);
@@ -45,7 +45,7 @@ render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
 
 /// A mannequin that was made for this body as a GLB file (skinned_glb.h); its joints are the
 /// body's. glTF viewers use linear blend skinning, so twisting wrists and shoulders are a little
-/// thinner than in films. Throws Error.
+/// thinner than in films. Throws as `skinned_glb`.
 std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body);
 
 /// The largest connected component of a surface. Where a shape is thinner than the cells of the

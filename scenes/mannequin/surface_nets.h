@@ -31,8 +31,8 @@ using SignedDistance = std::function<double(const motion::Vec3&)>;
 /// (surface nets, Gibson 1998), then moved onto the surface along the field's gradient. On
 /// ambiguous faces the inside regions are kept separate.
 ///
-/// Watertight if the surface does not touch the boundary of the grid. Blocks of the grid whose
-/// centre is farther from the surface than their corners are skipped.
+/// Watertight if the surface does not touch the boundary of the grid. Blocks of the grid that
+/// contain no surface, judging by the field at their centre, are skipped.
 Surface surface_nets(const SignedDistance& field, const Grid& grid);
 
 /// Unit gradient of the field by finite differences over `step` metres; +Y where it vanishes.

@@ -20,7 +20,8 @@ struct DotJoint {
 std::vector<DotJoint> dot_joints(const motion::Skeleton& skeleton,
                                  const PointLightOptions& options);
 
-/// Names that PointLightOptions::joints may contain: the skeleton's, and "HeadTop" of a body.
+/// Names that PointLightOptions::joints may contain: the skeleton's, and "HeadTop" of a canonical
+/// body.
 std::vector<std::string> dot_joint_names(const motion::Skeleton& skeleton);
 
 }  // namespace mien::scenes

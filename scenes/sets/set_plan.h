@@ -56,7 +56,7 @@ struct Belt {
 /// A set as described in its file, before it is placed around an action.
 struct SetPlan {
   std::string name;
-  std::optional<render::Ground> ground;  ///< if absent, only the backdrop is shown
+  std::optional<render::Ground> ground;  ///< if absent, there is no floor and no shadow
   render::Sky sky;
   std::vector<KeyLight> lights;
   std::vector<Wall> walls;

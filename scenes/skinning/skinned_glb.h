@@ -23,8 +23,9 @@ struct SkinnedFigure {
 /// The figure in its bind pose as a GLB file (glTF 2.0): +Y up, metres.
 ///
 /// Node j is joint j, without a parent, so that it is posed by world transforms; its `extras`
-/// contain its "body_joint". A vertex keeps its four largest weights, renormalised, which all glTF
-/// viewers support. Emission is omitted. Throws Error when a texture cannot be written.
+/// contain its "body_joint". A vertex keeps only its four largest weights, renormalised, because
+/// some glTF viewers do not support more. Emission is omitted. Throws Error when a texture cannot
+/// be written.
 std::string skinned_glb(const SkinnedFigure& figure);
 
 }  // namespace mien::scenes

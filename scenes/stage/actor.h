@@ -31,7 +31,7 @@ struct Actor {
   std::vector<Dot> dots;              ///< dots of a point-light figure
   std::optional<TrailOptions> trail;  ///< for figures that are shown in several poses
   std::vector<Dot> traces;            ///< dots whose paths a trail shows
-  std::vector<std::string> warnings;  ///< parts of the figure that are not rendered, as sentences
+  std::vector<std::string> warnings;  ///< of a character (Character::warnings)
 
   /// Appends the figure's materials and solids at a frame of its clip, as seen from a camera. The
   /// result depends only on the arguments; expensive preparations are done once for all frames.

@@ -36,7 +36,7 @@ struct Look {
   std::array<int, 2> size{960, 540};     ///< size of the picture that the camera frames, pixels
   std::optional<render::Window> window;  ///< the part that is rendered; not with stereo
   double pixel_scale = 1.0;              ///< factor applied to sizes that are given in pixels
-  /// Position of the figure in the picture, pixels right of and below its centre (figure_place.h).
+  /// Position of the figure, pixels right of and below the picture's centre (figure_place.h).
   std::optional<std::array<double, 2>> figure_place;
   bool in_place = false;  ///< whether the figure walks in place, regardless of the set
   Layout layout = Layout::superimposed;
@@ -57,7 +57,8 @@ struct Shot {
   SetPlan set;
   Place place;                 ///< placement of the set
   render::Scene static_scene;  ///< the static part of the set
-  /// Travel per frame that was removed from the first actor, metres.
+  /// Travel per frame that was removed from the first actor, metres; for a point-light figure,
+  /// that of the dots as displayed (changed_step).
   motion::Vec3 step = motion::Vec3::Zero();
   CameraRig cameras;
   Action action;                      ///< motion that the cameras frame

@@ -18,7 +18,8 @@ struct Ghost {
 
 /// The poses that a trail shows besides the present one: first those that have stayed visible so
 /// far, then the onion skin, both from the farthest in time to the nearest. No pose occurs twice.
-/// Poses farther away in time are fainter.
+/// Poses farther away in time are fainter, among those that stayed visible and on either side of
+/// the onion skin.
 std::vector<Ghost> ghosts_at(const TrailOptions& options, int frame, int frame_count,
                              double frames_per_second);
 
