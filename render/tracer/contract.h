@@ -40,7 +40,7 @@ inline constexpr BiasBound floor_sky_bias{0.07, 0.02, 0.007};
 /// the horizon, where the floor fades within few pixels, and smaller in larger pictures.
 inline constexpr BiasBound floor_light_bias{0.003, 0.003, 0.003};
 
-/// Bias as a share of the sky's light on a solid, in blocks of 10 x 10 pixels: in drafts, its
+/// Bias as a share of the sky's light on a solid, in blocks of 10 x 10 pixels: in drafts, the sky's
 /// occlusion is blurred by 3 pixels.
 inline constexpr BiasBound figure_sky_bias{0.02, 0.0, 0.0};
 
