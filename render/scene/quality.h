@@ -39,7 +39,7 @@ struct Quality {
   /// Between points, the occlusion is interpolated where an estimate of the error is below
   /// `floor_sky_tolerance`. Where points would have to be closer than `floor_sky_cell`, each pixel
   /// casts its own rays, unless `floor_sky_smooth` is set. If the tolerance is 0 or the set has
-  /// static solids, all pixels cast their own rays.
+  /// static solids, nothing is interpolated: pixels cast their own rays.
   float floor_sky_noise = 0.004f;
   float floor_sky_tolerance = 0.008f;
   float floor_sky_cell = 0.03f;  ///< metres

@@ -60,7 +60,7 @@ inline constexpr std::array contract{
     ContractRow{"floor and backdrop without shadows", Accuracy::biased, floor_light_bias,
                 "closed form at the centre of the pixel, every eighth pixel where a cubic suffices",
                 "Contract.HoldsPerBlock"},
-    ContractRow{"lines of the floor", Accuracy::biased, floor_light_bias,
+    ContractRow{"grid lines of the floor", Accuracy::biased, floor_light_bias,
                 "box filter over the pixel's footprint", "Contract.HoldsPerBlock"},
     ContractRow{"static solids", Accuracy::unbiased, no_bias, "rendered once per camera",
                 "StaticBackground.GivesTheMeanThatTracingAllOfItEachTimeGives"},
