@@ -74,7 +74,7 @@ bool is_still(const RenderOptions& options, const RenderPlan& plan);
 
 scenes::Layout layout_of(const RenderOptions& options);
 
-/// Whether a file name has the extension of an image.
+/// Whether a file name has the extension of an image, .png or .exr.
 bool is_picture(const std::filesystem::path& out);
 
 /// The supported extensions of videos: ".mp4, .lossless.mp4, …"

@@ -13,7 +13,8 @@ namespace mien::pipeline {
 /// Verifies a study and shows progress.
 Verification verified(const StudyContents& contents, int threads, const Console& console);
 
-/// Prints one line per finding and a summary.
+/// Prints one line per finding (for artifacts that were not kept, one line per folder), and a
+/// summary.
 void print_result(const Verification& verification, const StudyContents& contents,
                   const Console& console);
 

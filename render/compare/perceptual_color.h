@@ -22,7 +22,7 @@ struct OpponentColor {
   float cz = 0.0f;  ///< Y/Yn − Z/Zn
 };
 
-/// A CIELAB colour relative to the display's white. With the Hunt adjustment `a` and `b` are
+/// A CIELAB colour relative to the display's white. With the Hunt adjustment, `a` and `b` are
 /// multiplied by 0.01 L, because colours appear less colourful at low luminance.
 struct LabColor {
   float l = 0.0f, a = 0.0f, b = 0.0f;
@@ -85,8 +85,8 @@ inline constexpr float color_exponent = 0.7f;  ///< exponent of colour distances
 /// the power q_c.
 float largest_color_power();
 
-/// Maps a distance raised to the power q_c to 0 … 1, piecewise linearly: up to 0.95 at 0.4 of
-/// `largest` (largest_color_power), then up to 1 at `largest`.
+/// Maps a colour distance, already raised to the power q_c, to 0 … 1. The map is piecewise linear:
+/// up to 0.95 at 0.4 of `largest` (largest_color_power), then up to 1 at `largest`.
 inline float redistributed(float power_of_distance, float largest) {
   constexpr float pc = 0.4f, pt = 0.95f;
   const float knee = pc * largest;

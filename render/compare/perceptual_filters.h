@@ -22,8 +22,8 @@ ContrastFilters contrast_filters(double pixels_per_degree);
 
 /// Detectors of edges and points (section 4.2): the first and second derivatives, along one axis,
 /// of a Gaussian with a standard deviation of 0.041 degrees (half of 0.082), smoothed along the
-/// other axis. The positive weights of each filter add up to 1 and the negative ones to −1, so that
-/// the edge detector's response to a step from 0 to 1 is at most 1.
+/// other axis. The positive weights of `edge` and of `point` add up to 1 and the negative ones to
+/// −1, so that the edge detector's response to a step from 0 to 1 is at most 1.
 struct FeatureFilters {
   HalfKernel smooth;  ///< even, of sum 1
   HalfKernel edge;    ///< odd

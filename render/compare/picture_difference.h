@@ -21,7 +21,7 @@ void require_same_size(const Picture& a, const Picture& b) {
   if (a.width < 1 || a.height < 1) throw Error("the pictures have no pixels");
 }
 
-/// The difference of two pictures over all channels. Values are fractions of full scale.
+/// The difference of two pictures over all channels. Differences are fractions of full scale.
 struct PictureDifference {
   double largest = 0.0;  ///< largest absolute difference of a channel
   int x = 0;             ///< position of the first pixel with this difference, in row-major order

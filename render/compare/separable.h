@@ -17,12 +17,13 @@ inline int reach_of(const HalfKernel& kernel) { return static_cast<int>(kernel.s
 /// whose full weights add up to 1.
 HalfKernel gaussian_kernel(double deviation, int reach);
 
-/// Number of values that are filtered at a time; `count` must be a multiple of it.
+/// Number of values that are filtered at a time; `count` below must be a multiple of it.
 inline constexpr int filter_block = 16;
 
 /// out[i] = Σ weight[k] · (in[i + k · step] ± in[i − k · step]) for i = 0 … count − 1, with + for
 /// an even and − for an odd kernel. Terms are added from the centre outwards in a fixed order, so
-/// that results are the same on every machine and a mirrored line has the mirrored result.
+/// that results are the same on every machine, and mirroring a line mirrors its result exactly
+/// (with an odd kernel, it also changes the sign).
 void filter_even(const HalfKernel& kernel, const float* in, std::ptrdiff_t step, int count,
                  float* out);
 void filter_odd(const HalfKernel& kernel, const float* in, std::ptrdiff_t step, int count,

@@ -15,7 +15,8 @@ namespace mien::render {
 class EmbreeDevice {
  public:
   /// "sse2", "sse4.2", "avx", "avx2" or "avx512"; empty: avx2, or sse4.2 on a machine without AVX2.
-  /// Throws Error for any other name, and when the machine lacks the instruction set.
+  /// Throws Error for any other name, when the machine lacks the instruction set, and when Embree
+  /// cannot start.
   explicit EmbreeDevice(const std::string& instruction_set);
   ~EmbreeDevice();
   EmbreeDevice(const EmbreeDevice&) = delete;
@@ -42,7 +43,7 @@ struct RayPacket {
   alignas(32) float reach[packet_size] = {};  ///< hits beyond this distance are ignored, metres
   alignas(32) float time[packet_size] = {};   ///< 0 when the shutter opens … 1 when it closes
   /// Bit f: the ray can hit figure f; semi-transparent figures are present for a random part of the
-  /// rays.
+  /// rays. Ignored if all figures are opaque (Shapes::all_present).
   alignas(32) std::uint32_t present[packet_size] = {};
   int count = 0;
 
@@ -60,8 +61,8 @@ struct Hits {
 
 /// Shapes in an Embree bounding volume hierarchy. Embree proposes candidates by padded bounding
 /// boxes, our own intersection tests decide, and of two equally near hits the shape with the lower
-/// index wins, so that hits do not depend on Embree's version or instruction set. Its primitives
-/// are round cones and patches of eight triangles.
+/// index wins, so that hits do not depend on Embree's version or instruction set. Embree's
+/// primitives are round cones and patches of up to eight triangles.
 class EmbreeScene {
  public:
   struct Contents;  // what Embree's callbacks see

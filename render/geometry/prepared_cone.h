@@ -54,8 +54,8 @@ inline constexpr unsigned max_lanes = 16;
 void intersect_lines(const PreparedCone& cone, const RayLanes& rays, unsigned count, float* enter,
                      float* leave);
 
-/// Writes, for each line, the lesser of `enter` and `leave` that exceeds `from`; infinity if
-/// neither does.
+/// Writes, for each line, `enter` if it exceeds `from`, otherwise `leave` if that does; infinity if
+/// neither does or the line misses.
 void crossings_beyond(const float* from, const float* enter, const float* leave, unsigned count,
                       float* distance);
 

@@ -62,7 +62,7 @@ void visit_triangle_pieces(const Shapes& shapes, Visit visit) {
                  shapes.closing_triangles.empty() ? nullptr : &shapes.closing_triangles[i], visit);
 }
 
-/// Calls `visit` with the box around each patch of eight consecutive triangles.
+/// Calls `visit` with the box around each patch of up to eight consecutive triangles.
 template <class Visit>
 void visit_patch_boxes(const Shapes& shapes, Visit visit) {
   const std::size_t count = shapes.triangles.size();

@@ -43,8 +43,8 @@ Shapes figure_shapes(const Scene& scene);
 Shapes static_shapes(const Scene& scene);
 
 /// The shapes of the figures as they move from `opening`, the scene at shutter open, to `closing`,
-/// the scene at shutter close. Throws std::invalid_argument unless both hold the same shapes in the
-/// same order.
+/// the scene at shutter close. Both must hold the same shapes in the same order; throws
+/// std::invalid_argument if their numbers or the meshes' triangles differ.
 Shapes shapes_between(const Scene& opening, const Scene& closing);
 
 }  // namespace mien::render

@@ -47,19 +47,20 @@ std::vector<TrianglePatch> patches_of(const std::vector<Triangle>& triangles);
 /// Returns the patch at a time from 0 (`from`) to 1 (`to`), moved in straight lines.
 TrianglePatch patch_between(const TrianglePatch& from, const TrianglePatch& to, float time);
 
-/// Writes, for each triangle of the patch, the distance at which one of the rays hits it; infinity
-/// where it misses, also if its line crosses the triangle behind the origin. Returns the least of
-/// these distances. Results are bit-identical on every machine.
+/// Writes, for each triangle of the patch, the distance at which ray `lane` hits it; infinity where
+/// the ray misses it, also if the ray's line crosses the triangle behind the origin. Returns the
+/// least of these distances. Results are bit-identical on every machine.
 ///
 /// The test is watertight: the side on which the line passes an edge is the sign of a product that
-/// depends on the line and this edge alone and changes sign exactly when the edge is reversed. A
-/// line through an edge that two triangles share therefore hits at least one of them (Plücker
+/// depends only on the line and this edge. Reversing the edge negates the product exactly. A line
+/// through an edge that two triangles share therefore hits at least one of them (Plücker
 /// coordinates; Shoemake 1998).
 float intersect_patch(const TrianglePatch& patch, const RayLanes& rays, unsigned lane,
                       float* distances);
 
-/// Sets `reach` to −infinity for each ray, of `count` with valid ≠ 0, that hits a triangle of the
-/// patch at a distance below its reach. The test is that of intersect_patch.
+/// Sets the reach of a ray to −infinity if the ray hits a triangle of the patch at a distance below
+/// its reach. There are `count` rays; those with valid = 0 are skipped. The test is that of
+/// intersect_patch.
 void occlude_by_patch(const TrianglePatch& patch, const RayLanes& rays, const int* valid,
                       unsigned count, float* reach);
 

@@ -15,8 +15,8 @@ struct Channels {
 };
 
 /// Reads the first picture in a file of any format that OpenImageIO supports: integers as fractions
-/// of full scale, channels in the library's order. Throws Error when the file is not a picture or
-/// is truncated.
+/// of full scale, channels in the library's order. Throws Error when the file is not a picture, is
+/// too large (picture_limits.h) or is truncated.
 Channels read_channels(const std::filesystem::path& path);
 
 }  // namespace mien::render

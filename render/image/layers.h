@@ -22,10 +22,10 @@ struct CoverageLayer {
   std::vector<Coverage> ranks;     ///< covered_ranks per pixel
 };
 
-/// A picture with its arbitrary output variables (AOVs). Albedo and normal are means over a pixel's
-/// samples, and coverage is the share of samples, filtered like the picture. Depth, position and
-/// motion, whose means would be meaningless, are those of the ray through the pixel's centre, for
-/// which figures are opaque. The backdrop has albedo 0, normal 0, position 0 and an infinite depth.
+/// A picture with its arbitrary output variables (AOVs). Albedo, normal and coverage are means over
+/// a pixel's samples, which are filtered like the picture's. Depth, position and motion, whose
+/// means would be meaningless, are those of the ray through the pixel's centre, for which figures
+/// are opaque. The backdrop has albedo 0, normal 0, position 0 and an infinite depth.
 struct Layers {
   Framebuffer beauty;
   Framebuffer albedo;

@@ -34,8 +34,8 @@ class PngFile {
   int channels() const;
   int bits() const;  ///< per channel
 
-  /// Reads all rows into `values`, which has room for them; may be called once. Throws Error when
-  /// the file is truncated or damaged.
+  /// Reads all rows into `values`, which must have room for them; may be called once. Throws Error
+  /// when the file is truncated or damaged.
   void read(void* values);
 
  private:

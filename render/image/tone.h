@@ -7,7 +7,7 @@
 namespace mien::render {
 
 /// The mapping from scene-referred light to display values. It is neutral: values up to `shoulder`
-/// are unchanged, so 0.18 stays 0.18; above, each channel rolls off towards 1 without reaching it:
+/// are unchanged, so 0.18 stays 0.18; above, each channel rolls off towards 1:
 ///   s + (1 − s)·u / (1 + u), u = (x − s) / (1 − s),
 /// whose slope at s is 1.
 struct Tone {
@@ -27,8 +27,9 @@ double linear_from_srgb(double encoded);
 Color linear_from_srgb8(int red, int green, int blue);
 
 /// Converts the framebuffer to an 8-bit sRGB image: exposure, tone curve, transfer function and
-/// rounding to the nearest code value. Each code is found by comparing the light with exact
-/// thresholds, so that it does not depend on a machine's pow().
+/// rounding to the nearest code value (or dither). Each code is found by comparing the light with
+/// thresholds in single precision, so that it does not depend on the last bits of a machine's
+/// pow().
 Image8 to_srgb8(const Framebuffer& framebuffer, const Tone& tone = {});
 
 /// As to_srgb8, with 8 or 16 bits, for a part of the framebuffer; the upper left pixel of the

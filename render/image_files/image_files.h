@@ -24,15 +24,15 @@ enum class ChannelKind {
   other
 };
 
-/// The properties of one of a file's pictures, as stated in the file.
+/// The properties of one of a file's pictures, as the library reads them.
 struct ImageLayout {
   int width = 0;
   int height = 0;
   std::vector<std::string> channels;  ///< names, in the order of the values
   ChannelKind stored = ChannelKind::other;
-  int bits = 0;             ///< per channel, as stored
+  int bits = 0;             ///< per channel, as the library reads it
   std::string format;       ///< "png", "openexr", …
-  std::string color_space;  ///< "sRGB", "Linear"; empty if not stated
+  std::string color_space;  ///< "sRGB", "Linear"; empty if not known
 };
 
 /// A file open for reading, with one of its pictures selected, initially the first.
@@ -41,12 +41,11 @@ class ImageFile {
   virtual ~ImageFile() = default;
   virtual const ImageLayout& layout() const = 0;
 
-  /// Selects a picture by its index, from 0. Returns false, with the reason in `error`, when there
-  /// is none.
+  /// Selects a picture by its index, from 0. Returns false when there is none.
   virtual bool select(int picture) = 0;
 
   /// Reads all values, in rows from top to bottom; integers become fractions of full scale if
-  /// `wanted` is a floating-point type. Returns false when the file is damaged.
+  /// `wanted` is a floating-point type. Returns false when the file is damaged (see error()).
   virtual bool read(ChannelKind wanted, void* values) = 0;
 
   virtual std::string error() const = 0;

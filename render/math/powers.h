@@ -53,8 +53,9 @@ inline float power_of_two(float x) {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(series) + (exponent << 23));
 }
 
-/// base^exponent for 0 ≤ base ≤ 10⁹ and 0 ≤ exponent ≤ 1, with a relative error of at most 3·10⁻⁶;
-/// results below 10⁻³⁷ become 0. The result is 1 for the exponent 0, also of the base 0.
+/// base^exponent for 0 ≤ base ≤ 10⁹ and 0 ≤ exponent ≤ 1, with a relative error of at most 3·10⁻⁶.
+/// The result is 1 for the exponent 0, also of the base 0. Otherwise it is 0 for bases below
+/// 1.2·10⁻³⁸ and in place of results below 2⁻¹²⁵.
 inline float power(float base, float exponent) {
   const float safe = base < 1.2e-38f ? 1.2e-38f : base;
   const float logarithm = exponent * binary_logarithm(safe);

@@ -30,8 +30,8 @@ constexpr std::uint32_t reversed_bits(std::uint32_t x) {
 }
 
 /// Returns point `index` of the two-dimensional Sobol sequence, as 32-bit fractions. The first
-/// dimension is the van der Corput sequence; the second multiplies by the Pascal matrix modulo 2,
-/// here in five steps (Ahmed 2024).
+/// dimension is the van der Corput sequence; for the second, the index is first multiplied by the
+/// Pascal matrix modulo 2, here in five steps (Ahmed 2024).
 constexpr std::array<std::uint32_t, 2> sobol(std::uint32_t index) {
   std::uint32_t v = index;
   v ^= v >> 16;
@@ -42,9 +42,9 @@ constexpr std::array<std::uint32_t, 2> sobol(std::uint32_t index) {
   return {reversed_bits(index), reversed_bits(v)};
 }
 
-/// Owen's nested uniform scrambling of a 32-bit fraction given with reversed bits: a hash in which
-/// every bit depends on the seed and on lower bits only (Laine & Karras 2011, constants of Vegdahl
-/// 2021).
+/// Owen's nested uniform scrambling of a 32-bit fraction given with reversed bits: a hash each bit
+/// of which depends only on the seed, on the same bit of `x` and on lower bits (Laine & Karras
+/// 2011, constants of Vegdahl 2021).
 constexpr std::uint32_t scrambled_reversed(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;

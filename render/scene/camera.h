@@ -14,7 +14,7 @@ namespace mien::render {
 /// [i, i+1) × [j, j+1), its centre is at (i + ½, j + ½).
 struct Camera {
   Vec3 position{0.0f, 1.0f, 5.0f};
-  Vec3 target{0.0f, 1.0f, 0.0f};          ///< any point on the optical axis except the position
+  Vec3 target{0.0f, 1.0f, 0.0f};          ///< any point on the optical axis in front of the camera
   Vec3 up = Vec3::UnitY();                ///< not parallel to the axis
   float vertical_field_of_view = 0.524f;  ///< radians, 0 … π, from the top to the bottom edge
   float parallel_height = 0.0f;  ///< metres from the top to the bottom edge of an orthographic

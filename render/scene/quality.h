@@ -11,10 +11,12 @@ enum class Background {
   shadow        ///< only the figure's shadow on the set, as alpha
 };
 
-/// Settings for the quality and cost of a picture. The same settings give the same bytes.
+/// Settings for the quality and cost of a picture. The same scene, camera and settings give the
+/// same bytes.
 ///
 /// A shaded sample of a solid casts one shadow ray per light. On the floor, lines across the lights
-/// (line_shadow.h) replace them where possible; samples share a line where penumbrae are wide.
+/// (line_shadow.h) replace shadow rays where possible; samples share a line where penumbrae are
+/// wide.
 struct Quality {
   int samples_per_pixel = 16;  ///< each is a primary ray where the pixel may show a solid
   int sky_rays = 2;            ///< rays towards the sky for each shaded surface sample
@@ -22,8 +24,9 @@ struct Quality {
   /// has no effect if solids move during the picture (motion blur).
   int samples_shaded_together = 1;
 
-  /// Whether samples of two neighbouring pixels in a row are shaded together too; has an effect
-  /// only if `samples_per_pixel` is at most 4 and at most `samples_shaded_together`.
+  /// Whether samples of two neighbouring pixels in a row are shaded together, too. Has an effect
+  /// only without motion blur, and if `samples_per_pixel` exceeds neither 4 nor
+  /// `samples_shaded_together`.
   bool shades_pixel_pairs = false;
 
   /// Whether neighbouring samples of one surface of the figure share what they find occluded of the
@@ -31,32 +34,32 @@ struct Quality {
   bool shares_figure_sky = false;
   int static_samples = 64;  ///< samples per pixel for static solids, rendered once per camera
 
-  /// A figure's occlusion of the sky, as seen from the floor, is sampled at grid points, with
-  /// enough rays each to keep the noise at about `floor_sky_noise` of the sky's light, and
-  /// interpolated where a conservative estimate of the error is below `floor_sky_tolerance`
-  /// (measured errors are at most a tenth of it). Where points would have to be closer than
-  /// `floor_sky_cell`, each pixel casts its own rays, unless `floor_sky_smooth` is set; so does
-  /// every pixel if the tolerance is 0 or the set has static solids.
+  /// A figure's occlusion of the sky, as seen from the floor, is sampled at grid points. At each
+  /// point, enough rays are cast to keep the noise at about `floor_sky_noise` of the sky's light.
+  /// Between points, the occlusion is interpolated where an estimate of the error is below
+  /// `floor_sky_tolerance`. Where points would have to be closer than `floor_sky_cell`, each pixel
+  /// casts its own rays, unless `floor_sky_smooth` is set. If the tolerance is 0 or the set has
+  /// static solids, nothing is interpolated: pixels cast their own rays.
   float floor_sky_noise = 0.004f;
   float floor_sky_tolerance = 0.008f;
   float floor_sky_cell = 0.03f;  ///< metres
 
   /// Whether to interpolate also where points would have to be closer than `floor_sky_cell`: less
   /// noise, but too little occlusion right where a foot touches the floor. Has no effect if the
-  /// tolerance is 0.
+  /// tolerance is 0 or the set has static solids.
   bool floor_sky_smooth = true;
 
   float filter_width = 2.0f;  ///< full width of the Blackman–Harris filter, pixels
   Background background = Background::shown;
-  float shutter = 1.0f;    ///< fraction of the frame interval during which it is open
+  float shutter = 1.0f;    ///< fraction of the frame interval during which the shutter is open
   std::uint64_t seed = 0;  ///< of the random numbers: selects the noise pattern
 
   /// Camera and shadow rays alone (tracer/reference.h). Of the members above, only the samples per
   /// pixel, the filter, the background, the shutter and the seed are used.
   bool reference = false;
 
-  /// Whether to trace also rays that are known to hit nothing. The picture is bit-identical, only
-  /// slower; for tests of the culling.
+  /// Whether rays that are known to hit nothing are traced, too. The picture is bit-identical, but
+  /// takes longer; for tests of the culling.
   bool exhaustive = false;
 };
 

@@ -42,7 +42,7 @@ struct Sphere {
 };
 
 /// A round cone (tapered capsule): the convex hull of two spheres. With equal radii it is a
-/// capsule. When one sphere contains the other, the shape is that sphere.
+/// capsule. When one sphere contains the other, the shape is the larger sphere.
 struct RoundCone {
   Vec3 start = Vec3::Zero();
   Vec3 end = Vec3::UnitY();
@@ -140,10 +140,10 @@ struct Sky {
 struct Scene {
   std::vector<Material> materials;
   std::vector<const Texture*> textures;   ///< must outlive the scene
-  std::vector<Figure> figures{Figure{}};  ///< at most 32
-  std::vector<Part> parts{Part{}};
+  std::vector<Figure> figures{Figure{}};  ///< 1 to 32
+  std::vector<Part> parts{Part{}};        ///< at least one
   Solids solids;
-  Solids static_solids;           ///< their parts and figures are ignored
+  Solids static_solids;           ///< their parts must exist, but are ignored
   std::vector<AreaLight> lights;  ///< at most 32
   Sky sky;
   Ground ground;
@@ -162,8 +162,8 @@ Color backdrop_radiance(const Sky& sky, const Vec3& towards);
 /// Irradiance on an upward-facing floor under the whole, unoccluded sky.
 Color sky_irradiance_on_floor(const Sky& sky);
 
-/// Throws std::invalid_argument, naming the member, when a number is not finite or outside its
-/// range, an index is out of range, lists differ in length or a light has no area.
+/// Checks the scene's numbers, indices, lengths of lists and shapes of lights, but not the texels
+/// of textures. Throws std::invalid_argument, which names the member, for the first fault.
 void validate(const Scene& scene);
 
 }  // namespace mien::render

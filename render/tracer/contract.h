@@ -40,7 +40,7 @@ inline constexpr BiasBound floor_sky_bias{0.07, 0.02, 0.007};
 /// the horizon, where the floor fades within few pixels, and smaller in larger pictures.
 inline constexpr BiasBound floor_light_bias{0.003, 0.003, 0.003};
 
-/// Bias as a share of the sky's light on a solid, in blocks of 10 x 10 pixels: in drafts, its
+/// Bias as a share of the sky's light on a solid, in blocks of 10 x 10 pixels: in drafts, the sky's
 /// occlusion is blurred by 3 pixels.
 inline constexpr BiasBound figure_sky_bias{0.02, 0.0, 0.0};
 
@@ -60,7 +60,7 @@ inline constexpr std::array contract{
     ContractRow{"floor and backdrop without shadows", Accuracy::biased, floor_light_bias,
                 "closed form at the centre of the pixel, every eighth pixel where a cubic suffices",
                 "Contract.HoldsPerBlock"},
-    ContractRow{"lines of the floor", Accuracy::biased, floor_light_bias,
+    ContractRow{"grid lines of the floor", Accuracy::biased, floor_light_bias,
                 "box filter over the pixel's footprint", "Contract.HoldsPerBlock"},
     ContractRow{"static solids", Accuracy::unbiased, no_bias, "rendered once per camera",
                 "StaticBackground.GivesTheMeanThatTracingAllOfItEachTimeGives"},

@@ -14,9 +14,9 @@ namespace mien::render {
 /// Returns the pixel format that a kind's encoder expects.
 AVPixelFormat pixel_format_of(VideoKind kind);
 
-/// An encoder with its container: encodes pictures into a file. Its settings are those of the kind.
-/// The file depends neither on the machine nor on the time; the number of threads is fixed, because
-/// encoders partition their work by it.
+/// An encoder with its container: encodes pictures into a file. Its settings are those of the kind
+/// and effort. The file depends neither on the machine nor on the time; the number of threads is
+/// fixed, because encoders partition their work by it.
 class StreamEncoder {
  public:
   /// Throws Error when this FFmpeg lacks the encoder or the file cannot be created.
@@ -26,14 +26,15 @@ class StreamEncoder {
   AVFrame& picture();
 
   /// Encodes the picture as the next frame. For kinds with a packet per frame, throws Error when
-  /// the encoder returns a packet that is not that of the next frame.
+  /// the encoder returns packets in another order than that of the frames.
   void send();
 
   /// Completes the file. Throws Error when no frame was sent or, for kinds with a packet per frame,
   /// the encoder returned fewer frames than were sent.
   void finish();
 
-  /// The packet_hash of each frame so far; empty for kinds without a packet per frame.
+  /// The packet_hash of each frame that the encoder has returned so far; empty for kinds without a
+  /// packet per frame.
   const std::vector<std::uint64_t>& packet_hashes() const { return packet_hashes_; }
 
  private:

@@ -39,22 +39,22 @@ struct VideoFormat {
 };
 
 /// Writes a video of any kind (video_kind.h): exactly the given frames, at a constant rate. The
-/// file contains nothing that depends on the time or the machine, so the same frames give the same
-/// bytes everywhere.
+/// file contains nothing that depends on the time or the machine, so the same frames and versions
+/// of FFmpeg's libraries give the same bytes everywhere.
 ///
 ///   VideoWriter video(path, {.width = 960, .height = 540, .rate = {30, 1}});
 ///   for (…) video.write(to_srgb8(tracer.trace(scene, camera, quality)));
 ///   video.finish();
 ///
 /// H.264 (except lossless), VP9 and AV1 are yuv420p, BT.709, limited range; lossless kinds are RGB.
-/// They are tagged accordingly where their container permits. MP4 has its index at the front and no
-/// B frames, so that players which ignore edit lists show the right times. Matroska, WebM and WebP
-/// store times in milliseconds, GIF in hundredths of a second; each frame is shown at the nearest
-/// time that can be stored (WebP: the nearest before it). A GIF has one palette, computed from all
-/// frames, and ordered dither; its frames are kept in a temporary file "<path>.frames.mkv" until
-/// finish().
+/// They are tagged accordingly where their container permits. MP4 has its index at the front. It
+/// has no B frames, so that players which ignore edit lists show the right times. Matroska, WebM
+/// and WebP store times in milliseconds, GIF in hundredths of a second; each frame is shown at the
+/// nearest time that can be stored (WebP: the nearest before it). A GIF has one palette, computed
+/// from all frames, and ordered dither; its frames are kept in a temporary file "<path>.frames.mkv"
+/// until the writer is destroyed.
 ///
-/// A writer destroyed before finish() leaves an unusable file behind.
+/// A writer destroyed before finish() may leave an unusable file behind.
 class VideoWriter {
  public:
   /// Throws Error when the kind does not support the size, this FFmpeg lacks the encoder, or the
@@ -91,14 +91,14 @@ struct VideoSummary {
   std::vector<std::uint64_t> packet_hashes;  ///< packet_hash of each packet, in the file's order
   std::vector<double> times;                 ///< when each frame is shown, seconds
   double tick_seconds = 0.0;                 ///< the container's unit of time
-  double duration_seconds = 0.0;   ///< from the first frame's time to the last frame's end, seconds
+  double duration_seconds = 0.0;   ///< from the start of the file to the last frame's end, seconds
   std::string primaries;           ///< "bt709"
   std::string transfer;            ///< "bt709"
   std::string matrix;              ///< "bt709"
   std::string range;               ///< "tv"
   bool steady_timestamps = false;  ///< frame n is shown at the tick nearest to n / rate; not
                                    ///< determined for WebP
-  bool starts_with_key_frame = false;  ///< the first frame decodes alone
+  bool starts_with_key_frame = false;  ///< the first frame is marked as a key frame; true for WebP
   bool index_at_front = false;         ///< MP4: "moov" before "mdat"
 };
 

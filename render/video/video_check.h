@@ -11,15 +11,15 @@ namespace mien::render {
 /// The result of checking a written video.
 struct VideoCheck {
   VideoSummary summary;
-  int frames = 0;              ///< number of frames that are shown
-  bool identical = true;       ///< every decoded frame equals the frame written
+  int frames = 0;         ///< number of frames that are shown
+  bool identical = true;  ///< every decoded frame equals the frame written, in the sampled rows
   double worst_psnr_db = 0.0;  ///< smallest of all frames; infinite when identical (video_sketch.h)
   int worst_psnr_frame = 0;
   double worst_ssim = 1.0;
   int worst_ssim_frame = 0;
 };
 
-/// Decodes a video and throws Error, naming the worst frame, unless it matches what was written:
+/// Decodes a video and throws Error unless it matches what was written:
 ///
 /// - the size is that of the format; codec and, except for Matroska and animated pictures, colour
 ///   tags are those of the kind; MP4 has its index at the front;
@@ -32,7 +32,7 @@ struct VideoCheck {
 ///   the kind's least values (video_kind.h), which for pictures below 100,000 pixels are 6 dB and
 ///   0.15 less (except for GIF), and still less if there are few tiles to estimate them from;
 /// - no decoded frame's tiles are twice as close to those of the previous or next written frame as
-///   to those of its own, unless all are within 1 of 255;
+///   to those of its own, unless all its tiles are within 1 of 255 of those of its own;
 /// - with a receipt: the encoder was given exactly the frames of the film, each once and in order,
 ///   and, for kinds with a packet per frame, the file contains exactly the bytes that the encoder
 ///   produced for each.

@@ -42,10 +42,11 @@ struct FrameSimilarity {
 /// Makes and compares sketches of frames of one size.
 ///
 /// All statements hold for the sampled rows. `identical` is exact except with probability 2⁻⁶⁴.
-/// PSNR and SSIM are unbiased estimates to which every pixel contributes, except for the rounding
-/// of projections, which is noticeable above 60 dB. With n tiles the relative standard error of the
-/// mean squared error is at most √(2/n) where errors are spread evenly, 0.35 dB for the 300 to 512
-/// tiles of usual frames. An error confined to one part shows in `worst_part`.
+/// SSIM and the mean squared error from which PSNR follows are unbiased estimates to which every
+/// pixel contributes, except for the rounding of projections, which is noticeable above 60 dB. With
+/// n tiles the relative standard error of the mean squared error is at most √(2/n) where errors are
+/// spread evenly: at most 0.35 dB for the 300 to 512 tiles of usual frames. An error confined to
+/// one part shows in `worst_part`.
 class FrameSketcher {
  public:
   /// With a `row_step` above 1, only the rows 0, row_step, 2 · row_step … are sampled.

@@ -84,10 +84,10 @@ class CsvWriter {
 // Spreadsheets interpret a field that begins with = + - @ (also in full width) as a formula and
 // evaluate it when the table is opened (OWASP, CSV injection); some do so also if a tab or line end
 // precedes the sign. Since texts of participants may be anything, a field that begins with one of
-// these signs, a tab or a line end is written with a leading apostrophe, which marks it as text in
-// spreadsheets. Reading removes the apostrophe, so that any text, including one with apostrophes of
-// its own, is preserved. Numbers, and two numbers joined by "–", are written unchanged.
-// pipeline/study/page/src/questionnaire/rows.ts does the same.
+// these signs, a tab or a line end (also after spaces) is written with a leading apostrophe, which
+// marks it as text in spreadsheets. Reading removes the apostrophe, so that any text, including one
+// with apostrophes of its own, is preserved. Numbers, and two numbers joined by "–", are written
+// unchanged. pipeline/study/page/src/questionnaire/rows.ts does the same.
 
 /// Whether a field needs the mark. Apostrophes at its beginning, and then spaces, are ignored.
 bool looks_like_formula(std::string_view field);

@@ -47,8 +47,8 @@ class Faults : public Error {
   std::string text_;
 };
 
-/// Message of a failure for the user: its `what()`, or for std::bad_alloc and std::length_error
-/// that memory is insufficient and what helps.
+/// Message of a failure for the user: its `what()` or, for std::bad_alloc and std::length_error, a
+/// sentence that memory is insufficient, with a remedy.
 std::string failure_text(const std::exception& failure);
 
 }  // namespace mien::pipeline

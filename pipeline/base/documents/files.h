@@ -12,7 +12,7 @@ namespace mien::pipeline {
 using mien::WriteFailure;
 using motion::ResultFile;
 
-/// Content of a file written by mien. Throws std::runtime_error if it cannot be read, not Error,
+/// Content of a file written by mien. If it cannot be read, throws std::runtime_error, not Error,
 /// because the user's input is not at fault.
 std::string read_file(const std::filesystem::path& file);
 

@@ -33,11 +33,11 @@ struct BarChart {
   bool percent = false;      ///< values are shares, shown in percent; the axis reaches 100 %
   bool one_colour = false;   ///< whether all bars have the same colour
   bool simulated = false;    ///< based on simulated sessions or ratings; drawn with a mark
-  double slot_width = 92.0;  ///< width of a bar and its margins, points
+  double slot_width = 92.0;  ///< least width of a bar and its margins, points
 };
 
 /// Vertical bars on a common axis that always includes 0, each with its value printed. The width
-/// depends on the number of bars.
+/// depends on the bars and on the text of the axis.
 Plot bar_chart_plot(const BarChart& chart);
 
 /// Charts side by side under a common title, with one mark, whose text is `mark`, if any of them is

@@ -58,7 +58,7 @@ struct FigureExtent {
 /// Maps view space in metres to positions on the page.
 struct FigureScale {
   double points_per_metre;
-  Point origin;  ///< below the pelvis, on the floor
+  Point origin;  ///< where a point with `right` 0 and `up` 0, on the floor, is drawn
 
   Point at(const ViewPosition& p) const {
     return {origin.x + points_per_metre * p.right, origin.y - points_per_metre * p.up};

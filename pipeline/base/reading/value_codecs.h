@@ -123,7 +123,7 @@ struct ValueCodec<std::vector<std::pair<std::string, Value>>> {
   }
 };
 
-/// Unset if absent from the document.
+/// Absent from the document if unset.
 template <class Value>
 struct ValueCodec<std::optional<Value>> {
   static void read(const DocumentValue& given, std::optional<Value>& value) {

@@ -24,8 +24,9 @@ struct YamlNode {
 /// Reads one YAML document. Faults of the text are added to `faults`.
 ///
 /// After some faults the tree is null: an empty file, more than 16 MiB, text that is not UTF-8, a
-/// syntax error, a tab in the indentation, an alias that is unknown or inside its own value, more
-/// than 1,000,000 values with aliases resolved, nesting deeper than 100.
+/// syntax error, a tab in the indentation, an alias that is unknown or inside its own value,
+/// nesting deeper than 100, more than 1,000,000 values. In this number, copies for anchors and
+/// aliases count, and long texts count several times.
 ///
 /// After other faults the tree contains the rest of the document: a second document, an unclosed
 /// quote at the end, an unknown tag, a key that occurs twice, is not a scalar or has more than 200

@@ -36,8 +36,8 @@ struct Intraclass {
 /// consists of groups without common raters or stimuli, ICC(2) and ICC(3) are NaN.
 Intraclass intraclass(const Eigen::MatrixXd& answers);
 
-/// Agreement of raters about the stimuli on one scale. Coefficients are NaN where undefined: fewer
-/// than two raters or stimuli, or all answers equal.
+/// Agreement of raters about the stimuli on one scale. Coefficients are NaN where undefined, for
+/// example for fewer than two raters or stimuli, or if all answers are equal.
 struct Agreement {
   int complete_raters = 0;  ///< number of raters who rated every stimulus
   double alpha = 0.0;       ///< of complete raters: Cronbach 1951, raters as items; equals ICC(3,k)

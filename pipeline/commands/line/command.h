@@ -14,8 +14,8 @@ namespace mien::pipeline {
 struct Console;
 
 /// The target of an option: a variable, or a function that is called with the text of each value
-/// ("true" for a flag). The variable must outlive the command. Empty if the command is implemented
-/// by another program (external_programs.h).
+/// ("true" for a flag). The variable must outlive the command. Empty for --version, and if the
+/// command is implemented by another program (external_programs.h).
 using BoundVariable =
     std::variant<std::monostate, bool*, int*, double*, std::uint64_t*, std::string*,
                  std::optional<int>*, std::optional<double>*, std::optional<std::uint64_t>*,
@@ -37,8 +37,8 @@ struct CommandOption {
   bool repeats = false;  ///< takes several values
 
   BoundVariable variable;
-  double least = 0.0;  ///< lower limit, exclusive if `largest` is infinite; checked, as
-                       ///< `largest` is, only if `limits` is not empty
+  // `least` and `largest` are checked only if `limits` is not empty.
+  double least = 0.0;  ///< lower limit, exclusive if `largest` is infinite
   double largest = std::numeric_limits<double>::infinity();  ///< upper limit, inclusive
   std::optional<std::pair<int, int>> value_count;            ///< number of values per use
   bool has_commas = false;                                   ///< values are separated by commas

@@ -26,7 +26,7 @@ struct Console {
   std::ostream& out;     ///< results
   std::ostream& err;     ///< progress and error messages
   bool err_is_terminal;  ///< if so, progress bars are shown
-  std::stop_token stop;  ///< requested by Ctrl-C
+  std::stop_token stop;  ///< requested by Ctrl-C or SIGTERM
 };
 
 }  // namespace mien::pipeline

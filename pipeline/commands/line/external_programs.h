@@ -28,14 +28,14 @@ inline constexpr ExternalProgram external_programs[] = {regress_program, studio_
 Command external_command(const ExternalProgram& other);
 
 /// Replaces the process (exec) with the program that implements the given command, with the same
-/// arguments. Returns if the command is not one of another program. Throws std::runtime_error if
-/// the other program is missing.
+/// arguments. Returns if no other program implements it. Throws std::runtime_error if the other
+/// program is missing.
 void exec_external_program(int argc, char** argv);
 
 /// Throws std::runtime_error if this program was started by another version of mien.
 void refuse_version_mismatch();
 
-/// The commands of a program as JSON, from which another program generates its help and manual.
+/// The commands of a program as JSON, from which `mien` generates its manual page and completions.
 std::string program_as_json(const Command& program);
 
 /// Replaces the commands of `program` that other programs implement by their full descriptions.

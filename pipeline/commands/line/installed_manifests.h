@@ -33,8 +33,8 @@ std::optional<std::filesystem::path> find_named_file(const std::filesystem::path
 /// and prints a message on `console.err`. If there is none either, returns `name`.
 std::string resolve_input_file(const std::string& name, const Console& console);
 
-/// Like resolve_input_file, for a manifest. Throws Error for a single word that is neither a file
-/// nor the name of an installed manifest.
+/// Like resolve_input_file, for a manifest. Throws Error for a name without folder and extension
+/// that is neither that of a file nor that of an installed manifest.
 std::string resolve_manifest(const std::string& name, const Console& console);
 
 }  // namespace mien::pipeline

@@ -14,7 +14,8 @@ struct Change {
   std::string on_fault = "warn";
 };
 
-/// The equivalent stimulus of a manifest. Throws Faults, worded for the command line.
+/// The equivalent stimulus of a manifest. Throws Faults, whose messages do not refer to that
+/// manifest.
 Stimulus stimulus_of(const Change& change);
 
 }  // namespace mien::pipeline

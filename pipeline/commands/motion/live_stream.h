@@ -54,8 +54,9 @@ class MotionSink {
   MotionSink(const MotionSink&) = delete;
   MotionSink& operator=(const MotionSink&) = delete;
 
-  /// Writes the header. `claimed_frames` is the number of frames stated in the header if that
-  /// cannot be corrected later. Throws WriteFailure if the file cannot be written.
+  /// Writes the header (none for Form::lines). `claimed_frames` is stated in it as the number of
+  /// frames, unless this number can be corrected later. Throws WriteFailure if the file cannot be
+  /// written.
   void begin(const motion::Skeleton& body, double frames_per_second, std::size_t claimed_frames);
 
   /// Writes a frame. Returns false if the reader has closed the pipe. Throws WriteFailure if the
@@ -111,7 +112,7 @@ struct LiveReport {
   std::size_t frames = 0;
   double frames_per_second = 0.0;
   motion::StreamDelay delay;
-  double mean_computing_ms = 0.0;  ///< mean time from reading a frame to flushing its result, ms
+  double mean_computing_ms = 0.0;  ///< mean time for processing a frame and writing the one due, ms
   double most_computing_ms = 0.0;  ///< maximum of that time, ms
   double largest_lag = 0.0;        ///< maximum lag of a limb due to acceleration, frames
   std::vector<std::string> warnings;

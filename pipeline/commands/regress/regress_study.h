@@ -24,8 +24,8 @@ struct StudyArguments {
 };
 
 /// Runs the study (unless `without_videos` is set), compares it with its baseline and writes the
-/// report. Returns exit code 1 if anything differs, otherwise 0. Throws Error, for example if there
-/// is no baseline.
+/// report. Returns exit code 0 if the comparison passes (Regression::passes), otherwise 1. Throws
+/// Error, for example if there is no baseline.
 int regress_study(const StudyArguments& arguments, const Console& console);
 
 /// Stores the current state of the study as its baseline. Returns the exit code.

@@ -16,7 +16,7 @@ struct FoundBaseline {
 };
 
 /// The folder to which approved stimuli are written: `given`, or the default folder if `given` is
-/// empty. Throws Error if `given` names a commit.
+/// empty. Throws Error if `given` names a commit and there is no file or folder of that name.
 std::filesystem::path new_baseline(const std::string& given, const Manifest& manifest);
 
 /// The baseline named by `given`, the value of `--baseline`. If it names a folder, that folder; if

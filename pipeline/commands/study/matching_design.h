@@ -13,8 +13,8 @@ struct MatchingDesign {
   std::filesystem::path plans;  ///< CSV to write; empty: standard output
 };
 
-/// Plans the sessions of a matching experiment and prints their balance and duration. Returns the
-/// exit code.
+/// Plans the sessions of a matching experiment, writes the plans, and prints their balance and
+/// duration. Returns the exit code.
 int design_matching(const Manifest& manifest, const MatchingDesign& design, const Console& console);
 
 /// Warns about trials in which the initial motion already matches the target.
