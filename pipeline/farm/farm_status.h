@@ -35,12 +35,12 @@ struct FarmStatus {
   std::string study;
   std::string folder;
   std::string words;  ///< arguments that name the study in commands: "my.yaml --out /scratch"
-  /// In tasks: those of motions, films, clips, dots, sheets and study that have any.
+  /// Those of motions, films, clips, dots, sheets and study that have tasks.
   std::vector<StageProgress> stages;
   StageProgress frames;  ///< frames of all films; `done` includes stored frames of incomplete films
   std::vector<NodeStatus> nodes;
   std::map<std::string, int>
-      waiting;  ///< number of pending elements and final jobs by Slurm's reason
+      waiting;  ///< number of pending elements and final jobs, except held ones, by Slurm's reason
   std::vector<JobProblem> problems;  ///< those of cancelled jobs are omitted
   std::vector<FailedItem> failed;
   std::vector<std::string> losses;  ///< lost_job_messages
@@ -52,7 +52,7 @@ struct FarmStatus {
   std::string without_slurm;  ///< why job states are unknown; empty if they are known
 
   int running() const;
-  /// Whether a worker or a job is running, or a job is pending.
+  /// Whether a worker or a job is running, or a job is pending and not held.
   bool is_active() const;
 };
 

@@ -13,11 +13,11 @@ namespace mien::pipeline {
 /// Stored frames and chunk count of each film, by its task ("film:walk").
 using ProgressByFilm = std::map<std::string, FilmProgress>;
 
-/// Determines which frames of the films that are due exist already: frames of an interrupted
-/// rendering, or of a published frame sequence whose video is missing. `planned`: one outcome per
-/// task. `frames`: number of frames of each film. `folder`: the study's. Published frames are
-/// compared with their hashes. Of the others only the existence is checked; a worker verifies them
-/// and renders damaged ones again.
+/// Determines which frames of the films that are due exist already: unpublished frames, and those
+/// of a published frame sequence whose video is missing. `planned`: one outcome per task. `frames`:
+/// number of frames of each film. `folder`: the study's. Published frames are compared with their
+/// hashes. Of unpublished ones, only the existence is checked; a worker verifies them and renders
+/// damaged ones again.
 ProgressByFilm stored_film_progress(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                                     const std::map<std::string, int>& frames,
                                     const std::filesystem::path& folder);

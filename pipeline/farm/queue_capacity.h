@@ -25,7 +25,7 @@ struct FittingSubmission {
 /// Splits a study into a submission; `cut` builds the submission for given chunk sizes. If it has
 /// too many jobs for Slurm's queue and `requested` does not set the number of frames per chunk,
 /// elements are lengthened up to `longest_seconds`. If there are still too many jobs, throws Error,
-/// with a value of --chunk that fits if there is one; but if only the final job for the remaining
+/// with a value of --chunk that fits if one is found; but if only the final job for the remaining
 /// tasks is to be submitted, the submission is returned nevertheless.
 FittingSubmission fitting_submission(const std::function<Submission(const Chunking&)>& cut,
                                      const Chunking& requested, double longest_seconds,

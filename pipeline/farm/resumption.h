@@ -15,8 +15,8 @@ namespace mien::pipeline {
 std::set<std::string> covered_items(const std::vector<JobStatus>& statuses,
                                     const std::filesystem::path& folder);
 
-/// Slurm's IDs of pending jobs that a new submission replaces: those that will never run without
-/// intervention (is_stuck), and the final jobs of earlier submissions.
+/// Slurm's IDs of jobs that a new submission replaces: those that will never run without
+/// intervention (is_stuck), and the pending final jobs of earlier submissions.
 std::vector<std::string> obsolete_jobs(const std::vector<JobStatus>& statuses);
 
 /// Tasks whose jobs ran out of memory, and the memory to request for them next.

@@ -42,10 +42,10 @@ struct FilmProgress {
 };
 
 /// Divides the tasks that are due (one flag per task) into the stages motions, frames, films,
-/// sheets and study; empty stages are omitted. Each task is in exactly one element. The chunks of a
-/// film together contain all its frames; chunks whose frames all exist are omitted. `frames`:
-/// number of frames of each film by its task; `film_progress`: progress of films that have been
-/// started, by task.
+/// sheets and study; empty stages are omitted. Each task is in exactly one element. In addition,
+/// the frames of a film that is split are divided into chunks, of which those without missing
+/// frames (FilmProgress::has_frame) are omitted. `frames`: number of frames of each film by its
+/// task; `film_progress`: progress of films that have been started, by task.
 std::vector<Stage> stages_of(const TaskGraph& graph, const std::vector<bool>& is_due,
                              const std::map<std::string, int>& frames, const Chunking& chunking,
                              const std::map<std::string, FilmProgress>& film_progress = {});

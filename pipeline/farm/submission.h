@@ -56,8 +56,8 @@ std::string next_submission(const std::filesystem::path& study_folder);
 /// determinants and the study's folder.
 std::string graph_key(const TaskGraph& graph, const std::filesystem::path& study_folder);
 
-/// Distributes stages over job arrays of the site's maximum size and adds the final job that
-/// completes the study.
+/// Distributes the elements of all stages, without the covered items, over job arrays of at most
+/// the site's maximum size, and adds the final job that completes the study.
 Submission submission_of(const std::vector<Stage>& stages, const ItemNeeds& needs,
                          const std::string& graph_key, JournalSubmission requested,
                          const std::filesystem::path& study_folder, const StudyCall& call,

@@ -25,7 +25,8 @@ struct FailedWork {
 /// The result of a worker's run.
 struct WorkResult {
   std::vector<FailedWork> failed;
-  std::vector<std::string> repairs;  ///< artifacts that were found damaged and replaced
+  std::vector<std::string>
+      repairs;  ///< about damaged artifacts and files set aside (Store::repairs)
   std::vector<Nondeterminism> nondeterminism;
   bool was_interrupted = false;
 
@@ -35,9 +36,9 @@ struct WorkResult {
 
 /// Runs items on `jobs` threads in the study's folder, which many processes may do at the same
 /// time. `items`: the graph of the tasks that the items need (graph_of_items); `names`: the names
-/// of the items. A failed item creates farm/failures/<item>.json in that folder, with a command
-/// that reproduces the failure: `command`, to which the item is added as --tasks. Success removes
-/// the file. Throws the exceptions of Store.
+/// of the items. The failure of an item is recorded in a file (failure_path), with a command that
+/// reproduces it: `command`, to which the item is added as --tasks. Success removes the file.
+/// Throws the exceptions of Store.
 WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
                 const std::filesystem::path& folder, int jobs, const std::stop_token& stop,
                 const RunObserver& observer, const std::string& command);

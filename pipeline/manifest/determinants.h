@@ -18,7 +18,7 @@ struct SharedDeterminants {
 /// `files` must outlive the returned value.
 SharedDeterminants shared_determinants(const Manifest& manifest, FileKeys& files);
 
-/// Adds all inputs of a stimulus's motion except the repertoire.
+/// Adds the settings and files that determine a stimulus's motion, except the repertoire.
 void add_motion(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files);
 
 /// Adds the interpolation settings.

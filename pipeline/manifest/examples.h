@@ -34,8 +34,8 @@ struct Examples {
   motion::CycleChoice cycle = motion::CycleChoice::automatic;
   /// Keytimes set manually: file stem → keytimes, seconds.
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;
-  /// Whether the motions are retargeted to one body and aligned in time; otherwise each motion is
-  /// used as it is.
+  /// Whether the motions are retargeted to one body and aligned in time; otherwise each keeps its
+  /// own body and keytimes.
   bool blendable = true;
   /// Names of the examples: the distinguishing part of the file name, or all of it.
   Labels labels = Labels::from_name;

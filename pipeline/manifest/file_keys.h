@@ -8,8 +8,8 @@
 namespace mien::pipeline {
 
 /// Hashes of files for the keys of artifacts. A hash covers the names and contents of the file and
-/// of its companion files (motion_parts), but not its folder. Each file is read once, when its hash
-/// is first requested.
+/// of its companion files (motion_parts), but not its folder. The hash of each file is determined
+/// once, when it is first requested.
 class FileKeys {
  public:
   const Hash& of(const std::filesystem::path& file);

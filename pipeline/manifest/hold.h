@@ -16,7 +16,8 @@ struct Stimulus;
 /// Rated parameters that a stimulus does not request and that should keep their values as closely
 /// as the examples allow.
 struct Hold {
-  /// All parameters of the same kind (groups or scales) that are not requested.
+  /// Hold all parameters that are not requested, of the same kind (groups or scales) as the
+  /// requested ones.
   bool others = false;
   std::vector<std::string> names;  ///< hold only these parameters
   /// Hold these parameters at given values, 0…1.

@@ -7,7 +7,7 @@
 
 namespace mien::pipeline {
 
-/// When participants see the result of a guess: directly after it (trial by trial), or only once
+/// When participants see the result of a guess: directly after it (trial by trial), or only after
 /// they have made a guess at the target with every interface.
 enum class MatchingOrder { trial_by_trial, guesses_first };
 
@@ -23,12 +23,13 @@ struct Matching {
   int participants = 0;                      ///< planned number
   TextSource consent, instructions, ending;  ///< empty: not given
   std::vector<std::string> targets;  ///< stimulus ids; empty: all stimuli with the role of a target
+                                     ///< that are not used for practice
   std::vector<std::string> practice;  ///< stimulus ids, shown before all others
   std::vector<std::string> interfaces = {"adjectives", "features", "weights"};
   MatchingOrder order = MatchingOrder::trial_by_trial;
   std::vector<std::string> primary;   ///< adjectives shown initially; empty: the scales' groups, or
                                       ///< all adjectives if there are none
-  std::vector<std::string> offered;   ///< adjectives that may be added; empty: all rated pairs
+  std::vector<std::string> offered;   ///< adjectives that may be added; empty: all that are rated
   std::vector<std::string> features;  ///< features shown initially; empty: the four groups
   double limit_s = 300.0;             ///< time limit for a match, after the guess
   double threshold_m = 0.06;          ///< distance D below which a motion matches

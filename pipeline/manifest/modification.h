@@ -159,7 +159,7 @@ inline constexpr Words<OnFault> fault_words = {{"warn", OnFault::warn},
 
 inline std::string_view name_of(OnFault choice) { return word_of(fault_words, choice); }
 
-/// One modification of a motion, in the order of the manifest.
+/// One modification of a motion.
 struct ModificationStep {
   std::string path;       ///< path in the manifest: "stimuli[2].modify" or "stimuli[2].modify[0]"
   std::string emotion;    ///< a recipe's name; empty for none

@@ -37,7 +37,7 @@ struct Presentation {
   std::string card;               ///< text, with lines separated by \n; empty for none
   double card_seconds = 2.0;      ///< duration of the card, if there is a text
   double fixation_seconds = 0.0;  ///< duration of a cross in the centre
-  int fixation_size = 32;         ///< width and height of the cross, in pixels
+  int fixation_size = 32;         ///< width and height of the cross, in pixels before scaling
   double blank_before = 0.0;      ///< seconds
   double blank_after = 0.0;       ///< seconds
   double fade_in = 0.0;           ///< duration of the film's fade from the background, in seconds
@@ -78,7 +78,7 @@ struct VideoKindsForm {
 
 /// The files written for a stimulus, their format and size.
 struct Output {
-  std::array<int, 2> size{960, 540};  ///< width and height of the camera's picture, in pixels
+  std::array<int, 2> size{960, 540};  ///< width and height of the camera's picture, before scaling
   /// Factor by which the picture's resolution is multiplied; the view is unchanged.
   double scale = 1.0;
   std::optional<std::array<int, 4>> crop;  ///< the part of the picture that is kept, in pixels of

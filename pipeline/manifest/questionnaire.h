@@ -42,8 +42,8 @@ struct AnswerSettings {
   bool words = false;                   ///< free words; the raw answer is the text
   bool anchors = true;                  ///< every point is labelled ("very sad"), not only the ends
   StartsAt starts_at = StartsAt::none;  ///< initial state of a scale
-  PoleSide side = PoleSide::random;     ///< side of the high end: random for each participant and
-                                        ///< item, or fixed at the right
+  PoleSide side = PoleSide::random;     ///< side of the high end: varies between participants and
+                                        ///< scales, or is always the right
   friend bool operator==(const AnswerSettings&, const AnswerSettings&) = default;
 };
 

@@ -17,8 +17,8 @@ const Questionnaire& questionnaire_of(const Manifest& manifest);
 /// Returns the matching experiment. Throws Error if the manifest has none.
 const Matching& matching_of(const Manifest& manifest);
 
-/// Returns the ids of the targets of the matching experiment, which the manifest must have: the
-/// named ones, or all stimuli with the role of a target that are not used for practice.
+/// Returns the ids of the matching experiment's targets: the named ones, or all stimuli with the
+/// role of a target that are not used for practice. The manifest must have a matching experiment.
 std::vector<std::string> matching_targets(const Manifest& manifest);
 
 /// Returns the title of the questionnaire or, if the manifest has none, of the matching experiment;

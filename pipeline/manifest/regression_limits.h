@@ -14,14 +14,16 @@ struct RegressionLimits {
   /// Displacement of a joint, or of a point 0.1 m off its bone, at any time, in world space;
   /// millimetres.
   double position_mm = 1.0;
-  double turn_degrees = 0.1;      ///< rotation of a joint relative to its parent; degrees
-  double speed_m_s = 0.05;        ///< velocity of a joint; m/s
-  double contact_seconds = 0.05;  ///< time of a heel strike or toe off; seconds
-  double slide_mm = 1.0;          ///< additional slide of a planted foot; millimetres
-  bool findings = false;          ///< allow new lint errors
+  double turn_degrees = 0.1;  ///< rotation of a joint relative to its parent; degrees
+  double speed_m_s = 0.05;    ///< velocity of a joint; m/s
+  /// Change in the time of a heel strike or toe off, or duration of a contact that is new or gone;
+  /// seconds.
+  double contact_seconds = 0.05;
+  double slide_mm = 1.0;  ///< additional slide of a planted foot; millimetres
+  bool findings = false;  ///< allow new lint errors
   /// Mean ꟻLIP of a key frame, 0 … 1. Differences within rendering noise are always tolerated.
   double perceptual = 0.0;
-  double psnr_db = 0.1;  ///< decrease of the PSNR of a video relative to its frames; dB
+  double psnr_db = 0.1;  ///< decrease of a video's lowest PSNR relative to its frame files; dB
   /// Body part → its own position_mm: "left hand".
   std::vector<std::pair<std::string, double>> parts_mm;
 

@@ -76,7 +76,9 @@ void fields_of(auto&& field, MaybeConst<GraphMotion> auto& motion) {
 /// speeds are those of the motions. Exactly one of script and points is given.
 struct WalkPath {
   std::string set = "builtin:walks-10";  ///< example set whose walks the moods name
-  Mood mood;          ///< initial mood; empty: that of the first step, or the first walk of the set
+  /// Initial mood; empty: that of the first step or, if it has none, the first walk of the set (in
+  /// a motion graph: the captured motions).
+  Mood mood;
   double pace = 1.0;  ///< factor on the mood's own speed
   std::vector<WalkStep> script;
   std::vector<FloorPoint> points;  ///< vertices of a polyline path with rounded corners

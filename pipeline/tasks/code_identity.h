@@ -7,9 +7,9 @@
 
 namespace mien::pipeline {
 
-/// Hashes of the source files that affect each kind of artifact, so that artifacts made by
-/// different code are produced again. They depend only on the contents of these files and on their
-/// paths in the source tree (code_identity.cmake).
+/// Hashes of the source files that affect each kind of artifact, so that artifacts are produced
+/// again after their code has changed. A hash depends only on the contents of these files and on
+/// their paths in the source tree (code_identity.cmake).
 std::string_view motion_code();
 std::string_view film_code();   ///< films: their frames, videos and tables
 std::string_view sheet_code();  ///< comparison sheets, galleries and stills

@@ -15,11 +15,11 @@ class DiskFault : public WriteFailure {
   using WriteFailure::WriteFailure;
 };
 
-/// The problem of the disk that holds a folder, and its remedy: the disk has less than 1 MiB of
-/// free space or is read-only, a quota is used up, or the folder does not exist (any more) or
-/// cannot be reached. Determined from `error`, or else from the disk itself, since libraries that
-/// write images and videos do not report the reason. Empty if the disk has none of these problems.
-/// The text does not depend on the file written, so that it can be reported once.
+/// The problem of the disk that holds a folder, and its remedy: the disk is full (less than 1 MiB,
+/// or no file can be added) or read-only, a quota is used up, or the folder does not exist (any
+/// more) or cannot be reached. Determined from `error`, or else from the disk itself, since
+/// libraries that write images and videos do not report the reason. Empty if the disk has none of
+/// these problems. The text does not depend on the file written, so that it can be reported once.
 std::string disk_fault(const std::filesystem::path& folder, const std::exception& error);
 
 /// The present problem of the disk that holds a folder, without a remedy: full or read-only. Empty

@@ -16,7 +16,7 @@ namespace mien::pipeline {
 std::vector<Receipt> stale_artifacts(const std::filesystem::path& folder, const TaskGraph& graph,
                                      const std::vector<std::string>& kept);
 
-/// Paths of these artifacts without the store's internal ones.
+/// Paths of these artifacts, except those in the store's internal folder.
 std::vector<std::string> shown_paths(const std::vector<Receipt>& artifacts);
 
 /// Whether an artifact is unchanged since it was published, or no longer exists.

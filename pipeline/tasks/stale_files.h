@@ -5,8 +5,8 @@
 
 namespace mien::pipeline {
 
-/// Maximum number of records of ended processes that are kept, the newest of those that drew
-/// frames: from these, the time per frame is estimated.
+/// Maximum number of kept records of ended processes. The newest records of processes that drew
+/// frames are kept, because the time per frame is estimated from them.
 inline constexpr std::size_t retained_records = 64;
 
 /// Removes attempts, claims and records of dead processes from a study's folder, except the newest

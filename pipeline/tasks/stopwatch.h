@@ -24,8 +24,8 @@ class Stopwatch {
     Stopwatch* watch_;
   };
 
-  /// Time so far, seconds. While any thread is inside a section, the time since the first of them
-  /// entered is not included yet.
+  /// Time so far, seconds. While any thread is inside a section, the current period is not included
+  /// yet.
   double seconds() const {
     const std::lock_guard lock(mutex_);
     return std::chrono::duration<double>(total_).count();

@@ -44,8 +44,8 @@ class FrameStore;
 /// An artifact is written to a separate folder for each attempt, flushed to disk, verified by the
 /// caller's check, hashed, and published by rename; its receipt follows. It counts as present only
 /// if its receipt has the required key and its size and hash still agree, so that incomplete or
-/// edited files are produced again. Of two attempts at one key the first published one stays; the
-/// other is compared with it and dropped. There are no locks: a process that was stopped, or whose
+/// edited files are produced again. Of two attempts at one key, the one published first stays; the
+/// second is compared with it and dropped. There are no locks: a process that was stopped, or whose
 /// machine was believed dead, may continue at any time without harm.
 class Store {
  public:
@@ -67,10 +67,10 @@ class Store {
   /// The receipt of an artifact that is present with this key.
   std::optional<Receipt> find(const std::string& path, const Hash& key) const;
 
-  /// Produces and publishes an artifact. Calls for different paths may run at the same time.
-  /// Anything at its path other than a file, such as a folder or a symbolic link, is set aside.
-  /// Returns the receipt of the published artifact, which is that of another attempt at this key if
-  /// one was published in the meantime.
+  /// Produces and publishes an artifact, and returns its receipt. If another attempt at this key
+  /// was published in the meantime, its artifact stays and its receipt is returned. Calls for
+  /// different paths may run at the same time. Anything at the path other than a file, such as a
+  /// folder or a symbolic link, is set aside.
   Receipt put(const std::string& path, const Hash& key, const Write& write, const Verify& verify);
 
   /// Starts or resumes a frame sequence. The result must not outlive the store.
@@ -83,7 +83,7 @@ class Store {
   /// studies.
   void remove_intermediates();
 
-  /// Writes the record of this process, which other processes read.
+  /// The heartbeat of this process, which writes its record for other processes.
   WorkerHeartbeat& heartbeat();
 
   /// All nondeterminism detected so far, sorted by path.
@@ -162,7 +162,7 @@ class FrameStore {
   Hash key_;
   std::filesystem::path folder_;  ///< folder of the unpublished sequence, with frames/ and notes/
   std::mutex mutex_;              ///< guards the members below
-  std::map<std::string, std::uintmax_t> read_;  ///< notes' file → size when it was last read
+  std::map<std::string, std::uintmax_t> read_;  ///< note file → number of bytes read from it
   std::multimap<std::string, Note> notes_;      ///< notes by the name of their frame
   std::map<std::string, Found> found_;
 };

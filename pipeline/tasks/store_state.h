@@ -41,8 +41,9 @@ struct Store::State {
 
   void note_repair(std::string text);
 
-  /// Creates the parent folders of `path`, relative to the study. Files in place of these folders,
-  /// and an entry of the wrong kind at the path itself, are set aside, since they may be a user's.
+  /// Creates the parent folders of `path`, which is relative to the study's folder. Files in place
+  /// of these folders, and an entry of the wrong kind at the path itself, are set aside, since they
+  /// may be the user's own.
   void clear_path_for(const std::string& path, bool for_folder);
 
   std::filesystem::path folder;

@@ -15,8 +15,8 @@
 
 namespace mien::pipeline {
 
-/// An artifact produced by a task. Its key is built from the task's key and the determinants of
-/// this product alone, so that frames are not drawn again when a video setting changes.
+/// An artifact produced by a task. Its key is built from the task's key and from determinants that
+/// concern only this product, so that frames are not drawn again when a video setting changes.
 struct Product {
   std::string path;  ///< path in the store
   KeyBuilder own;    ///< determinants beyond the task's
@@ -62,11 +62,11 @@ struct Task {
   /// Ids of tasks that must have succeeded before, but whose products are not read.
   std::vector<std::string> after;
   KeyBuilder determinants;  ///< all common determinants of the products except the inputs' bytes
-  std::vector<Product> products;  ///< empty for a part, which finds out itself what is missing
+  std::vector<Product> products;  ///< empty for a part (part_of): `make` finds what is missing
   double cost_seconds = 0.0;      ///< estimate on one core
   std::function<void(TaskRun&)> make;
 
-  /// Does one part of the work, which `make` then reuses; empty if the task cannot be split.
+  /// Does one part of the work; `make` reuses the results. Empty if the task cannot be split.
   std::function<void(TaskRun&, const Part&)> make_part;
 };
 
@@ -104,7 +104,7 @@ struct TaskOutcome {
 };
 
 /// Key of a whole graph: a hash of all determinants known before anything is run. The same for the
-/// same manifest, files, program, libraries and instruction set.
+/// same manifest, quality, files, program, libraries and instruction set.
 Hash key_of(const TaskGraph& graph);
 
 /// Key of the determinants common to all products of a task, including the products of its input
@@ -121,8 +121,8 @@ std::vector<Hash> keys_of(const Task& task, const std::vector<const TaskOutcome*
 std::optional<std::vector<Receipt>> find_products(const Task& task, const std::vector<Hash>& keys,
                                                   const std::filesystem::path& folder);
 
-/// Determines which tasks are cached, due or waiting, without running any. Reads and hashes the
-/// existing products of the tasks that are not waiting. One outcome per task.
+/// Determines which tasks are cached, due or waiting, without running any. Reads and hashes
+/// existing products. One outcome per task.
 std::vector<TaskOutcome> plan(const TaskGraph& graph, const std::filesystem::path& folder);
 
 /// A fast `plan`, based on receipts and file sizes and, for frames, on the existence of their
@@ -143,9 +143,9 @@ Task part_of(const Task& whole, const Part& part);
 
 /// Runs the tasks on `jobs` threads. Tasks claimed by other processes in the same store are left to
 /// them, and run here if those processes die or do not complete them. After a transient failure,
-/// the task is run again, at most three times in total. If a task fails, the others continue and
-/// those that depend on it are skipped. After a stop request no further task is started. One
-/// outcome per task.
+/// the task is run again, at most three times in total. If a task fails, tasks that depend on it
+/// are skipped; all others continue. After a stop request no further task is started. One outcome
+/// per task.
 std::vector<TaskOutcome> run(const TaskGraph& graph, Store& store, int jobs, std::stop_token stop,
                              const RunObserver& observer);
 

@@ -12,7 +12,7 @@ namespace mien::pipeline {
 /// Record of a process that works on a study, from which other processes, also on other machines,
 /// can determine whether it is alive. Stored in <study>/.mien/workers/<name>.json.
 struct WorkerRecord {
-  std::string name;           ///< "host-4711-9f3a01c2", unique
+  std::string name;           ///< "host-4711-9f3a01c25b7e40d8", unique
   std::string host;           ///< machine name, or Slurm's node name
   std::string boot;           ///< boot id of the machine, new after each boot
   std::string process_space;  ///< PID namespace (containers have their own)
@@ -22,7 +22,7 @@ struct WorkerRecord {
   /// Instruction set of the processor, as used by the renderer: "avx2".
   std::string instruction_set;
   std::string started;      ///< UTC, for display
-  std::uint64_t beats = 0;  ///< incremented with each write
+  std::uint64_t beats = 0;  ///< increases as long as the process runs
   bool exclusive = false;   ///< requires exclusive access to the folder
   bool ended = false;
   std::map<std::string, double> tasks;  ///< running tasks → share done, 0 … 1
@@ -55,13 +55,13 @@ std::vector<WorkerRecord> read_worker_records(const std::filesystem::path& folde
 bool is_gone(const WorkerRecord& record);
 
 /// Whether a process is working now: it is not proven to have ended, and its record was updated
-/// less than a minute ago. `now`: a file just written there (seconds_since_record).
+/// less than a minute ago. `folder`, `now`: see seconds_since_record.
 bool works_now(const std::filesystem::path& folder, const WorkerRecord& record,
                const std::filesystem::path& now);
 
-/// Whether a process is (almost) certainly dead: proven to have ended, or without an update of its
-/// record for a day and of another machine, boot or PID namespace than this process. `now`: a file
-/// just written there (seconds_since_record).
+/// Whether a process is (almost) certainly dead: it is proven to have ended, or it is of another
+/// machine, boot or PID namespace than this process and has not updated its record for a day.
+/// `folder`, `now`: see seconds_since_record.
 bool is_dead(const std::filesystem::path& folder, const WorkerRecord& record,
              const std::filesystem::path& now);
 
@@ -69,9 +69,9 @@ bool is_dead(const std::filesystem::path& folder, const WorkerRecord& record,
 /// either does not exist.
 double seconds_between(const std::filesystem::path& one, const std::filesystem::path& other);
 
-/// Age of a worker's record, seconds, by the file system's clock: `now` is a file just written in
-/// the study's folder, whose modification time is taken as the current time. Negative if the clock
-/// was set back; 0 if there is no record.
+/// Age of a worker's record, seconds, by the file system's clock. `folder`: the study's. `now`: a
+/// file just written in it; its modification time is taken as the current time. Negative if the
+/// clock was set back; 0 if there is no record.
 double seconds_since_record(const std::filesystem::path& folder, const WorkerRecord& record,
                             const std::filesystem::path& now);
 

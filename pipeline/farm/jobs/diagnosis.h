@@ -13,12 +13,13 @@ struct Diagnosis {
   std::string remedy;
 };
 
-/// Cause and remedy for an exit code: one of worker_codes.h, or one of `mien run` for the job that
-/// completes a submission (`is_rest`). `study`: the study's arguments in commands, "my.yaml --out
-/// o".
+/// Cause and remedy for the recorded exit code of a job: that of its worker, or that of `mien run`
+/// for the job that completes a submission (`is_rest`). `study`: the study's arguments in commands,
+/// "my.yaml --out o".
 Diagnosis diagnose_exit(const ElementExit& end, bool is_rest, const std::string& study);
 
-/// Cause for a job that Slurm ended before it could record an exit code. `study`: as above.
+/// Cause for a job that recorded no exit code, or that Slurm ended (memory, time limit, node
+/// failure). `study`: as above.
 Diagnosis diagnose_state(const QueueRow& row, const std::string& study);
 
 /// Cause for a job that Slurm holds, if no exit code explains it. `study`: as above.

@@ -8,7 +8,7 @@
 
 namespace mien::pipeline {
 
-/// The log of an element of a job array.
+/// The log of a final job or of an element of a job array.
 struct ElementLog {
   std::string item;  ///< heading of the log: the item searched for, or the element and its problem
   std::filesystem::path file;

@@ -37,9 +37,9 @@ struct StudyState {
 };
 
 /// Problems of the jobs of all submissions, in order of submission. A failed job is listed as long
-/// as one of its work items (work_item.h) is unfinished and has not been submitted again; one that
-/// ended before the study was changed is not listed. Unresponsive jobs are found by
-/// unresponsive_jobs.h. Based on squeue and on the exit codes that jobs record in ends/.
+/// as one of its work items (work_item.h) is unfinished and has not been submitted again. Jobs that
+/// ended before the study was changed are not listed, nor are unresponsive jobs
+/// (unresponsive_jobs.h). Based on squeue and on the exit codes that jobs record in ends/.
 std::vector<JobProblem> job_problems(const std::vector<JobStatus>& statuses,
                                      const StudyState& study);
 

@@ -15,8 +15,8 @@ struct JournalJob {
   std::string comment;     ///< identifies the job among all of Slurm's jobs
   int elements = 0;        ///< size of its array; 0: not an array
   std::string memory;      ///< requested memory: "4G"
-  std::string job;  ///< Slurm's job ID; empty if the job was refused, or may not have been accepted
-  std::string when;  ///< time at which the intent was recorded, UTC: "2026-11-23T09:30:00Z"
+  std::string job;         ///< Slurm's job ID; empty if no answer of Slurm with an ID was recorded
+  std::string when;        ///< time at which the intent was recorded, UTC: "2026-11-23T09:30:00Z"
   bool was_refused = false;
   bool was_cancelled = false;
 };

@@ -24,7 +24,7 @@ std::vector<WorkerReport> worker_reports(const std::filesystem::path& folder);
 /// Mean rendering time per frame, seconds; 0 if no frame has been rendered.
 double seconds_per_frame(const std::vector<WorkerReport>& reports);
 
-/// A failed item as recorded in farm/failures/<item>.json.
+/// A failed item as recorded in a file in farm/failures/.
 struct FailedItem {
   std::string item;
   std::string error;

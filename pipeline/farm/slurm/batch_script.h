@@ -34,7 +34,7 @@ struct BatchJob {
   std::string submission;  ///< "0001"
   std::string name;        ///< "2-frames"
   std::string comment;     ///< "mien:<graph key>:0001:2-frames"
-  int elements = 0;        ///< lines of `<name>.tasks`; 0: the job runs `mien run`
+  int elements = 0;        ///< number of lines of `<name>.tasks`; 0: the job runs `mien run`
 };
 
 /// Text of a batch file that `sbatch` accepts from any working directory, and that a user can read,
@@ -42,10 +42,10 @@ struct BatchJob {
 /// items are in `<name>.tasks`, logs are written to log/, and ends/ has a file for each element
 /// that failed.
 ///
-/// The job forwards SIGTERM to the program it runs. It is requeued after worker_transient, at most
-/// most_restarts times, and held after worker_wrong_setup. It waits while the study's folder is
-/// full, read-only or unavailable (job_attempts.h), is requeued if the folder does not become
-/// usable, and is finally held.
+/// The job forwards SIGTERM to the program it runs. The job is requeued after worker_transient (the
+/// final job: after a stop signal), at most most_restarts times, and held after worker_wrong_setup.
+/// It waits while the study's folder is full, read-only or unavailable (job_attempts.h), is
+/// requeued if the folder does not become usable, and is finally held.
 std::string batch_script(const BatchJob& job, const std::filesystem::path& folder,
                          const StudyCall& call, const JobRequest& request, const SlurmSite& site);
 

@@ -12,7 +12,7 @@
 namespace mien::pipeline {
 
 /// Thrown if Slurm is not installed, its controller does not answer, or it refused a request.
-/// `what()` contains Slurm's message and a remedy.
+/// `what()` contains Slurm's message and, if known, a remedy.
 class SlurmFault : public std::runtime_error {
  public:
   using runtime_error::runtime_error;
@@ -51,9 +51,10 @@ class Slurm {
   /// Like queue(), but returns nullopt instead of throwing, and sets `why` to the reason.
   std::optional<std::vector<QueueRow>> queue_if_any(std::string& why) const;
 
-  /// Submits a batch file to run once all jobs in `after` have ended, successfully or not, and
-  /// returns its job ID. `more`: additional options of sbatch. Throws SlurmQueueFull if Slurm
-  /// refused it until the time limit, and SlurmTimeout if it is unknown whether it was submitted.
+  /// Submits a batch file and returns its job ID. The job starts after all jobs in `after` have
+  /// ended, successfully or not. `more`: additional options of sbatch. Throws SlurmQueueFull if
+  /// Slurm refused the job until the time limit, and SlurmTimeout if it is unknown whether the job
+  /// was submitted.
   std::string submit(const std::filesystem::path& script, const std::vector<std::string>& after,
                      const std::vector<std::string>& more = {}) const;
 
@@ -66,7 +67,7 @@ class Slurm {
   std::chrono::milliseconds limit_;
 };
 
-/// The cause of a failed Slurm command and its remedy, followed by Slurm's own message.
+/// The cause of a failed Slurm command and its remedy, as far as known, and Slurm's own message.
 std::string slurm_fault(const std::string& program, const CommandResult& end);
 
 }  // namespace mien::pipeline

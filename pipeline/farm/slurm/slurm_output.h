@@ -29,7 +29,8 @@ inline constexpr const char* queue_format = "%A|%F|%K|%T|%r|%N|%M|%k";
 /// The rows of `squeue -h -r -o <queue_format>`; other lines are ignored.
 std::vector<QueueRow> queue_rows(std::string_view text);
 
-/// Whether a job has not ended: it is pending, running, suspended, completing or being requeued.
+/// Whether a job has not ended: it is pending, held, running, suspended, completing or being
+/// requeued.
 bool is_live(const QueueRow& row);
 
 /// Whether a job is held, or pending for a reason that will not pass, so that it never runs without

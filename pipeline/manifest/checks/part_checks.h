@@ -45,11 +45,13 @@ std::vector<Fault> check_modification_names(const Manifest& manifest, const Voca
 std::vector<Fault> check_overlays(const Manifest& manifest);
 std::vector<Fault> check_sheets(const Manifest& manifest);
 
-/// Returns faults of duplicate ids and duplicate video names.
+/// Returns faults of ids that are duplicate or unsuitable as file names, and of duplicate video
+/// names.
 std::vector<Fault> check_ids(const Manifest& manifest);
 
 /// Returns faults of adjectives, held parameters, features, weights, expectations, labels,
-/// keytimes, overlays and sheets that refer to unknown names.
+/// keytimes, overlays and sheets that refer to unknown names. Also refuses grids over too many
+/// parameters and expectations that name an example twice.
 std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary);
 
 /// Returns faults of a questionnaire that refers to unknown stimuli, scales or factors, has
@@ -65,8 +67,8 @@ std::vector<Fault> check_shown_videos(const Manifest& manifest);
 /// checks that can exclude no participant or that never occur. The manifest must have no faults.
 std::vector<Fault> questionnaire_warnings(const Manifest& manifest);
 
-/// Returns faults of a matching experiment: unknown targets, adjectives or features, no targets, or
-/// a questionnaire in the same manifest. The study's scales must have been read.
+/// Returns faults of a matching experiment, such as unknown targets, adjectives or features, no
+/// targets, or a questionnaire in the same manifest. The study's scales must have been read.
 std::vector<Fault> check_matching(const Manifest& manifest);
 
 /// Returns a fault for each source of motions, looks, ratings, scales or recipes that lies in

@@ -8,7 +8,8 @@
 namespace mien::pipeline {
 
 // The fields of a manifest's `look:`. All of them affect the picture. A stimulus's figure or camera
-// replaces the manifest's as a whole; its scene also replaces the background.
+// replaces the manifest's as a whole; a stimulus's scene replaces the manifest's set and
+// background.
 
 void fields_of(auto&&, MaybeConst<scenes::StickOptions> auto&) {}
 

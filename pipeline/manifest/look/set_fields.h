@@ -9,7 +9,7 @@
 
 namespace mien::pipeline {
 
-// The fields of a set file. All of them affect the picture.
+// The fields of a set file. All of them except `name` affect the picture.
 
 inline constexpr Words<scenes::Side> side_words = {{"left", scenes::Side::left},
                                                    {"right", scenes::Side::right},

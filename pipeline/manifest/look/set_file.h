@@ -16,7 +16,7 @@ std::vector<std::string> set_names();
 std::string_view builtin_set_text(std::string_view name);
 
 /// Returns the built-in set of that name; if there is none, the one in `file`. Throws Faults that
-/// list the faults of the file, and Error if it cannot be read:
+/// list the faults of the file, and Error if it cannot be read. Example of a file:
 ///
 ///     background: "#808080"
 ///     ground: {colour: "#dadada", lines: {every: 0.5, colour: "#bfc0c1"}}

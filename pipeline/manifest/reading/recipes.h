@@ -39,7 +39,7 @@ void fields_of(auto&& field, MaybeConst<RecipeBook> auto& book) {
 std::string_view builtin_recipes_text(std::string_view name);
 
 /// Returns the recipes of "builtin", "fig29" or a file. Throws Faults that list the faults of the
-/// file, and Error if it cannot be read:
+/// file, and Error if it cannot be read. Example of a file:
 ///
 ///     name: my emotions
 ///     recipes:

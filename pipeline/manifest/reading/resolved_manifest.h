@@ -17,17 +17,18 @@ namespace mien::pipeline {
 struct ResolvedManifest {
   Manifest manifest;
   std::vector<Fault> faults;  ///< references that could not be resolved and remain unchanged
-  bool are_experiments_resolved = true;  ///< scales and texts were read
+  bool are_experiments_resolved = true;  ///< false: reading scales or texts gave faults
 };
 
 /// Resolves a manifest as returned by build_manifest. A missing scales file is reported later by
 /// the checks.
 ResolvedManifest resolve(Manifest manifest);
 
-/// Returns the manifest that a document describes, unresolved: paths are resolved against the
-/// folder of `file`, and a stimulus's own values replace the manifest's. Values that are absent or
-/// of a wrong type keep their defaults; check_schema reports them. Reads no file; `names` is called
-/// for each file or folder that the document names, with its path as written and as resolved.
+/// Returns the manifest that a document describes. Paths are resolved against the folder of `file`;
+/// other references are not resolved. A stimulus's own values replace the manifest's. Values that
+/// are absent or of a wrong type keep their defaults; check_schema reports wrong types. Reads no
+/// file; `names` is called for each file or folder that the document names, with its path as
+/// written and as resolved.
 Manifest build_manifest(
     JsonReading reading, const std::filesystem::path& file,
     const std::function<void(const std::string&, const std::filesystem::path&)>& names = {});

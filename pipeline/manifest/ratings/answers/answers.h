@@ -35,7 +35,7 @@ struct RatedExample {
 /// The motions that answers may be about.
 struct AnswerSubjects {
   std::vector<RatedExample> examples;
-  /// Known names whose answers are ignored: files that are not examples.
+  /// Names of files that are not examples; answers about these are ignored.
   std::set<std::string> left_out;
   bool ignore_unknown = false;  ///< ignore and report unknown stimuli and scales
 };

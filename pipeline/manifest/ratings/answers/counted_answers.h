@@ -19,7 +19,7 @@ bool is_on_scale(const AnswerRow& row);
 /// file.
 struct CountedAnswers {
   CsvTable table;
-  std::vector<std::string> notes;  ///< sentences about ignored answers
+  std::vector<std::string> notes;  ///< sentences about separated and excluded participants
   std::vector<Fault> warnings;     ///< about former names of columns
 };
 

@@ -11,7 +11,8 @@
 
 namespace mien::pipeline {
 
-/// The expected order of examples on a parameter, from how they were acted: a manipulation check.
+/// The order of examples on a parameter that is expected because of how they were acted: a
+/// manipulation check.
 struct Expectation {
   std::string parameter;           ///< a scale or a group
   std::vector<std::string> order;  ///< examples, from the low end to the high end; two or more

@@ -11,9 +11,9 @@
 
 namespace mien::pipeline {
 
-/// Collects unknown names in a table. Each is reported once, with the number of rows that use it.
-/// Of more than five, only the first five are reported, followed by the number of the others; but
-/// warnings of `mien study analyze` (AnswerRules::plain is false) name all.
+/// Collects unknown names in a table and reports them, each with the number of rows that use it. If
+/// there are more than five, only the first five are named, followed by the number of the others;
+/// but warnings of `mien study analyze` (AnswerRules::plain is false) name all.
 class UnknownNames {
  public:
   /// `singular` and `plural` name the expected kind: "stimulus", "stimuli".

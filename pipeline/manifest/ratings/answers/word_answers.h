@@ -62,8 +62,8 @@ bool holds_words(const CsvTable& table);
 /// from the lexicon are ignored and counted. With Unmentioned::neutral, each answer covers every
 /// scale that any answer mentions.
 ///
-/// Throws Error with line and column for a missing column, scales without a lexicon, or a duplicate
-/// answer of a participant about a motion; also if no answer could be interpreted.
+/// Throws Error for a missing column, scales without a lexicon, a second answer of a participant
+/// about the same motion, or if no answer could be interpreted.
 WordAnswers answers_from_words(const CsvTable& table, const ScaleSet& scales,
                                Unmentioned unmentioned);
 

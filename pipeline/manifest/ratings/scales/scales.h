@@ -44,7 +44,8 @@ struct ScaleSet {
 /// with answers on −2 … 2.
 ScaleSet builtin_scales();
 
-/// Reads a scales file. Throws Faults that list its faults, and Error if it cannot be read:
+/// Reads a scales file. Throws Faults that list its faults, and Error if it cannot be read.
+/// Example:
 ///
 ///     name: five factors
 ///     range: [-3, 3]              # of every scale that does not give its own

@@ -60,8 +60,8 @@ Answers simulate_answers(const std::vector<StyledStimulus>& stimuli, const Scale
 /// Returns the impressions that motions make on simulated raters. Each measure
 /// (motion/measures/features/motion_measures.h) is standardized over the set (a spread below the
 /// visible minimum is replaced by that minimum), and the measures are summed with the loadings
-/// listed in the source; tanh limits the result to −1 … 1. For a set of one motion, all values are
-/// 0.
+/// listed in the source. An impression is the tanh of 0.6 times its sum. For a set of one motion,
+/// all values are 0.
 std::vector<StyledStimulus> measured_profiles(const motion::ExampleSet& set);
 
 }  // namespace mien::pipeline

@@ -25,12 +25,13 @@ struct PhraseReading {
   bool is_read() const { return !mentions.empty() || !degree.empty(); }
 };
 
-/// Interprets the text of one field. Commas, semicolons and slashes separate phrases. Within a
-/// phrase, the longest entry of the lexicon counts, first in the participant's own language, then
-/// in the others, because participants mix languages. Degree modifiers and negations apply to the
-/// next word that has a position on a scale; a negated word counts 1 towards the opposite end, even
-/// if strengthened. A word of at least seven letters with one letter too many or too few, or with
-/// two letters transposed, is corrected to an entry of the participant's language that has the same
+/// Interprets the text of one field. Commas, semicolons and slashes separate phrases. A phrase is
+/// read from left to right; at each word, the longest matching entry of the lexicon is used.
+/// Entries of all languages match, because participants mix languages; of equally long ones, that
+/// of the participant's own language is preferred. Degree modifiers and negations apply to the next
+/// word that has a position on a scale; a negated word counts 1 towards the opposite end, even if
+/// strengthened. A word of at least seven letters with one letter too many or too few, or with two
+/// letters transposed, is corrected to an entry of the participant's language that has the same
 /// first letter, provided that all such entries have the same meaning. Other words are ignored.
 PhraseReading read_phrase(std::string_view text, const Lexicon& lexicon, const Language& language);
 
