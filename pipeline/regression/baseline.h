@@ -65,7 +65,7 @@ struct StimulusFacts {
   RegressionLimits limits;           ///< limits at the time of approval
   std::vector<KeyFrame> key_frames;  ///< ascending
   std::vector<VideoFacts> videos;    ///< empty if none were made
-  /// Hashes of all other files of the stimulus in the baseline, by path: "frames/00012.png".
+  /// Hashes of all other files of the stimulus, by path in its folder: "frames/00012.png".
   std::map<std::string, Hash> files = {};
 };
 
@@ -111,7 +111,7 @@ struct Baseline {
 /// Whether a folder contains a baseline.
 bool is_baseline(const std::filesystem::path& folder);
 
-/// Reads a baseline. Throws Error that names the missing or damaged file and a remedy.
+/// Reads a baseline. Throws an Error that names the missing or damaged file and a remedy.
 Baseline read_baseline(const std::filesystem::path& folder);
 
 /// Checks that all stored files are identical to the approved ones and that no file was added to an

@@ -80,8 +80,8 @@ struct VideoChange {
   /// The number of frames and the frame rate are unchanged; false for a video that is no longer
   /// made, true for a new one.
   bool same_frames = true;
-  /// Decrease of the lowest PSNR between the video and its frames, dB. The PSNR of a lossless
-  /// former video counts as 100 dB; 0 if the current video is lossless.
+  /// Decrease of the lowest PSNR between the video and its frames, dB; 0 if the current video shows
+  /// its frames exactly. A former video that did counts as 100 dB.
   double psnr_lost_db = 0.0;
 };
 
@@ -109,9 +109,9 @@ struct StimulusComparison {
 /// Sets the verdict and the reasons: a sentence for each exceeded limit and for a changed picture
 /// size. Of several frames or body parts that exceed a limit, only the worst is named. Changed
 /// videos are reasons only if there are no other reasons; a lower PSNR is not a reason if the
-/// frames themselves differ and no video setting has changed. Picture changes caused by a motion
-/// within its limits are not a reason. Neither is noise, unless the scene's settings have changed:
-/// the approved noise statistics then belong to another scene.
+/// frames themselves differ and no video setting has changed. Picture changes caused only by a
+/// motion within its limits are not a reason. Neither is noise, unless the scene's settings have
+/// changed: the approved noise statistics then belong to another scene.
 void judge(StimulusComparison& comparison, const RegressionLimits& limits);
 
 }  // namespace mien::pipeline

@@ -24,8 +24,8 @@ struct Gate {
 
 /// Plants the defects in a stimulus that is in the baseline and in the current manifest: rotates a
 /// joint of its current motion by 1° relative to the parent, and brightens a block of an approved
-/// picture by half. The choice depends on the baseline's approvals. Throws Error if the baseline is
-/// damaged.
+/// picture by half, in the picture's block statistics. The choice depends on the baseline's
+/// approvals. Throws Error if the baseline is damaged.
 Gate plant_defects(const ComparedStudy& study);
 
 /// The result of making everything several times; there must be no differences.
@@ -82,7 +82,7 @@ struct RegressionOptions {
   double audit_share = 0.02;
 };
 
-/// Called after each stimulus with the completed share, 0 … 1.
+/// Called after each compared stimulus of the manifest with the completed share, 0 … 1.
 using StimulusDone = std::function<void(double share, const StimulusComparison&)>;
 
 /// Compares all stimuli, or those in `study.only`. `videos` are the current videos by stimulus id.

@@ -84,8 +84,8 @@ std::vector<render::Image8> drawn(const StagedFilm& film, const std::vector<int>
 std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::vector<int>& frames,
                                              const std::stop_token& stop);
 
-/// Returns the facts about a stimulus once its motion is made, without edition, key frames and
-/// videos. Throws Error if the motion cannot be made.
+/// Makes a stimulus's motion and returns the facts about the stimulus, without edition, key frames,
+/// videos and files. Throws Error if the motion cannot be made.
 StimulusFacts facts_of(const std::string& id, Rendition& rendition);
 
 }  // namespace mien::pipeline

@@ -10,7 +10,7 @@
 namespace mien::pipeline {
 
 /// The aspect of a stimulus that an option changes: the first one affected in the order of
-/// production.
+/// production. The random seed counts as `drawing`.
 enum class Aspect {
   motion,
   scene,    ///< figure, set, camera, picture size
@@ -39,7 +39,8 @@ inline constexpr char content_words[] = " content";
 
 /// Returns all settings of a manifest that affect how one of its stimuli looks, in the manifest's
 /// order, including each option of the stimulus's set and the hashes of named files ("clip
-/// content": {"walk.bvh": "0123456789ab"}). A foil has the settings of its original stimulus.
+/// content": {"walk.bvh": "0123456789ab"}). The settings of a foil include those that it inherits
+/// from its original stimulus.
 std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manifest,
                                  FileKeys& files);
 

@@ -17,17 +17,17 @@ struct Comparison {
   std::string how;
 };
 
-/// Compares two files byte by byte.
+/// Compares the contents of two files.
 Comparison compare_files(const std::filesystem::path& drawn, const std::filesystem::path& kept);
 
 /// Some of a film's frames as its videos show them, including fades.
 class VideoFrames {
  public:
-  /// `first_film_frame`: index of the film's first frame in a video, that is the number of pictures
+  /// `first_film_frame`: index of the film's first frame in a video, that is, the number of frames
   /// before it.
   VideoFrames(const Output& output, int film_frames, int eyes, int first_film_frame);
 
-  /// Adds a re-rendered frame of the film. Frame numbers must be ascending.
+  /// Adds a re-rendered frame of the film. Must be called in ascending order of frames.
   void take(int frame, const render::Image8& picture);
 
   /// Decodes a video and compares each added frame with the corresponding frame of the video.

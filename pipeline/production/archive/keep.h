@@ -14,11 +14,12 @@ namespace mien::pipeline {
 /// provenance.json and not among the store's own files, so that it is copied with the study.
 inline constexpr char not_kept_path[] = "not-kept.json";
 
-/// Returns the artifacts that the list in the study's folder names as removed, by path; empty if
-/// there is no list. Throws Error if the list is damaged.
+/// Returns the removed artifacts that the list in the study's folder contains, sorted by path;
+/// empty if there is no list. Throws Error if the list is damaged.
 std::vector<ArtifactRecord> not_kept_in(const std::filesystem::path& folder);
 
-/// Adds entries to the list, replacing those with the same path.
+/// Adds entries to the list, replacing those with the same path. Throws Error if the list is
+/// damaged.
 void note_not_kept(const std::filesystem::path& folder, const std::vector<ArtifactRecord>& removed);
 
 /// The kinds of artifacts of a study that can be kept or removed, by their folder.
@@ -46,13 +47,14 @@ int dead_links(const std::filesystem::path& folder, const Cleaning& cleaning);
 
 /// Returns the artifacts in `folder` that are not of the given kinds, as listed by their receipts.
 /// Files of no kind are kept: provenance.json, inputs/, the report with methods.md and
-/// references.bib, and the store's own files. Hashes these artifacts. Throws Error if the folder
-/// has no receipts.
+/// references.bib, and the store's own files. Hashes the artifacts that it returns. Throws Error if
+/// the folder does not exist or has no receipts.
 Cleaning all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
 /// Removes the artifacts that `all_but` returns as `removed`, after listing them in the folder as
 /// removed on purpose. Artifacts that have changed since they were made are kept and returned as
-/// `changed`. Throws the errors of `all_but`, and StoreBusy if another process works in the folder.
+/// `changed`. Throws the errors of `all_but`, Error if that list is damaged, and StoreBusy if
+/// another process works in the folder.
 Cleaning remove_all_but(const std::filesystem::path& folder, const std::vector<ArtifactKind>& kept);
 
 }  // namespace mien::pipeline

@@ -15,31 +15,31 @@ namespace mien::pipeline {
 struct PayloadFile {
   std::string path;         ///< relative to the study's folder
   std::uint64_t size = 0;   ///< bytes
-  std::string sha256 = {};  ///< not set by payload_of: pack computes it for the manifest
+  std::string sha256 = {};  ///< not set: pack hashes the files itself
 };
 
-/// Metadata of a bag for archives, with the labels of the RFC's bag-info.txt. Empty members are
-/// omitted.
+/// Metadata of a bag, for its bag-info.txt (RFC 8493). Empty members are omitted, except
+/// `description`.
 struct BagInfo {
   std::string organization;   ///< Source-Organization
   std::string contact_name;   ///< Contact-Name
   std::string contact_email;  ///< Contact-Email
   std::string description;    ///< External-Description; if empty, the command that made the study
-  std::string license;        ///< License, which is not a label of the RFC
+  std::string license;        ///< License (not a label of the RFC)
 };
 
-/// The files next to data/ that make a folder a bag of version 1.0 (BagIt, RFC 8493). They contain
-/// no dates, so that the same study gives the same bag.
+/// Return the contents of bagit.txt and bag-info.txt, which lie next to data/ in a bag of version
+/// 1.0 (BagIt, RFC 8493). They contain no dates, so that the same study gives the same bag.
 std::string bagit_text();
 std::string bag_info_text(const StudyContents& contents, const std::vector<PayloadFile>& payload,
                           const BagInfo& info);
 
-/// Returns a line "<sha256>  <path>" as `sha256sum -c` reads it; in paths, line breaks and % are
-/// encoded as %0A, %0D and %25, as the RFC requires.
+/// Returns a line "<sha256>  <path>" as `sha256sum -c` reads it; in paths, line feeds, carriage
+/// returns and % are encoded as %0A, %0D and %25, as the RFC requires.
 std::string bag_manifest_line(const std::string& sha256, const std::string& path);
 
-/// Returns all files of a study except bookkeeping, sorted by path: the artifacts in the provenance
-/// and all other files in the folder. Throws Error for entries that are neither files nor folders.
+/// Returns all files in a study's folder except bookkeeping, sorted by path. Frame sequences may be
+/// links to folders. Throws Error for anything else that is neither a file nor a folder.
 std::vector<PayloadFile> payload_of(const StudyContents& contents);
 
 /// Writes a study as a bag (BagIt, RFC 8493) into a tar archive, in a folder with the study's name:
@@ -48,10 +48,10 @@ std::vector<PayloadFile> payload_of(const StudyContents& contents);
 ///   quickstart/data/…              the study
 ///   quickstart/manifest-sha256.txt, tagmanifest-sha256.txt
 ///
-/// The same study and `info` give the same bytes. Throws Error if the archive's name has an
-/// unsupported extension or is that of a folder, or if the archive would be within the study's
-/// folder, Interrupted after a stop request, and std::runtime_error if a file changes while it is
-/// packed or the archive cannot be written; no archive is left in these cases.
+/// The same study and `info` give the same bytes (TarArchive). Throws Error if the archive's name
+/// has an unsupported extension or is that of a folder, or if the archive would be within the
+/// study's folder; Interrupted after a stop request; and std::runtime_error if a file's size
+/// changes while it is packed or the archive cannot be written. No archive is left in these cases.
 void pack(const StudyContents& contents, const std::vector<PayloadFile>& payload,
           const BagInfo& info, const std::filesystem::path& archive, const std::stop_token& stop,
           const ShareDone& done);

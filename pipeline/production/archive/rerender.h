@@ -15,7 +15,8 @@ namespace mien::pipeline {
 struct ComparableFilm {
   std::string id;
   int frames = 0;
-  std::string kept;  ///< path of its frames ("frames/a"), otherwise of a video ("videos/a.mp4")
+  /// Path of its frames, if these are stored ("frames/a"), otherwise of a video ("videos/a.mp4").
+  std::string kept;
 
   bool has_frames() const { return kept.starts_with("frames/"); }
 };
@@ -50,8 +51,9 @@ struct RerenderedFrame {
 ///
 /// - with the stored frame, whose file must be identical;
 /// - or with the corresponding decoded video frame: it must be equal in every pixel if the film's
-///   record says that the video is lossless; otherwise PSNR and SSIM (video_sketch.h) must reach
-///   those of the least similar frame when the film was made, within 0.1 dB and 0.001.
+///   record says that all frames were (VideoRecord::identical); otherwise PSNR and SSIM
+///   (video_sketch.h) must reach the lowest values measured when the film was made, within 0.1 dB
+///   and 0.001.
 ///
 /// A film that now has another number of frames is not rendered: its only result states this.
 /// `manifest` is the one that the study's provenance names. `done` receives the film's id as path.

@@ -14,7 +14,7 @@ namespace mien::pipeline {
 struct Finding {
   enum class Kind {
     missing,   ///< recorded, but missing
-    changed,   ///< present, but with different bytes or not decodable
+    changed,   ///< present, but with different content or not decodable
     extra,     ///< present, but not recorded
     not_kept,  ///< recorded, but removed on purpose (keep.h)
   };
@@ -44,7 +44,7 @@ using ShareDone = std::function<void(double share, const std::string& path)>;
 
 /// Verifies a finished study: hashes and decodes each artifact and each copied input, and searches
 /// the folder for files that are not recorded. Changes nothing and needs only the provenance; if
-/// the store's receipts exist, single frames are checked too, and an edited provenance is detected.
+/// the store's receipts exist, frames that differ are named, and an edited provenance is detected.
 /// Throws Interrupted after a stop request, and Error if the list of removed artifacts (keep.h) is
 /// damaged.
 Verification verify(const StudyContents& contents, int jobs, const std::stop_token& stop,

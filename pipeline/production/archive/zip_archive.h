@@ -9,8 +9,8 @@ namespace mien::pipeline {
 /// Files of a zip archive: path with '/' → bytes.
 using ZipFiles = std::map<std::string, std::string>;
 
-/// Returns a zip archive of the files, sorted by path and stored without compression. It contains
-/// no dates: the same files give the same bytes.
+/// Returns a zip archive of the files, sorted by path and stored without compression. Its dates are
+/// fixed: the same files give the same bytes.
 std::string zip_of(const ZipFiles& files);
 
 /// Returns all files of a zip archive. Throws Error for files that are not zip archives, for

@@ -23,8 +23,8 @@ class FinishedMotions {
   virtual const motion::Clip& clip(const std::string& name) = 0;
 
   /// Returns the clip that is shown for a stimulus: repeated if it loops, in place if requested,
-  /// and cut to the duration of the shortest of all stimuli if the study equalizes durations.
-  /// Throws Error.
+  /// and cut to the shortest duration of all stimuli if the study equalizes durations. Throws
+  /// Error.
   virtual motion::Clip shown(const Stimulus& stimulus) = 0;
 
   /// Sets the known duration of the shortest of all clips shown, in seconds, so that one clip can

@@ -15,8 +15,8 @@ constexpr std::uintmax_t most_cached_light = 512'000'000;
 /// Caches the light of static backgrounds in the study's folder, .mien/light/<name>, for later
 /// runs, parts of films and other processes; a damaged file is replaced. While another process
 /// renders the same set, this process waits for it. The returned cache must not outlive the store.
-/// Calling it throws Interrupted soon after a stop request, and WriteFailure if a file cannot be
-/// written.
+/// Calling it throws Interrupted after a stop request while it waits, and WriteFailure if a file
+/// cannot be written.
 render::LightCache disk_light_cache(Store& store, const std::stop_token& stop,
                                     std::uintmax_t most_bytes = most_cached_light);
 

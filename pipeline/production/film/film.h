@@ -22,7 +22,7 @@ struct FilmSettings {
   Output output;
   std::uint64_t seed = 0;        ///< seed of the renderer's noise
   int threads = 1;               ///< does not affect the pictures
-  Stopwatch* drawing = nullptr;  ///< if not null, runs while a frame is traced or encoded
+  Stopwatch* drawing = nullptr;  ///< if not null, runs while frames are prepared, traced or encoded
   int eyes = 1;                  ///< pictures side by side in each frame: 2 for a stereo pair
   bool loops = false;            ///< animated pictures repeat endlessly
 
@@ -48,7 +48,8 @@ render::Quality quality_of(const FilmSettings& settings);
 /// because of a moving camera or ground, gets no additional samples.
 render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot);
 
-/// Renders a frame with its layers and, except for the last frame, its motion vectors to the next.
+/// Renders a frame with its layers and, except for the last frame, its motion vectors to the next
+/// frame.
 render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int frame,
                          const render::Quality& quality);
 
@@ -58,10 +59,9 @@ std::vector<int> frames_between(int first, int end);
 /// Receives the frames in order, tone-mapped to 8 bits per channel for a display.
 using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 
-/// Renders frames, several at a time (FrameDrawer::in_flight), and passes them on. Meanwhile, a
-/// separate thread writes earlier frames, reads them back and passes them to the sink; at most one
-/// frame waits in between, whatever the length of the shot. If a film is abandoned, the frames in
-/// flight are lost.
+/// Renders frames, several at a time (FrameDrawer::in_flight). A separate thread stores them and
+/// reads them back, if there is a store, and passes them to the sink; at most one rendered frame
+/// waits for this thread. If a film is abandoned, the frames in flight are lost.
 ///
 /// With `store`, frames that it contains are not rendered again, and each new frame is stored. If
 /// the output's frame format is none, new frames are not stored, but PNG frames that the store

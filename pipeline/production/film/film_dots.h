@@ -14,7 +14,7 @@ namespace mien::pipeline {
 
 extern const TableForm dots_form;
 
-/// Returns a table of the positions of the dots of a shot's point-light figures in every frame.
+/// Returns a table with the position of each dot of a shot's point-light figures in every frame.
 std::string dots_csv(const scenes::Shot& shot);
 
 /// Whether a stimulus is shown as a point-light figure.

@@ -41,8 +41,8 @@ struct EqualizedFilms {
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, FinishedMotions& motions);
 
-/// Returns the ids of the equalizing tasks and of the task "durations", for tasks that depend on
-/// them.
+/// Returns the ids of the tasks that `equalize` requires, including "durations", for tasks that
+/// depend on them.
 std::vector<std::string> equalizing_task_ids(const Equalize& equalize);
 
 /// Reads the records of the equalizing tasks from the store's folder; the shortest duration is

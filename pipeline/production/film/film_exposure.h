@@ -18,14 +18,15 @@ namespace mien::pipeline {
 ///
 /// A few small frames of each film are rendered at about draft quality (4 samples per pixel). Their
 /// mean luminance as a display shows it, including the tone curve, increases with exposure. For
-/// each film there is thus one exposure at which its mean luminance has the wanted value. This is
-/// the geometric mean of the films' mean luminances before equalizing: of all films of the study,
-/// or of all films with the same kind of figure.
+/// each film there is thus at most one exposure at which its mean luminance has the wanted value.
+/// The wanted value is the geometric mean of the films' mean luminances before equalizing: of all
+/// films of the study, or of all films with the same kind of figure.
 ///
 /// Point-light figures whose dots are equal in number, size and colour and that are shown on the
 /// same set and background share one exposure, at which the mean over all their films has the
-/// wanted value. With exposures of their own, a scrambled figure, whose dots occlude each other
-/// less, would become darker than its original.
+/// wanted value; in the geometric mean, each of these films counts with their common mean. With
+/// exposures of their own, a scrambled figure, whose dots occlude each other less, would become
+/// darker than its original.
 
 extern const TableForm exposure_form;
 
@@ -42,7 +43,7 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
                          FinishedMotions& motions, TaskRun& run, EqualizedFilms& films);
 
 /// Returns a fault for each stimulus whose mean luminance in a few very small frames differs from
-/// the wanted one by more than 5 % at every exposure. Smaller deviations are only detected by
+/// the wanted one by more than 5 % at every exposure. Smaller deviations are detected only by
 /// exposure_csv. Throws Error.
 std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& motions);
 

@@ -65,8 +65,8 @@ class Presenter {
 /// Returns a blank picture in an 8-bit grey, as shown before and after a film.
 render::Image8 blank_picture(std::array<int, 2> size, std::uint8_t grey);
 /// Returns a cross with a width and height of `edge` pixels and a thickness of a ninth of that, but
-/// at least 2 (each one less if it cannot be centred otherwise): black on a grey above 127,
-/// otherwise white.
+/// at least 2 pixels (each is one less if it cannot be centred otherwise). The cross is black on a
+/// grey above 127, otherwise white.
 render::Image8 fixation_picture(std::array<int, 2> size, std::uint8_t grey, int edge);
 /// Returns a picture of centred lines of text. The font is as large as fits, at most an 18th of the
 /// picture's height.

@@ -19,7 +19,8 @@ struct VideoRecord {
   int frames = 0;      ///< number of frames of the whole video
   double fps = 0.0;
   double duration_s = 0.0;
-  bool identical = false;  ///< the video is lossless; then the members below are not set
+  /// Every decoded frame equals the encoded one. The members below are then not set.
+  bool identical = false;
   double worst_psnr_db = 0.0;
   int worst_psnr_frame = 0;
   double worst_ssim = 0.0;
@@ -30,9 +31,11 @@ struct VideoRecord {
 
 /// The facts recorded once a film has been rendered.
 struct FilmRecord {
-  render::ClipLuminance luminance;  ///< of the film's frames, without the presentation
-  double exposure_stops = 0.0;      ///< exposure that was added, in stops
-  double figure_px = 0.0;           ///< height of the standing figure in pixels (figure_pixels)
+  /// Measured on all frames of the film, without the presentation; if neither frames nor videos are
+  /// written, only on those of the contact sheet.
+  render::ClipLuminance luminance;
+  double exposure_stops = 0.0;  ///< exposure added by equalization, in stops
+  double figure_px = 0.0;       ///< height of the standing figure in pixels (figure_pixels)
   std::optional<std::array<double, 2>> figure_place;  ///< position in the picture (figure_place)
   std::optional<double> visual_degrees;  ///< visual angle of the figure's height on the screen that
                                          ///< the camera names, in degrees

@@ -11,7 +11,7 @@
 namespace mien::pipeline {
 
 /// Encodes the frames of a film into several videos at once, including the presentation around the
-/// film, and checks the files against the encoded pictures.
+/// film, and checks the files against the pictures before encoding.
 ///
 ///   FilmRecorder recorder(settings, shot.frame_count());
 ///   recorder.open(file, render::VideoKind::webm);

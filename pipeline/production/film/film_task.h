@@ -31,7 +31,7 @@ struct StoredSequence {
   Hash key;
 };
 
-/// Returns the stored frames of a film's task, once the artifacts of its inputs are known.
+/// Returns where a film's task stores its frames. `task_key` is the key of that task.
 StoredSequence stored_sequence(const Task& film, const Hash& task_key);
 
 /// Return the inputs of the film of a stimulus or of an overlay. All arguments must outlive the
@@ -44,7 +44,7 @@ FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Finishe
 /// The task "film:<id>": stages the motions, renders them and encodes the frames during rendering.
 /// Its artifacts are the files that the output requests, a contact sheet, and a record of the film
 /// and its checks. It reads the artifacts of its stimuli's tasks "motion:<id>" and of the
-/// equalizing tasks. What `subject` refers to must outlive it.
+/// equalizing tasks. `motions` and what `subject` refers to must outlive it.
 Task film_task(const FilmSubject& subject, const FilmSettings& settings,
                const SharedDeterminants& shared, FinishedMotions& motions);
 

@@ -10,7 +10,7 @@
 namespace mien::pipeline {
 
 /// Returns the decoded frame from the store, or nothing if it must be rendered again: there is no
-/// store, it has no frame of that name with the film's key, or the stored frame cannot be decoded
+/// store, the store has no such frame with the film's key, or the stored frame cannot be decoded
 /// and is discarded.
 std::optional<render::Image8> reusable_frame(FrameStore* store, int frame, const Output& output,
                                              const render::Tone& tone);

@@ -27,7 +27,8 @@ std::string write_video(const ShotWork& work, const std::filesystem::path& file)
 /// sheet".
 std::string write_contact_sheet(const ShotWork& work, const std::filesystem::path& file);
 
-/// Writes one frame: .png, with alpha where the background is not shown, or .exr, with its layers.
+/// Writes one frame: as .png, with alpha unless `background` is `shown`, or as .exr with its
+/// layers.
 void write_still(const ShotWork& work, int frame, render::Background background,
                  const std::filesystem::path& file);
 

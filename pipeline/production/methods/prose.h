@@ -30,11 +30,11 @@ struct Range {
 };
 
 /// Returns "from 1.20 to 1.40 s", or "1.20 s" if all values are equal after rounding. `unit` begins
-/// with a space.
+/// with a space or is empty.
 std::string range_text(const Range& range, int digits, const std::string& unit);
 
 /// Returns "from 1.20 to 1.40 s (mean 1.31 s)", or "1.20 s" if all values are equal after rounding.
-/// `unit` begins with a space.
+/// `unit` begins with a space or is empty.
 std::string with_mean(const Range& range, int digits, const std::string& unit);
 
 }  // namespace mien::pipeline

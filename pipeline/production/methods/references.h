@@ -15,9 +15,9 @@ struct Reference {
   std::string_view kind = "article";
 };
 
-/// Returns all references that studies may cite, by year; those without a year are last. If the
-/// author, title or year of a reference is unknown, its entry has no such field (or a description
-/// as title), and its `note` says what to fill in.
+/// Returns all references that studies may cite. If the author, title or year of a reference is
+/// unknown, its entry has no such field (or a description as title), and its `note` says what to
+/// fill in.
 std::span<const Reference> all_references();
 
 /// Returns the reference with that key, or nullptr.

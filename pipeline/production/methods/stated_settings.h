@@ -22,8 +22,8 @@ class StatedSettings {
   bool empty() const { return settings_.empty(); }
 
   /// Returns all settings in the order in which they were added, those of the same stimuli
-  /// together. Stimuli are given by their ids, if more than six by their number, and not at all for
-  /// settings that apply to all stimuli of `everybody`.
+  /// together. Up to six stimuli are given by their ids; more are only counted ("7 of 20"). None
+  /// are given for settings that apply to all stimuli of `everybody`.
   std::string text(const Names& everybody) const;
 
  private:

@@ -10,8 +10,9 @@ namespace mien::pipeline {
 
 /// The measures by which a foil is certified.
 struct EmotionMeasures {
-  double path_m = 0.0;  ///< path length of head, wrists and ankles relative to the body, mean over
-                        ///< these, per cycle
+  /// Path length of head, wrists and ankles relative to the body, mean over these; in one cycle, or
+  /// in the whole of a motion that does not loop.
+  double path_m = 0.0;
   double duration_s = 0.0;  ///< duration of the cycle, or of a motion that does not loop
   /// Coefficient of variation of the speeds of head, wrists and ankles, mean over these; 0 at
   /// constant speed.

@@ -18,10 +18,10 @@ struct LintedMotion {
   bool loops = false;  ///< false: the seam is not checked
 };
 
-/// Returns a plot of the findings over time: a row for each rule and joint with findings, and lines
-/// that name the rules that were checked without findings. Errors are dark and tall, warnings light
-/// and flat, so that they differ in greyscale and for any colour vision. The axis below shows
-/// seconds, the one above frames.
+/// Returns a plot of the findings over time: a row for each pair of rule and joint that has
+/// findings, and lines that name the checked rules that have none. Errors are dark and tall,
+/// warnings light and flat, so that they differ in greyscale and for any colour vision. The axis
+/// below shows seconds, the one above frames.
 Plot lint_timeline(const LintedMotion& motion);
 
 }  // namespace mien::pipeline

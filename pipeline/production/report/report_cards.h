@@ -10,8 +10,8 @@ namespace mien::pipeline {
 // Cards of report.html, one per film or sheet. Videos and pictures are linked by paths relative to
 // the study's folder.
 
-/// The film of a stimulus, its lint findings and its requested values, with names in `language`;
-/// all other details are collapsed.
+/// The film of a stimulus, facts about it, warnings, lint errors and requested values; other
+/// details are collapsed. Names of parameters are in `language`.
 std::string stimulus_card(const Stimulus& stimulus, Motions& motions, InterfaceLanguage language);
 
 /// The film of an overlay and the list of its motions.

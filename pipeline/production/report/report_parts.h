@@ -33,7 +33,8 @@ std::vector<ReportPart> report_parts(const Manifest& manifest);
 /// Returns the comparison sheets and galleries, that is, all sheets except those of stills.
 std::vector<const Sheet*> comparisons_in(const Manifest& manifest);
 
-/// Returns the link to a stimulus's card in the report: "#a", "report/stimuli-1.html#a".
+/// Returns the link to a stimulus's card in the report: "#a", "report/stimuli-1.html#a". `stimulus`
+/// must be an element of `manifest.stimuli`.
 std::string link_to(const Stimulus& stimulus, const Manifest& manifest);
 
 }  // namespace mien::pipeline

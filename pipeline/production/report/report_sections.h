@@ -33,7 +33,7 @@ std::string stills_section(const Manifest& manifest, Motions& motions);
 std::string comparisons_section(const std::string& title, std::span<const Sheet* const> sheets,
                                 Motions& motions);
 
-/// Links to the pages of a study that is split into parts, and to all stimuli on them, and the
+/// Links to the pages of a study that is split into parts, and to all stimuli on them; also the
 /// properties equalized across the study.
 std::string parts_section(const std::vector<ReportPart>& parts, const Manifest& manifest);
 

@@ -18,18 +18,20 @@ namespace mien::pipeline {
 std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
                             InterfaceLanguage language);
 
-/// The stimulus's values on all other rated parameters, collapsed; empty without ratings.
+/// The stimulus's values on all rated parameters that are neither requested nor held, collapsed;
+/// empty without ratings.
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
                              InterfaceLanguage language);
 
-/// The examples with the largest weights in a motion; empty for a motion file.
+/// The examples with the largest weights in a motion; empty if it is not a blend.
 std::string weight_table(const Synthesis& made, Motions& motions);
 
 /// The distance between the motions of every comparison.
 std::string distance_table(std::span<const Sheet* const> sheets, Motions& motions);
 
-/// For comparisons with a reference: the number of features that changed from the reference in the
-/// same direction as in the target. Empty if there is no such comparison.
+/// For comparisons with a reference: the number of features in which the target differs from the
+/// reference, and how many of them changed in the same direction in the created motion. Empty if
+/// there are none.
 std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions);
 
 /// For each foil among the stimuli and each aspect, the difference from the original, and whether

@@ -33,7 +33,7 @@ extern const StudyTable foils_table;  ///< measured differences of all foils fro
 /// Without rows if the study does not use its examples.
 extern const StudyTable examples_table;
 
-/// Without rows if nothing is blended or rated.
+/// Without rows unless examples are blended and were rated.
 extern const StudyTable impressions_table;
 
 /// The manipulation checks (expectation.h).

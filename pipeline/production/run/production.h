@@ -22,7 +22,7 @@ struct ProductionOptions {
   /// named are made as well. Empty: everything.
   std::vector<std::string> only;
   int jobs = 1;
-  Stopwatch* drawing = nullptr;  ///< if not null, runs while frames are traced or encoded
+  Stopwatch* drawing = nullptr;  ///< if not null, runs while frames are drawn (FilmSettings)
 };
 
 /// The tasks of a run of the manifest:
@@ -45,7 +45,7 @@ struct ProductionOptions {
 ///   design     motions, clips, films → factors   metrics/stimuli.csv, warnings.csv, codebook.json
 ///   report     all tasks → page, methods         report.html, methods.md, references.bib
 ///
-/// With `only`, artifacts that cover the whole study (tables, report, provenance) are not made.
+/// With `only`, the tasks `tables`, `films`, `design` and `report` and the provenance are omitted.
 class Production {
  public:
   /// Throws Error if `only` contains an id that is not in the manifest.

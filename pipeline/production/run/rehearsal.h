@@ -21,11 +21,10 @@ std::vector<Fault> rehearse(const Manifest& manifest);
 std::vector<Fault> rehearse(const Manifest& manifest, Motions& motions);
 
 /// Returns the same study with at most `most` of its stimuli: one of each kind first, then others
-/// evenly distributed over the rest. Stimuli are of one kind if they differ only in numbers: they
-/// are made from the same adjectives or features by the same method, modified by the same emotions,
-/// and shown as the same figure on the same set from the same view. The stimuli of the first
-/// overlay are always kept, even if there are then more than `most`. An overlay is kept if all of
-/// its stimuli are.
+/// evenly distributed over the manifest. Stimuli are of one kind if they agree in these: source,
+/// adjectives or features, method, emotions of the modifications, kind of figure, set and view. The
+/// stimuli of the first overlay are always kept, even if there are then more than `most`. An
+/// overlay is kept if all of its stimuli are.
 Manifest rehearsal_sample(const Manifest& manifest, std::size_t most);
 
 }  // namespace mien::pipeline

@@ -34,8 +34,8 @@ std::string counted_tasks(const RunResult& result);
 /// selected stimuli, because artifacts of the others are not stale.
 std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production);
 
-/// Makes the artifacts that are missing from `folder`, together with concurrent runs of the study
-/// in the same folder, and, for a whole production, writes provenance.json and inputs/ once
+/// Makes the artifacts that are missing from `folder`. Concurrent runs of the study in the same
+/// folder share the work. For a whole production, writes provenance.json and inputs/ once
 /// everything is complete. Throws StoreBusy if another process uses the folder and one of the two
 /// requires exclusive access, and Error if a run of a different version of the study replaced
 /// artifacts, or an input was changed, in the meantime.

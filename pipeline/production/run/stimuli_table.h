@@ -12,8 +12,8 @@ namespace mien::pipeline {
 extern const TableForm stimuli_form;
 extern const TableForm warnings_form;
 
-/// Returns the table to which all others can be joined: the sources, the presentation and the files
-/// of each stimulus and overlay, as found in the study's folder.
+/// Returns the table of stimuli and overlays, to which other tables can be joined by id: sources,
+/// presentation and files, as found in the study's folder.
 std::string stimuli_csv(const Manifest& manifest, Motions& motions,
                         const std::filesystem::path& folder);
 

@@ -16,12 +16,12 @@ struct SheetMotion {
   std::string id;      ///< id of the stimulus or example: "guess-1"
   std::string origin;  ///< source of the motion: "from adjectives", "example", "as captured"
   motion::Example motion;
-  /// Example → share; empty if it is not a blend.
+  /// Example → weight, for weights above 0; empty if it is not a blend.
   std::vector<std::pair<std::string, double>> weights;
 };
 
-/// The requested, held and reached value of a parameter of a motion, as shares of its range: 0 low,
-/// 1 high. Unset: not requested, not held, or unknown.
+/// The requested, held and reached value of a parameter of a motion: 0 low, 1 high. Unset: not
+/// requested, not held, or unknown.
 struct SheetValue {
   std::optional<double> requested;
   std::optional<double> held;
@@ -61,8 +61,8 @@ std::string largest_distance_text(const motion::Distance& distance);
 /// Returns "durations: target 2.07 s, created 1.40 s (-0.67 s)".
 std::string durations_text(const motion::Example& target, const motion::Example& created);
 
-/// Returns largest_distance_text and durations_text, details that the mean distance may hide, with
-/// " · " between them.
+/// Returns largest_distance_text and durations_text in one line: differences that the mean distance
+/// may hide.
 std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
                            const motion::Example& created);
 

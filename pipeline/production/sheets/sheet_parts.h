@@ -53,15 +53,16 @@ void draw_header(Canvas& canvas, const SheetContent& content, const Box& box);
 /// D, the verdict, and the position of D on a scale with the threshold.
 void draw_verdict(Canvas& canvas, const SheetContent& content, const Box& box);
 
-/// One slider per parameter with the values of both motions, then the blend weights of both as
-/// bars.
+/// The parameters with the values of both motions, requested ones with a slider; below, the blend
+/// weights of both as bars. Of parameters that do not fit, only the number is given; of weights
+/// that do not fit, the sum.
 void draw_settings(Canvas& canvas, const SheetContent& content, const Box& box);
 void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box);
 void draw_weights(Canvas& canvas, const SheetContent& content, const Box& box);
 
 /// A row of stick figures at the eleven times for each motion, and a row of target and created
 /// motion together. All have one scale and an orthographic view from the right and slightly ahead,
-/// with pelvis and heading aligned as for the distance.
+/// with the horizontal position and heading of the pelvis removed at each time.
 void draw_figures(Canvas& canvas, const SheetContent& content, const Box& box);
 
 /// The distance of every joint at every time as a colour, and the mean over joints at each time as
@@ -85,7 +86,7 @@ std::string spoken_name(motion::BodyJoint joint);
 void draw_heading(Canvas& canvas, Point baseline, const std::string& heading,
                   const std::string& remark = {});
 
-/// The columns for the numbers of both motions at the right of parameters and weights.
+/// The columns for the numbers of both motions at the right of the weights.
 struct ValueColumns {
   double target;  ///< right edges, points
   double created;

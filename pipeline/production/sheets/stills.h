@@ -27,7 +27,7 @@ struct StillsContent {
 inline constexpr int still_width = 480;
 
 /// Return a page as large as its pictures require. All are scaled to the width of the narrowest, at
-/// most `still_width` pixels, and stand above their names. Pictures with a different aspect ratio
+/// most `still_width` pixels, and stand above their names. Pictures of less height than the tallest
 /// are centred in their cells. The PNG shows them at this size, pixel by pixel. The same content
 /// gives the same bytes. Throws mien::Error if no font has Japanese characters.
 std::string stills_as_pdf(const StillsContent& content);

@@ -23,16 +23,16 @@ struct ModifiedMotion {
   std::vector<std::string> warnings;  ///< consequences of lint errors, plain sentences
 };
 
-/// Returns each of the stimulus's modifications at full strength, including the differences between
-/// the poses that it names; an empty modification for a step by an older method (StyleMethod).
-/// Throws Error if a pose is not available.
+/// Returns each of the stimulus's modifications as at a strength of 1, including the differences
+/// between the poses that it names; an empty modification for a step of style transfer
+/// (StyleMethod). Throws Error if a pose is not available.
 std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
                                                    const Repertoire& repertoire);
 
 /// Applies the stimulus's modifications in order and checks the result with the lint. Errors that
 /// are new, or more than 1.5 times as large as in the original, are treated as `on_fault` says,
 /// which is reported in the warnings. The result has the output's frame rate. Throws Error if a
-/// pose is not available, and for `on_fault: fail`.
+/// pose or style is not available and, with `on_fault: fail`, if there are such errors.
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
                              const Repertoire& repertoire);
 

@@ -43,7 +43,8 @@ class Motions : public FinishedMotions {
   const motion::Clip& clip(const std::string& name) override { return of(name).motion.clip; }
   motion::Clip shown(const Stimulus& stimulus) override;
 
-  /// Returns the duration of the shortest of all clips shown, in seconds. Makes all motions.
+  /// Returns the duration of the shortest of all clips shown, in seconds. Makes all motions unless
+  /// it is known (know_shortest).
   double shortest_seconds();
 
   void know_shortest(double seconds) override;
@@ -69,7 +70,7 @@ class Motions : public FinishedMotions {
 /// Whether a modification of the stimulus uses an example.
 bool names_examples(const Stimulus& stimulus);
 
-/// Whether any motion is made from examples instead of from files or along paths.
+/// Whether any stimulus is made from examples instead of from a file or along a path.
 bool blends_examples(const Manifest& manifest);
 
 /// Returns the stimulus with that id, or nullptr. A linear search, suitable for a few ids.

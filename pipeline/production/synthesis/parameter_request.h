@@ -24,22 +24,22 @@ struct ParameterRequest {
 /// Returns the stimulus's features, otherwise its adjectives; empty if it requests neither.
 const NamedValues& requested_values(const Stimulus& stimulus);
 
-/// Returns the request of a stimulus. Throws Error if the examples lack a parameter.
+/// Returns the request of a stimulus. Throws Error.
 ParameterRequest request_of(const Stimulus& stimulus, const Repertoire& repertoire);
 
 /// Returns the values of the examples for the parameters that a stimulus names.
 const ParameterTable& table_of(const Stimulus& stimulus, const Repertoire& repertoire);
 
-/// The range of a requested parameter that blends of the examples can reach while the other
-/// requested parameters have their requested values, and held ones their held values if that is
-/// feasible.
+/// The range that blends of the examples can reach in a requested parameter while the other
+/// requested parameters have their requested values. Held parameters have their held values, unless
+/// the request is infeasible with these.
 struct FeasibleParameter {
   std::string name;
   double requested = 0.0;
   motion::ParameterRange range;
   motion::ParameterRange alone;  ///< range over all blends, whatever their other values
-  NamedValues others;            ///< the other requested parameters, and the held ones if feasible
-  bool ignores_held = false;     ///< held values are infeasible and were ignored
+  NamedValues others;         ///< the other requested parameters, and the held ones unless ignored
+  bool ignores_held = false;  ///< the request is infeasible with the held values, which are ignored
 
   /// Whether a blend reaches the requested value together with the others, within 0.005.
   bool is_feasible() const;
@@ -66,8 +66,8 @@ std::string to_sentence(const RequestedParameter& requested);
 /// values if there are any. Each line is ended by a line break. Empty without parameters.
 std::string feasibility_table(const std::vector<RequestedParameter>& requested);
 
-/// Returns the requested parameters of all stimuli made from adjectives, except by the statistical
-/// model. Loads the examples only if there is such a stimulus.
+/// Returns the requested parameters of all stimuli made from adjectives, except those made by the
+/// statistical model. Loads the examples only if there is such a stimulus.
 std::vector<RequestedParameter> requested_parameters(const Manifest& manifest, Motions& motions);
 std::vector<RequestedParameter> requested_parameters(const Manifest& manifest);
 

@@ -17,8 +17,8 @@ namespace mien::pipeline {
 /// A synthesized motion and how it was made.
 struct Synthesis {
   motion::Example motion;  ///< at the output's frame rate; one cycle of a loop, including travel
-  /// One weight per example; empty for a motion file or path. They may be negative for a
-  /// statistical model (interpolation.h).
+  /// One weight per example; empty for a motion file or path. Weights of a statistical model may be
+  /// negative (interpolation.h).
   Eigen::VectorXd weights;
   /// Expected error of the joint positions as estimated by kriging, metres; empty for other
   /// methods.
@@ -51,11 +51,10 @@ Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoir
 /// without ratings and for motions that are not blends or were modified afterwards.
 NamedValues rated_values(const Synthesis& synthesis, const Repertoire& repertoire);
 
-/// Makes a stimulus's motion: computes weights, blends the examples, whose feet are already locked,
-/// and locks the feet of the blend (both unless foot locking is disabled); for `clip:`, retargets
-/// the file to the body and leaves it otherwise as captured; for `path:`, walks along the path
-/// (walked_path.h). Then applies the modifications and checks the result with the lint. Throws
-/// Error.
+/// Makes a stimulus's motion: blends the examples; for `clip:`, retargets the file to the body and
+/// leaves it otherwise as captured; for `path:`, walks along the path (walked_path.h). Unless foot
+/// locking is disabled, the blended examples have locked feet, and the feet of the blend are locked
+/// again. Modifications are applied last. The result is checked with the lint. Throws Error.
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire);
 
 /// Returns an example of the repertoire as if a stimulus had requested only that example, for

@@ -26,19 +26,19 @@ class UnwalkableStep : public Error {
 };
 
 /// Returns the walk along a stimulus's path by the steered walker on the standard body: a clip that
-/// does not loop, and the plants of its feet. A turn continues at the pace of the preceding walk,
-/// and is made on the spot if there is none, unless its step has a pace of its own. With a graph,
-/// the walk is assembled from the motions of the graph's files, on the body of the first motion;
-/// for moods, every motion is modified by the recipe of each emotion used, and these versions are
-/// blended along the path. Throws Error; UnwalkableStep for a turn of a script that deviates by
-/// more than 10°.
+/// does not loop, and the plants of its feet. A turn without a pace of its own continues at the
+/// pace of the step before it; at the beginning and after standing, it is made on the spot. With a
+/// graph, the walk is assembled from the motions of the graph's files, on the body of the first
+/// motion; for moods, every motion is modified by the recipe of each emotion used, and these
+/// versions are blended along the path. Throws Error; UnwalkableStep if the heading after a step of
+/// the script deviates by more than 10°.
 motion::WalkedClip walked(const Stimulus& stimulus);
 
-/// Returns the path with each mood of adjectives replaced by a mood of weights of the path's set of
-/// built-in walks: the weights that a stimulus with these adjectives has or, if they are
-/// infeasible, with the nearest feasible ones, by the ratings of the built-in walks on the built-in
-/// scales. Moods given by walks are unchanged. Throws Error if the method cannot handle that many
-/// adjectives.
+/// Returns the path with each mood that is given by adjectives replaced by weights of the built-in
+/// walks of the path's set. These are the blend weights of a stimulus with these adjectives or, if
+/// they are infeasible, with the nearest feasible values. They are based on the built-in ratings of
+/// the walks. Moods given by walks are unchanged. Throws Error if the method cannot handle that
+/// many adjectives.
 WalkPath in_walks(WalkPath path);
 
 }  // namespace mien::pipeline

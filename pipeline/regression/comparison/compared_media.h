@@ -33,9 +33,7 @@ struct ComparedMedia {
   std::vector<FrameComparison> worst;  ///< frames with the largest RMS, at most five
   double perceptual_limit = 0.0;       ///< largest permitted mean ꟻLIP error of a frame, 0 … 1
 
-  /// Whether `remarks` is empty and no frame of `worst` exceeds `perceptual_limit`. Frame times
-  /// that differ by no more than the sum of the units in which both files store them count as the
-  /// same.
+  /// Whether `remarks` is empty and no frame of `worst` exceeds `perceptual_limit`.
   bool are_alike() const;
 };
 
@@ -48,10 +46,10 @@ ComparedMedia compared_media(const std::filesystem::path& before, const std::fil
 std::string as_text(const ComparedMedia& media);
 nlohmann::ordered_json as_json(const ComparedMedia& media);
 
-/// Compares the containers of two videos. `remarks` receives visible differences: frame rates,
-/// frame times or durations that differ by more than the sum of the units in which both containers
-/// store times (Matroska: milliseconds) and colours that are displayed differently. `notes`
-/// receives invisible differences: codec and pixel format.
+/// Compares the containers of two videos. `remarks` receives visible differences: of the frame
+/// rate, of frame times and duration, and of the colour tags. Times count as different if they
+/// differ by more than the sum of the units in which both containers store times (Matroska:
+/// milliseconds). `notes` receives invisible differences: of codec and pixel format.
 void compare_containers(const render::VideoSummary& before, const render::VideoSummary& now,
                         std::vector<std::string>& remarks, std::vector<std::string>& notes);
 

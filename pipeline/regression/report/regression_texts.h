@@ -12,8 +12,8 @@ namespace mien::pipeline {
 /// about stimuli not compared, planted defects, repetitions and unapproved videos.
 std::string plain_text(const Regression& regression);
 
-/// Returns the same information in GitHub's Markdown, for a pull request, but without the causes of
-/// single stimuli and without repetitions.
+/// Returns the same information in GitHub's Markdown, for a pull request, but without repetitions
+/// and, for single stimuli, without causes and body parts.
 std::string markdown_text(const Regression& regression);
 
 /// Returns JUnit XML for CI systems: one test case per stimulus and one for the planted defects.

@@ -26,9 +26,9 @@ class ReportVideos {
       : study_(std::move(study)), report_(std::move(report)), bytes_left_(most_bytes) {}
 
   /// Returns the videos of a stimulus for the page's script: {"before", "now"} with "src", "frames"
-  /// (number of frames of the whole video), "first" (index of the film's first frame) and "fps".
-  /// Uses the first format that browsers play of which the baseline stores a video and the study
-  /// has one; null if there is no such format, or if no videos were made. Throws Error if the
+  /// (number of frames of the whole video), "first" (index of the film's first frame) and "fps". Of
+  /// the formats that browsers play, uses the first in which the baseline stores a video and the
+  /// study has one; null if there is none, or if no videos were made. Throws Error if the
   /// baseline's video is damaged, and the errors of reading and writing.
   nlohmann::ordered_json of(const std::string& id, const Baseline& baseline);
 
