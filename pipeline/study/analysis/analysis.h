@@ -26,7 +26,7 @@ struct ScaleCluster {
   std::string name;
   std::string japanese;             ///< may be empty
   std::vector<int> members;         ///< rows of A, nearest to the centroid first
-  std::vector<double> to_centroid;  ///< Euclidean distance of each member from `mean`, scale points
+  std::vector<double> to_centroid;  ///< Euclidean distance of each member's row from `mean`
   Eigen::RowVectorXd mean;  ///< centroid: mean of the members' rows; a row of the matrix of primary
                             ///< parameters × examples
 };

@@ -13,11 +13,11 @@ namespace mien::pipeline {
 /// The dendrogram of an analysis, with the cut into clusters.
 Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales);
 
-/// Writes every table, the clusters as a scales file and the dendrogram, replacing existing files:
-/// quantification.csv, thresholds.csv, impressions.csv, linkage.csv, clusters.csv, primary.csv,
-/// agreement.csv, warnings.csv, clusters.scales.yaml, dendrogram and thresholds as .pdf, .svg and
-/// .png; also published.csv if all scales with answers are adjective pairs of the paper. Throws
-/// std::system_error if a file cannot be written.
+/// Writes the results of an analysis, replacing existing files: quantification.csv, thresholds.csv,
+/// impressions.csv, linkage.csv, clusters.csv, primary.csv, agreement.csv, warnings.csv,
+/// clusters.scales.yaml, dendrogram and thresholds as .pdf, .svg and .png; also published.csv if
+/// all scales with answers are adjective pairs of the paper. Throws WriteFailure if a file cannot
+/// be written.
 void write_analysis(const Analysis& analysis, const ScaleSet& scales, const Thresholds& thresholds,
                     const std::filesystem::path& folder);
 

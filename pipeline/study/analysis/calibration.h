@@ -71,7 +71,7 @@ struct Correction {
 };
 
 struct Calibration {
-  std::vector<PerceivedParameter> stimuli;  ///< parameters of stimuli with at least one rating
+  std::vector<PerceivedParameter> stimuli;  ///< the requested parameters that were rated
   std::vector<Correction> corrections;      ///< one per rated parameter
   bool simulated = false;
 };

@@ -12,8 +12,8 @@ namespace mien::pipeline {
 /// Thresholds for removing a scale, for answers from −2 to 2 (adjective paper, section 3.1). For
 /// scales with another range, both are multiplied by the ratio of the half widths.
 struct Thresholds {
-  double largest_mean = 1.0;     ///< max over examples of |mean|; below it the scale is neutral
-  double mean_deviation = 0.85;  ///< mean over examples of the SD; above it raters disagree
+  double largest_mean = 1.0;     ///< max over examples of |mean|: a scale with less is neutral
+  double mean_deviation = 0.85;  ///< mean over examples of the SD: a scale with more is disputed
 };
 
 /// Divisor of the variance of the answers about one example: n, or n − 1.
@@ -45,7 +45,7 @@ struct ThresholdPoint {
   Condition condition = Condition::largest_mean;  ///< the condition whose threshold varies
   double threshold = 0.0;                         ///< varied threshold, for answers from −2 to 2
   int by_condition = 0;                           ///< scales retained by this condition alone
-  int by_both = 0;  ///< scales retained with the other threshold unchanged
+  int by_both = 0;  ///< scales retained by both, with the other threshold unchanged
 };
 
 /// The numbers of retained scales as each threshold varies from 0 to 2 in steps of 0.05.

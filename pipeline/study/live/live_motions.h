@@ -22,8 +22,8 @@ namespace mien::pipeline {
 ///     GET  info        JSON: the options of the page (live_info)
 ///     GET  bundle      the bundle (motion/live/live_bundle.h), for the live core in the browser
 ///     POST make        {"kind": "adjectives", "sliders": ["quickness"], "values": [0.7]}
-///     POST distance    the members of make and "target": "t1"; returns D between the motion made
-///                      and the target
+///     POST distance    {"target": "t1", …} with the members of make: D between the target and the
+///                      motion of these sliders
 ///     POST example     {"name": "normal"}
 ///     POST target      {"name": "t1"}
 ///

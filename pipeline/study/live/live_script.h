@@ -19,7 +19,7 @@ std::filesystem::path live_module();
 
 /// A script that embeds the live core and bundle, for pages opened from disk, where browsers
 /// block fetching files. It sets `globalThis.mien_live_files` to { module, bundle }, each in
-/// base64, for openWasm of pipeline/study/page/src/live/core.ts.
+/// base64, for openWasm of pipeline/study/page/src/live/wasm_core.ts.
 std::string live_script(const std::filesystem::path& module, const motion::LiveBundle& bundle);
 
 }  // namespace mien::pipeline

@@ -67,8 +67,9 @@ struct MatchingEvaluation {
   std::vector<MatchingMean> means;
   std::vector<MatchingShare> shares;
   std::vector<std::string> targets;  ///< targets evaluated singly; empty if there is only one
-  std::vector<MatchingComparison> comparisons;  ///< for every pair of interfaces and both measures,
-                                                ///< over all targets and for each of `targets`
+  /// For every pair of interfaces and both measures, over all targets and for each of `targets`;
+  /// without those for which no participant has values with both interfaces.
+  std::vector<MatchingComparison> comparisons;
 };
 
 MatchingEvaluation evaluate(const MatchingResults& results);

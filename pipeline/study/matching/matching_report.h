@@ -7,9 +7,9 @@
 
 namespace mien::pipeline {
 
-/// Writes means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures first_guess_d,
-/// first_guess_success, time, time_saved and failures as .pdf, .svg and .png, which correspond to
-/// figures 7 to 11 of the adjective paper. Rows over all targets have the target "all".
+/// Writes the tables means.csv, shares.csv, time_saved.csv and comparisons.csv, in which rows over
+/// all targets have the target "all". Writes the figures first_guess_d, first_guess_success, time,
+/// time_saved and failures, each as .pdf, .svg and .png.
 void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResults& results,
                       const std::filesystem::path& folder);
 

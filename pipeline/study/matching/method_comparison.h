@@ -30,10 +30,10 @@ struct MethodResult {
   double seconds = 0.0;        ///< mean computing time of the weights of a request
 };
 
-/// Evaluates each method with sliders for `parameters` (names of rated scales or groups). Requests
-/// are the parameters of random blends of three examples, of which one may be drawn repeatedly, so
-/// that all requests are reachable; D is measured to the blend. Throws Error if a method does not
-/// support that number of parameters.
+/// Evaluates each method with sliders for `parameters` (names of rated scales or groups). A request
+/// consists of the parameters of a random blend of three examples, drawn with replacement; it is
+/// therefore reachable. D is measured to this blend. Throws Error if a method does not support that
+/// number of parameters.
 std::vector<MethodResult> compare_methods(const Repertoire& repertoire,
                                           const std::vector<std::string>& parameters,
                                           const std::vector<motion::InterpolationMethod>& methods,

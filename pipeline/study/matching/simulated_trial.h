@@ -37,8 +37,8 @@ using SliderDistance = std::function<double(const Eigen::RowVectorXd&)>;
 /// order: each slider is moved up by the step and, if the motion does not look better, down. A move
 /// is kept if the perceived distance, true distance × (1 + error) with a new error for each view,
 /// decreases. The step is 0.2 initially and is halved after a round without improvement. The search
-/// stops if the step falls below 0.02, after max_views, or when the motion matches, which the
-/// experiment signals.
+/// stops if the step falls below 0.02, after max_views, or when the current motion matches (that of
+/// the first guess or of the last kept move), which the experiment signals.
 SimulatedTrial simulate_trial(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
                               const SliderDistance& distance_at);
 

@@ -34,7 +34,7 @@ std::vector<ShownMedia> shown_media(const Manifest& manifest);
 ///                          (`scene:`) that it names
 ///     inputs.csv           hashes of these files and of the motions that they name
 ///     dummy-report/…       a report on simulated answers
-///     manifest-sha256.txt  hashes of all these files
+///     manifest-sha256.txt  hashes of all other files
 ///
 /// The dummy report is added later, by add_dummy_answers and add_folder. The bundle contains no
 /// dates, so that the same study results in the same bytes. `study_folder` is the output folder of
@@ -46,9 +46,9 @@ ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>&
 /// Error for entries that are neither files nor folders.
 void add_folder(ZipFiles& frozen, const std::filesystem::path& folder, const std::string& prefix);
 
-/// Simulated answers whose true ratings are the same for all stimuli, of participants who pass
-/// every attention check. In emotion trials, the intended emotion is recognised at the usual rate
-/// (SimulatedParticipants).
+/// Simulated answers of participants who pass every attention check; the true ratings of all
+/// stimuli are in the middle of the scale. In emotion trials, the intended emotion is recognised at
+/// the usual rate (SimulatedParticipants).
 std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
                                      const std::vector<SessionPlan>& plans);
 
@@ -57,10 +57,10 @@ std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans);
 
-/// Compares a study with a frozen bundle. Returns sentences about the differences, each of which
-/// begins with its subject (such as design, participants, plans of participants, scales, analysis,
-/// inputs or stimuli); empty if there are none. If `study_folder` is empty, media are not compared
-/// and a sentence states that.
+/// Compares a study with a frozen bundle. Returns sentences that describe the differences; empty if
+/// there are none. Each sentence begins with what differs, such as design, participants, plans of
+/// participants, scales, analysis, inputs or stimuli. If `study_folder` is empty, media are not
+/// compared, and a sentence states that.
 ///
 /// Throws Error if `bundle` is not a frozen bundle or its hashes do not match, and if media are
 /// missing in `study_folder`.

@@ -14,10 +14,10 @@ namespace mien::pipeline {
 /// - the numbers of blocks shared by two treatments are as equal over all pairs of treatments as a
 ///   search by exchanges achieves.
 ///
-/// If treatments have factor levels, the levels of a block are in proportion to their numbers of
-/// treatments as far as the first condition allows; this takes precedence over the second. `kinds`
-/// holds the factor levels of each treatment (its actor, its emotion), numbered from 0 over all
-/// factors; empty: none.
+/// If treatments have factor levels, each level occurs in a block roughly in proportion to its
+/// number of treatments, as far as the first condition allows. This takes precedence over the
+/// second condition. `kinds` holds the factor levels of each treatment (its actor, its emotion),
+/// numbered from 0 over all factors; empty: none.
 ///
 /// Block i does not depend on `blocks`: further blocks do not change earlier ones. Treatments
 /// within a block are in increasing order.

@@ -19,10 +19,10 @@ std::size_t random_choice(std::size_t count, std::uint64_t seed, std::string_vie
 std::uint64_t hashed_seed(std::uint64_t seed, std::string_view name);
 
 /// A row of Williams' Latin square of 0 … count − 1 (Williams 1949), balanced for carry-over. In
-/// `count` rows, each number occurs once in each position. For an even count, every number follows
-/// every other once in these rows; for an odd count, twice in 2·count rows: those from `count` on
-/// are the first `count` rows, each in reverse order. `row` may be any number; rows repeat
-/// cyclically.
+/// the first `count` rows, each number occurs once in each position. For an even count, every
+/// number follows every other once in these rows; for an odd count, twice in 2·count rows: those
+/// from `count` on are the first `count` rows, each in reverse order. `row` may be any number; rows
+/// repeat cyclically.
 std::vector<std::size_t> williams_row(std::size_t count, std::size_t row);
 
 /// The number of rows in which every number follows every other equally often: `count` if even,

@@ -61,8 +61,8 @@ PowerEstimate estimate_power(const Manifest& manifest, const PowerOptions& optio
 /// above alpha by more than the Monte-Carlo error. If so, the estimated power is meaningless.
 bool is_false_positive_rate_inflated(const PowerOptions& options, const PowerEstimate& estimate);
 
-/// Sentences that describe the simulation and its result with the Monte-Carlo error. No number of
-/// participants is stated for a test with an inflated false-positive rate.
+/// Sentences that describe the simulation and its result with the Monte-Carlo error. The number
+/// of participants needed is not stated for a test with an inflated false-positive rate.
 std::vector<std::string> power_sentences(const PowerOptions& options,
                                          const PowerEstimate& estimate);
 

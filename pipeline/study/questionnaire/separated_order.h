@@ -26,8 +26,8 @@ std::optional<std::vector<std::size_t>> separated_order(const FactorLevels& fact
                                                         std::optional<std::size_t> before,
                                                         std::uint64_t seed, std::string_view name);
 
-/// A sentence that explains why separated_order found no order: too many of the elements share a
-/// level, or else the search was unsuccessful.
+/// The reason why separated_order found no order, for an error message: too many of the elements
+/// share a level, or else the search was unsuccessful.
 std::string no_order_reason(const FactorLevels& factor_levels,
                             const std::vector<std::size_t>& elements);
 

@@ -36,8 +36,8 @@ struct SimulatedParticipants {
 
 /// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the
 /// participant on that scale plus a residual, clamped to the scale and rounded to the points of the
-/// questionnaire. In a pair, the stimulus with the higher rating before rounding is chosen.
-/// Deterministic in the seed of each plan. Each row is marked as simulated.
+/// questionnaire. In a pair, the stimulus with the higher rating before clamping and rounding
+/// is chosen. Deterministic in the seed of each plan. Each row is marked as simulated.
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,

@@ -41,10 +41,10 @@ struct Confusion {
   std::vector<ConfusionRow> rows;
 };
 
-/// Confusion matrices from ratings, by the points rule of the emotion thesis, and from choices. One
-/// matrix is for all stimuli with a level of the factor `emotion`. If there are several levels of
-/// the factor `made` whose stimuli show emotions, a matrix for each of these levels precedes it,
-/// without neutral stimuli.
+/// Confusion matrices from ratings, by the points rule of the emotion thesis, and from choices. Of
+/// each kind, one matrix is for all stimuli with a level of the factor `emotion`. If there are
+/// several levels of the factor `made` whose stimuli show emotions, a matrix for each of these
+/// levels precedes it, without neutral stimuli.
 ///
 /// By the points rule, a rating contributes up to 2 points to the nearer end of its scale, in
 /// proportion to its distance from the middle: 2 at the end, 1 half way. Shares refer to all points

@@ -51,10 +51,10 @@ ParticipantTable read_participants(const std::filesystem::path& file);
 ParticipantTable joined(const std::vector<ParticipantTable>& tables);
 
 /// A row of the summary of a demographic question over included participants: a statistic of
-/// numerical answers, or the frequency of an answer in words.
+/// the answers if they are numbers, otherwise the frequency of an answer.
 struct DemographicSummary {
   std::string question;
-  std::string answer;     ///< "mean", "standard deviation", "least", "most", or an answer in words
+  std::string answer;     ///< "mean", "standard deviation", "least", "most", or the answer
   double value = 0.0;     ///< the statistic, or the frequency
   int people = 0;         ///< number of participants who answered
   bool is_count = false;  ///< `value` is a frequency

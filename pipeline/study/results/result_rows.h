@@ -69,7 +69,7 @@ void add_table(const Table<Row, count>& table, const std::vector<Row>& rows, boo
   tables.push_back({table.form(), writer.text()});
 }
 
-/// Appends a table with one row, ResultRow{answer_set, result}, for each of `results`.
+/// Appends a table in which each of `results` has a row, ResultRow{answer_set, result}.
 template <class Row, std::size_t count>
 void add_results(const Table<Row, count>& table, const auto& results, const AnswerSet& answer_set,
                  std::vector<WrittenTable>& tables) {

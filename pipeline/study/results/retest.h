@@ -23,7 +23,7 @@ struct RetestAnswer {
   int second_trial = 0;
   std::string first;   ///< first answer: value in the scale's own range, choice, or chosen stimulus
   std::string second;  ///< second answer
-  std::optional<double> difference;  ///< second − first, scale points; empty for choices and words
+  std::optional<double> difference;  ///< second − first, scale points; only for ratings
 
   bool is_equal() const;
 };

@@ -62,8 +62,8 @@ HttpResponse http_value(const nlohmann::ordered_json& value, int status = 200);
 std::string header_of(const HttpRequest& request, const std::string& name);
 
 /// A response with a file, or with the byte range that a "Range" header requests (RFC 9110 §14).
-/// For several ranges, the whole file is sent. The status is 416 for a range beyond the end of the
-/// file and 404 for a missing file.
+/// For several ranges or a malformed header, the whole file is sent. The status is 416 if no byte
+/// of the file is in the range, and 404 for a missing file.
 HttpResponse http_file(const HttpRequest& request, const std::filesystem::path& file,
                        const std::string& type);
 

@@ -27,15 +27,16 @@ struct RequestHead {
   bool is_persistent = true;  ///< persistent connection: further requests may follow
   bool expects_continue =
       false;  ///< "Expect: 100-continue": the body is sent only after an interim response
-  /// The request is refused because it has no, or more than one, Host header.
+  /// The request is refused because its Host header is missing, empty or repeated.
   bool lacks_host = false;
   std::size_t body_length = 0;                 ///< bytes
   std::map<std::string, std::string> headers;  ///< by lower-case name; the first of repeated ones
 };
 
-/// Parses the head of a request. Refused are malformed or too many lines, a missing or repeated
-/// Host header, a target that is not a path, a body without exactly one valid Content-Length, and a
-/// compressed or too long body. `text` must end with the empty line.
+/// Parses the head of a request. Refused are malformed or too many lines, unknown methods, a
+/// missing, empty or repeated Host header, a target that is not a path, a body without exactly one
+/// valid Content-Length, and a body that is compressed or too long. `text` must end with the empty
+/// line.
 RequestHead parse_request_head(std::string_view text, const RequestLimits& limits);
 
 }  // namespace mien::pipeline

@@ -34,7 +34,7 @@ enum class RecordOutcome {
   stored,       ///< the record was stored and flushed to disk
   same,         ///< an identical record had been stored before
   other,        ///< a different record of that name had been stored and is kept
-  out_of_order  ///< an earlier record of the session is missing
+  out_of_order  ///< `position` is not the number of records that the session has so far
 };
 
 /// The sessions of a study and their records, in a database file that survives a crash of the
@@ -42,9 +42,9 @@ enum class RecordOutcome {
 /// throws WriteFailure and stores nothing; it may be repeated.
 class SessionStore {
  public:
-  /// Opens or creates a file. Throws Error if it is not a session store, was written by another
-  /// version of the format, is open in another process, or was copied from a running server without
-  /// its write-ahead log (FILE-wal), which contains the latest records.
+  /// Opens or creates a file. Throws Error if it is not a session store, has another version of the
+  /// format, is open in another process, or was copied from a running server without its
+  /// write-ahead log (FILE-wal), which contains the latest records.
   explicit SessionStore(const std::filesystem::path& file);
   ~SessionStore();
   SessionStore(const SessionStore&) = delete;

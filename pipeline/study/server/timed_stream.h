@@ -10,8 +10,9 @@
 
 namespace mien::pipeline {
 
-/// A client's socket as a synchronous stream for Boost.Asio, with a deadline. Operations fail with
-/// timed_out after the deadline; reading fails with operation_aborted when the server stops.
+/// A client's socket as a synchronous stream for Boost.Asio, with a deadline. Waiting for the
+/// client ends with timed_out at the deadline. Waiting for its data also ends when the server
+/// stops, with operation_aborted.
 class TimedStream {
  public:
   using ErrorCode = boost::system::error_code;
@@ -44,8 +45,8 @@ class TimedStream {
   using Clock = std::chrono::steady_clock;
 
   /// Waits until the socket is ready, but at most 200 ms; the caller then tries again. Returns
-  /// false, with the reason in `error`, if there is nothing to wait for: another error, the
-  /// deadline, or the server is stopping.
+  /// false if the caller must give up, with the reason in `error`: an error of the operation, the
+  /// deadline, or, when reading, that the server is stopping.
   bool wait(short event, ErrorCode& error) {
     constexpr std::chrono::milliseconds poll_interval{200};
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());

@@ -47,8 +47,8 @@ class StudioFigures {
 
   CachedCharacter character(const std::filesystem::path& file, const motion::Skeleton& body);
 
-  std::deque<std::pair<std::string, CachedCharacter>> characters_;  ///< most recently used first
-  std::deque<std::pair<std::string, std::string>> files_;  ///< by key, most recently used first
+  std::deque<std::pair<std::string, CachedCharacter>> characters_;  ///< newest first
+  std::deque<std::pair<std::string, std::string>> files_;           ///< by key, newest first
 };
 
 }  // namespace mien::pipeline

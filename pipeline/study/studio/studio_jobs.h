@@ -40,9 +40,10 @@ class StudioJobs {
   /// Starts a job and returns its number; nullopt while another is running.
   std::optional<int> begin(StudioJob job);
 
-  /// The status of a job: {"job": 3, "kind": "still", "stimulus": …, "state": "running", "done",
-  /// "failed" or "cancelled", "share": progress from 0 to 1, "told": error message or path of the
-  /// result; empty while there is neither}. Null unless `job` is the last one.
+  /// The status of a job as JSON: its number "job", its "kind" ("still" or "video"), the id of its
+  /// "stimulus", its "state" ("running", "done", "failed" or "cancelled"), its progress "share" (0
+  /// to 1), and "told": an error message or the path of the result; empty while there is neither.
+  /// Null unless `job` is the last one.
   nlohmann::ordered_json status(int job) const;
 
   /// The status of the last job; null if there was none.

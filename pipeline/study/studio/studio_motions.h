@@ -80,10 +80,9 @@ class StudioMotions {
 
   DraftReader& reader_;
   std::mutex mutex_;
-  std::deque<Study> studies_;  ///< most recently used first
-  std::deque<std::pair<std::string, CachedMotion>>
-      motion_cache_;                                       ///< by request, most recently used first
-  std::deque<std::pair<std::string, Shown>> shown_cache_;  ///< by look, most recently used first
+  std::deque<Study> studies_;                                      ///< most recently used first
+  std::deque<std::pair<std::string, CachedMotion>> motion_cache_;  ///< by request, newest first
+  std::deque<std::pair<std::string, Shown>> shown_cache_;  ///< by name and looks, newest first
   StudioFigures figures_;
 };
 

@@ -34,12 +34,12 @@ inline constexpr char walker_page[] = "walk.html";
 ///     POST /<link>/jobs            {"document", "kind", "stimulus", "seconds", "quality"}:
 ///                                  starts rendering a still or a video
 ///     GET  /<link>/jobs/<n>        status of a job
-///     POST /<link>/jobs/<n>/cancel
-///     GET  /<link>/jobs/<n>/result
+///     POST /<link>/jobs/<n>/cancel cancels the running job, regardless of <n>
+///     GET  /<link>/jobs/<n>/result the still or video
 ///
 /// Request bodies are JSON. For an invalid document, the response has status 422 and the body
-/// {"faults": [{"path", "wrong", "remedy"}]}. File names in documents are checked (DraftReader).
-/// Thread-safe.
+/// {"error": "faults", "faults": [{"path", "wrong", "remedy"}]}. File names in documents are
+/// checked (DraftReader). Thread-safe.
 class StudioService {
  public:
   /// `file` must outlive this object. `page`: the files served to browsers. `out`: folder for

@@ -29,8 +29,10 @@ struct TrialItem {
 
 /// One page of a session.
 struct Trial {
-  int number = 0;     ///< from 1, counted over all blocks
-  std::string block;  ///< "practice", "main", or the level of the blocking factor
+  int number = 0;  ///< from 1, counted over all blocks
+  /// "practice", "main", or the level of the blocking factor; in a matching experiment, "practice",
+  /// or the interface or target that the trials of the block share.
+  std::string block;
   const TrialKind* kind = &rating_trials;  ///< for an attention check, the kind that it resembles
   std::vector<std::string>
       stimuli;                   ///< one id, or two from left to right; none in an attention check
@@ -126,7 +128,7 @@ struct TrialKind {
   std::vector<std::string> (*attention_answers)(const Question&) = nullptr;
   /// The reason why a response is invalid; empty if it is valid.
   std::string (*fault)(const Question&, const ItemResponse&) = nullptr;
-  /// Sets `value` and `pole_left` of a row from its raw answer.
+  /// Sets `value` and, for a rating, `pole_left` of a row from its raw answer.
   void (*complete)(const Question&, AnswerRow& row) = nullptr;
   /// The raw answer of a simulated participant.
   std::string (*simulated)(const Question&, const SimulatedView&) = nullptr;

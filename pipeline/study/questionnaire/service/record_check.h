@@ -7,7 +7,7 @@
 namespace mien::pipeline {
 
 /// Throws RecordFault if the page of this session cannot have sent the record: unknown, missing or
-/// repeated items, invalid values, or media that were not shown.
+/// repeated items, invalid values, or media other than those of the trial.
 void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
                   const PageRecord& record);
 

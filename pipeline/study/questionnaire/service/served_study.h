@@ -51,13 +51,13 @@ struct SessionProgress {
   bool has_refused = false;         ///< consent was refused
 };
 
-/// experiment.json for one participant's page: it contains only the session of this participant,
-/// without data that reveals conditions or belongs to other participants.
+/// experiment.json for one participant's page, with only the session of this participant (which
+/// follows the plan with index `plan`) and its media, and without the member "stimuli".
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
                          const SessionProgress& progress);
 
-/// experiment.json for the page that asks for consent before a session is assigned: without
-/// sessions, media and stimuli.
+/// experiment.json for the page that asks for consent before a session is assigned: with one
+/// session, which has no trials, and without media and stimuli.
 std::string joining_json(const ServedStudy& study);
 
 }  // namespace mien::pipeline

@@ -11,7 +11,8 @@ namespace mien::pipeline {
 
 /// Rate limits of requests.
 struct ServiceRates {
-  Rate link{.burst = 300, .per_second = 10};    ///< per participant's link
+  /// Per participant's link; for the page of the shared link, per client address.
+  Rate link{.burst = 300, .per_second = 10};
   Rate live{.burst = 600, .per_second = 120};   ///< synthesized motions, per participant's link
   Rate wrong{.burst = 60, .per_second = 0.5};   ///< requests with unknown links, per client address
   Rate joining{.burst = 100, .per_second = 1};  ///< new sessions, per client address
@@ -25,7 +26,7 @@ struct ServiceRates {
 ///   /s/<link>/live/…              motions of a matching experiment (live_motions.h)
 ///   /media/<token>                a video or 3-D clip
 ///   /join/<link>/                 the page that asks for consent before a session is assigned
-///   /join/<link>/records/consent  POST: consent; the response is a new session
+///   /join/<link>/records/consent  POST: consent; the response has the link of a session
 ///   /lab/<link>/                  the experimenter's page and exports (lab_answer)
 ///
 /// A participant's link gives access to one session only. No part of a request is used as a file
@@ -40,7 +41,8 @@ class QuestionnaireService {
   /// is shown on the experimenter's page (last_failure()).
   HttpResponse answer(const HttpRequest& request);
 
-  /// The last storage failure; empty if there was none, or a record has been stored since.
+  /// The last storage failure; empty if there was none, or if a later record has been handled
+  /// without a failure.
   std::string last_failure() const;
 
   const StudySessions& sessions() const { return sessions_; }

@@ -26,7 +26,8 @@ struct SessionState {
   StoredSession session;
   std::vector<std::string> names;  ///< names of this session's records, in order
   std::size_t stored = 0;          ///< number of these records that have been stored
-  /// Time at which the page last loaded its session or sent a record, seconds since 1970; 0: never.
+  /// Time at which the page last loaded its session or sent a record, seconds since 1970; 0: not
+  /// since the server started.
   std::int64_t last_seen = 0;
   std::string browser;  ///< browser session that sent the first record; other browsers are refused
   bool has_refused = false;
@@ -69,8 +70,8 @@ class StudySessions {
   /// Adds a session for a participant who gave consent on the page of the shared link. It follows
   /// the plan that the fewest participants have finished or are following (next_plan). Participants
   /// who have refused consent, or are offline without having finished, are not counted. Planned
-  /// sessions are never used, since their links may have been handed out. If the same consent is
-  /// sent again, the same session is returned. Nullopt if has_enough().
+  /// sessions are never used, since their links may have been handed out. If a browser session
+  /// that has already joined sends consent again, its session is returned. Nullopt if has_enough().
   std::optional<SessionState> join(const PageRecord& consent, const std::string& content);
 
   /// Whether all plans are finished or the maximum number of sessions, four per plan, is reached.

@@ -28,10 +28,10 @@ struct HeatMap {
 
 Plot heat_map_plot(const HeatMap& map);
 
-/// Diverging colormap with perceptually uniform steps: orange for −1, white for 0, blue for 1.
+/// Diverging colormap: red for −1, nearly white for 0, blue for 1.
 Colour signed_colour(double value);
 
-/// Sequential colormap: white for 0, blue for 1.
+/// Sequential colormap: nearly white for 0, blue for 1.
 Colour share_colour(double value);
 
 }  // namespace mien::pipeline

@@ -16,7 +16,7 @@ struct ResultFigure {
   std::string thesis;  ///< number of the corresponding figure in the emotion thesis (README.md);
                        ///< may be empty
   std::string former_name;  ///< earlier base name of its files; may be empty
-  std::string caption;      ///< a sentence
+  std::string caption;      ///< one or more sentences
   Plot plot;
 };
 

@@ -27,8 +27,8 @@ struct DatasetPaths {
 /// digits.
 DatasetPaths dataset_paths(const std::string& study);
 
-/// The data as a Psych-DS dataset (psych-ds.github.io): the answers as read, including those of
-/// excluded participants; the stimuli with their factors; the participants, if known;
+/// The data as a Psych-DS dataset (psych-ds.github.io): the answers, including those of excluded
+/// participants, which are marked; the stimuli with their factors; the participants, if known;
 /// dataset_description.json (JSON-LD, schema.org), which describes every column of these;
 /// codebook.csv, which also describes the tables of results; README.md; and .psychdsignore.
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
