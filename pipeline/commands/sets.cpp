@@ -32,7 +32,7 @@ Command sets_command() {
           .summary = "List the built-in sets, or print one as a starting point",
           .options = {argument("name", name.get(), "Set to print").optional()},
           .notes =
-              "Example:\n  mien sets studio > my.set.yaml\n"
+              "Examples:\n  mien sets studio > my.set.yaml\n"
               "  mien render walk.bvh --scene my.set.yaml",
           .run = [name](const Console& console) { return show_set(*name, console); }};
 }

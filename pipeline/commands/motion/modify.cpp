@@ -82,8 +82,8 @@ Command motion_modify_command() {
           argument("out", &options->out, "File to write: " + motion::formats_written()),
           take_option(options->take),
           option("--recipes", &options->recipes,
-                 "builtin, fig29 (figure 29 of a thesis on emotion in motion capture), or a file "
-                 "of recipes")
+                 "builtin, fig29 (after figure 29 of a thesis on emotion in motion capture), or a "
+                 "file of recipes")
               .with_default(),
           option(
               "--on-fault", &options->on_fault,
@@ -115,8 +115,8 @@ Command motion_emotions_command() {
   return {.name = "emotions",
           .summary = "List the emotions that can be applied to motions",
           .options = {option("--recipes", &options->recipes,
-                             "builtin, fig29 (figure 29 of a thesis on emotion in motion capture), "
-                             "or a file of recipes")
+                             "builtin, fig29 (after figure 29 of a thesis on emotion in motion "
+                             "capture), or a file of recipes")
                           .with_default(),
                       flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
                       flag("--posture", &options->posture,

@@ -228,8 +228,8 @@ Command motion_stream_command() {
            option("--calibration", &options->calibration,
                   "A recording of the same rig from which its proportions and floor are measured"),
            option("--recipes", &options->recipes,
-                  "builtin, fig29 (figure 29 of a thesis on emotion in motion capture), or a file "
-                  "of recipes")
+                  "builtin, fig29 (after figure 29 of a thesis on emotion in motion capture), or a "
+                  "file of recipes")
                .with_default(),
            flag("--measure", &options->measure,
                 "Keep all frames, and report at the end how far they deviate from those of mien "

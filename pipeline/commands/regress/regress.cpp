@@ -180,12 +180,13 @@ std::vector<CommandOption> file_options(RegressOptions& options) {
 }
 
 constexpr char footer[] =
-    "Motions are compared as they are, without foot locking, alignment or rotation. Joints are "
-    "paired by name; if the rigs differ, both are retargeted to one body. The report gives the "
-    "largest change in a sentence, which names the joint that causes the change, not those that "
-    "move with it, and recognizes time shifts, left and right swapped, and a displaced figure. It "
-    "also gives distances with and without alignment, velocities, foot contacts, faults that "
-    "appeared or disappeared, and motion features.\n\n"
+    "Motions are compared as they are, without foot locking, alignment or rotation. If the rigs "
+    "differ, both motions are retargeted to one body; if only the names of joints differ, this is "
+    "reported as the difference. The report gives the largest change in a sentence, which names "
+    "the joint that causes the change, not those that move with it, and recognizes time shifts, "
+    "left and right swapped, and a displaced figure. It also gives distances with and without "
+    "alignment, velocities, foot contacts, faults that appeared or disappeared, and motion "
+    "features.\n\n"
     "The tolerances of a study are in its manifest (regression:).\n\n"
     "Exit code: 0 no difference beyond tolerance, 1 differences, 2 "
     "comparison failed (bad input, a damaged baseline, no space for the report).\n\n"

@@ -162,7 +162,7 @@ Command study_evaluate_command() {
           "Writes means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures "
           "first_guess_d, first_guess_success, time, time_saved and failures as .pdf, .svg and "
           ".png, each per target and over all targets.\n\n"
-          "Example:\n"
+          "Examples:\n"
           "  mien study evaluate sessions.csv -o evaluation\n"
           "  mien study evaluate downloads/*trials_data.csv -o evaluation",
       .run = [options](const Console& console) { return run_evaluation(*options, console); }};

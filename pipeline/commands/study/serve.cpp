@@ -238,12 +238,13 @@ Command study_serve_command() {
                      "URL at which participants reach this server, if not its address and port"),
               flag("--json", &options->json, "Print the links as JSON")),
           .notes =
-              "First makes the videos that a questionnaire shows, as mien run does. Each "
-              "participant has a personal\n"
-              "link, each answer is stored on disk before the page continues, and the "
-              "experimenter's page shows the\n"
-              "progress of all participants and exports the answers as CSV. Other machines have "
-              "access only with --listen.\n\n"
+              "First makes the videos that a questionnaire shows, as mien run does. Each planned "
+              "participant has a\n"
+              "personal link, and an open link admits anybody else. Each page is stored on disk "
+              "before the next is shown.\n"
+              "The experimenter's page shows the progress of all participants and exports the "
+              "answers as CSV. Other\n"
+              "machines have access only with --listen.\n\n"
               "Examples:\n"
               "  mien study serve study.yaml\n"
               "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db",

@@ -32,10 +32,10 @@ constexpr auto coverage_columns = table_of<WordCoverage>(
     "coverage.csv", "language",
     {{"language", "", "the language", [](auto& r) { return r.language; }},
      {"answers", "", "answers with a modifier", [](auto& r) { return r.answers; }},
-     {"understood", "", "of these with one that is understood",
+     {"understood", "", "of these answers, those with at least one modifier that is understood",
       [](auto& r) { return r.understood; }},
-     {"modifiers", "", "all modifiers", [](auto& r) { return r.modifiers; }},
-     {"modifiers_understood", "", "of these understood",
+     {"modifiers", "", "number of modifiers", [](auto& r) { return r.modifiers; }},
+     {"modifiers_understood", "", "of these modifiers, those that are understood",
       [](auto& r) { return r.modifiers_understood; }}});
 
 /// Columns of a table of words that were not understood, or read as others.
@@ -55,7 +55,7 @@ constexpr auto stimulus_counts_columns = table_of<StimulusCount>(
     "answers_per_stimulus.csv", "stimulus",
     {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
      {"answers", "", "answers in a language of the lexicon", [](auto& r) { return r.answers; }},
-     {"understood", "", "of these, that place it on a scale",
+     {"understood", "", "of these answers, those that rate the stimulus on a scale",
       [](auto& r) { return r.understood; }}});
 
 void write_report(const WordAnswers& words, const std::filesystem::path& folder) {

@@ -70,8 +70,8 @@ constexpr auto distances_columns = table_of<ComparedPair>(
       "threshold of D at which a trial of the adjective paper's matching task ends",
       [](auto&) { return motion::distance_threshold_m; }},
      {"match", "0/1",
-      "1: D is below threshold_m, which takes no account of single joints, durations or "
-      "perceptibility; empty for gallery sheets",
+      "1: D is below threshold_m, whatever the distances of single joints and the durations; not a "
+      "measure of perceptibility; empty for gallery sheets",
       [](auto& r) {
         return r.sheet.gallery.empty() ? std::optional(r.d.matches()) : std::nullopt;
       }}});

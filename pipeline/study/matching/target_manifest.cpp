@@ -49,15 +49,17 @@ constexpr auto targets_columns = table_of<TargetParameter>(
       [](auto& r) { return r.target.practice ? "practice" : "target"; }},
      {"parameter", "", "adjective or motion feature",
       [](auto& r) { return r.set.parameters[r.parameter]; }},
-     {"requested", "0–1", "where it was sampled", [](auto& r) { return r.at(r.target.place); }},
-     {"reached", "0–1", "what the blend has", [](auto& r) { return r.at(r.target.reached); }},
+     {"requested", "0–1", "value at which the target was sampled",
+      [](auto& r) { return r.at(r.target.place); }},
+     {"reached", "0–1", "value of the blend", [](auto& r) { return r.at(r.target.reached); }},
      {"source", "", "adjectives or features",
       [](auto& r) { return r.set.are_features ? "features" : "adjectives"; }},
      {"ratings", "", "given (by people), simulated or none", [](auto& r) { return r.ratings; }},
      {"nearest_example", "", "label of the example nearest to it",
       [](auto& r) { return r.nearest; }},
-     {"distance", "", "to that, in the parameters", [](auto& r) { return r.target.distance; }},
-     {"seed", "", "that targets were sampled with", [](auto& r) { return r.set.seed; }}});
+     {"distance", "", "distance from that example in the space of the parameters",
+      [](auto& r) { return r.target.distance; }},
+     {"seed", "", "seed of the sampling", [](auto& r) { return r.set.seed; }}});
 
 }  // namespace
 

@@ -131,7 +131,8 @@ constexpr auto plans_columns = table_of<PlannedTrial>(
       [](auto& r) { return r.trial.warm_up; }},
      {"is_check", "0/1", "1: an attention check (see `expected`) or a repeated stimulus",
       [](auto& r) { return r.trial.is_check; }},
-     {"expected", "", "raw answer that passes the check", [](auto& r) { return r.trial.expected; }},
+     {"expected", "", "raw answer that passes the attention check; otherwise empty",
+      [](auto& r) { return r.trial.expected; }},
      {"seed", "", "seed of the participant's order", [](auto& r) { return r.plan.seed; }}});
 
 }  // namespace

@@ -94,9 +94,11 @@ inline constexpr SharedColumn setting_column = {
     [](auto& r) { return r.stimulus().setting; }};
 inline constexpr SharedColumn scale_column = {"scale", "", "scale id",
                                               [](auto& r) { return r.scale().id; }};
-inline constexpr SharedColumn adjusted_column = {
-    "p_adjusted", "", "p corrected for multiple comparisons over the rows of the same kind",
-    [](auto& r) { return p_field(r.of.adjusted); }};
+inline constexpr SharedColumn adjusted_column = {"p_adjusted", "",
+                                                 "p corrected for multiple comparisons, over the "
+                                                 "rows of the question (groups), of the confusion "
+                                                 "matrix (recall) or of the whole table",
+                                                 [](auto& r) { return p_field(r.of.adjusted); }};
 
 /// Adds the tables of comparisons.
 void add_comparisons(const Results& results, std::vector<WrittenTable>& tables);

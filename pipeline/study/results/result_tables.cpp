@@ -74,8 +74,8 @@ constexpr auto confusion_columns = result_table<ConfusionCell>(
      shown_column,
      {"seen", "", "perceived emotion", [](auto& r) { return r.all.columns[r.column]; }},
      {"points", "",
-      "points: 2 for a rating at the end of a scale, 1 halfway, in proportion; for choices, their "
-      "number",
+      "points: 2 for a rating at the end of a scale, 1 halfway between middle and end, others in "
+      "proportion; for choices, their number",
       [](auto& r) { return r.of.points[r.column]; }},
      {"share", "0–1", "proportion of the row's points",
       [](auto& r) { return r.of.points[r.column] / r.of.total; }}});

@@ -126,7 +126,7 @@ std::string sessions_html(const Results& results) {
                         p.stalls, p.blurs)
                 .text(state_of(p, results.answer_set))
                 .html();
-  return wide_table({"<participant", "trials", "answers", "checks passed",
+  return wide_table({"<participant", "trials completed", "answers analysed", "checks passed",
                      "median response time, s", "stalls", "tab switches", "<"},
                     rows);
 }
