@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "render/light/lanes.h"
 #include "render/light/sky_cone.h"
 #include "render/math/constants.h"
+#include "render/math/lanes.h"
 #include "render/math/sampler.h"
 
 namespace mien::render {
@@ -146,37 +146,37 @@ void FloorSky::sample_corner(std::size_t number, const EmbreeScene& figure,
   const Vec3 point{corner.x, 0.0f, corner.z};
   const PixelSampler sampler(quality_.seed, static_cast<int>(corner.x / unit),
                              static_cast<int>(corner.z / unit));
-  const std::optional<Cone> cone = cone_of(bounds_, point);
   const int rays = rays_from(corner);
-  const float weight = (cone ? cone->solid_angle() / pi : 1.0f) / static_cast<float>(rays);
-  LaneVectors upwards;
-  std::fill_n(upwards.y.lane, lanes, 1.0f);
+  const float weight = 1.0f / static_cast<float>(rays);
+  LaneVectors points, upwards;
+  LaneWords index, seed;
+  for (int i = 0; i < static_cast<int>(lanes); ++i) {
+    points.set(i, point);
+    upwards.set(i, Vec3::UnitY());
+    seed[i] = sampler.seed(Dimension::CornerSky);
+  }
   const bool moves = figure.shapes().move();
   const bool all_present = figure.shapes().all_present;
   for (int first = 0; first < rays; first += static_cast<int>(lanes)) {
-    LaneWords index, seed;
-    for (int i = 0; i < static_cast<int>(lanes); ++i) {
+    for (int i = 0; i < static_cast<int>(lanes); ++i)
       index[i] = static_cast<std::uint32_t>(first + i);
-      seed[i] = sampler.seed(Dimension::CornerSky);
-    }
-    const LanePoints u = sample_points(index, seed);
-    const LaneVectors towards =
-        cone ? cone_directions(cone->axis, cone->cosine, u) : cosine_directions(upwards, u);
+    const LaneSphereRays sky =
+        rays_to_sphere(bounds_.centre, bounds_.radius, points, upwards, sample_points(index, seed));
     RayPacket packet;
+    LaneFloats light;
     for (int i = 0; i < static_cast<int>(lanes); ++i) {
-      if (towards.y[i] <= 0.0f) continue;
+      if (sky.towards.y[i] <= 0.0f) continue;
       const float time =
           moves ? quality_.shutter * sampler.point(Dimension::Time, first + i).u : 0.0f;
-      packet.push(point, towards.at(i), std::numeric_limits<float>::infinity(), time,
+      light[packet.count] = weight * sky.share[i];
+      packet.push(point, sky.towards.at(i), std::numeric_limits<float>::infinity(), time,
                   all_present ? ~0u : present_figures(sampler, opacities, first + i));
     }
     const std::uint32_t blocked = packet.count > 0 ? figure.occluded(packet) : 0;
     for (int i = 0; i < packet.count; ++i) {
       if (((blocked >> i) & 1u) == 0) continue;
-      const float sine = packet.direction_y[i];
-      const float light = cone ? weight * sine : weight;
-      corner.even += light;
-      corner.rising += light * sine;
+      corner.even += light[i];
+      corner.rising += light[i] * packet.direction_y[i];
     }
   }
 }

@@ -1,76 +1,108 @@
 #include "render/light/light.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
 
-#include "render/math/directions.h"
+#include "render/math/for_avx2.h"
 
 namespace mien::render {
 namespace {
 
-// A rectangle cut by a plane has five corners at most.
-struct Polygon {
-  std::array<Vec3, 5> corners;
-  std::size_t size = 0;
+constexpr float half_pi = std::numbers::pi_v<float> / 2.0f;
 
-  void add(const Vec3& corner) { corners[size++] = corner; }
-};
-
-Polygon above_horizon(const std::array<Vec3, 4>& corners, const Vec3& normal) {
-  Polygon kept;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3& here = corners[i];
-    const Vec3& next = corners[(i + 1) % 4];
-    const float height = here.dot(normal);
-    const float next_height = next.dot(normal);
-    if (height >= 0.0f) kept.add(here);
-    if ((height < 0.0f) != (next_height < 0.0f))
-      kept.add(here + (height / (height - next_height)) * (next - here));
-  }
-  return kept;
-}
-
-// Angle between unit vectors over its sine.
-float angle_over_sine(const Vec3& a, const Vec3& b, float sine) {
-  const float half_chord = std::min(0.5f * (a - b).norm(), 1.0f);
-  return sine > 1e-6f ? 2.0f * arc_sine(half_chord) / sine : 1.0f;
+// atan(√z) / √z for z in [0, 1], with a relative error of at most 1e-7: our own Chebyshev
+// approximation.
+inline float arc_tangent_ratio(float z) {
+  return 1.0f +
+         z * (-0.33333066f +
+              z * (0.19992484f +
+                   z * (-0.14202571f +
+                        z * (0.10636754f +
+                             z * (-0.07495446f +
+                                  z * (0.042587608f + z * (-0.01600503f + z * 0.0028340644f)))))));
 }
 
 }  // namespace
 
-LightSample sample(const AreaLight& light, const Vec3& point, Point2 u) {
-  const Vec3 there =
-      light.centre + (2.0f * u.u - 1.0f) * light.half_u + (2.0f * u.v - 1.0f) * light.half_v;
-  const Vec3 span = there - point;
-  const float squared = span.squaredNorm();
-  const float distance = std::sqrt(squared);
-  const Vec3 towards = span / distance;
-  // Its length is a quarter of the light's area.
-  const Vec3 quarter = light.half_u.cross(light.half_v);
-  const float facing = -4.0f * quarter.dot(towards);
-  const float share = facing > 0.0f ? facing / squared : 0.0f;
-  return {towards, distance, share * light.radiance};
+MIEN_FOR_AVX2_TOO LaneLights sample(const AreaLight& light, const LaneVectors& point,
+                                    const LanePoints& u) {
+  LaneLights out;
+  const Vec3 &centre = light.centre, &a = light.half_u, &b = light.half_v;
+  // Its length is the light's area.
+  const Vec3 area = 4.0f * a.cross(b);
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float s = 2.0f * u.u.lane[i] - 1.0f, t = 2.0f * u.v.lane[i] - 1.0f;
+    const float x = centre.x() + s * a.x() + t * b.x() - point.x.lane[i];
+    const float y = centre.y() + s * a.y() + t * b.y() - point.y.lane[i];
+    const float z = centre.z() + s * a.z() + t * b.z() - point.z.lane[i];
+    const float squared = x * x + y * y + z * z;
+    const float distance = std::sqrt(squared);
+    const float scale = 1.0f / distance;
+    const float facing = -(area.x() * x + area.y() * y + area.z() * z) * scale;
+    out.towards.x.lane[i] = x * scale;
+    out.towards.y.lane[i] = y * scale;
+    out.towards.z.lane[i] = z * scale;
+    out.distance.lane[i] = distance;
+    out.share.lane[i] = facing > 0.0f ? facing / squared : 0.0f;
+  }
+  return out;
 }
 
-Color irradiance(const AreaLight& light, const Vec3& point, const Vec3& normal) {
-  const Vec3 centre = light.centre - point;
-  if (light.half_u.cross(light.half_v).dot(centre) >= 0.0f) return Color::Zero();
-  const Vec3 &u = light.half_u, &v = light.half_v;
-  // This order makes the sum positive for the side that emits.
-  const Polygon polygon =
-      above_horizon({centre - u - v, centre - u + v, centre + u + v, centre + u - v}, normal);
-  if (polygon.size < 3) return Color::Zero();
-
-  float sum = 0.0f;
-  Vec3 here = polygon.corners[polygon.size - 1].normalized();
-  for (std::size_t i = 0; i < polygon.size; ++i) {
-    const Vec3 next = polygon.corners[i].normalized();
-    const Vec3 across = here.cross(next);
-    sum += angle_over_sine(here, next, across.norm()) * across.dot(normal);
-    here = next;
+FloorLight::FloorLight(const AreaLight& light)
+    : front_(light.half_u.cross(light.half_v)), centre_(light.centre) {
+  const Vec3 &centre = light.centre, &u = light.half_u, &v = light.half_v;
+  const Vec3 corners[4] = {centre - u - v, centre - u + v, centre + u + v, centre + u - v};
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 &here = corners[i], &next = corners[(i + 1) % 4];
+    const float height = here.y(), next_height = next.y();
+    if (height >= 0.0f) add(here);
+    if ((height < 0.0f) != (next_height < 0.0f))
+      add(here + (height / (height - next_height)) * (next - here));
   }
-  return std::max(0.5f * sum, 0.0f) * light.radiance;
+}
+
+// The horizon of a floor that faces up is the floor itself, so the light is cut once for all
+// points. Of each edge, from a to b as seen from the point, Lambert's formula takes the angle
+// between them times how much of the unit normal a × b / |a × b| is upwards; the angle's tangent is
+// |a × b| / a · b.
+MIEN_FOR_AVX2_TOO LaneFloats irradiance(const FloorLight& light, const LaneVectors& point) {
+  LaneFloats out;
+  if (light.count() < 3) return out;
+  const float fx = light.front().x(), fy = light.front().y(), fz = light.front().z();
+  const float cx = light.centre().x(), cy = light.centre().y(), cz = light.centre().z();
+  LaneFloats sum;
+  for (int k = 0; k < light.count(); ++k) {
+    const Vec3& from = light.corner(k == 0 ? light.count() - 1 : k - 1);
+    const Vec3& to = light.corner(k);
+    const float from_x = from.x(), from_y = from.y(), from_z = from.z();
+    const float to_x = to.x(), to_y = to.y(), to_z = to.z();
+#pragma omp simd
+    for (unsigned i = 0; i < lanes; ++i) {
+      const float px = point.x.lane[i], py = point.y.lane[i], pz = point.z.lane[i];
+      const float ax = from_x - px, ay = from_y - py, az = from_z - pz;
+      const float bx = to_x - px, by = to_y - py, bz = to_z - pz;
+      const float nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
+      const float sine = std::sqrt(nx * nx + ny * ny + nz * nz);
+      const float cosine = ax * bx + ay * by + az * bz;
+      const float size = cosine < 0.0f ? -cosine : cosine;
+      const bool steep = sine > size;
+      const float tangent = (steep ? size : sine) / (steep ? sine : size);
+      const float flat = tangent * arc_tangent_ratio(tangent * tangent);
+      const float acute = steep ? half_pi - flat : flat;
+      const float angle = cosine < 0.0f ? 2.0f * half_pi - acute : acute;
+      // Where a and b are all but one the ratio is that of their lengths.
+      const float by_sine = sine > 1e-6f * size ? angle / sine : 1.0f / size;
+      sum.lane[i] += by_sine * ny;
+    }
+  }
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float px = point.x.lane[i], py = point.y.lane[i], pz = point.z.lane[i];
+    const bool is_behind = fx * (cx - px) + fy * (cy - py) + fz * (cz - pz) >= 0.0f;
+    out.lane[i] = is_behind | !(sum.lane[i] > 0.0f) ? 0.0f : 0.5f * sum.lane[i];
+  }
+  return out;
 }
 
 }  // namespace mien::render

@@ -1,23 +1,42 @@
 #pragma once
 
-#include "render/math/sampler.h"
+#include "render/math/lanes.h"
 #include "render/scene/scene.h"
 
 namespace mien::render {
 
-/// A point chosen on a light, as seen from a point of a surface.
-struct LightSample {
-  Vec3 towards;         ///< unit
-  float distance;       ///< metres
-  Color perpendicular;  ///< irradiance that it represents on a surface facing it; black if the
-                        ///< surface is behind the light
+/// A point chosen on a light, as seen from each of eight points.
+struct LaneLights {
+  LaneVectors towards;  ///< unit
+  LaneFloats distance;  ///< metres
+  LaneFloats share;     ///< solid angle that the sample represents, steradians; times the light's
+                        ///< radiance, irradiance of a surface facing it. 0 behind the light.
 };
 
-/// Samples the light uniformly by area: E[perpendicular · cos θ] is the irradiance.
-LightSample sample(const AreaLight& light, const Vec3& point, Point2 u);
+/// Samples the light uniformly by area: E[share · cos θ] · radiance is the irradiance.
+LaneLights sample(const AreaLight& light, const LaneVectors& point, const LanePoints& u);
 
-/// Irradiance from the whole, unoccluded light at a point with this unit normal: Lambert's formula
-/// for polygons, clipped at the surface's horizon.
-Color irradiance(const AreaLight& light, const Vec3& point, const Vec3& normal);
+/// The part of a light above the floor: a polygon of five corners at most.
+class FloorLight {
+ public:
+  explicit FloorLight(const AreaLight& light);
+
+  int count() const { return count_; }
+  const Vec3& corner(int i) const { return corners_[i]; }
+  const Vec3& front() const { return front_; }  ///< normal of any length, on the side that emits
+  const Vec3& centre() const { return centre_; }
+
+ private:
+  void add(const Vec3& corner) { corners_[count_++] = corner; }
+
+  Vec3 corners_[5];
+  int count_ = 0;
+  Vec3 front_;
+  Vec3 centre_;
+};
+
+/// Irradiance from the whole, unoccluded light, of radiance 1, at eight points of the floor:
+/// Lambert's formula for polygons.
+LaneFloats irradiance(const FloorLight& light, const LaneVectors& point);
 
 }  // namespace mien::render

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "render/geometry/prepared_cone.h"
-#include "render/light/lanes.h"
+#include "render/math/lanes.h"
+#include "render/scene/scene.h"
 
 namespace mien::render {
 

@@ -3,12 +3,12 @@
 #include <optional>
 
 #include "render/geometry/bounding_volumes.h"
+#include "render/math/lanes.h"
 #include "render/math/sampler.h"
-#include "render/math/vector.h"
 
 namespace mien::render {
 
-// Sampling of a figure's occlusion of the sky.
+// Sampling of a figure's occlusion of the sky (see rays_to_sphere).
 
 /// A cone of directions from a point that contains the whole figure.
 struct Cone {
@@ -17,9 +17,6 @@ struct Cone {
 
   float solid_angle() const;
 };
-
-/// Squared sine of the half angle (about 51°) at and above which no Cone is used.
-inline constexpr float greatest_cone_sine_squared = 0.6f;
 
 /// Returns the cone around a bounding sphere; nothing if the squared sine of its half angle is
 /// greatest_cone_sine_squared or more, which includes points inside the sphere.

@@ -150,12 +150,11 @@ struct EvenAlbedo {
   bool holds = true;
   std::optional<Color> colour = std::nullopt;  // of the first that shows
 
-  void add(const LaneBackgroundPixels& pixels, int count) {
+  void add(const LaneBackground& pixels, int count) {
     if (pixels.plain) count = 1;  // as all are
     for (int i = 0; i < count; ++i) {
       if (!(pixels.share[i] > 0.0f)) continue;
-      const Color found{pixels.visible_albedo.red[i], pixels.visible_albedo.green[i],
-                        pixels.visible_albedo.blue[i]};
+      const Color found = pixels.visible_albedo.at(i);
       if (!colour) colour = found;
       holds = holds && (found == *colour).all();
     }
@@ -170,7 +169,7 @@ void render_unshadowed_row(const UnshadowedBackground& open, int y, StaticBackgr
   EvenAlbedo even;
   for (int first = 0; first < width; first += static_cast<int>(lanes)) {
     const int count = std::min(static_cast<int>(lanes), width - first);
-    const LaneBackgroundPixels pixels = row.pixels(first);
+    const LaneBackground pixels = row.pixels(first);
     put(pixels.radiance, count, background.radiance.at(first, y));
     const std::size_t place = background.place_of(first, y);
     for (int i = 0; i < count; ++i)

@@ -12,33 +12,20 @@ namespace {
 
 constexpr float over_pi = std::numbers::inv_pi_v<float>;
 
-/// Widths along x and z of what pixels cover of the floor.
-struct LaneFootprints {
-  LaneFloats x;
-  LaneFloats z;
-};
-
-/// How much of the floor lines cover, fine ones and major ones.
+/// Proportions of the pixels that lines of the floor cover.
 struct LaneCovers {
   LaneFloats fine;
   LaneFloats major;
 };
 
-/// Points of the image plane as seen from the optical axis, pixels.
-struct LaneImagePoints {
-  LaneFloats right;
-  float down;
-};
-
-/// Where the floor is seen that all pixels show, and of which nothing has faded.
-MIEN_FOR_AVX2_TOO void find_near_floor(const FloorRow& row, const LaneImagePoints& image,
-                                       LaneBackgroundPixels& pixels) {
+/// Finds the points of the floor that the pixels x … x + 7 of a row show.
+MIEN_FOR_AVX2_TOO void find_unfaded_floor(const FloorRow& row, int x, LaneBackground& pixels) {
   const float row_x = row.x, row_z = row.z, from_x = row.from_x, from_z = row.from_z;
   const float step_x = row.step_x, step_z = row.step_z, drop = row.drop, height = row.height;
-  const float drop_step = row.drop_step;
+  const float drop_step = row.drop_step, centre = row.centre;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float u = image.right.lane[i];
+    const float u = static_cast<float>(x + static_cast<int>(i)) + 0.5f - centre;
     const float s = height / (drop + u * drop_step);  // as FloorRow::at
     pixels.point.x.lane[i] = row_x + s * (from_x + u * step_x);
     pixels.point.y.lane[i] = 0.0f;
@@ -47,82 +34,57 @@ MIEN_FOR_AVX2_TOO void find_near_floor(const FloorRow& row, const LaneImagePoint
   }
 }
 
-/// Where the floor is seen, and how little of it has faded.
+/// Finds the points of the floor that rays meet, and how much of it has not faded.
 MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const CameraFrame& camera,
-                                  const FloorRow& row, const LaneImagePoints& image,
-                                  LaneBackgroundPixels& pixels) {
-  // A step on the film is one at distance 1, or anywhere.
-  const float all = camera.parallel ? 0.0f : 1.0f, some = camera.parallel ? 1.0f : 0.0f;
-  const float right = camera.step_right.y(), down = image.down * camera.step_down.y();
-  const float forward = camera.forward.y(), eye = camera.position.y();
-  const float px = camera.position.x(), pz = camera.position.z();
-  const float lowest = has_ground ? 0.0f : -infinity;  // of what goes up, or misses the floor
+                                  const LaneRays& rays, LaneBackground& pixels) {
+  const bool parallel = camera.parallel;
+  const float camera_x = camera.position.x(), camera_z = camera.position.z();
+  const float lowest = has_ground ? 0.0f : -infinity;  // directions at and above it miss the floor
   const float start = ground.fade_start, end = ground.fade_end, length = end - start;
-  const float row_x = row.x, row_z = row.z, from_x = row.from_x, from_z = row.from_z;
-  const float step_x = row.step_x, step_z = row.step_z, drop = row.drop, height = row.height;
-  const float drop_step = row.drop_step;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float u = image.right.lane[i];
-    const float aside = u * right + down;
-    const bool meets = (eye + some * aside > 0.0f) & (forward + all * aside < lowest);
-    const float s = height / (drop + u * drop_step);  // as FloorRow::at
-    const float x = row_x + s * (from_x + u * step_x), z = row_z + s * (from_z + u * step_z);
-    const float across = std::sqrt((x - px) * (x - px) + (z - pz) * (z - pz));
-    // Where rounding puts the horizon elsewhere for s than for `meets`, x and z are no numbers.
+    const float from_x = rays.origin.x.lane[i], height = rays.origin.y.lane[i];
+    const float from_z = rays.origin.z.lane[i], down = rays.direction.y.lane[i];
+    const bool meets = (height > 0.0f) & (down < lowest);
+    const float s = meets ? -height / down : 0.0f;
+    const float x = from_x + s * rays.direction.x.lane[i];
+    const float z = from_z + s * rays.direction.z.lane[i];
+    const float aside = x - (parallel ? camera_x : from_x);
+    const float ahead = z - (parallel ? camera_z : from_z);
+    const float across = std::sqrt(aside * aside + ahead * ahead);
     const bool seen = meets & (across < end);
-    const float on = (across - start) / length;
-    const float faded = on < 0.0f ? 0.0f : on > 1.0f ? 1.0f : on;
+    const float part = (across - start) / length;
+    const float faded = part < 0.0f ? 0.0f : part > 1.0f ? 1.0f : part;
     const float share = 1.0f - faded * faded * (3.0f - 2.0f * faded);
-    pixels.point.x.lane[i] = seen ? x : px;
+    pixels.point.x.lane[i] = seen ? x : from_x;
     pixels.point.y.lane[i] = 0.0f;
-    pixels.point.z.lane[i] = seen ? z : pz;
+    pixels.point.z.lane[i] = seen ? z : from_z;
     pixels.share.lane[i] = seen ? share : 0.0f;
   }
 }
 
-/// A step on the film moves the point along the floor, by the step less what leaves the floor.
-MIEN_FOR_AVX2_TOO LaneFootprints footprints(const CameraFrame& camera,
-                                            const LaneImagePoints& image) {
-  const float all = camera.parallel ? 0.0f : 1.0f, some = camera.parallel ? 1.0f : 0.0f;
+/// Widths along x and z of the floor that pixels cover: a step on the image plane moves the point
+/// along the floor by the step less what leaves the floor.
+MIEN_FOR_AVX2_TOO void find_footprints(const CameraFrame& camera, const LaneRays& rays,
+                                       LaneFloats& width_x, LaneFloats& width_z) {
+  const bool parallel = camera.parallel;
   const float fx = camera.forward.x(), fy = camera.forward.y(), fz = camera.forward.z();
   const float rx = camera.step_right.x(), ry = camera.step_right.y(), rz = camera.step_right.z();
   const float dx = camera.step_down.x(), dy = camera.step_down.y(), dz = camera.step_down.z();
-  const float v = image.down, eye = camera.position.y();
-  LaneFootprints prints;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float u = image.right.lane[i];
-    const float tx = fx + all * (u * rx + v * dx), ty = fy + all * (u * ry + v * dy);
-    const float tz = fz + all * (u * rz + v * dz);
-    const float down = ty < 0.0f ? ty : -1.0f;
-    const float scale = some - all * eye / down;
-    const float lean_x = tx / down, lean_z = tz / down;
-    prints.x.lane[i] = scale * (std::abs(rx - ry * lean_x) + std::abs(dx - dy * lean_x));
-    prints.z.lane[i] = scale * (std::abs(rz - ry * lean_z) + std::abs(dz - dy * lean_z));
+    const float tx = rays.direction.x.lane[i], tz = rays.direction.z.lane[i];
+    const float ty = rays.direction.y.lane[i] < 0.0f ? rays.direction.y.lane[i] : -1.0f;
+    const float depth = -rays.origin.y.lane[i] / ty * (tx * fx + ty * fy + tz * fz);
+    const float scale = parallel ? 1.0f : depth;
+    const float lean_x = tx / ty, lean_z = tz / ty;
+    width_x.lane[i] = scale * (std::abs(rx - ry * lean_x) + std::abs(dx - dy * lean_x));
+    width_z.lane[i] = scale * (std::abs(rz - ry * lean_z) + std::abs(dz - dy * lean_z));
   }
-  return prints;
 }
 
-/// Sines of the rays' elevations.
-MIEN_FOR_AVX2_TOO LaneFloats elevations(const CameraFrame& camera, const LaneImagePoints& image) {
-  const float all = camera.parallel ? 0.0f : 1.0f;
-  const float fx = camera.forward.x(), fy = camera.forward.y(), fz = camera.forward.z();
-  const float rx = camera.step_right.x(), ry = camera.step_right.y(), rz = camera.step_right.z();
-  const float dx = camera.step_down.x(), dy = camera.step_down.y(), dz = camera.step_down.z();
-  const float v = image.down;
-  LaneFloats up;
-#pragma omp simd
-  for (unsigned i = 0; i < lanes; ++i) {
-    const float u = image.right.lane[i];
-    const float tx = fx + all * (u * rx + v * dx), ty = fy + all * (u * ry + v * dy);
-    const float tz = fz + all * (u * rz + v * dz);
-    up.lane[i] = ty / std::sqrt(tx * tx + ty * ty + tz * tz);
-  }
-  return up;
-}
-
-// As line_cover, without branches.
+/// Returns the proportion of an interval of this width about x that is covered by lines centred on
+/// the multiples of a spacing; `line` is their width over the spacing.
 inline float covered(float x, float width, float inverse_spacing, float line) {
   const float wide = width * inverse_spacing;
   const float breadth = wide > 1e-6f ? wide : 1e-6f;
@@ -138,25 +100,29 @@ inline float covered(float x, float width, float inverse_spacing, float line) {
 }
 
 MIEN_FOR_AVX2_TOO LaneFloats cover_of_lines(const Ground& ground, const LaneVectors& point,
-                                            const LaneFootprints& print, float spacing,
-                                            float width) {
+                                            const LaneFloats& width_x, const LaneFloats& width_z,
+                                            float spacing, float line_width) {
   LaneFloats cover;
   const float offset_x = ground.offset_x, offset_z = ground.offset_z;
-  const float inverse = 1.0f / spacing, line = width / spacing;
+  const float inverse = 1.0f / spacing, line = line_width / spacing;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float in_x = covered(point.x.lane[i] - offset_x, print.x.lane[i], inverse, line);
-    const float in_z = covered(point.z.lane[i] - offset_z, print.z.lane[i], inverse, line);
+    const float in_x = covered(point.x.lane[i] - offset_x, width_x.lane[i], inverse, line);
+    const float in_z = covered(point.z.lane[i] - offset_z, width_z.lane[i], inverse, line);
     cover.lane[i] = in_x + in_z - in_x * in_z;
   }
   return cover;
 }
 
-LaneCovers covers_of(const Ground& ground, const LaneVectors& point, const LaneFootprints& print) {
+LaneCovers covers_of(const Ground& ground, const CameraFrame& camera, const LaneRays& rays,
+                     const LaneVectors& point) {
+  LaneFloats width_x, width_z;
+  find_footprints(camera, rays, width_x, width_z);
   LaneCovers covers;
-  covers.fine = cover_of_lines(ground, point, print, ground.line_spacing, ground.line_width);
+  covers.fine =
+      cover_of_lines(ground, point, width_x, width_z, ground.line_spacing, ground.line_width);
   if (ground.major_every != 0)
-    covers.major = cover_of_lines(ground, point, print,
+    covers.major = cover_of_lines(ground, point, width_x, width_z,
                                   static_cast<float>(ground.major_every) * ground.line_spacing,
                                   2.0f * ground.line_width);
   return covers;
@@ -238,7 +204,7 @@ std::vector<float> nodes_of(const FloorLight& light, const FloorRow& row, int wi
       const FloorPlace place = row.at((number - 1) * node_distance);
       points.set(i, {place.x, 0.0f, place.z});
     }
-    const LaneFloats found = light_on_floor(light, points);
+    const LaneFloats found = irradiance(light, points);
     nodes.insert(nodes.end(), found.lane, found.lane + lanes);
   }
   return nodes;
@@ -261,64 +227,84 @@ UnshadowedBackground::UnshadowedBackground(const Scene& scene, const CameraFrame
   }
 }
 
+// Without rays, all floor is unfaded and without lines.
+void UnshadowedBackground::shade(const LaneRays* rays, const LaneColors& light,
+                                 LaneBackground& pixels) const {
+  LaneCovers covers;
+  if (rays != nullptr && scene_.ground.line_spacing > 0.0f)
+    covers = covers_of(scene_.ground, camera_, *rays, pixels.point);
+  const LaneFloats elevation = rays != nullptr ? rays->direction.y : LaneFloats{};
+  LaneColors &shown = pixels.radiance, &albedo = pixels.visible_albedo;
+  show_channel(scene_, 0, elevation, covers, light.red, pixels.share, shown.red, albedo.red);
+  show_channel(scene_, 1, elevation, covers, light.green, pixels.share, shown.green, albedo.green);
+  show_channel(scene_, 2, elevation, covers, light.blue, pixels.share, shown.blue, albedo.blue);
+}
+
+LaneBackground UnshadowedBackground::along(const LaneRays& rays) const {
+  LaneBackground pixels;
+  find_floor(scene_.ground, scene_.has_ground, camera_, rays, pixels);
+  LaneColors light;
+  for (std::size_t k = 0; k < lights_.size(); ++k)
+    add_light(irradiance(lights_[k], pixels.point), scene_.lights[k].radiance, light);
+  shade(&rays, light, pixels);
+  return pixels;
+}
+
 // Distances along a straight line are greatest at its ends.
-UnshadowedRow::UnshadowedRow(const UnshadowedBackground& set, int y, int width)
-    : set_(set),
-      row_(set.camera_, y),
-      down_(static_cast<float>(y) + 0.5f - set.camera_.centre_y),
-      is_unfaded_(set.scene_.has_ground && !set.camera_.parallel && row_.is_in_order() &&
-                  row_.drop > 0.0f && row_.height > 0.0f),
-      nodes_(set.lights_.size()) {
+UnshadowedRow::UnshadowedRow(const UnshadowedBackground& background, int y, int width)
+    : background_(background),
+      row_(background.camera_, y),
+      y_(static_cast<float>(y) + 0.5f),
+      is_unfaded_(background.scene_.has_ground && !background.camera_.parallel &&
+                  row_.is_in_order() && row_.drop > 0.0f && row_.height > 0.0f),
+      nodes_(background.lights_.size()) {
   if (!is_unfaded_) return;
   const auto distance = [&](int column) {
     const FloorPlace place = row_.at(column);
     return std::hypot(place.x - row_.x, place.z - row_.z);
   };
-  // More than rounding can be.
-  is_unfaded_ = 1.0001f * std::max(distance(0), distance(width + node_distance)) <=
-                set.scene_.ground.fade_start;
+  constexpr float more_than_rounding = 1.0001f;
+  is_unfaded_ = more_than_rounding * std::max(distance(0), distance(width + node_distance)) <=
+                background.scene_.ground.fade_start;
   const float step = row_.height / row_.drop * std::hypot(row_.step_x, row_.step_z);
   for (std::size_t k = 0; k < nodes_.size(); ++k)
-    if (static_cast<float>(node_distance) * step <= smooth_share * set.heights_[k])
-      nodes_[k] = nodes_of(set.lights_[k], row_, width);
+    if (static_cast<float>(node_distance) * step <= smooth_share * background.heights_[k])
+      nodes_[k] = nodes_of(background.lights_[k], row_, width);
 }
 
-// Where a light ends to shine it does not end smoothly.
+// Irradiance is not smooth where the floor passes behind the light.
 LaneFloats UnshadowedRow::light_at(std::size_t light, int x, const LaneVectors& points) const {
   if (!nodes_[light].empty()) {
     const float* nodes = &nodes_[light][static_cast<std::size_t>(x / node_distance)];
     if (nodes[0] > 0.0f && nodes[1] > 0.0f && nodes[2] > 0.0f && nodes[3] > 0.0f)
       return interpolated(nodes);
   }
-  return light_on_floor(set_.lights_[light], points);
+  return irradiance(background_.lights_[light], points);
 }
 
-LaneBackgroundPixels UnshadowedRow::pixels(int x) const {
-  const Scene& scene = set_.scene_;
-  LaneImagePoints image{{}, down_};
-  for (int i = 0; i < static_cast<int>(lanes); ++i)
-    image.right[i] = static_cast<float>(x + i) + 0.5f - row_.centre;
-  LaneBackgroundPixels pixels;
+LaneBackground UnshadowedRow::pixels(int x) const {
+  const Scene& scene = background_.scene_;
+  LaneBackground pixels;
+  pixels.plain = is_unfaded_ && scene.ground.line_spacing <= 0.0f;
   bool any = is_unfaded_;
-  LaneFloats up;
-  if (is_unfaded_) {
-    find_near_floor(row_, image, pixels);
-  } else {
-    find_floor(scene.ground, scene.has_ground, set_.camera_, row_, image, pixels);
-    up = elevations(set_.camera_, image);
+  if (is_unfaded_) find_unfaded_floor(row_, x, pixels);
+  LaneRays rays;
+  if (!pixels.plain) {
+    LaneFloats columns, row;
+    for (int i = 0; i < static_cast<int>(lanes); ++i) {
+      columns[i] = static_cast<float>(x + i) + 0.5f;
+      row[i] = y_;
+    }
+    rays = camera_rays(background_.camera_, columns, row);
+  }
+  if (!is_unfaded_) {
+    find_floor(scene.ground, scene.has_ground, background_.camera_, rays, pixels);
     for (const float share : pixels.share.lane) any |= share > 0.0f;
   }
-  const bool lined = scene.ground.line_spacing > 0.0f;
-  pixels.plain = is_unfaded_ && !lined;
-  LaneCovers covers;
   LaneColors light;
-  if (any && lined) covers = covers_of(scene.ground, pixels.point, footprints(set_.camera_, image));
   for (std::size_t k = 0; any && k < nodes_.size(); ++k)
     add_light(light_at(k, x, pixels.point), scene.lights[k].radiance, light);
-  LaneColors &shown = pixels.radiance, &albedo = pixels.visible_albedo;
-  show_channel(scene, 0, up, covers, light.red, pixels.share, shown.red, albedo.red);
-  show_channel(scene, 1, up, covers, light.green, pixels.share, shown.green, albedo.green);
-  show_channel(scene, 2, up, covers, light.blue, pixels.share, shown.blue, albedo.blue);
+  background_.shade(pixels.plain ? nullptr : &rays, light, pixels);
   return pixels;
 }
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "render/light/floor_row.h"
-#include "render/light/lanes.h"
+#include "render/light/floor.h"
+#include "render/light/light.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"
 
@@ -14,25 +14,34 @@ struct LaneColors {
   LaneFloats red;
   LaneFloats green;
   LaneFloats blue;
+
+  Color at(int i) const { return {red[i], green[i], blue[i]}; }
 };
 
-/// `background_pixel` (floor.h) for eight rays, up to rounding and interpolation (UnshadowedRow).
-struct LaneBackgroundPixels {
+/// What eight camera rays show where there are no solids.
+struct LaneBackground {
   LaneColors radiance;
-  LaneColors visible_albedo;
-  LaneVectors point;   ///< point of the floor
-  LaneFloats share;    ///< share of the floor that has not faded; 0: no floor is shown
-  bool plain = false;  ///< whether all pixels show unfaded floor without grid lines
+  LaneColors visible_albedo;  ///< albedo of the floor times its share that has not faded
+  LaneVectors point;          ///< point of the floor
+  LaneFloats share;           ///< share of the floor that has not faded; 0: no floor is shown
+  bool plain = false;         ///< whether all rays show unfaded floor without grid lines
 };
 
 /// The background of a scene through one camera, without solids and their shadows: backdrop and
-/// floor, in closed form. The scene must outlive it.
+/// floor, in closed form, with the floor's lines filtered by a pixel's footprint. The scene must
+/// outlive it.
 class UnshadowedBackground {
  public:
   UnshadowedBackground(const Scene& scene, const CameraFrame& camera);
 
+  /// The background of any eight rays of the camera. The distance by which the floor fades is
+  /// measured from a ray's origin; for an orthographic camera, from the camera.
+  LaneBackground along(const LaneRays& rays) const;
+
  private:
   friend class UnshadowedRow;
+  void shade(const LaneRays* rays, const LaneColors& light, LaneBackground& pixels) const;
+
   const Scene& scene_;
   CameraFrame camera_;
   std::vector<FloorLight> lights_;
@@ -47,18 +56,18 @@ class UnshadowedBackground {
 /// the height of the light's lowest point.
 class UnshadowedRow {
  public:
-  UnshadowedRow(const UnshadowedBackground& set, int y, int width);
+  UnshadowedRow(const UnshadowedBackground& background, int y, int width);
 
   /// Returns the background at the centres of the pixels x … x + 7 of the row; x is a multiple of
   /// eight.
-  LaneBackgroundPixels pixels(int x) const;
+  LaneBackground pixels(int x) const;
 
  private:
   LaneFloats light_at(std::size_t light, int x, const LaneVectors& points) const;
 
-  const UnshadowedBackground& set_;
+  const UnshadowedBackground& background_;
   FloorRow row_;
-  float down_;       // distance of the row below the optical axis, pixels
+  float y_;          // of the pixels' centres
   bool is_unfaded_;  // whether all pixels show unfaded floor
   // Per light: irradiance at pixels −8, 0, 8, …, if interpolated.
   std::vector<std::vector<float>> nodes_;

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "render/math/for_avx2.h"
+
 namespace mien::render {
 namespace {
 
@@ -82,6 +84,33 @@ CameraRay CameraFrame::ray(float x, float y, float lens_x, float lens_y) const {
       sharp.origin + (focus_distance / sharp.direction.dot(forward)) * sharp.direction;
   const Vec3 origin = sharp.origin + lens_x * lens_right + lens_y * lens_down;
   return {origin, (focus - origin).normalized()};
+}
+
+MIEN_FOR_AVX2_TOO LaneRays camera_rays(const CameraFrame& camera, const LaneFloats& x,
+                                       const LaneFloats& y) {
+  LaneRays rays;
+  const bool parallel = camera.parallel;
+  // Whether directions or origins differ between the rays.
+  const float all = parallel ? 0.0f : 1.0f, some = parallel ? 1.0f : 0.0f;
+  const float px = camera.position.x(), py = camera.position.y(), pz = camera.position.z();
+  const float fx = camera.forward.x(), fy = camera.forward.y(), fz = camera.forward.z();
+  const float rx = camera.step_right.x(), ry = camera.step_right.y(), rz = camera.step_right.z();
+  const float sx = camera.step_down.x(), sy = camera.step_down.y(), sz = camera.step_down.z();
+  const float centre_x = camera.centre_x, centre_y = camera.centre_y;
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float u = x.lane[i] - centre_x, v = y.lane[i] - centre_y;
+    const float ax = u * rx + v * sx, ay = u * ry + v * sy, az = u * rz + v * sz;
+    const float dx = fx + all * ax, dy = fy + all * ay, dz = fz + all * az;
+    const float scale = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz);
+    rays.origin.x.lane[i] = px + some * ax;
+    rays.origin.y.lane[i] = py + some * ay;
+    rays.origin.z.lane[i] = pz + some * az;
+    rays.direction.x.lane[i] = dx * scale;
+    rays.direction.y.lane[i] = dy * scale;
+    rays.direction.z.lane[i] = dz * scale;
+  }
+  return rays;
 }
 
 std::optional<Eigen::Vector2f> project(const Camera& camera, const Vec3& point) {

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "render/image/window.h"
+#include "render/math/lanes.h"
 #include "render/math/vector.h"
 
 namespace mien::render {
@@ -68,6 +69,16 @@ struct CameraFrame {
   /// centre is (0, 0) and whose rim has radius 1. Points at the focus distance are sharp.
   CameraRay ray(float x, float y, float lens_x, float lens_y) const;
 };
+
+/// Eight rays. Directions have unit length.
+struct LaneRays {
+  LaneVectors origin;
+  LaneVectors direction;
+};
+
+/// Returns the rays through eight points of the image plane (pixels) and the centre of the
+/// aperture.
+LaneRays camera_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y);
 
 /// The points p with normal · p ≥ offset.
 struct HalfSpace {

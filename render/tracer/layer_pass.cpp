@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "render/light/floor.h"
-#include "render/light/shading.h"
+#include "render/light/unshadowed_background.h"
 #include "render/math/constants.h"
-#include "render/tracer/pixel.h"
+#include "render/tracer/camera_rays.h"
 
 namespace mien::render {
 namespace {
@@ -27,7 +27,10 @@ struct Seen {
 class LayerPainter {
  public:
   LayerPainter(const PreparedScene& prepared, const NextScene* next, Layers& layers)
-      : prepared_(prepared), next_(next), layers_(layers) {}
+      : prepared_(prepared),
+        next_(next),
+        layers_(layers),
+        unshadowed_(prepared.scene, prepared.camera) {}
 
   void draw(int x, int y);
 
@@ -36,7 +39,7 @@ class LayerPainter {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(layers_.albedo.width) +
            static_cast<std::size_t>(x);
   }
-  Seen look(const CameraRay& ray, float time, std::uint32_t present) const;
+  Seen look(const CameraRay& ray, std::uint32_t present) const;
   void take_samples(int x, int y);
   void take_centre(int x, int y);
   std::optional<Vec3> next_place(const Seen& seen) const;
@@ -44,41 +47,34 @@ class LayerPainter {
   const PreparedScene& prepared_;
   const NextScene* next_;
   Layers& layers_;
+  const UnshadowedBackground unshadowed_;
 };
 
-Seen LayerPainter::look(const CameraRay& ray, float time, std::uint32_t present) const {
-  const Scene& scene = prepared_.scene;
+Seen LayerPainter::look(const CameraRay& ray, std::uint32_t present) const {
   const std::optional<float> floor =
-      scene.has_ground ? distance_to_floor(ray.origin, ray.direction) : std::nullopt;
-  RayPacket packet;
-  packet.push(ray.origin, ray.direction, floor.value_or(infinity), time, present);
-  const Hits figure = prepared_.figure.intersect(packet);
-  Hits static_hits;
-  static_hits.shape[0] = -1;
-  if (prepared_.static_solids) static_hits = prepared_.static_solids->intersect(packet);
+      prepared_.scene.has_ground ? distance_to_floor(ray.origin, ray.direction) : std::nullopt;
+  RayPacket rays;
+  rays.push(ray.origin, ray.direction, floor.value_or(infinity), 0.0f, present);
+  const FirstHit hit = first_hits(prepared_, rays).front();
   Seen seen;
-  const bool of_figure = figure.shape[0] >= 0 && (static_hits.shape[0] < 0 ||
-                                                  figure.distance[0] <= static_hits.distance[0]);
-  if (of_figure || static_hits.shape[0] >= 0) {
-    const Hits& hits = of_figure ? figure : static_hits;
-    const Vec3 point = ray.origin + hits.distance[0] * ray.direction;
-    const Surface surface =
-        of_figure
-            ? surface_at(scene, prepared_.solids, prepared_.closing_solids,
-                         prepared_.figure.shapes(), hits.shape[0], point, ray.direction, time)
-            : surface_at(scene, scene.static_solids, nullptr, prepared_.static_solids->shapes(),
-                         hits.shape[0], point, ray.direction, 0.0f);
-    seen = {surface.albedo, surface.normal, point, true};
-    if (of_figure) {
-      seen.shape = hits.shape[0];
+  if (hit.exists()) {
+    const Surface surface = surface_at(prepared_, rays, 0, hit);
+    seen = {surface.albedo, surface.normal, surface.point, true};
+    if (hit.of_figure) {
+      seen.shape = hit.shape;
       seen.part = surface.part;
     }
     return seen;
   }
   if (!floor) return seen;
-  const BackgroundPixel background = background_pixel(scene, prepared_.camera, ray);
-  if (background.shows_floor)
-    seen = {background.visible_albedo, Vec3::UnitY(), background.point, true, true};
+  LaneRays shown;
+  for (int i = 0; i < static_cast<int>(lanes); ++i) {
+    shown.origin.set(i, ray.origin);
+    shown.direction.set(i, ray.direction);
+  }
+  const LaneBackground background = unshadowed_.along(shown);
+  if (background.share[0] > 0.0f)
+    seen = {background.visible_albedo.at(0), Vec3::UnitY(), background.point.at(0), true, true};
   return seen;
 }
 
@@ -104,7 +100,7 @@ void LayerPainter::take_samples(int x, int y) {
     const CameraRay ray =
         prepared_.camera.ray(static_cast<float>(x) + 0.5f + prepared_.filter.offset(u.u),
                              static_cast<float>(y) + 0.5f + prepared_.filter.offset(u.v));
-    const Seen seen = look(ray, 0.0f, present_figures(sampler, prepared_.opacities, i));
+    const Seen seen = look(ray, present_figures(sampler, prepared_.opacities, i));
     albedo += share * seen.albedo;
     normal += share * seen.normal;
     if (seen.part < 0) continue;
@@ -161,7 +157,7 @@ std::optional<Vec3> LayerPainter::next_place(const Seen& seen) const {
 void LayerPainter::take_centre(int x, int y) {
   const auto centre_x = static_cast<float>(x) + 0.5f, centre_y = static_cast<float>(y) + 0.5f;
   const CameraRay ray = prepared_.camera.ray(centre_x, centre_y);
-  const Seen seen = look(ray, 0.0f, ~0u);
+  const Seen seen = look(ray, ~0u);
   std::copy_n(seen.position.data(), 3, layers_.position.at(x, y));
   layers_.depth[place(x, y)] =
       seen.something ? (seen.position - prepared_.camera.position).dot(prepared_.camera.forward)

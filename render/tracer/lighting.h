@@ -1,104 +1,68 @@
 #pragma once
 
 #include <array>
+#include <span>
 
-#include "render/light/shading.h"
-#include "render/tracer/line_shadow_queue.h"
-#include "render/tracer/pixel.h"
 #include "render/tracer/prepared_scene.h"
+#include "render/tracer/samples.h"
 #include "render/tracer/shared_sky.h"
 
 namespace mien::render {
 
-/// How a shadow ray's light contributes to its pixel.
-enum class Contribution {
-  figure_if_unoccluded,          ///< added to the figure
-  background_if_unoccluded,      ///< added to the background
-  minus_figure_if_occluded,      ///< subtracted from the figure
-  minus_background_if_occluded,  ///< subtracted from the background
-  shared_sky_if_occluded,        ///< subtracted from the sky's light, shared by neighbours
-  shadow_if_figure_occludes,     ///< subtracted from the static background, unless a
-                                 ///< static solid occludes, too
-  shadow_if_occluded             ///< subtracted from the unshadowed background
-};
-
-/// Shadow rays, collected and traced eight at a time. Their contributions are added to the pixels,
-/// which must not move before `trace`.
-class ShadowRayQueue {
+/// Lights and shadows the points that samples show. Shadow rays are collected and traced eight at a
+/// time; what they find is added to the pixels, which must not move before `finish`.
+class Lighting {
  public:
-  explicit ShadowRayQueue(const PreparedScene& prepared) : prepared_(prepared) {}
+  explicit Lighting(const PreparedScene& prepared) : prepared_(prepared) {}
 
-  /// Queues a shadow ray. `light` is the radiance that the ray contributes for each of the
-  /// samples that `sample` represents; for shared_sky_if_occluded, irradiance divided by π, of the
-  /// sample `sky_sample` of `shared_sky`.
-  void enqueue(const Sample& sample, const Vec3& origin, const Vec3& direction, float distance,
-               const Color& light, Contribution contribution, int sky_sample = -1) {
-    if ((light == 0.0f).all()) return;
-    queries_[static_cast<std::size_t>(rays_.count)] = {sample, light, contribution, sky_sample};
-    rays_.push(origin, direction, distance, sample.time, sample.present);
-    if (rays_.count == packet_size) trace();
-  }
+  void begin_tile(const Tile& tile) { shared_sky_.begin_tile(tile); }
 
-  /// Traces the rays that are still queued.
-  void trace();
+  /// Adds all light from area lights and sky that surfaces reflect to the camera: those of the
+  /// figure, or those of static solids in pixels that render their own background.
+  void shade(std::span<const ShadingPoint> points, bool of_figure);
 
-  /// The samples of the tile whose sky is shared; subtract it after `trace`.
-  SharedSky& shared_sky() { return shared_sky_; }
+  /// Subtracts from points of the static background the light that the figure occludes.
+  void subtract_shadow(std::span<const ShadingPoint> points) { subtract(points, false); }
+
+  /// Subtracts from points of an unshadowed floor the light that the figure or a static solid
+  /// occludes.
+  void subtract_all_shadows(std::span<const ShadingPoint> points) { subtract(points, true); }
+
+  /// Traces the rays that are still queued. Light that is shared within the tile is added then.
+  void finish();
 
  private:
+  /// What a shadow ray decides.
+  enum class Decision {
+    adds_if_visible,        ///< light is added unless something occludes it
+    subtracts_if_occluded,  ///< light is subtracted if something occludes it
+    subtracts_if_shadowed,  ///< light is subtracted if the figure alone occludes it
+    shares_if_occluded      ///< light counts as occluded for the neighbours, too (SharedSky)
+  };
   struct Query {
     Sample sample;
     Color light = Color::Zero();
-    Contribution contribution = Contribution::figure_if_unoccluded;
-    int sky_sample = -1;
+    Color Pixel::*sum = nullptr;
+    Decision decision = Decision::adds_if_visible;
+    int shared = -1;  // number in the shared sky
   };
+
+  void shade_batch(std::span<const ShadingPoint> batch, bool of_figure);
+  void subtract(std::span<const ShadingPoint> points, bool of_all);
+  void subtract_batch(std::span<const ShadingPoint> batch, bool of_all);
+  void add_area_lights(std::span<const ShadingPoint> batch, const LaneVectors& origins,
+                       Color Pixel::*sum);
+  void add_sky(std::span<const ShadingPoint> batch, const LaneVectors& normals, bool of_figure);
+
+  /// Queues a shadow ray; `query.light` is the radiance that it contributes for each of the samples
+  /// that its sample represents (irradiance divided by π if shared).
+  void enqueue(const Query& query, const Vec3& origin, const Vec3& direction, float distance);
+  void trace();
 
   const PreparedScene& prepared_;
   RayPacket rays_;
   std::array<Query, packet_size> queries_;
   SharedSky shared_sky_;
 };
-
-/// Up to eight samples and the surfaces that they hit.
-struct SurfaceSamples {
-  Samples samples;
-  std::array<Surface, lanes> surfaces;
-
-  void push(const Sample& sample, const Surface& surface) {
-    surfaces[static_cast<std::size_t>(samples.count)] = surface;
-    samples.push(sample);
-  }
-};
-
-/// Up to eight samples and the points of the floor that they show.
-struct FloorSamples {
-  Samples samples;
-  LaneVectors points;
-
-  void push(const Sample& sample, const Vec3& point) {
-    points.set(samples.count, point);
-    samples.push(sample);
-  }
-};
-
-/// Shades surfaces: adds all light from area lights and sky that they reflect to the camera.
-void shade_surfaces(const PreparedScene& prepared, const SurfaceSamples& batch, bool of_figure,
-                    ShadowRayQueue& shadow_rays);
-
-/// Subtracts from a static solid the light from area lights and sky that the figure occludes.
-void shadow_static_solid(const PreparedScene& prepared, const Sample& sample,
-                         const Surface& surface, ShadowRayQueue& shadow_rays);
-
-/// Subtracts from the floor the light from area lights that the figure occludes and, for pixels
-/// that cast their own sky rays, the light from the sky.
-void shadow_floor(const PreparedScene& prepared, const FloorSamples& batch,
-                  ShadowRayQueue& shadow_rays, LineShadowQueue& line_shadows);
-
-/// Adds the backdrop or floor to the pixel's background: that shown by the ray if every sample
-/// renders its own background, otherwise that at the pixel's centre. Queues shadow rays for the
-/// light that figures or static solids may keep from it.
-void add_unshadowed_background(const PreparedScene& prepared, const Sample& sample,
-                               const CameraFrame& camera, const CameraRay& ray,
-                               ShadowRayQueue& shadow_rays);
 
 }  // namespace mien::render

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "render/light/floor.h"
 #include "render/light/sky_cone.h"
 #include "render/math/constants.h"
 #include "render/math/for_avx2.h"
@@ -53,7 +52,7 @@ std::optional<FloorArea> floor_under(const CameraFrame& camera, const ImageArea&
 /// that at its centre, for all pixels of a part of the image. Nothing when it extends to the
 /// horizon. The floor is at o + t·d with t = −o.y / d.y, and o and d are linear on the image, so
 /// the derivatives are bounded by those at the corners.
-std::optional<FloorReach> floor_reach(const CameraFrame& camera, const ImageArea& image,
+std::optional<FloorPlace> floor_reach(const CameraFrame& camera, const ImageArea& image,
                                       float reach) {
   float steepest = -infinity;
   Vec3 widest = Vec3::Zero();
@@ -67,7 +66,7 @@ std::optional<FloorReach> floor_reach(const CameraFrame& camera, const ImageArea
   }
   const float distance = camera.parallel ? 1.0f : camera.position.y() / -steepest;
   const Vec3 slope = widest / -steepest;
-  FloorReach floor{0.0f, 0.0f};
+  FloorPlace floor{0.0f, 0.0f};
   for (const Vec3& step : {camera.step_right, camera.step_down}) {
     const float drop = std::abs(step.y());
     floor.x += reach * distance * (std::abs(step.x()) + drop * slope.x());
@@ -188,22 +187,10 @@ int end_of_cell(const StaticBackground& background, const FloorRow& row, const F
 
 constexpr int run_pixels = 8;  // planned at once
 
-/// Largest extent of the floor that a pixel of a tile shows, metres.
-float pixel_step(const FloorArea& area, const Tile& tile) {
-  const int side = std::max(std::min(tile.x_end - tile.x_begin, tile.y_end - tile.y_begin), 1);
-  return std::max(area.x_max - area.x_min, area.z_max - area.z_min) / static_cast<float>(side);
-}
-
-/// Least width of the penumbra, metres, that an edge at a height casts on the floor.
-float penumbra(const AreaLight& light, float height) {
-  if (height >= light.centre.y()) return infinity;
-  const float width = 2.0f * std::min(light.half_u.norm(), light.half_v.norm());
-  return width * height / (light.centre.y() - height);
-}
-
 }  // namespace
 
-void PixelPlanner::begin_tile(const Tile& tile) {
+void PixelPlanner::begin_tile(const Tile& tile, FloorLines& lines) {
+  tile_ = tile;
   const bool whole = prepared_.quality.exhaustive;
   const float margin = prepared_.filter.half_width();
   const ImageArea image{
@@ -219,43 +206,67 @@ void PixelPlanner::begin_tile(const Tile& tile) {
     tile_lights_ |= 1u << i;
     shaded_everywhere_ &= area && mask.may_shade_all(*area);
   }
-  find_casters(tile, area);
+  lines.begin_tile(tile, tile_lights_, area);
   // Pixels that share lines may use a neighbour's.
-  span_ = {};
-  const PixelBlock block = block_of(shared_line(lines_, prepared_.quality.samples_per_pixel));
   if (tile_lights_ != 0)
     floor_reach_ =
-        floor_reach(prepared_.camera, image, margin + static_cast<float>(block.width - 1));
-  first_row_ = tile.y_begin;
+        floor_reach(prepared_.camera, image, margin + static_cast<float>(lines.block_width() - 1));
   figure_rows_ = 0;
   for (int y = tile.y_begin; y < tile.y_end; ++y)
     if (whole || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y))
-      figure_rows_ |= 1u << (y - first_row_);
-  end_ = tile.x_end;
+      figure_rows_ |= 1u << (y - tile.y_begin);
   shows_background_only_ =
       tile_lights_ == 0 && figure_rows_ == 0 && !per_sample_ && !prepared_.static_solids;
 }
 
-void PixelPlanner::find_casters(const Tile& tile, const std::optional<FloorArea>& area) {
-  lines_.casters.resize(prepared_.shadow_masks.size());
-  lines_.lights = prepared_.line_lights;
-  lines_.penumbra = area ? infinity : 0.0f;
-  const float step = area ? pixel_step(*area, tile) : 0.0f;
-  for (std::size_t i = 0; i < lines_.casters.size(); ++i) {
-    std::vector<int>& casters = lines_.casters[i];
-    casters.clear();
-    if (((prepared_.line_lights >> i) & 1u) == 0) continue;
-    if (area && ((tile_lights_ >> i) & 1u) != 0) {
-      const float height = prepared_.shadow_masks[i].add_casters(*area, casters);
-      lines_.penumbra =
-          std::min(lines_.penumbra, penumbra(prepared_.scene.lights[i], height) / step);
+// The lights of eight pixels are looked up at once if both ends show the floor, because a row shows
+// a straight line of it.
+const std::array<PixelPlan, tile_size>& PixelPlanner::plan_row(int y) {
+  const bool figure_exists = prepared_.bounds.radius >= 0.0f;
+  const StaticBackground& background = prepared_.background;
+  for (int begin = tile_.x_begin; begin < tile_.x_end; begin += run_pixels) {
+    const int end = std::min(begin + run_pixels, tile_.x_end);
+    const bool together = background.shows_floor(begin, y) && background.shows_floor(end - 1, y);
+    std::uint32_t lights = 0;
+    if (figure_exists && tile_lights_ != 0 && together) lights = shadow_lights(begin, end - 1, y);
+    for (int x = begin; x < end; ++x) {
+      if (figure_exists && tile_lights_ != 0 && !together)
+        lights = background.shows_floor(x, y) ? shadow_lights(x, x, y) : 0;
+      plans_[static_cast<std::size_t>(x - tile_.x_begin)] = plan(x, y, lights);
     }
-    if (!area || prepared_.quality.exhaustive) casters = prepared_.casters[i];
   }
+  return plans_;
+}
+
+PixelPlan PixelPlanner::plan(int x, int y, std::uint32_t lights) const {
+  const bool solid =
+      prepared_.static_solids != nullptr && prepared_.background.may_show_solid(x, y);
+  const bool figure = ((figure_rows_ >> (y - tile_.y_begin)) & 1u) != 0 &&
+                      (prepared_.quality.exhaustive || prepared_.pixel_mask.may_intersect(x, y));
+  if (per_sample_ || (figure && solid)) return {PixelKind::per_sample, 0};
+  const bool is_traced = figure || (solid && prepared_.bounds.radius >= 0.0f);
+  return {is_traced ? PixelKind::traced : PixelKind::background,
+          prepared_.background.shows_floor(x, y) ? lights : 0};
+}
+
+// Of the floor that the pixels from `first` to `last` of a row show.
+std::uint32_t PixelPlanner::shadow_lights(int first, int last, int y) {
+  if (shaded_everywhere_ || prepared_.quality.exhaustive || !floor_reach_) return tile_lights_;
+  const FloorRow& row = floor_row(y);
+  const FloorPlace from = row.at(first), to = row.at(last);
+  const auto [x_min, x_max] = std::minmax(from.x, to.x);
+  const auto [z_min, z_max] = std::minmax(from.z, to.z);
+  const FloorArea area{x_min - floor_reach_->x, x_max + floor_reach_->x, z_min - floor_reach_->z,
+                       z_max + floor_reach_->z};
+  std::uint32_t hidden = 0;
+  for (std::size_t i = 0; i < prepared_.shadow_masks.size(); ++i)
+    if (((tile_lights_ >> i) & 1u) != 0 && prepared_.shadow_masks[i].may_shade(area))
+      hidden |= 1u << i;
+  return hidden;
 }
 
 void PixelPlanner::write_background(const Tile& band, const Canvas& canvas,
-                                    std::vector<std::uint8_t>& open) {
+                                    std::vector<std::uint8_t>& is_known) {
   const StaticBackground& background = prepared_.background;
   for (int y = band.y_begin; y < band.y_end; ++y) {
     const FloorRow& row = floor_row(y);
@@ -266,13 +277,12 @@ void PixelPlanner::write_background(const Tile& band, const Canvas& canvas,
       const FloorPlace place = row.at(first);
       if (floor && !cell_->holds(place.x, place.z))
         cell_ = &prepared_.floor_sky.cell_at(place.x, place.z);
-      if (!floor || (cell_->known && cell_->inverse_side == 0.0f)) {
+      if (!floor || !cell_->known || cell_->inverse_side == 0.0f) {
+        if (floor && !cell_->known)
+          is_known[static_cast<std::size_t>((first - band.x_begin) / tile_size)] = 0;
         do ++x;
         while (x < band.x_end && !background.shows_floor(x, y));
         std::copy_n(background.radiance.at(first, y), 3 * (x - first), canvas.color(first, y));
-      } else if (!cell_->known) {
-        open[static_cast<std::size_t>((first - band.x_begin) / tile_size)] = 1;
-        ++x;
       } else {
         x = end_of_cell(background, row, *cell_, first, y, band.x_end);
         show_cell(
@@ -302,97 +312,11 @@ BackgroundLight PixelPlanner::background_at(int x, int y) {
   return {radiance - background.floor_albedo(x, y) * cell_->hidden(place.x, place.z), true};
 }
 
-PixelPlan PixelPlanner::plan(int x, int y) {
-  const bool figure_exists = prepared_.bounds.radius >= 0.0f;
-  const bool solid =
-      prepared_.static_solids != nullptr && prepared_.background.may_show_solid(x, y);
-  const bool figure = ((figure_rows_ >> (y - first_row_)) & 1u) != 0 &&
-                      (prepared_.quality.exhaustive || prepared_.pixel_mask.may_intersect(x, y));
-  PixelPlan plan;
-  if (per_sample_ || (figure && solid)) {
-    plan.kind = PixelKind::per_sample;
-    return plan;
-  }
-  if (figure) {
-    plan.kind = PixelKind::figure;
-  } else if (solid && figure_exists) {
-    plan.kind = PixelKind::static_solid;
-  }
-  if (prepared_.background.shows_floor(x, y) && figure_exists)
-    plan.shadow_lights = shadow_lights(x, y);
-  if (plan.kind == PixelKind::background && plan.shadow_lights != 0)
-    plan.kind = PixelKind::shadowed_floor;
-  return plan;
-}
-
-std::optional<PixelPlanner::UniformRun> PixelPlanner::uniform_run_from(int x, int y) {
-  if (per_sample_ || prepared_.static_solids != nullptr || prepared_.quality.exhaustive)
-    return std::nullopt;
-  const bool figure = ((figure_rows_ >> (y - first_row_)) & 1u) != 0;
-  if (!figure && tile_lights_ == 0) return UniformRun{end_, 0};
-  if (x % run_pixels != 0) return std::nullopt;
-  const int end = std::min(x + run_pixels, end_);
-  if (figure && prepared_.pixel_mask.may_intersect_row(x, end, y)) return std::nullopt;
-  if (tile_lights_ == 0) return UniformRun{end, 0};
-  const StaticBackground& background = prepared_.background;
-  if (!background.shows_floor(x, y) || !background.shows_floor(end - 1, y)) return std::nullopt;
-  return UniformRun{end, prepared_.bounds.radius >= 0.0f ? shadow_lights(x, y) : 0};
-}
-
-// Looked up for eight pixels at once if both ends show the floor, because a row shows a straight
-// line of it.
-std::uint32_t PixelPlanner::shadow_lights(int x, int y) {
-  if (shaded_everywhere_ || prepared_.quality.exhaustive || !floor_reach_) return tile_lights_;
-  const StaticBackground& background = prepared_.background;
-  if (y == span_.row && x >= span_.first && x <= span_.last) return span_.lights;
-  const int begin = x / run_pixels * run_pixels;
-  span_ = {y, begin, std::min(begin + run_pixels, end_) - 1, 0};
-  if (!background.shows_floor(span_.first, y) || !background.shows_floor(span_.last, y))
-    span_.first = span_.last = x;
-  span_.lights = lights_hidden_in(span_);
-  return span_.lights;
-}
-
-std::uint32_t PixelPlanner::lights_hidden_in(const PixelSpan& stretch) {
-  const FloorRow& row = floor_row(stretch.row);
-  const FloorPlace first = row.at(stretch.first), last = row.at(stretch.last);
-  const auto [x_min, x_max] = std::minmax(first.x, last.x);
-  const auto [z_min, z_max] = std::minmax(first.z, last.z);
-  const FloorArea area{x_min - floor_reach_->x, x_max + floor_reach_->x, z_min - floor_reach_->z,
-                       z_max + floor_reach_->z};
-  std::uint32_t hidden = 0;
-  for (std::size_t i = 0; i < prepared_.shadow_masks.size(); ++i)
-    if (((tile_lights_ >> i) & 1u) != 0 && prepared_.shadow_masks[i].may_shade(area))
-      hidden |= 1u << i;
-  return hidden;
-}
-
-void PixelPlanner::init(FloorPixel& pixel, int x, int y, const PixelPlan& plan,
-                        const Color& radiance) const {
-  pixel.x = x;
-  pixel.y = y;
-  pixel.shadow_lights = plan.shadow_lights;
-  pixel.radiance = radiance;
-  pixel.floor_albedo = prepared_.background.floor_albedo(x, y);
-}
-
-void PixelPlanner::init(Pixel& pixel, int x, int y, const PixelPlan& plan,
-                        const BackgroundLight& background_light) {
-  const StaticBackground& background = prepared_.background;
-  init(static_cast<FloorPixel&>(pixel), x, y, plan, background_light.radiance);
-  pixel.kind = plan.kind;
-  pixel.sampler = prepared_.sampler.for_pixel(x, y);
-  pixel.shows_floor = background.shows_floor(x, y);
-  const bool open = plan.kind == PixelKind::background || plan.kind == PixelKind::shadowed_floor;
-  if (open) pixel.background_samples = prepared_.quality.samples_per_pixel;
-  if (background_light.complete || plan.kind == PixelKind::per_sample ||
-      prepared_.bounds.radius < 0.0f)
-    return;
+SkyRays PixelPlanner::floor_sky_rays(int x, int y) {
+  if (prepared_.bounds.radius < 0.0f) return {};
   const FloorPlace place = floor_row(y).at(x);
-  const SkyRays sky = sky_rays_of(prepared_.bounds, {place.x, 0.0f, place.z}, Vec3::UnitY(),
-                                  prepared_.quality.samples_per_pixel, pixel.sampler);
-  pixel.floor_sky_rays = sky.rays;
-  pixel.floor_sky_samples = sky.samples;
+  return sky_rays_of(prepared_.bounds, {place.x, 0.0f, place.z}, Vec3::UnitY(),
+                     prepared_.quality.samples_per_pixel, prepared_.sampler.for_pixel(x, y));
 }
 
 }  // namespace mien::render

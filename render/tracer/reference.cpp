@@ -1,35 +1,55 @@
 #include "render/tracer/reference.h"
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "render/image/luminance.h"
 #include "render/light/floor.h"
 #include "render/light/light.h"
 #include "render/light/shading.h"
 #include "render/math/constants.h"
-#include "render/math/directions.h"
-#include "render/tracer/pixel.h"
-#include "render/tracer/primary_rays.h"
+#include "render/tracer/camera_rays.h"
+#include "render/tracer/samples.h"
 
 namespace mien::render {
 namespace {
+
+/// Whether lines of this width, centred on the multiples of a spacing along x and z, cover a point.
+bool is_on_line(float x, float z, float spacing, float width) {
+  const auto covers = [&](float at) {
+    return std::abs(at - spacing * std::round(at / spacing)) <= 0.5f * width;
+  };
+  return covers(x) || covers(z);
+}
+
+/// Albedo of the floor at a point.
+Color albedo_at(const Ground& ground, const Vec3& point) {
+  if (ground.line_spacing <= 0.0f) return ground.albedo;
+  const float x = point.x() - ground.offset_x, z = point.z() - ground.offset_z;
+  if (ground.major_every != 0 &&
+      is_on_line(x, z, static_cast<float>(ground.major_every) * ground.line_spacing,
+                 2.0f * ground.line_width))
+    return ground.major_albedo;
+  return is_on_line(x, z, ground.line_spacing, ground.line_width) ? ground.line_albedo
+                                                                  : ground.albedo;
+}
+
+/// Proportion of the floor's light that has not faded at a horizontal distance, metres.
+float visibility(const Ground& ground, float distance) {
+  const float part = (distance - ground.fade_start) / (ground.fade_end - ground.fade_start);
+  const float x = std::clamp(part, 0.0f, 1.0f);
+  return 1.0f - x * x * (3.0f - 2.0f * x);
+}
 
 /// What a camera ray shows.
 struct CameraHit {
   Color unlit = Color::Zero();  ///< radiance that no shadow ray decides: backdrop, emission
   bool is_figure = false;
-  std::optional<Surface> surface;  ///< of a solid
-  bool is_lit = false;             ///< a surface or the floor
-  Vec3 origin = Vec3::Zero();      ///< of its shadow rays
-  Vec3 normal = Vec3::UnitY();
-  Color albedo = Color::Zero();
-
-  /// Radiance towards the camera per irradiance from the unit direction `towards`.
-  Color reflected(const Vec3& towards) const {
-    return surface ? reflectance(*surface, towards) : Color(std::numbers::inv_pi_v<float> * albedo);
-  }
+  bool is_lit = false;  ///< a solid or the floor
+  Surface surface;      ///< if it is lit
 };
 
 /// The samples of a pixel, up to eight at a time.
@@ -49,12 +69,10 @@ class ReferencePixel {
   int covered = 0;                   ///< samples that show the figure
 
  private:
-  void begin(int first, int last, bool with_figure);
-  void trace();
-  CameraHit hit(int i, const Hits& figure_hits, const Hits& set_hits) const;
+  CameraHit hit(const RayPacket& rays, int ray, const FirstHit& first) const;
   void light_from(const AreaLight& light, int number);
   void light_from_sky();
-  void cast(int i, const Vec3& towards, float distance, const Color& radiance);
+  void cast(std::size_t lit, const Vec3& towards, float distance, const Color& radiance);
   void finish_rays();
   void add_radiance(const CameraHit& from, const Color& radiance) {
     (from.is_figure ? figure : background) += radiance;
@@ -63,107 +81,71 @@ class ReferencePixel {
   const PreparedScene& prepared_;
   Pixel pixel_;
   bool with_figure_ = true;
-  Samples samples_;
-  RayPacket camera_rays_;
+  std::vector<Sample> samples_;
   std::array<CameraHit, lanes> hits_;
+  LaneVectors origins_;  // of the shadow rays
+  LaneVectors normals_;
   RayPacket shadow_rays_;
-  std::array<int, lanes> lit_;        // of each shadow ray: the sample that it lights
-  std::array<Color, lanes> carried_;  // and the radiance that it adds if nothing occludes it
+  std::array<std::size_t, lanes> lit_;  // of each shadow ray: the sample that it lights
+  std::array<Color, lanes> carried_;    // and the radiance that it adds if nothing occludes it
 };
 
 void ReferencePixel::add(int first, int last, bool with_figure) {
-  begin(first, last, with_figure);
-  trace();
-  const Scene& scene = prepared_.scene;
-  for (std::size_t k = 0; k < scene.lights.size(); ++k)
-    light_from(scene.lights[k], static_cast<int>(k));
-  light_from_sky();
-}
-
-void ReferencePixel::begin(int first, int last, bool with_figure) {
   with_figure_ = with_figure;
-  samples_.count = 0;
-  for (int i = first; i < last; ++i) {
-    Sample& sample = samples_.next();
-    sample.pixel = &pixel_;
-    sample.index = i;
-    if (prepared_.closing_solids != nullptr || prepared_.closing_camera)
-      sample.time = prepared_.quality.shutter * pixel_.sampler.point(Dimension::Time, i).u;
-    sample.present = present_figures(pixel_.sampler, prepared_.opacities, i);
-  }
-}
-
-// The camera ray ends at the floor, which hides solids below it.
-void ReferencePixel::trace() {
-  LaneVectors origins, directions;
-  primary_rays(prepared_, samples_, origins, directions);
-  camera_rays_.count = 0;
-  for (int i = 0; i < samples_.count; ++i) {
-    const std::optional<float> floor = prepared_.scene.has_ground
-                                           ? distance_to_floor(origins.at(i), directions.at(i))
-                                           : std::nullopt;
-    camera_rays_.push(origins.at(i), directions.at(i), floor.value_or(infinity), samples_[i].time,
-                      samples_[i].present);
-  }
-  Hits figure_hits, set_hits;
-  std::fill_n(figure_hits.shape, packet_size, -1);
-  std::fill_n(set_hits.shape, packet_size, -1);
-  if (with_figure_) figure_hits = prepared_.figure.intersect(camera_rays_);
-  if (prepared_.static_solids != nullptr)
-    set_hits = prepared_.static_solids->intersect(camera_rays_);
-  for (int i = 0; i < samples_.count; ++i) {
-    const CameraHit& now = hits_[static_cast<std::size_t>(i)] = hit(i, figure_hits, set_hits);
+  samples_.clear();
+  for (int i = first; i < last; ++i) samples_.push_back(sample_at(prepared_, pixel_, i));
+  const RayPacket rays = camera_rays(prepared_, std::span<const Sample>(samples_));
+  const auto first_hit = first_hits(prepared_, rays, with_figure);
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const CameraHit& now = hits_[i] = hit(rays, static_cast<int>(i), first_hit[i]);
+    origins_.set(static_cast<int>(i), now.surface.origin);
+    normals_.set(static_cast<int>(i), now.surface.normal);
     add_radiance(now, now.unlit);
     covered += now.is_figure ? 1 : 0;
   }
+  for (int k = 0; const AreaLight& light : prepared_.scene.lights) light_from(light, k++);
+  light_from_sky();
 }
 
-CameraHit ReferencePixel::hit(int i, const Hits& figure_hits, const Hits& set_hits) const {
+CameraHit ReferencePixel::hit(const RayPacket& rays, int ray, const FirstHit& first) const {
+  static const Material diffuse;
   const Scene& scene = prepared_.scene;
-  const CameraRay ray{camera_rays_.origin(i), camera_rays_.direction(i)};
-  const bool shows_set = set_hits.shape[i] >= 0;
-  const bool shows_figure =
-      figure_hits.shape[i] >= 0 && (!shows_set || figure_hits.distance[i] <= set_hits.distance[i]);
   CameraHit found;
-  if (shows_figure || shows_set) {
-    const Hits& hits = shows_figure ? figure_hits : set_hits;
-    const Vec3 point = ray.origin + hits.distance[i] * ray.direction;
-    found.is_figure = shows_figure;
-    found.surface = shows_figure ? surface_at(scene, prepared_.solids, prepared_.closing_solids,
-                                              prepared_.figure.shapes(), hits.shape[i], point,
-                                              ray.direction, samples_[i].time)
-                                 : surface_at(scene, scene.static_solids, nullptr,
-                                              prepared_.static_solids->shapes(), hits.shape[i],
-                                              point, ray.direction, 0.0f);
-    found.unlit = found.surface->material->emission;
-    found.origin = found.surface->origin;
-    found.normal = found.surface->normal;
-    found.albedo = found.surface->albedo;
+  if (first.exists()) {
+    found.is_figure = first.of_figure;
+    found.surface = surface_at(prepared_, rays, ray, first);
+    found.unlit = found.surface.material->emission;
     found.is_lit = true;
     return found;
   }
-  found.unlit = backdrop_radiance(scene.sky, ray.direction);
-  if (!scene.has_ground) return found;
-  const std::optional<FloorPoint> floor =
-      visible_floor(scene.ground, camera_of(prepared_, samples_[i]), ray);
-  if (!floor) return found;
-  found.unlit *= 1.0f - floor->share;
-  found.albedo = floor->share * albedo_at(scene.ground, floor->point);
-  found.origin = floor->point;
-  found.is_lit = true;
+  found.surface.normal = Vec3::UnitY();
+  found.surface.origin = Vec3::Zero();
+  found.unlit = backdrop_radiance(scene.sky, rays.direction(ray));
+  const std::optional<Vec3> point = floor_point(rays, ray);
+  if (!point) return found;
+  const Vec3 eye = prepared_.camera.parallel ? prepared_.camera.position : rays.origin(ray);
+  const float share =
+      visibility(scene.ground, std::hypot(point->x() - eye.x(), point->z() - eye.z()));
+  found.unlit *= 1.0f - share;
+  found.surface.point = found.surface.origin = *point;
+  found.surface.albedo = share * albedo_at(scene.ground, *point);
+  found.surface.towards_eye = -rays.direction(ray);
+  found.surface.material = &diffuse;
+  found.is_lit = share > 0.0f;
   return found;
 }
 
 void ReferencePixel::light_from(const AreaLight& light, int number) {
-  for (int i = 0; i < samples_.count; ++i) {
-    const CameraHit& lit = hits_[static_cast<std::size_t>(i)];
-    if (!lit.is_lit) continue;
-    const LightSample chosen = sample(
-        light, lit.origin, pixel_.sampler.point(Dimension::FirstLight, number, samples_[i].index));
-    const float cosine = lit.normal.dot(chosen.towards);
-    if (cosine > 0.0f)
-      cast(i, chosen.towards, chosen.distance,
-           cosine * chosen.perpendicular * lit.reflected(chosen.towards));
+  const std::span<const Sample> samples(samples_);
+  const LaneLights chosen =
+      sample(light, origins_, points_for(samples, Dimension::FirstLight, number));
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const auto lane = static_cast<int>(i);
+    const Vec3 towards = chosen.towards.at(lane);
+    const float cosine = normals_.at(lane).dot(towards);
+    if (hits_[i].is_lit && cosine > 0.0f)
+      cast(i, towards, chosen.distance[lane],
+           (cosine * chosen.share[lane]) * light.radiance * reflectance(hits_[i].surface, towards));
   }
   finish_rays();
 }
@@ -171,25 +153,27 @@ void ReferencePixel::light_from(const AreaLight& light, int number) {
 // Light from below comes through the floor (Sky), so a ray is occluded by nothing beyond it.
 void ReferencePixel::light_from_sky() {
   const Scene& scene = prepared_.scene;
-  for (int i = 0; i < samples_.count; ++i) {
-    const CameraHit& lit = hits_[static_cast<std::size_t>(i)];
-    if (!lit.is_lit) continue;
-    const Vec3 towards =
-        cosine_direction(lit.normal, pixel_.sampler.point(Dimension::FigureSky, samples_[i].index));
+  const LaneVectors directions = cosine_directions(
+      normals_, points_for(std::span<const Sample>(samples_), Dimension::FigureSky));
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (!hits_[i].is_lit) continue;
+    const Vec3 towards = directions.at(static_cast<int>(i));
+    const Surface& surface = hits_[i].surface;
     const std::optional<float> floor =
-        scene.has_ground ? distance_to_floor(lit.origin, towards) : std::nullopt;
-    cast(i, towards, floor.value_or(infinity), lit.albedo * sky_radiance(scene.sky, towards));
+        scene.has_ground ? distance_to_floor(surface.origin, towards) : std::nullopt;
+    cast(i, towards, floor.value_or(infinity), surface.albedo * sky_radiance(scene.sky, towards));
   }
   finish_rays();
 }
 
-void ReferencePixel::cast(int i, const Vec3& towards, float distance, const Color& radiance) {
+void ReferencePixel::cast(std::size_t lit, const Vec3& towards, float distance,
+                          const Color& radiance) {
   if ((radiance == 0.0f).all()) return;
   const auto ray = static_cast<std::size_t>(shadow_rays_.count);
-  lit_[ray] = i;
+  lit_[ray] = lit;
   carried_[ray] = radiance;
-  shadow_rays_.push(hits_[static_cast<std::size_t>(i)].origin, towards, distance, samples_[i].time,
-                    samples_[i].present);
+  shadow_rays_.push(hits_[lit].surface.origin, towards, distance, samples_[lit].time,
+                    samples_[lit].present);
 }
 
 void ReferencePixel::finish_rays() {
@@ -201,7 +185,7 @@ void ReferencePixel::finish_rays() {
   for (int k = 0; k < shadow_rays_.count; ++k) {
     if (((occluded >> k) & 1u) != 0) continue;
     const auto ray = static_cast<std::size_t>(k);
-    add_radiance(hits_[static_cast<std::size_t>(lit_[ray])], carried_[ray]);
+    add_radiance(hits_[lit_[ray]], carried_[ray]);
   }
   shadow_rays_.count = 0;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/light/shading.h"
-#include "render/tracer/pixel.h"
+#include "render/tracer/samples.h"
 #include "render/tracer/tile.h"
 
 namespace mien::render {

@@ -2,323 +2,237 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "render/image/luminance.h"
-#include "render/light/floor.h"
-#include "render/math/constants.h"
+#include "render/light/unshadowed_background.h"
+#include "render/tracer/camera_rays.h"
+#include "render/tracer/floor_lines.h"
 #include "render/tracer/lighting.h"
-#include "render/tracer/pixel.h"
 #include "render/tracer/pixel_plan.h"
-#include "render/tracer/primary_rays.h"
 #include "render/tracer/reference.h"
+#include "render/tracer/samples.h"
 
 namespace mien::render {
 namespace {
 
 constexpr int piece_width = 16 * tile_size;
 
-class TilePainter {
+/// The surface of the floor at a point.
+ShadingPoint on_floor(const Sample& sample, const Vec3& point, const Color& albedo) {
+  static const Material diffuse;
+  ShadingPoint floor;
+  floor.sample = sample;
+  floor.surface.point = floor.surface.origin = point;
+  floor.surface.normal = floor.surface.towards_eye = Vec3::UnitY();
+  floor.surface.albedo = albedo;
+  floor.surface.material = &diffuse;
+  return floor;
+}
+
+/// Calls `work` with up to eight elements at a time.
+template <class Element, class Work>
+void for_eights(const std::vector<Element>& elements, const Work& work) {
+  const std::span<const Element> all(elements);
+  for (std::size_t i = 0; i < all.size(); i += lanes)
+    work(all.subspan(i, std::min<std::size_t>(lanes, all.size() - i)));
+}
+
+/// Renders tiles. Each goes through these steps: its background is written; camera rays of the
+/// pixels that may show a solid are traced; the points that they show are lit by shadow rays, and
+/// the floor's shadows are computed; the sums of all samples are written.
+class TileRenderer {
  public:
-  explicit TilePainter(const PreparedScene& prepared)
+  explicit TileRenderer(const PreparedScene& prepared)
       : prepared_(prepared),
+        samples_(prepared.quality.samples_per_pixel),
+        // If every sample renders its own background, none is written before.
+        writes_background_(prepared.quality.background == Background::shown &&
+                           !prepared.is_per_sample() && !prepared.quality.exhaustive),
         in_pairs_(prepared.quality.shades_pixel_pairs && prepared.closing_solids == nullptr &&
-                  prepared.quality.samples_per_pixel <= prepared.quality.samples_shaded_together &&
-                  2 * prepared.quality.samples_per_pixel <= static_cast<int>(lanes)),
+                  samples_ <= prepared.quality.samples_shaded_together &&
+                  2 * samples_ <= static_cast<int>(lanes)),
         planner_(prepared),
-        shadow_rays_(prepared),
-        line_shadows_(prepared, planner_.lines()) {}
+        unshadowed_(prepared.scene, prepared.camera),
+        lines_(prepared),
+        lighting_(prepared) {}
+
   void draw(const Tile& part, const Canvas& canvas);
 
  private:
   void draw_band(const Tile& band, const Canvas& canvas);
-  void draw_tile(const Tile& tile, bool open, const Canvas& canvas);
-  int samples_of(const Pixel& pixel) const;
-  void init(Sample& sample, Pixel& pixel, int index) const;
-  void shade_floor(Samples& samples);
-  void trace(Samples& samples);
-  void shade_figure();
-  bool stay_together(const Sample& a, const Sample& b) const;
-  void add_hit(const Sample& sample, int lane, const Hits& figure, const Hits& static_hits);
-  bool is_lit_with_last(const Sample& sample, int shape, int lane, const Hits& figure);
-  Surface surface(int lane, const Hits& hits, bool of_figure, float time) const;
-  void add_samples(Pixel& pixel, int first, int last);
-  void push_floor(const Sample& sample, const CameraRay& ray);
-  void shadow_floor_points();
-  int skip_uniform(const Tile& tile, int x, int y);
-  void shade(const Tile& tile, int first, int end, int y, std::uint32_t lights);
-  void shade_rows(const Tile& tile, const Canvas& canvas);
-  void finish(const Tile& tile);
-  void subtract_block(FloorPixel& pixel) const;
-  float shadow_alpha(const Color& left, int x, int y) const;
+  void draw_tile(const Tile& tile, bool is_known, const Canvas& canvas);
+  void plan_pixels(const Tile& rows, bool is_known, const Canvas& canvas);
+  void add_pixel(int x, int y, const PixelPlan& plan, const BackgroundLight& background);
+  void trace();
+  void trace_batch(std::span<const Sample> samples);
+  void show_floor(std::span<const Sample> samples);
+  void add_figure(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
+  bool merge(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
+  void add_background(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
+  void add_floor(const Sample& sample, const Vec3& point);
+  void add_own_background(std::span<const Sample> samples, const RayPacket& rays);
+  void light();
+  void resolve(const Tile& tile, const Canvas& canvas);
+  void write(Pixel& pixel, const Canvas& canvas) const;
   void write_background(const Color& background, int x, int y, const Canvas& canvas) const;
-  void resolve(const Pixel& pixel, const Canvas& canvas) const;
-  void resolve(const FloorPixel& pixel, const Canvas& canvas) const;
-  void write_pixel(const FloorPixel& pixel, const Color& figure, const Color& background,
-                   const Color& occluded, float covered, const Canvas& canvas) const;
+  float shadow_alpha(const Color& left, int x, int y) const;
+  Color floor_shadow(int x, int y) const {
+    return Color::Zero() - lines_.occluded(x, y) * prepared_.background.floor_albedo(x, y);
+  }
 
   const PreparedScene& prepared_;
+  const int samples_;  // per pixel
+  const bool writes_background_;
   const bool in_pairs_;  // neighbours are shaded together
   PixelPlanner planner_;
-  std::vector<std::uint8_t> open_;  // one a tile of the band
-  std::vector<Pixel> pixels_;       // those that are traced; must not move
-  std::vector<FloorPixel> floors_;  // those that need line shadows only; must not move
-  bool in_blocks_ = false;          // pixels of the tile share lines
-  FloorBlocks blocks_;              // if in_blocks_: their results
-  std::array<std::uint32_t, tile_size> shaded_rows_;  // and bit i: pixel i of a row is floor that
-                                                      // is shown, and lacks no more than that
-  Samples floor_;                                     // samples that show no solid, not yet traced
-  Samples traced_;                                    // samples that may show one, not yet traced
-  RayPacket primaries_;
-  SurfaceSamples figure_surfaces_;
-  int last_shape_ = -1;  // of them
-  SurfaceSamples set_surfaces_;
-  FloorSamples floor_points_;
-  ShadowRayQueue shadow_rays_;
-  LineShadowQueue line_shadows_;
+  const UnshadowedBackground unshadowed_;
+  FloorLines lines_;
+  Lighting lighting_;
+  std::vector<std::uint8_t> is_known_;  // per tile of a band: its background is written, complete
+  std::vector<Pixel> pixels_;           // of the tile; must not move
+  std::vector<Sample> traced_samples_;  // that may show a solid
+  std::vector<Sample> floor_samples_;   // that show the floor only
+  std::vector<Sample> own_samples_;     // of a batch, that render their own background
+  std::vector<ShadingPoint> figure_points_;
+  int last_shape_ = -1;                      // that of the last of them
+  std::vector<ShadingPoint> set_points_;     // of static solids, not rendered before
+  std::vector<ShadingPoint> shadow_points_;  // of the static background
+  std::vector<ShadingPoint> floor_points_;   // of the unshadowed floor
 };
 
-void TilePainter::draw(const Tile& part, const Canvas& canvas) {
+void TileRenderer::draw(const Tile& part, const Canvas& canvas) {
   for (int y = part.y_begin; y < part.y_end; y += tile_size)
     draw_band({part.x_begin, part.x_end, y, std::min(y + tile_size, part.y_end)}, canvas);
 }
 
-// The background is written first, row by row, for cache locality. Tiles stay open if that left
-// pixels out.
-void TilePainter::draw_band(const Tile& band, const Canvas& canvas) {
-  // If every sample is rendered by itself, so is the background.
-  const bool shown = prepared_.quality.background == Background::shown &&
-                     !prepared_.is_per_sample() && !prepared_.quality.exhaustive;
+void TileRenderer::draw_band(const Tile& band, const Canvas& canvas) {
   const int tiles = (band.x_end - band.x_begin + tile_size - 1) / tile_size;
-  open_.assign(static_cast<std::size_t>(tiles), shown ? 0 : 1);
-  if (shown) planner_.write_background(band, canvas, open_);
+  is_known_.assign(static_cast<std::size_t>(tiles), writes_background_ ? 1 : 0);
+  if (writes_background_) planner_.write_background(band, canvas, is_known_);
   for (int k = 0; k < tiles; ++k) {
     const int x = band.x_begin + k * tile_size;
-    const Tile tile{x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end};
-    const bool open = open_[static_cast<std::size_t>(k)] != 0;
-    planner_.begin_tile(tile);
-    if (open || !planner_.shows_background_only()) draw_tile(tile, open, canvas);
+    draw_tile({x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end},
+              is_known_[static_cast<std::size_t>(k)] != 0, canvas);
   }
 }
 
-void TilePainter::draw_tile(const Tile& tile, bool open, const Canvas& canvas) {
-  const bool alone = planner_.shows_background_only();
-  const SharedLine shared = shared_line(planner_.lines(), prepared_.quality.samples_per_pixel);
-  in_blocks_ = shared.pixels > 1;
-  if (in_blocks_) blocks_.clear(block_of(shared));
-  shaded_rows_.fill(0);
-  shadow_rays_.shared_sky().begin_tile(tile);
+void TileRenderer::draw_tile(const Tile& tile, bool is_known, const Canvas& canvas) {
+  planner_.begin_tile(tile, lines_);
+  if (is_known && planner_.shows_background_only()) return;
   pixels_.clear();
   pixels_.reserve(tile_size * tile_size);
-  floors_.clear();
-  floors_.reserve(tile_size * tile_size);
-  for (int y = tile.y_begin; y < tile.y_end; ++y) {
-    for (int x = tile.x_begin; x < tile.x_end; ++x) {
-      if (!open) {
-        x = skip_uniform(tile, x, y);
-        if (x == tile.x_end) break;
-      }
-      const PixelPlan plan = alone ? PixelPlan{} : planner_.plan(x, y);
-      if (plan.kind == PixelKind::background && !open) continue;
-      const bool by_lines = (plan.shadow_lights & ~planner_.lines().lights) == 0;
-      if (plan.kind == PixelKind::shadowed_floor && by_lines && in_blocks_ && !open) {
-        shade(tile, x, x + 1, y, plan.shadow_lights);
-        continue;
-      }
+  lighting_.begin_tile(tile);
+  // Some rows at a time: enough for full packets, few enough for the caches.
+  const int rows = std::clamp(16 / samples_, 1, tile_size);
+  for (int y = tile.y_begin; y < tile.y_end; y += rows) {
+    plan_pixels({tile.x_begin, tile.x_end, y, std::min(y + rows, tile.y_end)}, is_known, canvas);
+    trace();
+    light();
+  }
+  lighting_.finish();
+  resolve(tile, canvas);
+}
+
+void TileRenderer::plan_pixels(const Tile& rows, bool is_known, const Canvas& canvas) {
+  for (int y = rows.y_begin; y < rows.y_end; ++y) {
+    const auto& plans = planner_.plan_row(y);
+    for (int x = rows.x_begin; x < rows.x_end; ++x) {
+      const PixelPlan& plan = plans[static_cast<std::size_t>(x - rows.x_begin)];
+      if (is_known && plan.shows_background_only()) continue;
       const BackgroundLight background =
-          open ? planner_.background_at(x, y)
-               : BackgroundLight{Eigen::Map<const Color>(canvas.color(x, y)), true};
-      if (plan.kind == PixelKind::background && background.complete) {
+          is_known ? BackgroundLight{Eigen::Map<const Color>(canvas.color(x, y)), true}
+                   : planner_.background_at(x, y);
+      if (plan.shows_background_only() && background.complete) {
         write_background(background.radiance, x, y, canvas);
-        continue;
-      }
-      if (plan.kind == PixelKind::shadowed_floor && background.complete && by_lines) {
-        FloorPixel& pixel = floors_.emplace_back();
-        planner_.init(pixel, x, y, plan, background.radiance);
-        line_shadows_.enqueue_all(pixel);
-        continue;
-      }
-      Pixel& pixel = pixels_.emplace_back();
-      planner_.init(pixel, x, y, plan, background);
-      const int needed = samples_of(pixel);
-      if (needed == 0) {
+      } else if (plan.kind == PixelKind::background && background.complete && writes_background_ &&
+                 (plan.shadow_lights & ~lines_.lights()) == 0) {
         write_background(background.radiance, x, y, canvas);
-        pixels_.pop_back();
-        continue;
-      }
-      for (int first = 0; first < needed; first += static_cast<int>(lanes))
-        add_samples(pixel, first, std::min(first + static_cast<int>(lanes), needed));
-    }
-  }
-  finish(tile);
-  for (const Pixel& pixel : pixels_) resolve(pixel, canvas);
-  for (const FloorPixel& pixel : floors_) resolve(pixel, canvas);
-  if (in_blocks_) shade_rows(tile, canvas);
-}
-
-// Skips runs of pixels that need no samples of their own; returns the next pixel that does.
-int TilePainter::skip_uniform(const Tile& tile, int x, int y) {
-  while (x < tile.x_end) {
-    const auto run = planner_.uniform_run_from(x, y);
-    if (!run) return x;
-    if (run->lights != 0) {
-      if (!in_blocks_ || (run->lights & ~planner_.lines().lights) != 0) return x;
-      shade(tile, x, run->end, y, run->lights);
-    }
-    x = run->end;
-  }
-  return x;
-}
-
-// Requests block lines for floor pixels that are already written.
-void TilePainter::shade(const Tile& tile, int first, int end, int y, std::uint32_t lights) {
-  shaded_rows_[static_cast<std::size_t>(y - tile.y_begin)] |= ((1u << (end - first)) - 1u)
-                                                              << (first - tile.x_begin);
-  const int width = blocks_.size().width;
-  for (int x = first; x < end; x = x / width * width + width) blocks_.add(x, y, lights);
-}
-
-// Adds the blocks' shadows to pixels that were already written; gives the same bits as `resolve`.
-void TilePainter::shade_rows(const Tile& tile, const Canvas& canvas) {
-  const auto samples = static_cast<float>(prepared_.quality.samples_per_pixel);
-  const float share = 1.0f / samples, all = share * samples;
-  const int width = blocks_.size().width;
-  for (int y = tile.y_begin; y < tile.y_end; ++y) {
-    std::uint32_t row = shaded_rows_[static_cast<std::size_t>(y - tile.y_begin)];
-    while (row != 0) {
-      const int first = tile.x_begin + std::countr_zero(row);
-      const Color& hidden = blocks_.occluded(first, y);
-      for (int x = first; x < first / width * width + width; ++x) {
-        const std::uint32_t bit = 1u << (x - tile.x_begin);
-        if ((row & bit) == 0) continue;
-        row &= ~bit;
-        const Color occluded =
-            Color::Zero() - (samples * hidden) * prepared_.background.floor_albedo(x, y);
-        Eigen::Map<Color> light(canvas.color(x, y));
-        light = all * light + (Color::Zero() + share * occluded);
+        lines_.add(x, y, plan.shadow_lights, 0, samples_);
+      } else {
+        add_pixel(x, y, plan, background);
       }
     }
   }
 }
 
-int TilePainter::samples_of(const Pixel& pixel) const {
-  return pixel.kind == PixelKind::background ? pixel.floor_sky_rays
-                                             : prepared_.quality.samples_per_pixel;
-}
-
-void TilePainter::init(Sample& sample, Pixel& pixel, int index) const {
-  sample.pixel = &pixel;
-  sample.index = index;
-  if (prepared_.closing_solids != nullptr || prepared_.closing_camera)
-    sample.time = prepared_.quality.shutter * pixel.sampler.point(Dimension::Time, index).u;
-  if (!prepared_.figure.shapes().all_present)
-    sample.present = present_figures(pixel.sampler, prepared_.opacities, index);
-}
-
-void TilePainter::shade_floor(Samples& samples) {
-  LaneVectors origins, directions;
-  primary_rays(prepared_, samples, origins, directions);
-  for (int i = 0; i < samples.count; ++i) push_floor(samples[i], {origins.at(i), directions.at(i)});
-  samples.count = 0;
-  shadow_floor_points();
-}
-
-// Samples of a pixel that are traced and shaded together stay together, whatever else is rendered:
-// so its light is always summed in the same order.
-void TilePainter::add_samples(Pixel& pixel, int first, int last) {
-  const bool open = pixel.kind == PixelKind::background || pixel.kind == PixelKind::shadowed_floor;
-  Samples& waiting = open ? floor_ : traced_;
-  // Samples of a pair stay together too.
-  const int needed = in_pairs_ && !open && pixel.x % 2 == 0 ? 2 * (last - first) : last - first;
-  if (waiting.count + needed > static_cast<int>(lanes)) open ? shade_floor(floor_) : trace(traced_);
-  for (int i = first; i < last; ++i) init(waiting.next(), pixel, i);
-}
-
-void TilePainter::push_floor(const Sample& sample, const CameraRay& ray) {
-  if (!sample.pixel->shows_floor) return;
-  const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
-  if (distance) floor_points_.push(sample, floor_point(ray, *distance));
-}
-
-void TilePainter::shadow_floor_points() {
-  shadow_floor(prepared_, floor_points_, shadow_rays_, line_shadows_);
-  floor_points_.samples.count = 0;
-}
-
-void TilePainter::trace(Samples& samples) {
-  if (samples.count == 0) return;
-  LaneVectors origins, directions;
-  primary_rays(prepared_, samples, origins, directions);
-  primaries_.count = 0;
-  for (int i = 0; i < samples.count; ++i) {
-    const Vec3 origin = origins.at(i), direction = directions.at(i);
-    const std::optional<float> floor =
-        prepared_.scene.has_ground ? distance_to_floor(origin, direction) : std::nullopt;
-    primaries_.push(origin, direction, floor.value_or(infinity), samples[i].time,
-                    samples[i].present);
+void TileRenderer::add_pixel(int x, int y, const PixelPlan& plan,
+                             const BackgroundLight& background) {
+  Pixel& pixel = pixels_.emplace_back();
+  pixel.x = x;
+  pixel.y = y;
+  pixel.kind = plan.kind;
+  pixel.sampler = prepared_.sampler.for_pixel(x, y);
+  pixel.shadow_lights = plan.shadow_lights;
+  pixel.background = background.radiance;
+  pixel.floor_albedo = prepared_.background.floor_albedo(x, y);
+  if (!background.complete && plan.kind != PixelKind::per_sample)
+    pixel.floor_sky = planner_.floor_sky_rays(x, y);
+  if (plan.kind != PixelKind::background) {
+    for (int i = 0; i < samples_; ++i) traced_samples_.push_back(sample_at(prepared_, pixel, i));
+    return;
   }
-  const Hits figure = prepared_.figure.intersect(primaries_);
-  Hits static_hits;
-  std::fill_n(static_hits.shape, packet_size, -1);
-  if (prepared_.static_solids) static_hits = prepared_.static_solids->intersect(primaries_);
-  for (int first = 0, last = 0; first < samples.count; first = last) {
-    while (last < samples.count && stay_together(samples[first], samples[last])) ++last;
-    if (figure_surfaces_.samples.count + last - first > static_cast<int>(lanes)) shade_figure();
-    for (int i = first; i < last; ++i) add_hit(samples[i], i, figure, static_hits);
+  pixel.background_samples = samples_;
+  if ((plan.shadow_lights & lines_.lights()) != 0)
+    lines_.add(x, y, plan.shadow_lights, 0, samples_);
+  const bool by_rays = (plan.shadow_lights & ~lines_.lights()) != 0;
+  const int needed = by_rays ? samples_ : pixel.floor_sky.rays;
+  for (int i = 0; i < needed; ++i) floor_samples_.push_back(sample_at(prepared_, pixel, i));
+}
+
+void TileRenderer::trace() {
+  for_eights(traced_samples_, [&](std::span<const Sample> batch) { trace_batch(batch); });
+  for_eights(floor_samples_, [&](std::span<const Sample> batch) { show_floor(batch); });
+  traced_samples_.clear();
+  floor_samples_.clear();
+}
+
+void TileRenderer::show_floor(std::span<const Sample> samples) {
+  const RayPacket rays = camera_rays(prepared_, samples);
+  for (int ray = 0; ray < rays.count; ++ray)
+    if (const std::optional<Vec3> point = floor_point(rays, ray))
+      add_floor(samples[static_cast<std::size_t>(ray)], *point);
+}
+
+void TileRenderer::trace_batch(std::span<const Sample> samples) {
+  const RayPacket rays = camera_rays(prepared_, samples);
+  const auto hits = first_hits(prepared_, rays);
+  RayPacket own_rays;
+  own_samples_.clear();
+  for (int ray = 0; ray < rays.count; ++ray) {
+    const auto i = static_cast<std::size_t>(ray);
+    const Sample& sample = samples[i];
+    if (hits[i].exists() && hits[i].of_figure) {
+      add_figure(sample, rays, ray, hits[i]);
+    } else if (sample.pixel->kind == PixelKind::traced) {
+      add_background(sample, rays, ray, hits[i]);
+    } else if (hits[i].exists()) {
+      set_points_.push_back({sample, surface_at(prepared_, rays, ray, hits[i])});
+    } else {
+      own_samples_.push_back(sample);
+      own_rays.push(rays.origin(ray), rays.direction(ray), rays.reach[ray]);
+    }
   }
-  samples.count = 0;
-  shade_surfaces(prepared_, set_surfaces_, false, shadow_rays_);
-  set_surfaces_.samples.count = 0;
-  shadow_floor_points();
+  if (own_rays.count > 0) add_own_background(own_samples_, own_rays);
 }
 
-void TilePainter::shade_figure() {
-  shade_surfaces(prepared_, figure_surfaces_, true, shadow_rays_);
-  figure_surfaces_.samples.count = 0;
+void TileRenderer::add_figure(const Sample& sample, const RayPacket& rays, int ray,
+                              const FirstHit& hit) {
+  ++sample.pixel->covered;
+  if (hit.shape == last_shape_ && merge(sample, rays, ray, hit)) return;
+  last_shape_ = hit.shape;
+  figure_points_.push_back({sample, surface_at(prepared_, rays, ray, hit)});
 }
 
-// Whether two samples are of one pixel, or of a pair.
-bool TilePainter::stay_together(const Sample& a, const Sample& b) const {
-  const int x = in_pairs_ ? a.pixel->x ^ 1 : a.pixel->x;
-  return a.pixel->y == b.pixel->y && (a.pixel->x == b.pixel->x || x == b.pixel->x);
-}
-
-void TilePainter::add_hit(const Sample& sample, int lane, const Hits& figure,
-                          const Hits& static_hits) {
-  Pixel& pixel = *sample.pixel;
-  const bool is_static = static_hits.shape[lane] >= 0;
-  if (figure.shape[lane] >= 0 &&
-      (!is_static || figure.distance[lane] <= static_hits.distance[lane])) {
-    ++pixel.covered;
-    if (is_lit_with_last(sample, figure.shape[lane], lane, figure)) return;
-    last_shape_ = figure.shape[lane];
-    return figure_surfaces_.push(sample, surface(lane, figure, true, sample.time));
-  }
-  const CameraRay ray{primaries_.origin(lane), primaries_.direction(lane)};
-  if (pixel.kind == PixelKind::per_sample) {
-    if (is_static) return set_surfaces_.push(sample, surface(lane, static_hits, false, 0.0f));
-    return add_unshadowed_background(prepared_, sample, camera_of(prepared_, sample), ray,
-                                     shadow_rays_);
-  }
-  ++pixel.background_samples;
-  if (is_static)
-    return shadow_static_solid(prepared_, sample, surface(lane, static_hits, false, 0.0f),
-                               shadow_rays_);
-  push_floor(sample, ray);
-}
-
-// Whether this sample shares the shading of the last one. Of a pair any sample may be the shaded
-// one, with equal probability: otherwise light would shift to the left.
-bool TilePainter::is_lit_with_last(const Sample& sample, int shape, int lane, const Hits& figure) {
+// Lets the last point, of the same shape, represent this sample, too, if they may be shaded
+// together. Of a pair of pixels any sample may be the shaded one, with equal probability: otherwise
+// light would shift to the left.
+bool TileRenderer::merge(const Sample& sample, const RayPacket& rays, int ray,
+                         const FirstHit& hit) {
   const int together = prepared_.quality.samples_shaded_together;
-  if (together == 1 || figure_surfaces_.samples.count == 0 || shape != last_shape_ ||
-      prepared_.closing_solids != nullptr)
-    return false;
-  const auto number = static_cast<std::size_t>(figure_surfaces_.samples.count - 1);
-  Sample& last = figure_surfaces_.samples.lane[number];
+  if (together == 1 || figure_points_.empty() || prepared_.closing_solids != nullptr) return false;
+  Sample& last = figure_points_.back().sample;
   if (last.pixel == sample.pixel) {
     if (last.index / together != sample.index / together) return false;
     last.weight += 1.0f;
@@ -330,48 +244,109 @@ bool TilePainter::is_lit_with_last(const Sample& sample, int shape, int lane, co
   last.partner = sample.pixel;
   last.partner_weight += 1.0f;
   if (pixel.sampler.fast_random(sample.index) * (last.weight + last.partner_weight) < 1.0f)
-    figure_surfaces_.surfaces[number] = surface(lane, figure, true, sample.time);
+    figure_points_.back().surface = surface_at(prepared_, rays, ray, hit);
   return true;
 }
 
-Surface TilePainter::surface(int lane, const Hits& hits, bool of_figure, float time) const {
-  const Vec3 direction = primaries_.direction(lane);
-  const Vec3 point = primaries_.origin(lane) + hits.distance[lane] * direction;
-  if (of_figure)
-    return surface_at(prepared_.scene, prepared_.solids, prepared_.closing_solids,
-                      prepared_.figure.shapes(), hits.shape[lane], point, direction, time);
-  return surface_at(prepared_.scene, prepared_.scene.static_solids, nullptr,
-                    prepared_.static_solids->shapes(), hits.shape[lane], point, direction, time);
-}
-
-// Processes everything that is still queued. Which blocks need a line is known only after all
-// tracing.
-void TilePainter::finish(const Tile& tile) {
-  shade_floor(floor_);
-  trace(traced_);
-  shade_figure();
-  shadow_rays_.trace();
-  shadow_rays_.shared_sky().subtract();
-  if (in_blocks_) {
-    for (const Pixel& pixel : pixels_)
-      if (pixel.block_samples > 0) blocks_.add(pixel.x, pixel.y, pixel.shadow_lights);
-    for (const FloorPixel& pixel : floors_) blocks_.add(pixel.x, pixel.y, pixel.shadow_lights);
-    line_shadows_.enqueue_all(tile, blocks_);
+void TileRenderer::add_background(const Sample& sample, const RayPacket& rays, int ray,
+                                  const FirstHit& hit) {
+  ++sample.pixel->background_samples;
+  if (hit.exists()) {
+    ShadingPoint solid{sample, surface_at(prepared_, rays, ray, hit)};
+    solid.sky = sky_rays_of(prepared_.bounds, solid.surface.origin, solid.surface.normal, samples_,
+                            sample.pixel->sampler);
+    shadow_points_.push_back(solid);
+  } else if (const std::optional<Vec3> point = floor_point(rays, ray)) {
+    add_floor(sample, *point);
   }
-  line_shadows_.resolve();
-  if (!in_blocks_) return;
-  for (Pixel& pixel : pixels_)
-    if (pixel.block_samples > 0) subtract_block(pixel);
-  for (FloorPixel& pixel : floors_) subtract_block(pixel);
 }
 
-void TilePainter::subtract_block(FloorPixel& pixel) const {
-  subtract_light(pixel, pixel.block_samples, blocks_.occluded(pixel.x, pixel.y));
+// Adds a point of the floor of the static background.
+void TileRenderer::add_floor(const Sample& sample, const Vec3& point) {
+  const Pixel& pixel = *sample.pixel;
+  const std::uint32_t by_lines = pixel.shadow_lights & lines_.lights();
+  if (by_lines != 0 && pixel.kind == PixelKind::traced)
+    lines_.add(pixel.x, pixel.y, by_lines, sample.index, 1);
+  ShadingPoint floor = on_floor(sample, point, pixel.floor_albedo);
+  floor.lights = pixel.shadow_lights & ~by_lines;
+  floor.sky = pixel.floor_sky;
+  if (floor.lights != 0 || sample.index < floor.sky.rays) shadow_points_.push_back(floor);
+}
+
+// Light that is occluded is subtracted later from what rays show where there is no solid. Where all
+// rays of a pixel start at one point, the background is what its centre shows.
+void TileRenderer::add_own_background(std::span<const Sample> samples, const RayPacket& rays) {
+  LaneRays shown;
+  for (int i = 0; i < rays.count; ++i) {
+    const Pixel& pixel = *samples[static_cast<std::size_t>(i)].pixel;
+    const CameraRay ray = prepared_.is_per_sample()
+                              ? CameraRay{rays.origin(i), rays.direction(i)}
+                              : prepared_.camera.ray(static_cast<float>(pixel.x) + 0.5f,
+                                                     static_cast<float>(pixel.y) + 0.5f);
+    shown.origin.set(i, ray.origin);
+    shown.direction.set(i, ray.direction);
+  }
+  const LaneBackground background = unshadowed_.along(shown);
+  for (int i = 0; i < rays.count; ++i) {
+    const Sample& sample = samples[static_cast<std::size_t>(i)];
+    sample.pixel->known_set += background.radiance.at(i);
+    const std::optional<Vec3> point = floor_point(rays, i);
+    if (!point || background.share[i] <= 0.0f) continue;
+    ShadingPoint floor = on_floor(sample, *point, background.visible_albedo.at(i));
+    floor.sky = {samples_, 1.0f};
+    floor_points_.push_back(floor);
+  }
+}
+
+void TileRenderer::light() {
+  lighting_.shade(figure_points_, true);
+  lighting_.shade(set_points_, false);
+  lighting_.subtract_shadow(shadow_points_);
+  lighting_.subtract_all_shadows(floor_points_);
+  for (auto* points : {&figure_points_, &set_points_, &shadow_points_, &floor_points_})
+    points->clear();
+  last_shape_ = -1;
+}
+
+void TileRenderer::resolve(const Tile& tile, const Canvas& canvas) {
+  lines_.resolve();
+  for (Pixel& pixel : pixels_) {
+    if (!lines_.has(pixel.x, pixel.y)) continue;
+    pixel.set += floor_shadow(pixel.x, pixel.y);
+    lines_.remove(pixel.x, pixel.y);
+  }
+  const auto samples = static_cast<float>(samples_);
+  const float share = 1.0f / samples;
+  for (int y = tile.y_begin; y < tile.y_end && !lines_.is_empty(); ++y) {
+    for (int x = tile.x_begin; x < tile.x_end; ++x) {
+      if (!lines_.has(x, y)) continue;
+      Eigen::Map<Color> light(canvas.color(x, y));
+      light = (share * samples) * light + share * floor_shadow(x, y);
+    }
+  }
+  for (Pixel& pixel : pixels_) write(pixel, canvas);
+}
+
+void TileRenderer::write(Pixel& pixel, const Canvas& canvas) const {
+  const float share = 1.0f / static_cast<float>(samples_);
+  const Color figure = share * (pixel.known_figure + pixel.figure);
+  const Color background =
+      (share * static_cast<float>(pixel.background_samples)) * pixel.background +
+      share * (pixel.known_set + pixel.set);
+  const bool shown = prepared_.quality.background == Background::shown;
+  const Color color = shown ? Color(background + figure) : figure;
+  std::copy_n(color.data(), 3, canvas.color(pixel.x, pixel.y));
+  if (shown) return;
+  const float covered = share * static_cast<float>(pixel.covered);
+  canvas.alpha(pixel.x, pixel.y) =
+      prepared_.quality.background == Background::transparent
+          ? covered
+          : std::max(covered, shadow_alpha(background, pixel.x, pixel.y));
 }
 
 // Writes a pixel without figure or shadow.
-void TilePainter::write_background(const Color& background, int x, int y,
-                                   const Canvas& canvas) const {
+void TileRenderer::write_background(const Color& background, int x, int y,
+                                    const Canvas& canvas) const {
   if (prepared_.quality.background == Background::shown)
     std::copy_n(background.data(), 3, canvas.color(x, y));
   else if (prepared_.quality.background == Background::shadow)
@@ -379,54 +354,23 @@ void TilePainter::write_background(const Color& background, int x, int y,
 }
 
 // Alpha of a shadow: the share of the background's luminance that is missing.
-float TilePainter::shadow_alpha(const Color& left, int x, int y) const {
+float TileRenderer::shadow_alpha(const Color& left, int x, int y) const {
   const float whole =
       relative_luminance(Eigen::Map<const Color>(prepared_.background.radiance.at(x, y)));
   return whole > 0.0f ? std::clamp(1.0f - relative_luminance(left) / whole, 0.0f, 1.0f) : 0.0f;
-}
-
-void TilePainter::resolve(const Pixel& pixel, const Canvas& canvas) const {
-  const float share = 1.0f / static_cast<float>(prepared_.quality.samples_per_pixel);
-  const Color background = (share * static_cast<float>(pixel.background_samples)) * pixel.radiance +
-                           share * (pixel.known_background + pixel.background);
-  write_pixel(pixel, share * (pixel.known_figure + pixel.figure), background,
-              share * (pixel.known_occluded + pixel.occluded),
-              share * static_cast<float>(pixel.covered), canvas);
-}
-
-// Gives the same bits as for a pixel whose samples all show the background.
-void TilePainter::resolve(const FloorPixel& pixel, const Canvas& canvas) const {
-  const auto samples = static_cast<float>(prepared_.quality.samples_per_pixel);
-  const float share = 1.0f / samples;
-  write_pixel(pixel, Color::Zero(), (share * samples) * pixel.radiance,
-              share * pixel.known_occluded, 0.0f, canvas);
-}
-
-void TilePainter::write_pixel(const FloorPixel& pixel, const Color& figure, const Color& background,
-                              const Color& occluded, float covered, const Canvas& canvas) const {
-  if (prepared_.quality.background == Background::shown) {
-    const Color color = background + (figure + occluded);
-    std::copy_n(color.data(), 3, canvas.color(pixel.x, pixel.y));
-    return;
-  }
-  std::copy_n(figure.data(), 3, canvas.color(pixel.x, pixel.y));
-  canvas.alpha(pixel.x, pixel.y) =
-      prepared_.quality.background == Background::transparent
-          ? covered
-          : std::max(covered, shadow_alpha(background + occluded, pixel.x, pixel.y));
 }
 
 }  // namespace
 
 void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas) {
   if (prepared.quality.reference) return draw_reference(prepared, part, canvas);
-  TilePainter(prepared).draw(part, canvas);
+  TileRenderer(prepared).draw(part, canvas);
 }
 
 void draw_pieces(
     const PreparedScene& prepared, const Tile& part,
     const std::function<void(const Tile& piece, const Framebuffer& framebuffer)>& drawn) {
-  TilePainter painter(prepared);
+  TileRenderer renderer(prepared);
   RenderTarget target;
   for (int y = part.y_begin; y < part.y_end; y += tile_size) {
     for (int x = part.x_begin; x < part.x_end; x += piece_width) {
@@ -439,7 +383,7 @@ void draw_pieces(
                                   static_cast<std::size_t>(framebuffer.height));
       const Canvas canvas{target, piece.x_begin, piece.y_begin};
       prepared.quality.reference ? draw_reference(prepared, piece, canvas)
-                                 : painter.draw(piece, canvas);
+                                 : renderer.draw(piece, canvas);
       drawn(piece, framebuffer);
     }
   }

@@ -145,8 +145,12 @@ std::vector<RayPacket> shadow_rays(const EmbreeScene& figure, const AreaLight& l
       if (!(hits.distance[i] < 20.0f)) continue;
       if (packets.empty() || packets.back().count == packet_size) packets.emplace_back();
       const Vec3 point = camera.position + (hits.distance[i] - 1e-3f) * primaries.direction(i);
-      const LightSample towards = sample(light, point, sample_point(index++, 0));
-      packets.back().push(point, towards.towards, towards.distance);
+      LaneVectors points;
+      points.set(0, point);
+      LaneWords number;
+      number[0] = index++;
+      const LaneLights chosen = sample(light, points, sample_points(number, {}));
+      packets.back().push(point, chosen.towards.at(0), chosen.distance[0]);
     }
   }
   if (packets.back().count < packet_size) packets.pop_back();

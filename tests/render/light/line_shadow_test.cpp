@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "render/geometry/shadow_mask.h"
-#include "render/light/light.h"
+#include "render/light/one_by_one.h"
 #include "render/math/constants.h"
 
 namespace mien::render {
@@ -100,7 +100,7 @@ TEST_F(LineShadow, GivesTheLightOfAPart) {
     double sum = 0.0;
     for (int k = 0; k < steps; ++k) {
       const float t = first + (last - first) * (static_cast<float>(k) + 0.5f) / steps;
-      const LightSample one = sample(light, points.at(0), {t, v[0]});
+      const test::LightSample one = test::sample(light, points.at(0), {t, v[0]});
       sum += static_cast<double>(one.perpendicular.x() * std::max(one.towards.y(), 0.0f) / pi);
     }
     const double expected = sum * static_cast<double>(last - first) / steps;

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/light/floor.h"
+#include "render/light/one_by_one.h"
 
 namespace mien::render {
 namespace {
@@ -35,6 +35,12 @@ Scene lined_floor(bool with_major_lines) {
   return scene;
 }
 
+/// The ray through the centre of a pixel, in every lane.
+LaneRays through(const CameraFrame& camera, int x, int y) {
+  const CameraRay ray = camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+  return {test::in_all_lanes(ray.origin), test::in_all_lanes(ray.direction)};
+}
+
 /// Compares all pixels with what background_pixel shows of their middles; how many show the floor.
 int compared(const Scene& scene, const Camera& camera) {
   const CameraFrame frame = frame_of(camera);
@@ -43,13 +49,14 @@ int compared(const Scene& scene, const Camera& camera) {
   for (int y = 0; y < camera.height; ++y) {
     const UnshadowedRow row(open, y, camera.width);
     for (int x = 0; x < camera.width; ++x) {
-      const LaneBackgroundPixels found = row.pixels(x / 8 * 8);
+      const LaneBackground found = row.pixels(x / 8 * 8);
       const int i = x % 8;
-      const BackgroundPixel expected = background_pixel(
+      const test::BackgroundPixel expected = test::background_pixel(
           scene, frame, frame.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
-      const Color radiance{found.radiance.red[i], found.radiance.green[i], found.radiance.blue[i]};
-      const Color albedo{found.visible_albedo.red[i], found.visible_albedo.green[i],
-                         found.visible_albedo.blue[i]};
+      const Color radiance = found.radiance.at(i), albedo = found.visible_albedo.at(i);
+      const LaneBackground alone = open.along(through(frame, x, y));
+      EXPECT_TRUE(alone.radiance.at(5).isApprox(radiance, 2e-4f)) << x << ' ' << y;
+      EXPECT_LT((alone.visible_albedo.at(5) - albedo).abs().maxCoeff(), 2e-4f);
       EXPECT_TRUE(radiance.isApprox(expected.radiance, 2e-4f)) << x << ' ' << y;
       EXPECT_LT((albedo - expected.visible_albedo).abs().maxCoeff(), 2e-4f) << x << ' ' << y;
       // Where the floor has all but faded rounding decides.
@@ -115,10 +122,10 @@ TEST(UnshadowedBackground, InterpolatesLightsAlongRows) {
     for (int y = 0; y < camera.height; ++y) {
       const UnshadowedRow row(open, y, camera.width);
       for (int x = 0; x < camera.width; x += 8) {
-        const LaneBackgroundPixels found = row.pixels(x);
+        const LaneBackground found = row.pixels(x);
         for (int i = 0; i < 8 && x + i < camera.width; ++i) {
           if (!found.plain) continue;
-          const float expected = unshadowed_floor(scene, found.point.at(i)).x();
+          const float expected = test::unshadowed_floor(scene, found.point.at(i)).x();
           largest = std::max(largest, std::abs(found.radiance.red[i] - expected));
           brightest = std::max(brightest, expected);
         }

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/math/directions.h"
+#include "render/light/one_by_one.h"
 #include "render/patch.h"
 #include "render/tracer/tracer.h"
 
@@ -240,8 +240,8 @@ TEST(Exposing, KnowsTheOpenSkyOnEveryNormal) {
     Eigen::Array3d sum = Eigen::Array3d::Zero();
     constexpr int rays = 1 << 14;
     for (int i = 0; i < rays; ++i)
-      sum += sky_radiance(sky,
-                          cosine_direction(normal, sample_point(static_cast<std::uint32_t>(i), 9)))
+      sum += sky_radiance(sky, test::cosine_direction(
+                                   normal, sample_point(static_cast<std::uint32_t>(i), 9)))
                  .cast<double>();
     const Color known = unoccluded_sky_light(sky, normal);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(known[c], sum[c] / rays, 5e-4) << y;

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "render/geometry/shapes.h"
-#include "render/light/floor.h"
+#include "render/light/unshadowed_background.h"
+#include "render/scene/camera.h"
 #include "scenes/stage/shot.h"
 #include "scenes/walking_clip.h"
 
@@ -21,8 +22,14 @@ TEST(SetPlan, AWhiteFloorUnderTheKeyLightGivesBackItsStrength) {
   plan.lights.push_back({.azimuth_degrees = 50.0, .elevation_degrees = 40.0, .strength = 0.7});
   const Place place{Vec3(3.0, 0.0, -2.0), Vec3(0.6, 0.0, 0.8)};
   const render::Scene scene = static_scene(plan, place);
-  const render::Color floor = render::unshadowed_floor(scene, place.centre.cast<float>());
-  EXPECT_NEAR(floor[1], 0.7f, 0.02f);
+  // Seen straight from above.
+  render::LaneRays down;
+  for (int i = 0; i < 8; ++i) {
+    down.origin.set(i, place.centre.cast<float>() + render::Vec3::UnitY());
+    down.direction.set(i, -render::Vec3::UnitY());
+  }
+  const render::UnshadowedBackground background(scene, render::frame_of({}));
+  EXPECT_NEAR(background.along(down).radiance.green[0], 0.7f, 0.02f);
 }
 
 TEST(SetPlan, BoxesStandInTheFiguresAxes) {

@@ -1,19 +1,20 @@
-#include "render/light/lanes.h"
+#include "render/math/lanes.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "render/light/light.h"
+#include "render/light/one_by_one.h"
 #include "render/light/sky_cone.h"
 #include "render/math/constants.h"
-#include "render/math/directions.h"
 #include "render/math/sampler.h"
+#include "render/scene/camera.h"
 
 namespace mien::render {
 namespace {
 
-constexpr int count = static_cast<int>(lanes);
+constexpr int eight = static_cast<int>(lanes);
 
 class Lanes : public testing::Test {
  protected:
@@ -26,7 +27,7 @@ class Lanes : public testing::Test {
   }
   LanePoints points() {
     LanePoints u;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < eight; ++i) {
       u.u[i] = uniform(0.0f, 0.9999f);
       u.v[i] = uniform(0.0f, 0.9999f);
     }
@@ -40,12 +41,12 @@ class Lanes : public testing::Test {
 TEST_F(Lanes, GiveThePointsOfTheSampler) {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     LaneWords index, seeds;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < eight; ++i) {
       index[i] = 37u * seed + static_cast<std::uint32_t>(i);
       seeds[i] = mixed(seed, static_cast<std::uint32_t>(i / 3));
     }
     const LanePoints found = sample_points(index, seeds);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < eight; ++i) {
       const Point2 expected = sample_point(index[i], seeds[i]);
       EXPECT_EQ(found.u[i], expected.u);
       EXPECT_EQ(found.v[i], expected.v);
@@ -56,17 +57,13 @@ TEST_F(Lanes, GiveThePointsOfTheSampler) {
 TEST_F(Lanes, GiveTheDirectionsOfOneByOne) {
   for (int trial = 0; trial < 200; ++trial) {
     LaneVectors normals;
-    for (int i = 0; i < count; ++i) normals.set(i, direction());
+    for (int i = 0; i < eight; ++i) normals.set(i, direction());
     LanePoints u = points();
     if (trial == 0) u.u[0] = u.v[0] = 0.5f;  // the middle of the disc
     const LaneVectors cosine = cosine_directions(normals, u);
-    const Vec3 axis = direction();
-    const float half = uniform(0.0f, 0.999f);
-    const LaneVectors cone = cone_directions(axis, half, u);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < eight; ++i) {
       const Point2 point{u.u[i], u.v[i]};
-      EXPECT_LT((cosine.at(i) - cosine_direction(normals.at(i), point)).norm(), 1e-6f);
-      EXPECT_LT((cone.at(i) - cone_direction(axis, half, point)).norm(), 1e-6f);
+      EXPECT_LT((cosine.at(i) - test::cosine_direction(normals.at(i), point)).norm(), 1e-6f);
     }
   }
 }
@@ -76,11 +73,11 @@ TEST_F(Lanes, GiveThePointsOfALight) {
       softbox({1.0f, 4.0f, 2.0f}, Vec3::UnitY(), 1.5f, 0.7f, Color::Constant(3.0f));
   for (int trial = 0; trial < 200; ++trial) {
     LaneVectors places;
-    for (int i = 0; i < count; ++i) places.set(i, {uniform(-9, 9), uniform(-2, 9), uniform(-9, 9)});
+    for (int i = 0; i < eight; ++i) places.set(i, {uniform(-9, 9), uniform(-2, 9), uniform(-9, 9)});
     const LanePoints u = points();
-    const LaneLights found = sample_lights(light, places, u);
-    for (int i = 0; i < count; ++i) {
-      const LightSample expected = sample(light, places.at(i), {u.u[i], u.v[i]});
+    const LaneLights found = sample(light, places, u);
+    for (int i = 0; i < eight; ++i) {
+      const test::LightSample expected = test::sample(light, places.at(i), {u.u[i], u.v[i]});
       EXPECT_LT((found.towards.at(i) - expected.towards).norm(), 2e-6f);
       EXPECT_NEAR(found.distance[i], expected.distance, 1e-5f);
       EXPECT_NEAR(3.0f * found.share[i], expected.perpendicular.x(),
@@ -89,28 +86,31 @@ TEST_F(Lanes, GiveThePointsOfALight) {
   }
 }
 
-TEST_F(Lanes, GiveTheRaysFromTheFloorTowardsABall) {
+TEST_F(Lanes, GiveTheRaysTowardsABall) {
   int within_a_cone = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const Vec3 centre{uniform(-1, 1), uniform(0.1f, 2.0f), uniform(-1, 1)};
     const float radius = uniform(0.1f, 1.5f);
-    LaneVectors places;
-    for (int i = 0; i < count; ++i) places.set(i, {uniform(-4, 4), 0.0f, uniform(-4, 4)});
+    LaneVectors places, normals;
+    for (int i = 0; i < eight; ++i) {
+      places.set(i, {uniform(-4, 4), 0.0f, uniform(-4, 4)});
+      normals.set(i, trial % 2 == 0 ? Vec3(Vec3::UnitY()) : direction());
+    }
     const LanePoints u = points();
-    const LaneSkyRays found = floor_sky_rays(centre, radius, places, u);
-    for (int i = 0; i < count; ++i) {
+    const LaneSphereRays found = rays_to_sphere(centre, radius, places, normals, u);
+    for (int i = 0; i < eight; ++i) {
       const auto cone = cone_of({centre, radius}, places.at(i));
       within_a_cone += cone ? 1 : 0;
       const Point2 point{u.u[i], u.v[i]};
-      const Vec3 towards = cone ? cone_direction(cone->axis, cone->cosine, point)
-                                : cosine_direction(Vec3::UnitY(), point);
+      const Vec3 towards = cone ? test::cone_direction(cone->axis, cone->cosine, point)
+                                : test::cosine_direction(normals.at(i), point);
       EXPECT_LT((found.towards.at(i) - towards).norm(), 4e-6f);
-      const float share = cone ? cone->solid_angle() / pi * towards.y() : 1.0f;
+      const float share = cone ? cone->solid_angle() / pi * towards.dot(normals.at(i)) : 1.0f;
       EXPECT_NEAR(found.share[i], share, 1e-5f);
     }
   }
   EXPECT_GT(within_a_cone, 100);
-  EXPECT_LT(within_a_cone, 200 * count - 20) << "both cases are tried";
+  EXPECT_LT(within_a_cone, 200 * eight - 20) << "both cases are tried";
 }
 
 TEST_F(Lanes, GiveTheRaysOfACamera) {
@@ -120,16 +120,15 @@ TEST_F(Lanes, GiveTheRaysOfACamera) {
                                          .parallel_height = height,
                                          .shift_x = 12.0f});
     LaneFloats x, y;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < eight; ++i) {
       x[i] = uniform(0.0f, 960.0f);
       y[i] = uniform(0.0f, 540.0f);
     }
-    LaneVectors origins, directions;
-    camera_rays(camera, x, y, origins, directions);
-    for (int i = 0; i < count; ++i) {
+    const LaneRays rays = camera_rays(camera, x, y);
+    for (int i = 0; i < eight; ++i) {
       const CameraRay expected = camera.ray(x[i], y[i]);
-      EXPECT_LT((origins.at(i) - expected.origin).norm(), 1e-6f);
-      EXPECT_LT((directions.at(i) - expected.direction).norm(), 1e-6f);
+      EXPECT_LT((rays.origin.at(i) - expected.origin).norm(), 1e-6f);
+      EXPECT_LT((rays.direction.at(i) - expected.direction).norm(), 1e-6f);
     }
   }
 }
@@ -143,10 +142,10 @@ TEST_F(Lanes, GiveTheLightOnTheFloorOfOneByOne) {
     const AreaLight light{
         {uniform(-2, 2), uniform(-1, 4), uniform(-2, 2)}, u, v, Color::Constant(1.0f)};
     LaneVectors points;
-    for (int i = 0; i < count; ++i) points.set(i, {uniform(-5, 5), 0.0f, uniform(-5, 5)});
-    const LaneFloats found = light_on_floor(FloorLight(light), points);
-    for (int i = 0; i < count; ++i) {
-      const float expected = irradiance(light, points.at(i), Vec3::UnitY()).x();
+    for (int i = 0; i < eight; ++i) points.set(i, {uniform(-5, 5), 0.0f, uniform(-5, 5)});
+    const LaneFloats found = irradiance(FloorLight(light), points);
+    for (int i = 0; i < eight; ++i) {
+      const float expected = test::irradiance(light, points.at(i), Vec3::UnitY()).x();
       EXPECT_NEAR(found[i], expected, 2e-6f + 1e-5f * expected);
       ++(expected > 0.0f ? lit : dark);
     }
@@ -162,11 +161,11 @@ TEST_F(Lanes, GiveTheLightOfEdgesSeenUnderAnyAngle) {
     const AreaLight light{
         {0.0f, height, 0.0f}, {side, 0.0f, 0.0f}, {0.0f, 0.0f, side}, Color::Constant(1.0f)};
     LaneVectors points;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < eight; ++i)
       points.set(i, {uniform(-2 * side, 2 * side), 0.0f, uniform(-2 * side, 2 * side)});
-    const LaneFloats found = light_on_floor(FloorLight(light), points);
-    for (int i = 0; i < count; ++i) {
-      const float expected = irradiance(light, points.at(i), Vec3::UnitY()).x();
+    const LaneFloats found = irradiance(FloorLight(light), points);
+    for (int i = 0; i < eight; ++i) {
+      const float expected = test::irradiance(light, points.at(i), Vec3::UnitY()).x();
       EXPECT_NEAR(found[i], expected, 5e-6f + 1e-5f * expected) << side << ' ' << height;
     }
   }

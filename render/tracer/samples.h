@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "render/light/shading.h"
+#include "render/light/sky_cone.h"
+#include "render/math/lanes.h"
+#include "render/math/sampler.h"
+#include "render/math/vector.h"
+
+namespace mien::render {
+
+/// How a pixel is rendered.
+enum class PixelKind {
+  background,  ///< shows the static background only, which the figure may shadow
+  traced,      ///< camera rays decide which samples show the figure or a static solid
+  per_sample   ///< so do they, and each sample also renders its own background
+};
+
+/// A pixel while its samples are rendered.
+struct Pixel {
+  Pixel() {}  // user-provided, so that value-initialisation does not zero the members first
+
+  int x = 0;
+  int y = 0;
+  PixelKind kind = PixelKind::background;
+  PixelSampler sampler;
+  std::uint32_t shadow_lights = 0;     ///< bit i: the figure may occlude light i from its floor
+  SkyRays floor_sky;                   ///< rays by which its floor samples the occluded sky
+  Color background = Color::Zero();    ///< radiance of the static background
+  Color floor_albedo = Color::Zero();  ///< of the static background; black where it has no floor
+  int background_samples = 0;          ///< samples that show the static background
+  int covered = 0;                     ///< samples that show the figure
+
+  // Sums over the samples. Light that is known at once and light found by rays later are summed
+  // separately, so that each sum is always taken in the same order.
+  Color known_figure = Color::Zero();  ///< light from the figure
+  Color known_set = Color::Zero();     ///< light from the set, of samples that render their own
+  Color figure = Color::Zero();        ///< light that shadow rays add to the figure, or subtract
+  Color set = Color::Zero();           ///< the same of the set
+};
+
+/// A camera ray of a pixel.
+struct Sample {
+  Pixel* pixel = nullptr;
+  int index = 0;
+  float time = 0.0f;
+  std::uint32_t present = ~0u;  ///< bit f: figure f is present
+  float weight = 1.0f;          ///< number of its pixel's samples that it represents
+  Pixel* partner = nullptr;     ///< another pixel, some of whose samples it represents
+  float partner_weight = 0.0f;  ///< number of the partner's samples that it represents
+};
+
+/// Adds a sample's light to one of the sums of its pixel, and of its partner.
+inline void add_light(const Sample& sample, Color Pixel::*sum, const Color& light) {
+  sample.pixel->*sum += sample.weight * light;
+  if (sample.partner != nullptr) sample.partner->*sum += sample.partner_weight * light;
+}
+
+/// A point that a sample shows and that is lit or shadowed.
+struct ShadingPoint {
+  Sample sample;
+  Surface surface;
+  std::uint32_t lights = ~0u;  ///< bit i: light i is of interest
+  SkyRays sky;                 ///< the sky rays of its pixel, if they are limited
+};
+
+inline const Sample& sample_of(const Sample& sample) { return sample; }
+inline const Sample& sample_of(const ShadingPoint& point) { return point.sample; }
+
+/// The random points of up to eight samples for one dimension, of light or figure number `which`.
+/// Each sample has `times` points; returns the one with index `plus` for every sample.
+template <class Element>
+LanePoints points_for(std::span<const Element> batch, Dimension dimension, int which = 0,
+                      int times = 1, int plus = 0) {
+  LaneWords index, seed;
+  int lane = 0;
+  for (const Element& each : batch) {
+    const Sample& sample = sample_of(each);
+    index[lane] = sample.pixel->sampler.index(times * sample.index + plus, times);
+    seed[lane++] = sample.pixel->sampler.seed(dimension, which);
+  }
+  return sample_points(index, seed);
+}
+
+}  // namespace mien::render
