@@ -12,8 +12,8 @@ namespace mien::motion {
 /// curves are continuous across ±180°.
 Vec3 bvh_angles(const Quat& rotation, const Vec3& previous);
 
-/// `rotation` followed on the right by a rotation about a coordinate axis, as applied for each
-/// rotation channel.
+/// `rotation` multiplied on the right by a rotation about a coordinate axis, as for each rotation
+/// channel.
 Quat turned(const Quat& rotation, Axis axis, double degrees);
 
 }  // namespace mien::motion

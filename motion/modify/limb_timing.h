@@ -39,10 +39,10 @@ std::vector<double> constant_speed_durations(std::span<const double> speeds);
 /// second.
 inline constexpr double max_pause_factor = 5.5;
 
-/// Relative durations of all intervals, by which the end becomes even slower where it is slow:
-/// groups of successive intervals, about 0.15 s long in all (at least 3 intervals), that are slower
-/// than both neighbouring groups last `pause_factor` times as long. All other intervals have the
-/// duration 1, and so do groups that never exceed 0.05 m/s, in which the end stands still.
+/// Relative durations of all intervals, by which the end becomes even slower where it is slow. The
+/// intervals are divided into groups of about 0.15 s each (at least 3 intervals). A group that is
+/// slower than both its neighbours lasts `pause_factor` times as long. All other intervals have the
+/// duration 1, and so do those of groups that never exceed 0.05 m/s: there the end stands still.
 std::vector<double> accelerated_durations(std::span<const double> speeds, double frames_per_second,
                                           bool loops, double pause_factor = max_pause_factor);
 

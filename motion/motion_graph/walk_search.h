@@ -31,7 +31,8 @@ struct WalkState {
   double seconds = 0.0;       ///< since the start of the walk
   double played = 0.0;        ///< seconds since the start, if only the first version were played
   double since = 0.0;         ///< seconds since the last transition, measured like `played`
-  /// Progress towards the goal, in the unit of the cost function: metres along a path, or seconds.
+  /// Progress towards the goal. The cost function advances it and chooses its unit: metres along a
+  /// path, or seconds.
   double way = 0.0;
 };
 

@@ -97,8 +97,9 @@ Command plan_command() {
           .options = production_options(*arguments),
           .notes =
               "cached: up to date; due: will be made; waiting: depends on a task that is due. "
-              "Three tasks write tables: \"tables\" the measurements of the motions, \"films\" "
-              "those of the films, and \"design\" stimuli.csv, warnings.csv and the codebook. "
+              "Three tasks write tables: \"tables\" writes the measurements of the motions, "
+              "\"films\" those of the films, and \"design\" writes stimuli.csv, warnings.csv and "
+              "the codebook. "
               "Files are checked by receipt and size only; mien run also reads their contents. "
               "Times are estimates.\n\nExample:\n  mien plan quickstart",
           .run = [arguments](const Console& console) { return show_plan(*arguments, console); }};

@@ -10,7 +10,7 @@ namespace mien::pipeline {
 
 /// Slurm's limit on the number of jobs of all users; each element of an array counts as one job.
 struct QueueCapacity {
-  int limit = 0;  ///< MaxJobCount: maximum number of jobs plus one; 0 if unknown
+  int limit = 0;  ///< MaxJobCount, one more than the jobs that Slurm accepts; 0 if unknown
   int used = 0;   ///< jobs in the queue now, including recently ended ones
 
   bool has_capacity_for(int jobs) const { return limit == 0 || used + jobs < limit; }

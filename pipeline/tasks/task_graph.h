@@ -62,8 +62,10 @@ struct Task {
   /// Ids of tasks that must have succeeded before, but whose products are not read.
   std::vector<std::string> after;
   KeyBuilder determinants;  ///< all common determinants of the products except the inputs' bytes
-  std::vector<Product> products;  ///< empty for a part (part_of): `make` finds what is missing
-  double cost_seconds = 0.0;      ///< estimate on one core
+  /// Empty for a part (part_of), which is therefore always run; its `make` does only what remains
+  /// to be done.
+  std::vector<Product> products;
+  double cost_seconds = 0.0;  ///< estimate on one core
   std::function<void(TaskRun&)> make;
 
   /// Does one part of the work; `make` reuses the results. Empty if the task cannot be split.
