@@ -47,8 +47,8 @@ struct LegCycle {
   double thigh_m = 0.0;
   double shank_m = 0.0;
   FootShape foot;
-  double ahead_m = 0.0;  ///< forward distance from the pelvis (without its surge) at heel strike to
-                         ///< the footprint
+  double ahead_m = 0.0;  ///< how far the footprint lies ahead of the pelvis (without its surge) at
+                         ///< heel strike
 
   // The swing, found by `fit_swing`.
   SwingCurve knee_correction;  ///< added to the normal knee curve, radians

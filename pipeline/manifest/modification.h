@@ -146,7 +146,7 @@ void fields_of(auto&& field, MaybeConst<Recipe> auto& recipe) {
 /// have.
 enum class OnFault {
   warn,    ///< keep the motion and report a warning (default)
-  fail,    ///< stop the run with an error
+  fail,    ///< do not make the motion: its task fails with an error, other tasks continue
   revert,  ///< leave the motion unmodified and report a warning
   reduce,  ///< reduce the modification until there are no new errors, and report the remaining
            ///< strength

@@ -20,10 +20,10 @@ HalfKernel gaussian_kernel(double deviation, int reach);
 /// Number of values that are filtered at a time; `count` below must be a multiple of it.
 inline constexpr int filter_block = 16;
 
-/// out[i] = Σ weight[k] · (in[i + k · step] ± in[i − k · step]) for i = 0 … count − 1, with + for
-/// an even and − for an odd kernel. Terms are added from the centre outwards in a fixed order, so
-/// that results are the same on every machine, and mirroring a line mirrors its result exactly
-/// (with an odd kernel, it also changes the sign).
+/// For i = 0 … count − 1: out[i] = Σ weight[k] · (in[i + k · step] ± in[i − k · step]) over k ≥ 1,
+/// with + for an even and − for an odd kernel; for an even one plus weight[0] · in[i]. Terms are
+/// added from the centre outwards in a fixed order, so that results are the same on every machine,
+/// and mirroring a line mirrors its result exactly (with an odd kernel, it also changes the sign).
 void filter_even(const HalfKernel& kernel, const float* in, std::ptrdiff_t step, int count,
                  float* out);
 void filter_odd(const HalfKernel& kernel, const float* in, std::ptrdiff_t step, int count,

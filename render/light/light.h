@@ -5,12 +5,13 @@
 
 namespace mien::render {
 
-/// A point chosen on a light, as seen from each of eight points.
+/// For each of eight points, a point chosen on a light, as seen from it.
 struct LaneLights {
   LaneVectors towards;  ///< unit
   LaneFloats distance;  ///< metres
-  LaneFloats share;     ///< solid angle that the sample represents, steradians; times the light's
-                        ///< radiance, irradiance of a surface facing it. 0 behind the light.
+  /// Solid angle that the sample represents, steradians; 0 behind the light. Multiplied by the
+  /// light's radiance it gives the irradiance of a surface that faces the sample.
+  LaneFloats share;
 };
 
 /// Samples the light uniformly by area: E[share · cos θ] · radiance is the irradiance.

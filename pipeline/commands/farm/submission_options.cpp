@@ -95,7 +95,9 @@ std::vector<CommandOption> submission_options(SubmissionOptions& options) {
       option("--account", &options.account, "Slurm account"),
       option("--array-limit", &options.array_limit, "Maximum number of array tasks running at once")
           .between(1, 1'000'000),
-      option("--jobs,-j", &options.jobs, "Processors per array task (1)").between(1, 1024)};
+      option("--jobs,-j", &options.jobs,
+             "Processors per array task (default: 1; when resuming, as in the last submission)")
+          .between(1, 1024)};
 }
 
 const JournalSubmission* last_accepted(const JournalContent& journal) {

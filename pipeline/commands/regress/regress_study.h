@@ -23,9 +23,9 @@ struct StudyArguments {
   std::vector<std::string> given;  ///< names of used options that only apply to studies
 };
 
-/// Runs the study (unless `without_videos` is set), compares it with its baseline and writes the
-/// report. Returns exit code 0 if the comparison passes (Regression::passes), otherwise 1. Throws
-/// Error, for example if there is no baseline.
+/// Makes the motions and key frames of the study (and, unless `without_videos` is set, runs it),
+/// compares them with its baseline and writes the report. Returns exit code 0 if the comparison
+/// passes (Regression::passes), otherwise 1. Throws Error, for example if there is no baseline.
 int regress_study(const StudyArguments& arguments, const Console& console);
 
 /// Stores the current state of the study as its baseline. Returns the exit code.

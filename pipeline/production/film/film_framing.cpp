@@ -40,8 +40,8 @@ constexpr auto sizes_columns = table_of<EqualizedSize>(
      {"framed_px", "pixels", "height of the standing figure before equalizing",
       [](auto& r) { return in_hundredths(r.framed_px); }},
      {"figure_px", "pixels",
-      "height in all films (with by: figure, in all with the same kind of figure): the smallest of "
-      "those before equalizing",
+      "height in all films (in all with the same kind of figure if `equalize` has `by: figure`): "
+      "the smallest of those before equalizing",
       [](auto& r) { return r.figure_px; }}});
 
 struct EqualizedPlace {
@@ -60,8 +60,8 @@ constexpr auto places_columns = table_of<EqualizedPlace>(
      {"framed_y_px", "pixels", "the same vertically, below the image centre",
       [](auto& r) { return in_hundredths(r.framed.y()); }},
      {"x_px", "pixels",
-      "horizontal position in all films (with by: figure, in all with the same kind of figure), to "
-      "the right of the image centre",
+      "horizontal position in all films (in all with the same kind of figure if `equalize` has "
+      "`by: figure`), to the right of the image centre",
       [](auto& r) { return r.common[0]; }},
      {"y_px", "pixels", "the same vertically, below the image centre",
       [](auto& r) { return r.common[1]; }}});

@@ -15,7 +15,7 @@ struct PredictionCheck {
   std::string left_out;  ///< "example", or "style" (all takes of a style together)
   CrossValidation predictions;
   double rmse = 0.0;       ///< fraction of the scale's range
-  double mean_rmse = 0.0;  ///< RMSE of predicting the mean of the examples not left out
+  double mean_rmse = 0.0;  ///< RMSE if the mean of the other examples is the prediction
   double r_squared = 0.0;  ///< 1 − (rmse / mean_rmse)²; below 0: worse than the mean
 };
 
