@@ -30,14 +30,22 @@ bool stay_together(const Sample& a, const Sample& b) {
 /// so its light is always summed in the same order, whatever else is rendered.
 template <class Work>
 void for_batches(std::span<const ShadingPoint> points, const Work& work) {
-  std::size_t begin = 0;
-  for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
-    while (last < points.size() && stay_together(points[first].sample, points[last].sample)) ++last;
-    if (last - begin <= lanes) continue;
-    if (first > begin) work(points.subspan(begin, first - begin));
-    for (begin = first; last - begin > lanes; begin += lanes) work(points.subspan(begin, lanes));
+  std::size_t count = 0;  // of the batch at the beginning of `points`
+  while (count < points.size()) {
+    std::size_t end = count + 1;
+    while (end < points.size() && stay_together(points[count].sample, points[end].sample)) ++end;
+    if (end > lanes && count > 0) {
+      work(points.first(count));
+      points = points.subspan(count);
+      end -= count;
+    }
+    for (; end > lanes; end -= lanes) {
+      work(points.first(lanes));
+      points = points.subspan(lanes);
+    }
+    count = end;
   }
-  if (begin < points.size()) work(points.subspan(begin));
+  if (count > 0) work(points);
 }
 
 LaneVectors origins_of(std::span<const ShadingPoint> batch) {

@@ -22,38 +22,52 @@ class SharedSky {
   /// Begins a tile, without samples.
   void begin_tile(const Tile& tile);
 
-  /// Adds a sample that was shaded as if its whole sky were visible; returns its number.
+  /// Adds a sample that was shaded as if its whole sky were visible; returns its number. Samples are
+  /// added row by row, from left to right.
   int add(const Sample& sample, const Surface& surface);
 
   /// Adds to the light that a sample lacks: irradiance divided by π.
   void occlude(int number, const Color& light) {
-    samples_[static_cast<std::size_t>(number)].occluded += light;
+    const auto i = static_cast<std::size_t>(number);
+    lists_.red[i] += light[0];
+    lists_.green[i] += light[1];
+    lists_.blue[i] += light[2];
   }
 
   /// Subtracts from the pixels what they reflect of the light that the samples lack.
-  void subtract() const;
+  void subtract();
 
  private:
   static constexpr int rows = tile_size;
   static constexpr int columns = tile_size / 2;  // samples may represent two pixels of a row
 
-  struct SkySample {
+  /// Numbers of the samples, one list for each kind; they end with eight that count nothing.
+  struct Lists {
+    std::vector<float> normal_x, normal_y, normal_z;
+    std::vector<float> red, green, blue;  // occluded light
+    std::vector<float> weight;            // number of samples of pixels that each represents
+    std::vector<int> part;
+  };
+  struct Place {
     Sample sample;
-    Vec3 normal;
     Color albedo;
-    Color occluded;
-    int part;
     int row;
     int column;
-    int next;  // sample of the same row and column; −1: none
+  };
+  struct Sums {
+    LaneFloats red, green, blue, weight;
   };
 
-  Color mean_near(const SkySample& here) const;
+  void append(const Vec3& normal, float weight, int part);
+  static void add_near(const Lists& lists, int here, int begin, int end, Sums& sums);
+  Color mean_near(int number) const;
 
   int x_begin_ = 0;
   int y_begin_ = 0;
-  std::vector<SkySample> samples_;
-  std::array<int, static_cast<std::size_t>(rows* columns)> first_;
+  std::vector<Place> places_;
+  Lists lists_;
+  // Per row and column of the tile: the number of the first sample there or after.
+  std::array<int, static_cast<std::size_t>(rows* columns) + 1> first_;
 };
 
 }  // namespace mien::render
