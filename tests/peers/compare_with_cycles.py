@@ -24,7 +24,7 @@ import tempfile
 
 def seconds_for(rows, error):
     """Seconds a frame at that error, along a line through the two nearest rows (log-log). No frame
-    takes less than one of a single sample, however large the error may be."""
+    takes less than one of a draft (two samples), however large the error may be."""
     rows = sorted(rows, key=lambda row: row["error"])
     if error >= rows[-1]["error"]:
         return rows[-1]["seconds"]

@@ -83,12 +83,6 @@ render::Quality quality_of(int samples) {
                             : samples >= 64 ? render::final_quality()
                                             : render::standard_quality();
   quality.samples_per_pixel = samples;
-  if (samples == 1) {
-    // A look at less than a draft: what is worked out for all pixels at once is no finer than what
-    // one sample of each finds.
-    quality.sky_rays = 1;
-    quality.floor_sky_noise = quality.floor_sky_tolerance = 0.064f;
-  }
   return quality;
 }
 
@@ -185,8 +179,8 @@ int main(int argc, char** argv) {
     const int frames = std::atoi(argv[2]), reference = std::atoi(argv[3]);
     if (frames < 1 || frames > frames_in_all || reference < 1) return 2;
     std::vector<int> counts;
-    for (int i = 4; i < argc; ++i) counts.push_back(std::max(std::atoi(argv[i]), 1));
-    if (counts.empty()) counts = {1, 2, 4, 8, 16, 32, 64};
+    for (int i = 4; i < argc; ++i) counts.push_back(std::max(std::atoi(argv[i]), 2));
+    if (counts.empty()) counts = {2, 4, 8, 16, 32, 64};
     std::cout << json{{"standing", measure(clip, false, frames, reference, counts)},
                       {"moving", measure(clip, true, frames, reference, counts)}}
               << '\n';
@@ -194,7 +188,7 @@ int main(int argc, char** argv) {
   }
   if (what == "draw" && argc == 5) {
     const int frames = std::atoi(argv[2]), samples = std::atoi(argv[3]);
-    if (frames < 1 || frames > frames_in_all || samples < 1) return 2;
+    if (frames < 1 || frames > frames_in_all || samples < 2) return 2;
     std::cout << drawing_seconds(clip, std::string(argv[4]) == "moving", frames, samples) << '\n';
     return 0;
   }
