@@ -164,6 +164,10 @@ void add_goal(std::span<const WalkSegment> script, std::size_t i, ScriptMoments&
 ScriptMoments moments_of(std::span<const WalkSegment> script, double frame, double brisk) {
   ScriptMoments moments;
   moments.seconds_each = frame;
+  const auto sets_moods = [](const WalkSegment& segment) { return !segment.moods.empty(); };
+  // Moods hold from the first change on, also before it.
+  if (std::ranges::any_of(script, sets_moods) && !sets_moods(script.front()))
+    moments.moods.push_back({0.0, {1.0}});
   for (std::size_t i = 0; i < script.size(); ++i) {
     add_moments(script[i], brisk, moments);
     add_goal(script, i, moments);

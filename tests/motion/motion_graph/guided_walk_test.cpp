@@ -8,6 +8,7 @@
 
 #include "motion/error.h"
 #include "motion/gait/foot_slide.h"
+#include "motion/modify/modification.h"
 
 #include "made_motions.h"
 
@@ -57,6 +58,27 @@ TEST(GuidedWalk, CirclesAndSlalomsAreFollowedWithin30Centimetres) {
 TEST(GuidedWalk, IsTheSameEveryTime) {
   const std::vector<Vec3> path = {{0, 0, 0}, {0, 0, 4}};
   EXPECT_EQ(walk_along(made_graph(), path).walk.edges, walk_along(made_graph(), path).walk.edges);
+}
+
+TEST(GuidedWalk, HasNoMoodUntilASegmentSetsOne) {
+  Modification droop;
+  droop.posture = {{PostureUnit::head_flexion, 25.0}, {PostureUnit::chest_flexion, 10.0}};
+  std::vector<SynchronisedMotion> bowed;
+  for (const Clip& clip : made_graph().clips) {
+    bowed.push_back({modified(clip, droop), {}});
+    bowed.back().frame_seconds.assign(clip.poses.size(), 1.0 / clip.frames_per_second);
+  }
+  const std::vector<MotionGraph> versions = {made_graph(), with_motions(made_graph(), bowed)};
+  const std::vector<WalkSegment> script = {
+      {.kind = Kind::walk, .seconds = 3.0},
+      {.kind = Kind::walk, .seconds = 3.0, .moods = {0.0, 1.0}}};
+  const Clip clip = scripted_walk(versions, script).clip;
+  const auto face = [&](double seconds) {
+    const auto frame = static_cast<std::size_t>(seconds * clip.frames_per_second);
+    const JointTransforms world = world_transforms(clip.body, clip.poses[frame]);
+    return (world.rotations[Head] * Vec3::UnitZ()).y();
+  };
+  for (const double seconds : {0.0, 1.0, 2.0}) EXPECT_GT(face(seconds), face(5.0) + 0.3) << seconds;
 }
 
 TEST(GuidedWalk, DoesWhatAScriptSays) {
