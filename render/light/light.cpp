@@ -1,5 +1,6 @@
 #include "render/light/light.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -50,16 +51,25 @@ MIEN_FOR_AVX2_TOO LaneLights sample(const AreaLight& light, const LaneVectors& p
 }
 
 FloorLight::FloorLight(const AreaLight& light)
-    : front_(light.half_u.cross(light.half_v)), centre_(light.centre) {
-  const Vec3 &centre = light.centre, &u = light.half_u, &v = light.half_v;
-  const Vec3 corners[4] = {centre - u - v, centre - u + v, centre + u + v, centre + u - v};
-  for (int i = 0; i < 4; ++i) {
-    const Vec3 &here = corners[i], &next = corners[(i + 1) % 4];
+    : front(light.half_u.cross(light.half_v)), centre(light.centre) {
+  const Vec3 &u = light.half_u, &v = light.half_v;
+  const std::array<Vec3, 4> whole = {centre - u - v, centre - u + v, centre + u + v,
+                                     centre + u - v};
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const Vec3 &here = whole[i], &next = whole[(i + 1) % whole.size()];
     const float height = here.y(), next_height = next.y();
-    if (height >= 0.0f) add(here);
+    if (height >= 0.0f) corners.push_back(here);
     if ((height < 0.0f) != (next_height < 0.0f))
-      add(here + (height / (height - next_height)) * (next - here));
+      corners.push_back(here + (height / (height - next_height)) * (next - here));
   }
+}
+
+std::vector<float> numbers_of(const AreaLight& light) {
+  std::vector<float> numbers;
+  for (const float* each :
+       {light.centre.data(), light.half_u.data(), light.half_v.data(), light.radiance.data()})
+    numbers.insert(numbers.end(), each, each + 3);
+  return numbers;
 }
 
 // The horizon of a floor that faces up is the floor itself, so the light is cut once for all
@@ -68,13 +78,13 @@ FloorLight::FloorLight(const AreaLight& light)
 // |a × b| / a · b.
 MIEN_FOR_AVX2_TOO LaneFloats irradiance(const FloorLight& light, const LaneVectors& point) {
   LaneFloats out;
-  if (light.count() < 3) return out;
-  const float fx = light.front().x(), fy = light.front().y(), fz = light.front().z();
-  const float cx = light.centre().x(), cy = light.centre().y(), cz = light.centre().z();
+  if (light.corners.size() < 3) return out;
+  const float fx = light.front.x(), fy = light.front.y(), fz = light.front.z();
+  const float cx = light.centre.x(), cy = light.centre.y(), cz = light.centre.z();
   LaneFloats sum;
-  for (int k = 0; k < light.count(); ++k) {
-    const Vec3& from = light.corner(k == 0 ? light.count() - 1 : k - 1);
-    const Vec3& to = light.corner(k);
+  for (std::size_t k = 0; k < light.corners.size(); ++k) {
+    const Vec3& from = k == 0 ? light.corners.back() : light.corners[k - 1];
+    const Vec3& to = light.corners[k];
     const float from_x = from.x(), from_y = from.y(), from_z = from.z();
     const float to_x = to.x(), to_y = to.y(), to_z = to.z();
 #pragma omp simd

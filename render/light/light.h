@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "render/math/lanes.h"
 #include "render/scene/scene.h"
 
@@ -17,24 +19,17 @@ struct LaneLights {
 /// Samples the light uniformly by area: E[share · cos θ] · radiance is the irradiance.
 LaneLights sample(const AreaLight& light, const LaneVectors& point, const LanePoints& u);
 
-/// The part of a light above the floor: a polygon of five corners at most.
-class FloorLight {
- public:
+/// The part of a light above the floor, a polygon.
+struct FloorLight {
   explicit FloorLight(const AreaLight& light);
 
-  int count() const { return count_; }
-  const Vec3& corner(int i) const { return corners_[i]; }
-  const Vec3& front() const { return front_; }  ///< normal of any length, on the side that emits
-  const Vec3& centre() const { return centre_; }
-
- private:
-  void add(const Vec3& corner) { corners_[count_++] = corner; }
-
-  Vec3 corners_[5];
-  int count_ = 0;
-  Vec3 front_;
-  Vec3 centre_;
+  std::vector<Vec3> corners;
+  Vec3 front;   ///< normal of any length, on the side that emits
+  Vec3 centre;  ///< of the whole light
 };
+
+/// All numbers that a light consists of.
+std::vector<float> numbers_of(const AreaLight& light);
 
 /// Irradiance from the whole, unoccluded light, of radiance 1, at eight points of the floor:
 /// Lambert's formula for polygons.

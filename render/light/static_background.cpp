@@ -38,7 +38,7 @@ void add_camera(Key& key, const Camera& camera) {
 
 void add_set(Key& key, const Scene& scene) {
   for (const AreaLight& light : scene.lights)
-    key.add(light.centre, light.half_u, light.half_v, light.radiance);
+    for (const float number : numbers_of(light)) key.add(number);
   const Sky& sky = scene.sky;
   key.add(sky.zenith, sky.horizon, sky.below, sky.backdrop_horizon, sky.backdrop_zenith,
           scene.has_ground);

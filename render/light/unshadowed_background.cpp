@@ -213,7 +213,7 @@ std::vector<float> nodes_of(const FloorLight& light, const FloorRow& row, int wi
 /// Height of the lowest point of a light above the floor.
 float lowest_height(const FloorLight& light) {
   float lowest = infinity;
-  for (int i = 0; i < light.count(); ++i) lowest = std::min(lowest, light.corner(i).y());
+  for (const Vec3& corner : light.corners) lowest = std::min(lowest, corner.y());
   return lowest;
 }
 
