@@ -10,7 +10,8 @@
 namespace mien::pipeline {
 
 // Functions that read the stored files of a stimulus in a baseline. If a file cannot be read, or a
-// picture differs from the approved one, they throw an Error that names the file and a remedy.
+// stored picture no longer has the hash that was recorded at approval, they throw an Error that
+// names the file and a remedy.
 
 /// Returns the approved clip, accurate to 0.001 mm. `like` supplies what the file does not store:
 /// the clip's name and how it loops.

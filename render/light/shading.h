@@ -19,7 +19,7 @@ struct Surface {
 /// Returns the surface of a shape at `point`, seen along `direction`. Normals of meshes are
 /// interpolated between their vertices (Phong 1975); rays leave from the curved surface that those
 /// normals imply, so that triangle edges do not show at the shadow terminator (Hanika 2021).
-/// `shape` is an index into the round cones and spheres of `shapes`, then into its triangles. If
+/// `shape` numbers the round cones and spheres of `shapes` first, and its triangles after them. If
 /// the solids move, `closing` holds them at the end of the frame interval, time 1; otherwise it is
 /// null.
 Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closing,
