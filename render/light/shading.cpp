@@ -171,6 +171,16 @@ Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closi
   return surface;
 }
 
+Surface floor_surface(const Vec3& point, const Color& albedo) {
+  static const Material diffuse;
+  Surface floor;
+  floor.point = floor.origin = point;
+  floor.normal = floor.towards_eye = Vec3::UnitY();
+  floor.albedo = albedo;
+  floor.material = &diffuse;
+  return floor;
+}
+
 Color texel_at(const Texture& texture, float u, float v) {
   const float x = (u - std::floor(u)) * static_cast<float>(texture.width) - 0.5f;
   const float y = (v - std::floor(v)) * static_cast<float>(texture.height) - 0.5f;

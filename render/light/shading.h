@@ -26,6 +26,9 @@ Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closi
                    const Shapes& shapes, int shape, const Vec3& point, const Vec3& direction,
                    float time);
 
+/// Returns the floor at a point, diffuse, with this albedo.
+Surface floor_surface(const Vec3& point, const Color& albedo);
+
 /// Returns a texture's colour, bilinearly filtered.
 Color texel_at(const Texture& texture, float u, float v);
 

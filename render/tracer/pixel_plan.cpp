@@ -18,54 +18,46 @@ struct ImageArea {
   float y_max;
 };
 
-/// Whether a part of the image shows no floor: the slope of rays is linear on it, so the corners
-/// suffice.
-bool is_above_horizon(const CameraFrame& camera, const ImageArea& image) {
-  for (const float x : {image.x_min, image.x_max}) {
-    for (const float y : {image.y_min, image.y_max}) {
-      const CameraRay ray = camera.unnormalised_ray(x, y);
-      if (distance_to_floor(ray.origin, ray.direction)) return false;
-    }
-  }
-  return true;
-}
+/// The floor that a part of the image shows. The slope of rays is linear on the image, so the rays
+/// through its corners decide.
+struct FloorInView {
+  bool any = false;               ///< whether there may be any
+  std::optional<FloorArea> area;  ///< its bounding box; nothing when it extends to the horizon
+  float steepest = -infinity;     ///< greatest y of the rays' directions, which have depth 1
+  Vec3 widest = Vec3::Zero();     ///< greatest absolute components of these directions
+};
 
-// Bounding box of the floor that a part of the image shows; nothing when it extends to the horizon.
-std::optional<FloorArea> floor_under(const CameraFrame& camera, const ImageArea& image) {
+FloorInView floor_in(const CameraFrame& camera, const ImageArea& image) {
+  FloorInView view;
   FloorArea area{infinity, -infinity, infinity, -infinity};
+  bool all = true;
   for (const float x : {image.x_min, image.x_max}) {
     for (const float y : {image.y_min, image.y_max}) {
       const CameraRay ray = camera.unnormalised_ray(x, y);
       const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
-      if (!distance) return std::nullopt;
+      view.any |= distance.has_value();
+      all &= distance.has_value();
+      if (!distance) continue;
       const Vec3 point = ray.origin + *distance * ray.direction;
       area.x_min = std::min(area.x_min, point.x());
       area.x_max = std::max(area.x_max, point.x());
       area.z_min = std::min(area.z_min, point.z());
       area.z_max = std::max(area.z_max, point.z());
+      view.steepest = std::max(view.steepest, ray.direction.y());
+      view.widest = view.widest.cwiseMax(ray.direction.cwiseAbs());
     }
   }
-  return area;
+  if (all) view.area = area;
+  return view;
 }
 
 /// Largest distance of the floor shown by a pixel's samples, which lie within `reach` pixels, from
-/// that at its centre, for all pixels of a part of the image. Nothing when it extends to the
-/// horizon. The floor is at o + t·d with t = −o.y / d.y, and o and d are linear on the image, so
-/// the derivatives are bounded by those at the corners.
-std::optional<FloorPlace> floor_reach(const CameraFrame& camera, const ImageArea& image,
-                                      float reach) {
-  float steepest = -infinity;
-  Vec3 widest = Vec3::Zero();
-  for (const float x : {image.x_min, image.x_max}) {
-    for (const float y : {image.y_min, image.y_max}) {
-      const CameraRay ray = camera.unnormalised_ray(x, y);
-      if (!distance_to_floor(ray.origin, ray.direction)) return std::nullopt;
-      steepest = std::max(steepest, ray.direction.y());
-      widest = widest.cwiseMax(ray.direction.cwiseAbs());
-    }
-  }
-  const float distance = camera.parallel ? 1.0f : camera.position.y() / -steepest;
-  const Vec3 slope = widest / -steepest;
+/// that at its centre, for all pixels of a part of the image that shows no horizon. The floor is at
+/// o + t·d with t = −o.y / d.y, and o and d are linear on the image, so the derivatives are bounded
+/// by those at the corners.
+FloorPlace floor_reach(const CameraFrame& camera, const FloorInView& view, float reach) {
+  const float distance = camera.parallel ? 1.0f : camera.position.y() / -view.steepest;
+  const Vec3 slope = view.widest / -view.steepest;
   FloorPlace floor{0.0f, 0.0f};
   for (const Vec3& step : {camera.step_right, camera.step_down}) {
     const float drop = std::abs(step.y());
@@ -196,21 +188,20 @@ void PixelPlanner::begin_tile(const Tile& tile, FloorLines& lines) {
   const ImageArea image{
       static_cast<float>(tile.x_begin) - margin, static_cast<float>(tile.x_end) + margin,
       static_cast<float>(tile.y_begin) - margin, static_cast<float>(tile.y_end) + margin};
-  const std::optional<FloorArea> area = floor_under(prepared_.camera, image);
-  const bool no_floor = !area && is_above_horizon(prepared_.camera, image);
+  const FloorInView floor = floor_in(prepared_.camera, image);
   tile_lights_ = 0;
   shaded_everywhere_ = true;
   for (std::size_t i = 0; i < prepared_.shadow_masks.size(); ++i) {
     const ShadowMask& mask = prepared_.shadow_masks[i];
-    if (!whole && (area ? !mask.may_shade(*area) : no_floor)) continue;
+    if (!whole && (floor.area ? !mask.may_shade(*floor.area) : !floor.any)) continue;
     tile_lights_ |= 1u << i;
-    shaded_everywhere_ &= area && mask.may_shade_all(*area);
+    shaded_everywhere_ &= floor.area && mask.may_shade_all(*floor.area);
   }
-  lines.begin_tile(tile, tile_lights_, area);
+  lines.begin_tile(tile, tile_lights_, floor.area);
   // Pixels that share lines may use a neighbour's.
-  if (tile_lights_ != 0)
-    floor_reach_ =
-        floor_reach(prepared_.camera, image, margin + static_cast<float>(lines.block_width() - 1));
+  const float reach = margin + static_cast<float>(lines.block_width() - 1);
+  floor_reach_.reset();
+  if (tile_lights_ != 0 && floor.area) floor_reach_ = floor_reach(prepared_.camera, floor, reach);
   figure_rows_ = 0;
   for (int y = tile.y_begin; y < tile.y_end; ++y)
     if (whole || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y))

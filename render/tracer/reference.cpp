@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "render/image/luminance.h"
 #include "render/light/floor.h"
 #include "render/light/light.h"
 #include "render/light/shading.h"
@@ -108,31 +107,19 @@ void ReferencePixel::add(int first, int last, bool with_figure) {
 }
 
 CameraHit ReferencePixel::hit(const RayPacket& rays, int ray, const FirstHit& first) const {
-  static const Material diffuse;
   const Scene& scene = prepared_.scene;
-  CameraHit found;
   if (first.exists()) {
-    found.is_figure = first.of_figure;
-    found.surface = surface_at(prepared_, rays, ray, first);
-    found.unlit = found.surface.material->emission;
-    found.is_lit = true;
-    return found;
+    const Surface surface = surface_at(prepared_, rays, ray, first);
+    return {surface.material->emission, first.of_figure, true, surface};
   }
-  found.surface.normal = Vec3::UnitY();
-  found.surface.origin = Vec3::Zero();
-  found.unlit = backdrop_radiance(scene.sky, rays.direction(ray));
+  const Color backdrop = backdrop_radiance(scene.sky, rays.direction(ray));
   const std::optional<Vec3> point = floor_point(rays, ray);
-  if (!point) return found;
+  if (!point) return {backdrop, false, false, floor_surface(Vec3::Zero(), Color::Zero())};
   const Vec3 eye = prepared_.camera.parallel ? prepared_.camera.position : rays.origin(ray);
   const float share =
       visibility(scene.ground, std::hypot(point->x() - eye.x(), point->z() - eye.z()));
-  found.unlit *= 1.0f - share;
-  found.surface.point = found.surface.origin = *point;
-  found.surface.albedo = share * albedo_at(scene.ground, *point);
-  found.surface.towards_eye = -rays.direction(ray);
-  found.surface.material = &diffuse;
-  found.is_lit = share > 0.0f;
-  return found;
+  return {(1.0f - share) * backdrop, false, share > 0.0f,
+          floor_surface(*point, share * albedo_at(scene.ground, *point))};
 }
 
 void ReferencePixel::light_from(const AreaLight& light, int number) {
@@ -188,12 +175,6 @@ void ReferencePixel::finish_rays() {
     add_radiance(hits_[lit_[ray]], carried_[ray]);
   }
   shadow_rays_.count = 0;
-}
-
-/// Share of the luminance of the set behind the figure that its shadow takes away.
-float shadow_alpha(const Color& left, const Color& whole) {
-  const float all = relative_luminance(whole);
-  return all > 0.0f ? std::clamp(1.0f - relative_luminance(left) / all, 0.0f, 1.0f) : 0.0f;
 }
 
 void draw_pixel(const PreparedScene& prepared, int x, int y, const Canvas& canvas) {

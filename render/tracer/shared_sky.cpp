@@ -84,8 +84,8 @@ Color SharedSky::mean_near(int number) const {
   Sums sums;
   const int first_column = std::max(here.column - near_columns, 0);
   const int last_column = std::min(here.column + near_columns, columns - 1);
-  for (int row = std::max(here.row - near_rows, 0);
-       row <= std::min(here.row + near_rows, rows - 1); ++row)
+  for (int row = std::max(here.row - near_rows, 0); row <= std::min(here.row + near_rows, rows - 1);
+       ++row)
     add_near(lists_, number, first_[static_cast<std::size_t>(row * columns + first_column)],
              first_[static_cast<std::size_t>(row * columns + last_column) + 1], sums);
   const float weights = sum_of(sums.weight);

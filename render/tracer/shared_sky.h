@@ -22,8 +22,8 @@ class SharedSky {
   /// Begins a tile, without samples.
   void begin_tile(const Tile& tile);
 
-  /// Adds a sample that was shaded as if its whole sky were visible; returns its number. Samples are
-  /// added row by row, from left to right.
+  /// Adds a sample that was shaded as if its whole sky were visible; returns its number. Samples
+  /// are added row by row, from left to right.
   int add(const Sample& sample, const Surface& surface);
 
   /// Adds to the light that a sample lacks: irradiance divided by π.

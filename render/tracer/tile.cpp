@@ -19,18 +19,6 @@ namespace {
 
 constexpr int piece_width = 16 * tile_size;
 
-/// The surface of the floor at a point.
-ShadingPoint on_floor(const Sample& sample, const Vec3& point, const Color& albedo) {
-  static const Material diffuse;
-  ShadingPoint floor;
-  floor.sample = sample;
-  floor.surface.point = floor.surface.origin = point;
-  floor.surface.normal = floor.surface.towards_eye = Vec3::UnitY();
-  floor.surface.albedo = albedo;
-  floor.surface.material = &diffuse;
-  return floor;
-}
-
 /// Calls `work` with up to eight elements at a time.
 template <class Element, class Work>
 void for_eights(const std::vector<Element>& elements, const Work& work) {
@@ -77,7 +65,9 @@ class TileRenderer {
   void resolve(const Tile& tile, const Canvas& canvas);
   void write(Pixel& pixel, const Canvas& canvas) const;
   void write_background(const Color& background, int x, int y, const Canvas& canvas) const;
-  float shadow_alpha(const Color& left, int x, int y) const;
+  float alpha_of_shadow(const Color& left, int x, int y) const {
+    return shadow_alpha(left, Eigen::Map<const Color>(prepared_.background.radiance.at(x, y)));
+  }
   Color floor_shadow(int x, int y) const {
     return Color::Zero() - lines_.occluded(x, y) * prepared_.background.floor_albedo(x, y);
   }
@@ -267,7 +257,7 @@ void TileRenderer::add_floor(const Sample& sample, const Vec3& point) {
   const std::uint32_t by_lines = pixel.shadow_lights & lines_.lights();
   if (by_lines != 0 && pixel.kind == PixelKind::traced)
     lines_.add(pixel.x, pixel.y, by_lines, sample.index, 1);
-  ShadingPoint floor = on_floor(sample, point, pixel.floor_albedo);
+  ShadingPoint floor{sample, floor_surface(point, pixel.floor_albedo)};
   floor.lights = pixel.shadow_lights & ~by_lines;
   floor.sky = pixel.floor_sky;
   if (floor.lights != 0 || sample.index < floor.sky.rays) shadow_points_.push_back(floor);
@@ -292,7 +282,7 @@ void TileRenderer::add_own_background(std::span<const Sample> samples, const Ray
     sample.pixel->known_set += background.radiance.at(i);
     const std::optional<Vec3> point = floor_point(rays, i);
     if (!point || background.share[i] <= 0.0f) continue;
-    ShadingPoint floor = on_floor(sample, *point, background.visible_albedo.at(i));
+    ShadingPoint floor{sample, floor_surface(*point, background.visible_albedo.at(i))};
     floor.sky = {samples_, 1.0f};
     floor_points_.push_back(floor);
   }
@@ -341,7 +331,7 @@ void TileRenderer::write(Pixel& pixel, const Canvas& canvas) const {
   canvas.alpha(pixel.x, pixel.y) =
       prepared_.quality.background == Background::transparent
           ? covered
-          : std::max(covered, shadow_alpha(background, pixel.x, pixel.y));
+          : std::max(covered, alpha_of_shadow(background, pixel.x, pixel.y));
 }
 
 // Writes a pixel without figure or shadow.
@@ -350,17 +340,15 @@ void TileRenderer::write_background(const Color& background, int x, int y,
   if (prepared_.quality.background == Background::shown)
     std::copy_n(background.data(), 3, canvas.color(x, y));
   else if (prepared_.quality.background == Background::shadow)
-    canvas.alpha(x, y) = shadow_alpha(background, x, y);
-}
-
-// Alpha of a shadow: the share of the background's luminance that is missing.
-float TileRenderer::shadow_alpha(const Color& left, int x, int y) const {
-  const float whole =
-      relative_luminance(Eigen::Map<const Color>(prepared_.background.radiance.at(x, y)));
-  return whole > 0.0f ? std::clamp(1.0f - relative_luminance(left) / whole, 0.0f, 1.0f) : 0.0f;
+    canvas.alpha(x, y) = alpha_of_shadow(background, x, y);
 }
 
 }  // namespace
+
+float shadow_alpha(const Color& left, const Color& whole) {
+  const float all = relative_luminance(whole);
+  return all > 0.0f ? std::clamp(1.0f - relative_luminance(left) / all, 0.0f, 1.0f) : 0.0f;
+}
 
 void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas) {
   if (prepared.quality.reference) return draw_reference(prepared, part, canvas);

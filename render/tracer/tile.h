@@ -33,6 +33,9 @@ struct Canvas {
   }
 };
 
+/// Alpha of a shadow: the share of the luminance of the whole background that is missing.
+float shadow_alpha(const Color& left, const Color& whole);
+
 /// Renders the pixels of `part`, whose upper left corner lies on the grid of tiles. A pixel depends
 /// on the prepared scene alone, not on the part that it is rendered with.
 ///
