@@ -21,19 +21,17 @@ float distance_to_end(const Scene& scene, const Vec3& origin, const Vec3& direct
   return distance_to_floor(origin, direction).value_or(infinity);
 }
 
-/// Whether two samples are of one pixel, or of two neighbours that may be shaded together.
-bool stay_together(const Sample& a, const Sample& b) {
-  return a.pixel->y == b.pixel->y && a.pixel->x / 2 == b.pixel->x / 2;
-}
-
-/// Splits points into batches of up to eight. Those of a pixel stay together, or begin a batch:
-/// so its light is always summed in the same order, whatever else is rendered.
+/// Splits points into batches of up to eight. Those of a pixel stay together, or begin a batch, and
+/// so do those of a pair of pixels if they fit: so a pixel's light is always summed in the same
+/// order, whatever else is rendered.
 template <class Work>
-void for_batches(std::span<const ShadingPoint> points, const Work& work) {
+void for_batches(std::span<const ShadingPoint> points, bool in_pairs, const Work& work) {
   std::size_t count = 0;  // of the batch at the beginning of `points`
   while (count < points.size()) {
     std::size_t end = count + 1;
-    while (end < points.size() && stay_together(points[count].sample, points[end].sample)) ++end;
+    while (end < points.size() &&
+           stay_together(*points[count].sample.pixel, *points[end].sample.pixel, in_pairs))
+      ++end;
     if (end > lanes && count > 0) {
       work(points.first(count));
       points = points.subspan(count);
@@ -63,11 +61,13 @@ LaneVectors normals_of(std::span<const ShadingPoint> batch) {
 }  // namespace
 
 void Lighting::shade(std::span<const ShadingPoint> points, bool of_figure) {
-  for_batches(points, [&](std::span<const ShadingPoint> batch) { shade_batch(batch, of_figure); });
+  for_batches(points, prepared_.pairs_fit(),
+              [&](std::span<const ShadingPoint> batch) { shade_batch(batch, of_figure); });
 }
 
 void Lighting::subtract(std::span<const ShadingPoint> points, bool of_all) {
-  for_batches(points, [&](std::span<const ShadingPoint> batch) { subtract_batch(batch, of_all); });
+  for_batches(points, prepared_.pairs_fit(),
+              [&](std::span<const ShadingPoint> batch) { subtract_batch(batch, of_all); });
 }
 
 void Lighting::shade_batch(std::span<const ShadingPoint> batch, bool of_figure) {
@@ -150,7 +150,9 @@ void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) 
       const float irradiance = point.surface.normal.dot(towards) * chosen.share[i];
       const float distance = chosen.distance[i++];
       if (((point.lights >> k) & 1u) == 0 || irradiance <= 0.0f) continue;
-      if (!of_all && !may_intersect(prepared_.bounds, point.surface.origin, towards)) continue;
+      if (!of_all && !prepared_.quality.exhaustive &&
+          !may_intersect(prepared_.bounds, point.surface.origin, towards))
+        continue;
       query.sample = point.sample;
       query.light = irradiance * scene.lights[k].radiance * reflectance(point.surface, towards);
       enqueue(query, point.surface.origin, towards, distance);

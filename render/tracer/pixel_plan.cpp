@@ -268,9 +268,10 @@ void PixelPlanner::write_background(const Tile& band, const Canvas& canvas,
       const FloorPlace place = row.at(first);
       if (floor && !cell_->holds(place.x, place.z))
         cell_ = &prepared_.floor_sky.cell_at(place.x, place.z);
-      if (!floor || !cell_->known || cell_->inverse_side == 0.0f) {
-        if (floor && !cell_->known)
-          is_known[static_cast<std::size_t>((first - band.x_begin) / tile_size)] = 0;
+      if (floor && !cell_->known) {
+        is_known[static_cast<std::size_t>((first - band.x_begin) / tile_size)] = 0;
+        ++x;
+      } else if (!floor || cell_->inverse_side == 0.0f) {
         do ++x;
         while (x < band.x_end && !background.shows_floor(x, y));
         std::copy_n(background.radiance.at(first, y), 3 * (x - first), canvas.color(first, y));

@@ -46,8 +46,8 @@ class PixelPlanner {
   /// Plans a row of the tile, from its first column on.
   const std::array<PixelPlan, tile_size>& plan_row(int y);
 
-  /// Writes the background of each pixel of a row of tiles, without occlusion of the sky where that
-  /// is not known: `is_known` of such tiles, counted from the left, becomes 0.
+  /// Writes the background of each pixel of a row of tiles, except where the occlusion of the sky
+  /// is not known: `is_known` of tiles with such pixels, counted from the left, becomes 0.
   void write_background(const Tile& band, const Canvas& canvas,
                         std::vector<std::uint8_t>& is_known);
 

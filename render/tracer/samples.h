@@ -42,6 +42,11 @@ struct Pixel {
   Color set = Color::Zero();           ///< the same of the set
 };
 
+/// Whether two pixels are the same, or a pair: columns 2k and 2k + 1 of a row.
+inline bool stay_together(const Pixel& a, const Pixel& b, bool in_pairs) {
+  return &a == &b || (in_pairs && a.y == b.y && a.x / 2 == b.x / 2);
+}
+
 /// A camera ray of a pixel.
 struct Sample {
   Pixel* pixel = nullptr;
@@ -63,7 +68,7 @@ inline void add_light(const Sample& sample, Color Pixel::*sum, const Color& ligh
 struct ShadingPoint {
   Sample sample;
   Surface surface;
-  std::uint32_t lights = ~0u;  ///< bit i: light i is of interest
+  std::uint32_t lights = ~0u;  ///< bit i: whether light i is occluded there is asked
   SkyRays sky;                 ///< the sky rays of its pixel, if they are limited
 };
 

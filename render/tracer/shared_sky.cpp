@@ -1,7 +1,9 @@
 #include "render/tracer/shared_sky.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
+#include <utility>
 
 #include "render/math/for_avx2.h"
 
@@ -42,6 +44,8 @@ void SharedSky::append(const Vec3& normal, float weight, int part) {
 int SharedSky::add(const Sample& sample, const Surface& surface) {
   const int row = sample.pixel->y - y_begin_, column = (sample.pixel->x - x_begin_) / 2;
   const auto number = static_cast<int>(places_.size());
+  assert(places_.empty() ||
+         std::pair(places_.back().row, places_.back().column) <= std::pair(row, column));
   places_.push_back({sample, surface.albedo, row, column});
   append(surface.normal, sample.weight + sample.partner_weight, surface.part);
   ++first_[static_cast<std::size_t>(row * columns + column) + 1];

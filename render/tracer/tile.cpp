@@ -19,17 +19,10 @@ namespace {
 
 constexpr int piece_width = 16 * tile_size;
 
-/// Calls `work` with up to eight elements at a time.
-template <class Element, class Work>
-void for_eights(const std::vector<Element>& elements, const Work& work) {
-  const std::span<const Element> all(elements);
-  for (std::size_t i = 0; i < all.size(); i += lanes)
-    work(all.subspan(i, std::min<std::size_t>(lanes, all.size() - i)));
-}
-
-/// Renders tiles. Each goes through these steps: its background is written; camera rays of the
-/// pixels that may show a solid are traced; the points that they show are lit by shadow rays, and
-/// the floor's shadows are computed; the sums of all samples are written.
+/// Renders tiles. Each goes through these steps: its background is written, if it is shown and
+/// known beforehand; camera rays of the pixels that may show a solid are traced; the points that
+/// they show are lit by shadow rays, and the floor's shadows are computed; the sums of all samples
+/// are written.
 class TileRenderer {
  public:
   explicit TileRenderer(const PreparedScene& prepared)
@@ -39,8 +32,7 @@ class TileRenderer {
         writes_background_(prepared.quality.background == Background::shown &&
                            !prepared.is_per_sample() && !prepared.quality.exhaustive),
         in_pairs_(prepared.quality.shades_pixel_pairs && prepared.closing_solids == nullptr &&
-                  samples_ <= prepared.quality.samples_shaded_together &&
-                  2 * samples_ <= static_cast<int>(lanes)),
+                  samples_ <= prepared.quality.samples_shaded_together && prepared.pairs_fit()),
         planner_(prepared),
         unshadowed_(prepared.scene, prepared.camera),
         lines_(prepared),
@@ -54,6 +46,8 @@ class TileRenderer {
   void plan_pixels(const Tile& rows, bool is_known, const Canvas& canvas);
   void add_pixel(int x, int y, const PixelPlan& plan, const BackgroundLight& background);
   void trace();
+  template <class Work>
+  void for_eights(std::span<const Sample> samples, const Work& work);
   void trace_batch(std::span<const Sample> samples);
   void show_floor(std::span<const Sample> samples);
   void add_figure(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
@@ -114,7 +108,7 @@ void TileRenderer::draw_tile(const Tile& tile, bool is_known, const Canvas& canv
   pixels_.clear();
   pixels_.reserve(tile_size * tile_size);
   lighting_.begin_tile(tile);
-  // Some rows at a time: enough for full packets, few enough for the caches.
+  // Some rows at a time, which is enough for full packets.
   const int rows = std::clamp(16 / samples_, 1, tile_size);
   for (int y = tile.y_begin; y < tile.y_end; y += rows) {
     plan_pixels({tile.x_begin, tile.x_end, y, std::min(y + rows, tile.y_end)}, is_known, canvas);
@@ -138,7 +132,7 @@ void TileRenderer::plan_pixels(const Tile& rows, bool is_known, const Canvas& ca
         write_background(background.radiance, x, y, canvas);
       } else if (plan.kind == PixelKind::background && background.complete && writes_background_ &&
                  (plan.shadow_lights & ~lines_.lights()) == 0) {
-        write_background(background.radiance, x, y, canvas);
+        if (!is_known) write_background(background.radiance, x, y, canvas);
         lines_.add(x, y, plan.shadow_lights, 0, samples_);
       } else {
         add_pixel(x, y, plan, background);
@@ -176,6 +170,25 @@ void TileRenderer::trace() {
   for_eights(floor_samples_, [&](std::span<const Sample> batch) { show_floor(batch); });
   traced_samples_.clear();
   floor_samples_.clear();
+}
+
+// Calls `work` with up to eight samples at a time, and lights the points that were found before
+// they outgrow the caches: between pixels that do not stay together.
+template <class Work>
+void TileRenderer::for_eights(std::span<const Sample> samples, const Work& work) {
+  constexpr std::size_t many = 256;
+  std::size_t count = 0;  // since the last points were lit
+  for (std::size_t i = 0; i < samples.size(); i += lanes) {
+    const std::size_t here = std::min<std::size_t>(lanes, samples.size() - i);
+    work(samples.subspan(i, here));
+    count += here;
+    const std::size_t next = i + here;
+    if (count < many || next == samples.size() ||
+        stay_together(*samples[next - 1].pixel, *samples[next].pixel, prepared_.pairs_fit()))
+      continue;
+    light();
+    count = 0;
+  }
 }
 
 void TileRenderer::show_floor(std::span<const Sample> samples) {
@@ -264,7 +277,8 @@ void TileRenderer::add_floor(const Sample& sample, const Vec3& point) {
 }
 
 // Light that is occluded is subtracted later from what rays show where there is no solid. Where all
-// rays of a pixel start at one point, the background is what its centre shows.
+// rays of a pixel start at one point, the background is what its centre shows. Footprints of grid
+// lines, and the fading of an orthographic view, are those of the camera when the shutter opens.
 void TileRenderer::add_own_background(std::span<const Sample> samples, const RayPacket& rays) {
   LaneRays shown;
   for (int i = 0; i < rays.count; ++i) {

@@ -91,6 +91,36 @@ TEST(UnshadowedBackground, ShowsEightPixelsAsOneByOne) {
   EXPECT_LT(floor, trials * width * height);
 }
 
+// As with an aperture or a moving camera: each ray starts elsewhere.
+TEST(UnshadowedBackground, ShowsWhatEachOfEightRaysMeets) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> share(-1.0f, 1.0f);
+  const Scene scene = lined_floor(true);
+  const CameraFrame camera = frame_of({.position = {0.5f, 1.5f, 3.0f}, .target = Vec3::Zero()});
+  const UnshadowedBackground background(scene, camera);
+  int floor = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    LaneRays rays;
+    for (int i = 0; i < 8; ++i) {
+      rays.origin.set(i,
+                      camera.position + 0.2f * Vec3{share(random), share(random), share(random)});
+      rays.direction.set(
+          i,
+          (camera.forward + 0.4f * Vec3{share(random), share(random), share(random)}).normalized());
+    }
+    const LaneBackground found = background.along(rays);
+    for (int i = 0; i < 8; ++i) {
+      const test::BackgroundPixel expected =
+          test::background_pixel(scene, camera, {rays.origin.at(i), rays.direction.at(i)});
+      EXPECT_TRUE(found.radiance.at(i).isApprox(expected.radiance, 2e-4f)) << trial << ' ' << i;
+      EXPECT_LT((found.visible_albedo.at(i) - expected.visible_albedo).abs().maxCoeff(), 2e-4f);
+      floor += expected.shows_floor ? 1 : 0;
+    }
+  }
+  EXPECT_GT(floor, 200);
+  EXPECT_LT(floor, 800);
+}
+
 TEST(UnshadowedBackground, ShowsTheBackdropAloneWithoutGroundAndFromBelow) {
   Scene scene = lined_floor(false);
   const Camera below{

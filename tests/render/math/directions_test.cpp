@@ -1,6 +1,7 @@
 #include "render/math/directions.h"
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -21,6 +22,25 @@ TEST(ArcSine, IsThatOfTheLibrary) {
   for (int i = 0; i <= 1000; ++i) {
     const float x = static_cast<float>(i) / 1000.0f;
     EXPECT_NEAR(arc_sine(x), std::asin(static_cast<double>(x)), 3e-7) << x;
+  }
+}
+
+// Concentric squares become concentric circles (Shirley & Chiu 1997).
+TEST(DiscPoint, IsThatOfTheConcentricMapping) {
+  for (int i = 0; i <= 40; ++i) {
+    for (int j = 0; j <= 40; ++j) {
+      const double x = i / 20.0 - 1.0, y = j / 20.0 - 1.0;
+      const double radius = std::abs(x) > std::abs(y) ? x : y;
+      double angle = 0.0;
+      if (std::abs(x) > std::abs(y))
+        angle = std::numbers::pi / 4.0 * y / x;
+      else if (y != 0.0)
+        angle = std::numbers::pi / 2.0 - std::numbers::pi / 4.0 * x / y;
+      const DiscPoint found =
+          disc_point({static_cast<float>(i) / 40.0f, static_cast<float>(j) / 40.0f});
+      EXPECT_NEAR(found.x, radius * std::cos(angle), 2e-7) << x << ' ' << y;
+      EXPECT_NEAR(found.y, radius * std::sin(angle), 2e-7) << x << ' ' << y;
+    }
   }
 }
 

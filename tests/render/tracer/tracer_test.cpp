@@ -125,6 +125,44 @@ TEST(Tracer, GivesTheSamePictureWhenItTracesTheRaysThatMeetNothingToo) {
   }
 }
 
+// Where shadows on the floor are found by rays, in more samples than go into a batch.
+TEST(Tracer, GivesTheSameShadowsByRaysWhenItTracesTheRaysThatMeetNothingToo) {
+  Tracer tracer;
+  for (unsigned seed = 0; seed < 2 * trials; ++seed) {
+    Scene scene = random_figure(seed);
+    scene.figures[0].opacity = 0.8f;
+    // More lights, so that sums of their shadows depend on the order.
+    scene.lights.push_back(
+        softbox({1.0f, 3.0f, -2.0f}, Vec3::Zero(), 1.0f, 1.0f, Color::Constant(5.0f)));
+    const Camera camera = random_view(seed);
+    for (const int samples : {5, 7, 16}) {
+      Quality quality{.samples_per_pixel = samples, .seed = seed};
+      const Framebuffer quick = tracer.trace(scene, camera, quality);
+      quality.exhaustive = true;
+      EXPECT_EQ(tracer.trace(scene, camera, quality), quick) << "seed " << seed;
+    }
+  }
+}
+
+TEST(Tracer, ShowsTheNearerOfFigureAndStaticSolid) {
+  Scene scene;
+  scene.has_ground = false;
+  scene.materials = {{.albedo = Color::Zero(), .emission = {0.9f, 0.1f, 0.2f}},
+                     {.albedo = Color::Zero(), .emission = {0.1f, 0.8f, 0.3f}}};
+  scene.static_solids.spheres = {{.centre = Vec3::Zero(), .radius = 0.5f, .material = 0}};
+  const Camera camera{
+      .position = {0.0f, 0.0f, 6.0f}, .target = Vec3::Zero(), .width = 9, .height = 9};
+  Tracer tracer;
+  for (const float z : {-1.5f, 1.5f}) {
+    scene.solids.spheres = {{.centre = {0.0f, 0.0f, z}, .radius = 0.4f, .material = 1}};
+    for (const Quality& quality : {draft_quality(), standard_quality(), reference_quality()}) {
+      const Framebuffer picture = tracer.trace(scene, camera, quality);
+      const Color shown = Eigen::Map<const Color>(picture.at(4, 4));
+      EXPECT_TRUE(shown.isApprox(scene.materials[z > 0.0f ? 1 : 0].emission, 1e-4f)) << z;
+    }
+  }
+}
+
 // Where samples and neighbours share what they ask.
 TEST(Tracer, GivesTheSameDraftWhenItTracesTheRaysThatMeetNothingToo) {
   Tracer tracer;
@@ -164,8 +202,8 @@ Scene twigs(unsigned seed) {
 
 TEST(Tracer, LosesNoShadowOfThinLimbsToItsShortcuts) {
   Tracer tracer;
-  // Of few samples neighbours share what they ask: up to 4 x 4 pixels under the lights that are
-  // broad both ways, also where a film ends amid.
+  // With two samples, up to 2 x 2 pixels share lines under the lights that are broad both ways,
+  // also at the picture's edge.
   for (const int samples : {1, 2, 3, 8}) {
     for (unsigned seed = 0; seed < 6; ++seed) {
       const Scene scene = twigs(seed);
