@@ -115,7 +115,7 @@ def draw_with_vtk(vtk, frames, video):
     for frame in range(frames):
         figure.pose(joints_at(frame / 30.0))
         window.Render()
-        window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels)
+        window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0)
         encoder.stdin.write(vtk_to_numpy(pixels).tobytes())
     encoder.stdin.close()
     if encoder.wait() != 0:
