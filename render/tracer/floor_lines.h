@@ -51,7 +51,7 @@ class FloorLines {
   /// that were added.
   const Color& occluded(int x, int y) const { return occluded_[number(x, y)]; }
 
-  /// Forgets the samples of a pixel.
+  /// Removes the samples of a pixel.
   void remove(int x, int y) { samples_[number(x, y)] = 0; }
 
  private:
@@ -83,9 +83,9 @@ class FloorLines {
   int group_size_ = 1;                     // samples that share a line
   int block_width_ = 1;                    // pixels whose samples share a line
   int block_height_ = 1;
-  bool is_empty_ = true;                        // no samples were added
-  std::array<int, pixels> samples_{};           // that were added; valid unless empty, as
-  std::array<std::uint32_t, pixels> lights_{};  // their lights, if pixels share lines
+  bool is_empty_ = true;  // no samples were added; the lists of pixels are then invalid
+  std::array<int, pixels> samples_{};           // number of samples that were added
+  std::array<std::uint32_t, pixels> lights_{};  // lights of a block, at its first pixel
   std::array<Color, pixels> occluded_;
 
   std::array<Query, lanes> queries_;

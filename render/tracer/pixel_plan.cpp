@@ -90,7 +90,7 @@ struct CellPixels {
   int column;  // of the first
   std::size_t count;
   const float* radiance;  // of the first pixel on
-  const float* albedo;    // likewise; null: the floor is of one colour
+  const float* albedo;    // of the first pixel on; null: all have uniform_albedo
   Color uniform_albedo;
 };
 

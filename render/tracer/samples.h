@@ -37,9 +37,10 @@ struct Pixel {
   // Sums over the samples. Light that is known at once and light found by rays later are summed
   // separately, so that each sum is always taken in the same order.
   Color known_figure = Color::Zero();  ///< light from the figure
-  Color known_set = Color::Zero();     ///< light from the set, of samples that render their own
-  Color figure = Color::Zero();        ///< light that shadow rays add to the figure, or subtract
-  Color set = Color::Zero();           ///< the same of the set
+  Color known_set = Color::Zero();     ///< light from the set, of samples that render their own set
+  Color figure = Color::Zero();        ///< light of the figure that shadow rays add or subtract
+  Color set = Color::Zero();           ///< light of the set that shadow rays add or subtract, and
+                                       ///< shadows of line sampling
 };
 
 /// Whether two pixels are the same, or a pair: columns 2k and 2k + 1 of a row.
@@ -68,8 +69,9 @@ inline void add_light(const Sample& sample, Color Pixel::*sum, const Color& ligh
 struct ShadingPoint {
   Sample sample;
   Surface surface;
-  std::uint32_t lights = ~0u;  ///< bit i: whether light i is occluded there is asked
-  SkyRays sky;                 ///< the sky rays of its pixel, if they are limited
+  // For Lighting::subtract_shadow and subtract_all_shadows only.
+  std::uint32_t lights = ~0u;  ///< bit i: a shadow ray to light i is cast
+  SkyRays sky;                 ///< sky rays of its pixel
 };
 
 inline const Sample& sample_of(const Sample& sample) { return sample; }

@@ -22,7 +22,7 @@ float sum_of(const LaneFloats& values) {
 void SharedSky::begin_tile(const Tile& tile) {
   x_begin_ = tile.x_begin;
   y_begin_ = tile.y_begin;
-  places_.clear();
+  samples_.clear();
   for (auto* list : {&lists_.normal_x, &lists_.normal_y, &lists_.normal_z, &lists_.red,
                      &lists_.green, &lists_.blue, &lists_.weight})
     list->clear();
@@ -43,10 +43,10 @@ void SharedSky::append(const Vec3& normal, float weight, int part) {
 
 int SharedSky::add(const Sample& sample, const Surface& surface) {
   const int row = sample.pixel->y - y_begin_, column = (sample.pixel->x - x_begin_) / 2;
-  const auto number = static_cast<int>(places_.size());
-  assert(places_.empty() ||
-         std::pair(places_.back().row, places_.back().column) <= std::pair(row, column));
-  places_.push_back({sample, surface.albedo, row, column});
+  const auto number = static_cast<int>(samples_.size());
+  assert(samples_.empty() ||
+         std::pair(samples_.back().row, samples_.back().column) <= std::pair(row, column));
+  samples_.push_back({sample, surface.albedo, row, column});
   append(surface.normal, sample.weight + sample.partner_weight, surface.part);
   ++first_[static_cast<std::size_t>(row * columns + column) + 1];
   return number;
@@ -84,7 +84,7 @@ MIEN_FOR_AVX2_TOO void SharedSky::add_near(const Lists& lists, int here, int beg
 
 Color SharedSky::mean_near(int number) const {
   const auto i = static_cast<std::size_t>(number);
-  const Place& here = places_[i];
+  const SkySample& here = samples_[i];
   Sums sums;
   const int first_column = std::max(here.column - near_columns, 0);
   const int last_column = std::min(here.column + near_columns, columns - 1);
@@ -101,9 +101,9 @@ Color SharedSky::mean_near(int number) const {
 void SharedSky::subtract() {
   for (std::size_t i = 0; i < lanes; ++i) append(Vec3::Zero(), 0.0f, -1);
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    add_light(places_[i].sample, &Pixel::figure,
-              -(places_[i].albedo * mean_near(static_cast<int>(i))));
+  for (std::size_t i = 0; i < samples_.size(); ++i)
+    add_light(samples_[i].sample, &Pixel::figure,
+              -(samples_[i].albedo * mean_near(static_cast<int>(i))));
 }
 
 }  // namespace mien::render

@@ -41,14 +41,15 @@ class SharedSky {
   static constexpr int rows = tile_size;
   static constexpr int columns = tile_size / 2;  // samples may represent two pixels of a row
 
-  /// Numbers of the samples, one list for each kind; they end with eight that count nothing.
+  /// Values of the samples, a list per quantity. `subtract` appends eight samples of weight 0, so
+  /// that eight values can be read from any sample on.
   struct Lists {
     std::vector<float> normal_x, normal_y, normal_z;
     std::vector<float> red, green, blue;  // occluded light
-    std::vector<float> weight;            // number of samples of pixels that each represents
+    std::vector<float> weight;            // number of camera rays that each represents
     std::vector<int> part;
   };
-  struct Place {
+  struct SkySample {
     Sample sample;
     Color albedo;
     int row;
@@ -64,7 +65,7 @@ class SharedSky {
 
   int x_begin_ = 0;
   int y_begin_ = 0;
-  std::vector<Place> places_;
+  std::vector<SkySample> samples_;
   Lists lists_;
   // Per row and column of the tile: the number of the first sample there or after.
   std::array<int, static_cast<std::size_t>(rows* columns) + 1> first_;

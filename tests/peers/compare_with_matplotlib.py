@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Frames a second of `mien render --quality draft` and of matplotlib's 3-D line animation.
+"""Frames per second of `mien render --quality draft` and of matplotlib's 3-D line animation.
 
     tests/peers/compare_with_matplotlib.py MIEN [--frames 96]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Frames a second of `mien render --quality draft` and of VTK with shadow maps, in software.
+"""Frames per second of `mien render --quality draft` and of VTK with shadow maps, in software.
 
     tests/peers/compare_with_vtk.py MIEN [--frames 96]
 

@@ -123,8 +123,8 @@ std::vector<NamedQuality> qualities() {
 
 /// How two means compare.
 struct Agreement {
-  double worst;       ///< largest difference of a block beyond the bound, in standard errors
-  double overall;     ///< difference of the whole picture's means beyond the bound, likewise
+  double worst;    ///< largest difference of a block beyond the bound, in standard errors
+  double overall;  ///< difference of the whole picture's means beyond the bound, in standard errors
   double chi_square;  ///< mean squared difference of blocks with noise, in standard errors
   double resolution;  ///< largest standard error of a block
 };
