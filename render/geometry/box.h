@@ -21,4 +21,8 @@ Box hull(const Box& a, const Box& b);
 /// shapes in it.
 Box padded(const Box& box);
 
+/// Writes for each of eight rays whether it may hit a shape of which this is the
+/// padded box, at a distance up to `reach`: −1 if so, otherwise 0.
+void find_rays_through(const Box& box, const RayLanes& rays, const float* reach, int* may_hit);
+
 }  // namespace mien::render

@@ -18,8 +18,9 @@ struct EmbreeScene::Contents {
   explicit Contents(Shapes traced);
 
   Shapes shapes;
-  std::vector<TrianglePatch> patches;          // of the triangles, when the shutter opens
-  std::vector<TrianglePatch> closing_patches;  // if they move: when it closes
+  std::vector<TrianglePatch> patches;         // of the triangles, if they do not move
+  std::vector<PatchCorners> opening_patches;  // if they move: when the shutter opens
+  std::vector<PatchCorners> closing_patches;  // if they move: when it closes
 
   /// Padded boxes of the primitives of Embree's two geometries, round cones and patches of
   /// triangles, when the shutter opens and, if they move, when it closes.
@@ -105,10 +106,23 @@ void cone_crossings(const Shapes& shapes, std::size_t index, const PacketFields&
 /// As intersect_patch, at the time of the ray.
 float patch_crossings(const Contents& scene, std::size_t index, const PacketFields& packet,
                       unsigned lane, float* distances) {
-  const TrianglePatch& patch = scene.patches[index];
-  if (scene.closing_patches.empty()) return intersect_patch(patch, packet.rays(), lane, distances);
-  return intersect_patch(patch_between(patch, scene.closing_patches[index], packet.time()[lane]),
-                         packet.rays(), lane, distances);
+  if (scene.closing_patches.empty())
+    return intersect_patch(scene.patches[index], packet.rays(), lane, distances);
+  const TrianglePatch moved = patch_between(scene.opening_patches[index],
+                                            scene.closing_patches[index], packet.time()[lane]);
+  return intersect_patch(moved, packet.rays(), lane, distances);
+}
+
+/// The rays of the packet that may hit a triangle of a patch: Embree offers a patch to rays of the
+/// packet that pass it by, too, if another ray enters its box. Returns whether there are any.
+bool find_rays_to_patch(const Contents& scene, std::size_t index, const PacketFields& packet,
+                        const int* valid, int* may_hit) {
+  const auto& [opening, closing] = scene.patch_boxes;
+  const Box box = closing.empty() ? opening[index] : hull(opening[index], closing[index]);
+  find_rays_through(box, packet.rays(), packet.far_distance(), may_hit);
+  int any = 0;
+  for (unsigned i = 0; i < packet.lanes; ++i) any |= may_hit[i] &= valid[i];
+  return any != 0;
 }
 
 bool is_there(const Shapes& shapes, std::size_t shape, const PacketFields& packet, unsigned lane) {
@@ -171,9 +185,11 @@ void occlude_by_cone(const RTCOccludedFunctionNArguments* arguments) {
 void intersect_triangles(const RTCIntersectFunctionNArguments* arguments) {
   const Contents& scene = contents_of(arguments->geometryUserPtr);
   PacketHits hits(arguments);
+  int may_hit[max_lanes];
+  if (!find_rays_to_patch(scene, arguments->primID, hits.packet, arguments->valid, may_hit)) return;
   alignas(32) float distances[patch_size];
   for (unsigned i = 0; i < hits.packet.lanes; ++i) {
-    if (arguments->valid[i] == 0) continue;
+    if (may_hit[i] == 0) continue;
     const float nearest = patch_crossings(scene, arguments->primID, hits.packet, i, distances);
     if (nearest > hits.packet.far_distance()[i]) continue;
     for (unsigned k = 0; k < patch_size; ++k)
@@ -187,12 +203,14 @@ void occlude_by_triangles(const RTCOccludedFunctionNArguments* arguments) {
   const Shapes& shapes = scene.shapes;
   const PacketFields packet{reinterpret_cast<float*>(arguments->ray), arguments->N};
   float* reach = packet.far_distance();
+  int may_hit[max_lanes];
+  if (!find_rays_to_patch(scene, arguments->primID, packet, arguments->valid, may_hit)) return;
   if (shapes.all_present && shapes.closing_triangles.empty())
-    return occlude_by_patch(scene.patches[arguments->primID], packet.rays(), arguments->valid,
-                            packet.lanes, reach);
+    return occlude_by_patch(scene.patches[arguments->primID], packet.rays(), may_hit, packet.lanes,
+                            reach);
   alignas(32) float distances[patch_size];
   for (unsigned i = 0; i < packet.lanes; ++i) {
-    if (arguments->valid[i] == 0) continue;
+    if (may_hit[i] == 0) continue;
     patch_crossings(scene, arguments->primID, packet, i, distances);
     for (std::size_t k = 0; k < patch_size; ++k)
       if (distances[k] < reach[i] &&
@@ -262,11 +280,17 @@ void RayPacket::push(const Vec3& origin, const Vec3& direction, float distance, 
 
 EmbreeScene::Contents::Contents(Shapes traced)
     : shapes(std::move(traced)),
-      patches(patches_of(shapes.triangles)),
-      closing_patches(patches_of(shapes.closing_triangles)),
       cone_boxes{boxes_of(shapes.cones, 1), boxes_of(shapes.closing_cones, 1)},
       patch_boxes{boxes_of(shapes.triangles, patch_size),
-                  boxes_of(shapes.closing_triangles, patch_size)} {}
+                  boxes_of(shapes.closing_triangles, patch_size)} {
+  std::vector<PatchCorners> corners = corners_of(shapes.triangles);
+  if (shapes.closing_triangles.empty()) {
+    for (const PatchCorners& patch : corners) patches.push_back(prepared_patch(patch));
+  } else {
+    opening_patches = std::move(corners);
+    closing_patches = corners_of(shapes.closing_triangles);
+  }
+}
 
 EmbreeScene::EmbreeScene(const EmbreeDevice& device, Shapes shapes)
     : contents_(std::make_unique<Contents>(std::move(shapes))), scene_(rtcNewScene(device.get())) {

@@ -22,23 +22,19 @@ struct Crossings {
   const float dx = rays.direction_x[lane], dy = rays.direction_y[lane];
   const float dz = rays.direction_z[lane];
   const float ox = rays.origin_x[lane], oy = rays.origin_y[lane], oz = rays.origin_z[lane];
+  const float mx = oy * dz - oz * dy, my = oz * dx - ox * dz, mz = ox * dy - oy * dx;
   int any = 0;
 #pragma omp simd reduction(| : any)
   for (std::size_t i = 0; i < patch_size; ++i) {
-    const float nx = patch.normal.x[i], ny = patch.normal.y[i], nz = patch.normal.z[i];
-    const float pax = patch.a.x[i] - ox, pay = patch.a.y[i] - oy, paz = patch.a.z[i] - oz;
-    const float pbx = patch.b.x[i] - ox, pby = patch.b.y[i] - oy, pbz = patch.b.z[i] - oz;
-    const float pcx = patch.c.x[i] - ox, pcy = patch.c.y[i] - oy, pcz = patch.c.z[i] - oz;
-    // Edge p → q: (q − p) × (q + p) · d.
-    const auto side = [&](float px, float py, float pz, float qx, float qy, float qz) {
-      const float ex = qx - px, ey = qy - py, ez = qz - pz;
-      const float sx = qx + px, sy = qy + py, sz = qz + pz;
-      return (ey * sz - ez * sy) * dx + (ez * sx - ex * sz) * dy + (ex * sy - ey * sx) * dz;
+    const auto side = [&](const TrianglePatch::Edge& edge) {
+      const PatchVectors &vector = edge.vector, &moment = edge.moment;
+      return (dx * moment.x[i] + mx * vector.x[i]) + (dy * moment.y[i] + my * vector.y[i]) +
+             (dz * moment.z[i] + mz * vector.z[i]);
     };
-    const float u = side(pbx, pby, pbz, pcx, pcy, pcz);
-    const float v = side(pcx, pcy, pcz, pax, pay, paz);
-    const float w = side(pax, pay, paz, pbx, pby, pbz);
-    found.scaled[i] = nx * pax + ny * pay + nz * paz;
+    const float u = side(patch.bc), v = side(patch.ca), w = side(patch.ab);
+    const float nx = patch.normal.x[i], ny = patch.normal.y[i], nz = patch.normal.z[i];
+    found.scaled[i] =
+        nx * (patch.a.x[i] - ox) + ny * (patch.a.y[i] - oy) + nz * (patch.a.z[i] - oz);
     found.facing[i] = nx * dx + ny * dy + nz * dz;
     found.inside[i] =
         (((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f))) &
@@ -48,50 +44,75 @@ struct Crossings {
   return any;
 }
 
-}  // namespace
-
-void TrianglePatch::set(std::size_t lane, const Triangle& triangle) {
-  a.set(lane, triangle.a);
-  b.set(lane, triangle.b);
-  c.set(lane, triangle.c);
-  normal.set(lane, (triangle.b - triangle.a).cross(triangle.c - triangle.a));
+// The moment is (p + q) / 2 × (q − p): smaller terms, and thus smaller rounding errors, than p × q.
+[[gnu::always_inline]] inline void set_edge(const PatchVectors& p, const PatchVectors& q,
+                                            std::size_t i, TrianglePatch::Edge& edge) {
+  const float ex = q.x[i] - p.x[i], ey = q.y[i] - p.y[i], ez = q.z[i] - p.z[i];
+  const float sx = 0.5f * (q.x[i] + p.x[i]), sy = 0.5f * (q.y[i] + p.y[i]);
+  const float sz = 0.5f * (q.z[i] + p.z[i]);
+  edge.vector.x[i] = ex;
+  edge.vector.y[i] = ey;
+  edge.vector.z[i] = ez;
+  edge.moment.x[i] = sy * ez - sz * ey;
+  edge.moment.y[i] = sz * ex - sx * ez;
+  edge.moment.z[i] = sx * ey - sy * ex;
 }
 
-std::vector<TrianglePatch> patches_of(const std::vector<Triangle>& triangles) {
-  std::vector<TrianglePatch> patches((triangles.size() + patch_size - 1) / patch_size,
-                                     TrianglePatch{});
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    patches[i / patch_size].set(i % patch_size, triangles[i]);
+[[gnu::always_inline]] inline TrianglePatch patch_of(const PatchCorners& corners) {
+  const auto& [a, b, c] = corners;
+  TrianglePatch patch;
+#pragma omp simd
+  for (std::size_t i = 0; i < patch_size; ++i) {
+    patch.a.x[i] = a.x[i];
+    patch.a.y[i] = a.y[i];
+    patch.a.z[i] = a.z[i];
+    const float bx = b.x[i] - a.x[i], by = b.y[i] - a.y[i], bz = b.z[i] - a.z[i];
+    const float cx = c.x[i] - a.x[i], cy = c.y[i] - a.y[i], cz = c.z[i] - a.z[i];
+    patch.normal.x[i] = by * cz - bz * cy;
+    patch.normal.y[i] = bz * cx - bx * cz;
+    patch.normal.z[i] = bx * cy - by * cx;
+    set_edge(b, c, i, patch.bc);
+    set_edge(c, a, i, patch.ca);
+    set_edge(a, b, i, patch.ab);
+  }
+  return patch;
+}
+
+[[gnu::always_inline]] inline void move(const PatchVectors& from, const PatchVectors& to,
+                                        float time, PatchVectors& moved) {
+#pragma omp simd
+  for (std::size_t i = 0; i < patch_size; ++i) {
+    moved.x[i] = from.x[i] + time * (to.x[i] - from.x[i]);
+    moved.y[i] = from.y[i] + time * (to.y[i] - from.y[i]);
+    moved.z[i] = from.z[i] + time * (to.z[i] - from.z[i]);
+  }
+}
+
+}  // namespace
+
+std::vector<PatchCorners> corners_of(const std::vector<Triangle>& triangles) {
+  std::vector<PatchCorners> patches((triangles.size() + patch_size - 1) / patch_size,
+                                    PatchCorners{});
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    PatchCorners& patch = patches[i / patch_size];
+    patch.a.set(i % patch_size, triangles[i].a);
+    patch.b.set(i % patch_size, triangles[i].b);
+    patch.c.set(i % patch_size, triangles[i].c);
+  }
   return patches;
 }
 
-MIEN_FOR_AVX2_TOO TrianglePatch patch_between(const TrianglePatch& from, const TrianglePatch& to,
+MIEN_FOR_AVX2_TOO TrianglePatch prepared_patch(const PatchCorners& corners) {
+  return patch_of(corners);
+}
+
+MIEN_FOR_AVX2_TOO TrianglePatch patch_between(const PatchCorners& from, const PatchCorners& to,
                                               float time) {
-  TrianglePatch patch;
-  const auto move = [time](float opening, float closing) {
-    return opening + time * (closing - opening);
-  };
-#pragma omp simd
-  for (std::size_t i = 0; i < patch_size; ++i) {
-    const float ax = move(from.a.x[i], to.a.x[i]), ay = move(from.a.y[i], to.a.y[i]);
-    const float bx = move(from.b.x[i], to.b.x[i]), by = move(from.b.y[i], to.b.y[i]);
-    const float cx = move(from.c.x[i], to.c.x[i]), cy = move(from.c.y[i], to.c.y[i]);
-    const float az = move(from.a.z[i], to.a.z[i]), bz = move(from.b.z[i], to.b.z[i]);
-    const float cz = move(from.c.z[i], to.c.z[i]);
-    patch.a.x[i] = ax;
-    patch.a.y[i] = ay;
-    patch.a.z[i] = az;
-    patch.b.x[i] = bx;
-    patch.b.y[i] = by;
-    patch.b.z[i] = bz;
-    patch.c.x[i] = cx;
-    patch.c.y[i] = cy;
-    patch.c.z[i] = cz;
-    patch.normal.x[i] = (by - ay) * (cz - az) - (bz - az) * (cy - ay);
-    patch.normal.y[i] = (bz - az) * (cx - ax) - (bx - ax) * (cz - az);
-    patch.normal.z[i] = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-  }
-  return patch;
+  PatchCorners moved;
+  move(from.a, to.a, time, moved.a);
+  move(from.b, to.b, time, moved.b);
+  move(from.c, to.c, time, moved.c);
+  return patch_of(moved);
 }
 
 MIEN_FOR_AVX2_TOO float intersect_patch(const TrianglePatch& patch, const RayLanes& rays,
@@ -114,10 +135,14 @@ MIEN_FOR_AVX2_TOO void occlude_by_patch(const TrianglePatch& patch, const RayLan
   Crossings found;
   for (unsigned ray = 0; ray < count; ++ray) {
     if (valid[ray] == 0 || cross(patch, rays, ray, found) == 0) continue;
+    const float within = reach[ray];
+    int blocked = 0;
+#pragma omp simd reduction(| : blocked)
     for (std::size_t i = 0; i < patch_size; ++i) {
       const float t = found.scaled[i] / found.facing[i];
-      if (found.inside[i] != 0 && t > 0.0f && t < reach[ray]) reach[ray] = -infinity;
+      blocked |= found.inside[i] & (t > 0.0f) & (t < within);
     }
+    if (blocked != 0) reach[ray] = -infinity;
   }
 }
 

@@ -17,44 +17,56 @@ struct Triangle {
 /// Number of triangles that are intersected together.
 inline constexpr std::size_t patch_size = 8;
 
-/// Up to eight triangles, one per lane. Unused lanes hold triangles without area, which no ray
-/// hits.
+/// Eight vectors, one per lane.
+struct PatchVectors {
+  alignas(32) float x[patch_size];
+  alignas(32) float y[patch_size];
+  alignas(32) float z[patch_size];
+
+  void set(std::size_t lane, const Vec3& vector) {
+    x[lane] = vector.x();
+    y[lane] = vector.y();
+    z[lane] = vector.z();
+  }
+};
+
+/// The corners of up to eight triangles. Unused lanes hold triangles without area.
+struct PatchCorners {
+  PatchVectors a;
+  PatchVectors b;
+  PatchVectors c;
+};
+
+/// Up to eight triangles, prepared for intersection: their planes, and the lines of their edges
+/// from b to c, c to a and a to b. No ray hits triangles without area.
 struct TrianglePatch {
-  struct Vectors {
-    alignas(32) float x[patch_size];
-    alignas(32) float y[patch_size];
-    alignas(32) float z[patch_size];
-
-    void set(std::size_t lane, const Vec3& vector) {
-      x[lane] = vector.x();
-      y[lane] = vector.y();
-      z[lane] = vector.z();
-    }
-    Vec3 at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+  struct Edge {
+    PatchVectors vector;
+    PatchVectors moment;  ///< cross product of its start and end
   };
-  Vectors a;
-  Vectors b;
-  Vectors c;
-  Vectors normal;  ///< (b − a) × (c − a)
-
-  void set(std::size_t lane, const Triangle& triangle);
-  Triangle at(std::size_t lane) const { return {a.at(lane), b.at(lane), c.at(lane)}; }
+  PatchVectors a;
+  PatchVectors normal;  ///< (b − a) × (c − a)
+  Edge bc;
+  Edge ca;
+  Edge ab;
 };
 
 /// Returns the triangles in patches of consecutive ones: triangle i is lane i mod 8 of patch i / 8.
-std::vector<TrianglePatch> patches_of(const std::vector<Triangle>& triangles);
+std::vector<PatchCorners> corners_of(const std::vector<Triangle>& triangles);
+
+TrianglePatch prepared_patch(const PatchCorners& corners);
 
 /// Returns the patch at a time from 0 (`from`) to 1 (`to`), moved in straight lines.
-TrianglePatch patch_between(const TrianglePatch& from, const TrianglePatch& to, float time);
+TrianglePatch patch_between(const PatchCorners& from, const PatchCorners& to, float time);
 
 /// Writes, for each triangle of the patch, the distance at which ray `lane` hits it; infinity where
 /// the ray misses it, also if the ray's line crosses the triangle behind the origin. Returns the
 /// least of these distances. Results are bit-identical on every machine.
 ///
-/// The test is watertight: the side on which the line passes an edge is the sign of a product that
-/// depends only on the line and this edge. Reversing the edge negates the product exactly. A line
-/// through an edge that two triangles share therefore hits at least one of them (Plücker
-/// coordinates; Shoemake 1998).
+/// The test is watertight: the side on which the line passes an edge is the sign of a product of
+/// the Plücker coordinates of both (Shoemake 1998), which depends on nothing else. Reversing the
+/// edge negates the product exactly. A line through an edge that two triangles share therefore hits
+/// at least one of them.
 float intersect_patch(const TrianglePatch& patch, const RayLanes& rays, unsigned lane,
                       float* distances);
 

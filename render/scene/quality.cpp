@@ -8,7 +8,7 @@ Quality draft_quality() {
   quality.sky_rays = 2;
   quality.samples_shaded_together = 2;
   quality.shades_pixel_pairs = true;
-  quality.shares_figure_sky = true;
+  quality.shares_occlusion = true;
   quality.static_samples = 16;
   quality.floor_sky_noise = 0.032f;
   quality.floor_sky_tolerance = 0.032f;

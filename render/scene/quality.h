@@ -29,9 +29,10 @@ struct Quality {
   /// `samples_shaded_together`.
   bool shades_pixel_pairs = false;
 
-  /// Whether neighbouring samples of one surface of the figure share what they find occluded of the
-  /// sky: less noise, but blurred by 3 pixels.
-  bool shares_figure_sky = false;
+  /// Whether neighbouring samples of one surface share what they find occluded of the sky, on the
+  /// figure, and of the area lights, on the floor, where shadow rays find it: less noise, but
+  /// blurred by 3 pixels on the figure and by 2 on the floor.
+  bool shares_occlusion = false;
   int static_samples = 64;  ///< samples per pixel for static solids, rendered once per camera
 
   /// A figure's occlusion of the sky, as seen from the floor, is sampled at grid points. At each

@@ -152,7 +152,7 @@ Framebuffer Engine::render_static_solids(const Scene& scene, const Camera& camer
                                          const Quality& quality, const StaticBackground& open) {
   Quality thorough = quality;
   thorough.samples_per_pixel = quality.static_samples;
-  thorough.shades_pixel_pairs = thorough.shares_figure_sky = thorough.floor_sky_smooth = false;
+  thorough.shades_pixel_pairs = thorough.shares_occlusion = thorough.floor_sky_smooth = false;
   thorough.floor_sky_cell = std::min(quality.floor_sky_cell, closest_points);
   thorough.background = Background::shown;
   RenderTarget target{Framebuffer(camera.width, camera.height), {}};

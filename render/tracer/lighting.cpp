@@ -98,14 +98,14 @@ void Lighting::add_area_lights(std::span<const ShadingPoint> batch, const LaneVe
 void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& normals,
                        bool of_figure) {
   const Sky& sky = prepared_.scene.sky;
-  const bool shares = of_figure && prepared_.quality.shares_figure_sky;
+  const bool shares = of_figure && prepared_.quality.shares_occlusion;
   std::array<int, lanes> numbers{};
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const Surface& surface = batch[i].surface;
     if (is_black(surface)) continue;
     add_light(batch[i].sample, of_figure ? &Pixel::known_figure : &Pixel::known_set,
               surface.albedo * unoccluded_sky_light(sky, surface.normal));
-    if (shares) numbers[i] = shared_sky_.add(batch[i].sample, surface);
+    if (shares) numbers[i] = shared_.add_figure(batch[i].sample, surface);
   }
   Query query;
   query.sum = of_figure ? &Pixel::figure : &Pixel::set;
@@ -133,7 +133,11 @@ void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) 
   const Scene& scene = prepared_.scene;
   Query query;
   query.sum = &Pixel::set;
-  query.decision = of_all ? Decision::subtracts_if_occluded : Decision::subtracts_if_shadowed;
+  const Decision subtracts =
+      of_all ? Decision::subtracts_if_occluded : Decision::subtracts_if_shadowed;
+  std::array<int, lanes> numbers{};
+  for (std::size_t i = 0; i < batch.size(); ++i)
+    if (batch[i].shares && batch[i].lights != 0) numbers[i] = shared_.add_floor(batch[i].sample);
   const LaneVectors origins = origins_of(batch);
   std::uint32_t lights = 0;
   bool any_sky = false;
@@ -153,12 +157,17 @@ void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) 
       if (!of_all && !prepared_.quality.exhaustive &&
           !may_intersect(prepared_.bounds, point.surface.origin, towards))
         continue;
+      const Color light = irradiance * scene.lights[k].radiance;
       query.sample = point.sample;
-      query.light = irradiance * scene.lights[k].radiance * reflectance(point.surface, towards);
+      query.decision = point.shares ? Decision::shares_if_shadowed : subtracts;
+      query.shared = numbers[static_cast<std::size_t>(i - 1)];
+      query.light =
+          point.shares ? Color(light / pi) : Color(light * reflectance(point.surface, towards));
       enqueue(query, point.surface.origin, towards, distance);
     }
   }
   if (!any_sky) return;
+  query.decision = subtracts;
   // Static solids may be all around.
   const float radius = of_all ? infinity : prepared_.bounds.radius;
   const LaneSphereRays rays =
@@ -203,7 +212,10 @@ void Lighting::trace() {
         if (figure && !set) add_light(query.sample, query.sum, -query.light);
         break;
       case Decision::shares_if_occluded:
-        if (figure || set) shared_sky_.occlude(query.shared, query.light);
+        if (figure || set) shared_.occlude(query.shared, query.light);
+        break;
+      case Decision::shares_if_shadowed:
+        if (figure && !set) shared_.occlude(query.shared, query.light);
         break;
     }
   }
@@ -212,7 +224,7 @@ void Lighting::trace() {
 
 void Lighting::finish() {
   trace();
-  shared_sky_.subtract();
+  shared_.subtract();
 }
 
 }  // namespace mien::render

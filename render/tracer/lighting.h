@@ -5,7 +5,7 @@
 
 #include "render/tracer/prepared_scene.h"
 #include "render/tracer/samples.h"
-#include "render/tracer/shared_sky.h"
+#include "render/tracer/shared_occlusion.h"
 
 namespace mien::render {
 
@@ -15,7 +15,7 @@ class Lighting {
  public:
   explicit Lighting(const PreparedScene& prepared) : prepared_(prepared) {}
 
-  void begin_tile(const Tile& tile) { shared_sky_.begin_tile(tile); }
+  void begin_tile(const Tile& tile) { shared_.begin_tile(tile); }
 
   /// Adds all light from area lights and sky that surfaces reflect to the camera: those of the
   /// figure, or those of static solids in pixels that render their own background.
@@ -37,14 +37,16 @@ class Lighting {
     adds_if_visible,        ///< light is added unless something occludes it
     subtracts_if_occluded,  ///< light is subtracted if something occludes it
     subtracts_if_shadowed,  ///< light is subtracted if the figure alone occludes it
-    shares_if_occluded      ///< light counts as occluded for the neighbours, too (SharedSky)
+    // Light counts as occluded for the neighbours, too (SharedOcclusion),
+    shares_if_occluded,  ///< if something occludes it
+    shares_if_shadowed   ///< if the figure alone occludes it
   };
   struct Query {
     Sample sample;
     Color light = Color::Zero();
     Color Pixel::*sum = nullptr;
     Decision decision = Decision::adds_if_visible;
-    int shared = -1;  // number in the shared sky
+    int shared = -1;  // number in the shared occlusion
   };
 
   void shade_batch(std::span<const ShadingPoint> batch, bool of_figure);
@@ -62,7 +64,7 @@ class Lighting {
   const PreparedScene& prepared_;
   RayPacket rays_;
   std::array<Query, packet_size> queries_;
-  SharedSky shared_sky_;
+  SharedOcclusion shared_;
 };
 
 }  // namespace mien::render

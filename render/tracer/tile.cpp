@@ -51,7 +51,8 @@ class TileRenderer {
   void trace_batch(std::span<const Sample> samples);
   void show_floor(std::span<const Sample> samples);
   void add_figure(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
-  bool merge(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
+  template <class SurfaceAt>
+  bool merge(std::vector<ShadingPoint>& points, const Sample& sample, const SurfaceAt& surface);
   void add_background(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
   void add_floor(const Sample& sample, const Vec3& point);
   void add_own_background(std::span<const Sample> samples, const RayPacket& rays);
@@ -223,19 +224,21 @@ void TileRenderer::trace_batch(std::span<const Sample> samples) {
 void TileRenderer::add_figure(const Sample& sample, const RayPacket& rays, int ray,
                               const FirstHit& hit) {
   ++sample.pixel->covered;
-  if (hit.shape == last_shape_ && merge(sample, rays, ray, hit)) return;
+  const auto surface = [&] { return surface_at(prepared_, rays, ray, hit); };
+  if (hit.shape == last_shape_ && merge(figure_points_, sample, surface)) return;
   last_shape_ = hit.shape;
-  figure_points_.push_back({sample, surface_at(prepared_, rays, ray, hit)});
+  figure_points_.push_back({sample, surface()});
 }
 
-// Lets the last point, of the same shape, represent this sample, too, if they may be shaded
+// Lets the last point, of the same surface, represent this sample, too, if they may be shaded
 // together. Of a pair of pixels any sample may be the shaded one, with equal probability: otherwise
 // light would shift to the left.
-bool TileRenderer::merge(const Sample& sample, const RayPacket& rays, int ray,
-                         const FirstHit& hit) {
+template <class SurfaceAt>
+bool TileRenderer::merge(std::vector<ShadingPoint>& points, const Sample& sample,
+                         const SurfaceAt& surface) {
   const int together = prepared_.quality.samples_shaded_together;
-  if (together == 1 || figure_points_.empty() || prepared_.closing_solids != nullptr) return false;
-  Sample& last = figure_points_.back().sample;
+  if (together == 1 || points.empty() || prepared_.closing_solids != nullptr) return false;
+  Sample& last = points.back().sample;
   if (last.pixel == sample.pixel) {
     if (last.index / together != sample.index / together) return false;
     last.weight += 1.0f;
@@ -247,7 +250,7 @@ bool TileRenderer::merge(const Sample& sample, const RayPacket& rays, int ray,
   last.partner = sample.pixel;
   last.partner_weight += 1.0f;
   if (pixel.sampler.fast_random(sample.index) * (last.weight + last.partner_weight) < 1.0f)
-    figure_points_.back().surface = surface_at(prepared_, rays, ray, hit);
+    points.back().surface = surface();
   return true;
 }
 
@@ -273,7 +276,15 @@ void TileRenderer::add_floor(const Sample& sample, const Vec3& point) {
   ShadingPoint floor{sample, floor_surface(point, pixel.floor_albedo)};
   floor.lights = pixel.shadow_lights & ~by_lines;
   floor.sky = pixel.floor_sky;
-  if (floor.lights != 0 || sample.index < floor.sky.rays) shadow_points_.push_back(floor);
+  floor.shares = prepared_.quality.shares_occlusion && floor.sky.rays == 0;
+  if (floor.lights == 0 && sample.index >= floor.sky.rays) return;
+  if (floor.shares && !shadow_points_.empty() && shadow_points_.back().shares &&
+      shadow_points_.back().sample.pixel == sample.pixel &&
+      merge(shadow_points_, sample, [&] { return floor.surface; })) {
+    shadow_points_.back().lights |= floor.lights;
+    return;
+  }
+  shadow_points_.push_back(floor);
 }
 
 // Light that is occluded is subtracted later from what rays show where there is no solid. Where all

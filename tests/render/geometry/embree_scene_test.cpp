@@ -37,7 +37,7 @@ float distance_to(const Shapes& shapes, std::size_t shape, const OneRay& ray) {
   }
   float found[patch_size];
   const Triangle triangle = shapes.triangle_at(shape - shapes.cones.size(), ray.time);
-  intersect_patch(patches_of({triangle})[0], ray.lanes(), 0, found);
+  intersect_patch(prepared_patch(corners_of({triangle})[0]), ray.lanes(), 0, found);
   return found[0];
 }
 

@@ -15,7 +15,7 @@ float distance_to(const Triangle& triangle, const Vec3& origin, const Vec3& dire
   const RayLanes ray{&origin.x(),    &origin.y(),    &origin.z(),
                      &direction.x(), &direction.y(), &direction.z()};
   float found[patch_size];
-  intersect_patch(patches_of({triangle})[0], ray, 0, found);
+  intersect_patch(prepared_patch(corners_of({triangle})[0]), ray, 0, found);
   return found[0];
 }
 
@@ -83,13 +83,13 @@ TEST_F(Triangles, AreHitInPatchesAsOneByOne) {
   for (int trial = 0; trial < 2000; ++trial) {
     std::vector<Triangle> triangles;
     for (int i = 0; i < 11; ++i) triangles.push_back({place(1.0f), place(1.0f), place(1.0f)});
-    const std::vector<TrianglePatch> patches = patches_of(triangles);
+    const std::vector<PatchCorners> patches = corners_of(triangles);
     ASSERT_EQ(patches.size(), 2u);
     Ray ray{4.0f * place(1.0f), Vec3::Zero()};
     ray.direction = (place(0.5f) - ray.origin).normalized();
     for (std::size_t patch = 0; patch < 2; ++patch) {
       float found[patch_size];
-      const float nearest = intersect_patch(patches[patch], ray.lanes(), 0, found);
+      const float nearest = intersect_patch(prepared_patch(patches[patch]), ray.lanes(), 0, found);
       EXPECT_EQ(nearest, *std::min_element(found, found + patch_size));
       for (std::size_t k = 0; k < patch_size; ++k) {
         const std::size_t number = patch * patch_size + k;
@@ -125,7 +125,7 @@ TEST_F(Triangles, OccludeRaysThatTheyHitWithinReach) {
   for (int trial = 0; trial < 500; ++trial) {
     std::vector<Triangle> triangles;
     for (int i = 0; i < 5; ++i) triangles.push_back({place(1.0f), place(1.0f), place(1.0f)});
-    const TrianglePatch patch = patches_of(triangles)[0];
+    const TrianglePatch patch = prepared_patch(corners_of(triangles)[0]);
     float origins[3][max_lanes], directions[3][max_lanes], reach[max_lanes], before[max_lanes];
     int valid[max_lanes];
     const RayLanes rays{origins[0],    origins[1],    origins[2],
