@@ -57,7 +57,7 @@ std::size_t stated_frames(const C3dFile& file, std::size_t held) {
   if (last < largest_word && first <= last && last > 0)
     return last - std::max<std::size_t>(first, 1) + 1;
   if (actual > 0) return actual;
-  return counted < largest_word ? counted : 0;
+  return counted == largest_word ? 0 : counted;
 }
 
 std::size_t data_start(const C3dFile& file) {
