@@ -81,8 +81,7 @@ std::optional<JointTransform> transform_at(const C3dFile& file, std::size_t byte
     origin[row] = value(row, 3);
   }
   const float mark = c3d_real(at + 4 * 16, file.processor);
-  if (mark < 0.0f || !turn.allFinite() || !origin.allFinite() || turn.isZero())
-    return std::nullopt;
+  if (mark < 0.0f || !turn.allFinite() || !origin.allFinite() || turn.isZero()) return std::nullopt;
   constexpr double most_deviation = 0.02;
   if (!(turn.transpose() * turn - Mat3::Identity()).isZero(most_deviation) ||
       turn.determinant() < 0.0 || origin.cwiseAbs().maxCoeff() > 1e12) {
