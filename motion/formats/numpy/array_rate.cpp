@@ -10,7 +10,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> names = {
+constexpr std::array<std::string_view, 6> rate_names = {
     "mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate", "frames_per_second"};
 
 constexpr std::string_view ask_for_rate = "state the rate with fps:";
@@ -34,12 +34,12 @@ double rate_in(const NpyArray& array, const std::string& file) {
 
 }  // namespace
 
-std::vector<std::string_view> rate_array_names() { return {names.begin(), names.end()}; }
+std::vector<std::string_view> rate_array_names() { return {rate_names.begin(), rate_names.end()}; }
 
 std::optional<double> stated_rate(const Npz& npz) {
   const NpyArray* first = nullptr;
   double rate = 0.0;
-  for (const std::string_view name : names) {
+  for (const std::string_view name : rate_names) {
     const NpyArray* const array = find_array(npz, name);
     if (!array) continue;
     const double stated = rate_in(*array, npz.file);
