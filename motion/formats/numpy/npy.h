@@ -56,8 +56,8 @@ NpyArray read_npy(const std::filesystem::path& path);
 /// As `parse_npy`, for a member of an .npz file; takes over its bytes.
 NpyArray npy_member(std::string bytes, const std::string& file_name, std::string_view name);
 
-/// The elements as numbers, the last index varying fastest, whatever the order in the file. Numbers
-/// of 16 to 64 bits and booleans; throws mien::Error at `place` for others.
+/// The elements as numbers, the last index varying fastest, whatever the order in the file. At most
+/// 2²⁹ numbers of 8 to 64 bits or booleans; throws mien::Error at `place` for others.
 std::vector<double> numbers_of(const NpyArray& array, const Place& place);
 
 /// The elements of an array of text ('U' or 'S') in UTF-8, without zeros at their ends. Throws

@@ -11,6 +11,8 @@ namespace mien::motion {
 
 namespace {
 
+constexpr std::size_t most_numbers = std::size_t{1} << 29U;  // 4 GiB
+
 template <typename Number>
 Number reversed(Number number) {
   unsigned char bytes[sizeof number];
@@ -147,6 +149,9 @@ std::vector<double> numbers_of(const NpyArray& array, const Place& place) {
   if (array.type.bytes == 0 || array.bytes.size() / array.type.bytes != array.size()) {
     throw Error(place, described(array) + " holds no numbers", "save it as an array of numbers");
   }
+  if (array.size() > most_numbers)
+    throw Error(place, described(array) + " holds more than 536870912 numbers",
+                "cut the motion into shorter files");
   std::vector<double> numbers(array.size());
   if (!convert_by_type(array, numbers)) {
     throw Error(place,

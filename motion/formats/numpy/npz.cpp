@@ -16,8 +16,9 @@ namespace {
 
 /// A header of an array that is not wanted is expected within so many bytes.
 constexpr std::size_t most_header_bytes = (std::size_t{1} << 16U) + 12;
-/// Deflate makes 258 bytes of 2 bits at best.
-constexpr std::uintmax_t most_expansion = 1032;
+/// Memory is reserved for so many times the archive's own size; beyond that it grows with what is
+/// really there.
+constexpr std::uintmax_t usual_expansion = 8;
 
 struct ArchiveFreeing {
   void operator()(archive* one) const { archive_free(one); }
@@ -82,9 +83,9 @@ std::uintmax_t stated_size(archive_entry* entry) {
 std::string unpacked(NpzReader& reader, archive_entry* entry, const std::string& name,
                      std::uintmax_t enough) {
   const std::uintmax_t stated = stated_size(entry);
-  const std::uintmax_t possible = most_expansion * reader.bytes.size();
+  const std::uintmax_t usual = usual_expansion * reader.bytes.size();
   std::string content;
-  content.reserve(static_cast<std::size_t>(std::min({stated, enough, possible, reader.most})));
+  content.reserve(static_cast<std::size_t>(std::min({stated, enough, usual, reader.most})));
   while (content.size() < enough) {
     const void* part = nullptr;
     std::size_t count = 0;

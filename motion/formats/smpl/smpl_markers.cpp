@@ -1,5 +1,6 @@
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "motion/formats/numpy/array_rate.h"
@@ -38,20 +39,24 @@ std::vector<std::string> labels_in(const Npz& npz, std::size_t count) {
               "save a name for each marker");
 }
 
+/// `base`, or `base` and the next number after `number` that makes it a new name.
+std::string new_name(const std::string& base, int& number, std::set<std::string>& taken) {
+  std::string name = base;
+  while (!taken.insert(name).second) name = base + " " + std::to_string(++number);
+  return name;
+}
+
 /// Names that all differ, and none is empty.
 std::vector<std::string> distinct(std::vector<std::string> names) {
   std::set<std::string> taken(names.begin(), names.end());
-  std::set<std::string> used;
+  std::map<std::string, int> numbers;  // of the names that were met
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string base = names[i].empty() ? "marker_" + std::to_string(i + 1) : names[i];
-    std::string name = base;
-    bool is_new = names[i].empty() ? !taken.contains(name) : true;
-    for (int number = 2; !is_new || used.contains(name); ++number) {
-      name = base + " " + std::to_string(number);
-      is_new = !taken.contains(name);
-    }
-    used.insert(name);
-    names[i] = std::move(name);
+    std::string& name = names[i];
+    const bool is_empty = name.empty();
+    if (is_empty) name = "marker_" + std::to_string(i + 1);
+    const auto [number, is_first] = numbers.try_emplace(is_empty ? "" : name, 1);
+    if (is_empty) number->second = 1;
+    if (is_empty || !is_first) name = new_name(name, number->second, taken);
   }
   return names;
 }

@@ -21,14 +21,14 @@ constexpr std::string_view save_as_amass =
     "save an array poses of T × 72 (SMPL), 156 (SMPL-H) or 165 (SMPL-X) numbers as AMASS does";
 
 /// An array of several, and where its rotations belong.
-struct Part {
+struct PosePart {
   std::string_view name;
   std::size_t width;        ///< numbers a frame
   std::size_t smplh_joint;  ///< its first joint; 0: none
   std::size_t smplx_joint;
 };
 
-constexpr std::array<Part, 8> parts = {{
+constexpr std::array<PosePart, 8> parts = {{
     {"pose_hand", 90, 22, 25},
     {"left_hand_pose", 45, 22, 25},
     {"right_hand_pose", 45, 37, 40},
@@ -80,6 +80,7 @@ SmplRotations whole(const Npz& npz, const NpyArray& array) {
   const bool is_table = dimensions == 2 || (dimensions == 3 && array.shape[2] == 3);
   if (!is_table || width % 3 != 0 || !is_smpl_joint_count(width / 3))
     refuse_shape(npz, array, "not T × 66, 72, 156 or 165");
+  require_reasonable_size({npz.file}, width / 3, array.shape[0]);
   SmplRotations rotations{array.shape[0], width / 3, numbers_of(array, {npz.file})};
   require_finite(array, rotations.axis_angles, npz.file);
   return rotations;
@@ -102,17 +103,17 @@ void put(SmplRotations& rotations, const Npz& npz, const NpyArray& array, std::s
                     static_cast<std::ptrdiff_t>(3 * (t * rotations.joints + first_joint)));
 }
 
-bool is_hand(const Part& part) { return part.smplh_joint != 0; }
+bool is_hand(const PosePart& part) { return part.smplh_joint != 0; }
 
 /// Hands as principal components need the model's own hand space.
-bool is_hand_components(const Part& part, const NpyArray& array) {
+bool is_hand_components(const PosePart& part, const NpyArray& array) {
   return is_hand(part) && array.shape.size() == 2 && width_of(array) < part.width;
 }
 
 std::size_t joints_of_parts(const Npz& npz, std::size_t body_width) {
   bool has_hands = false;
   bool has_face = false;
-  for (const Part& part : parts) {
+  for (const PosePart& part : parts) {
     const NpyArray* const array = find_array(npz, part.name);
     if (!array) continue;
     has_face = has_face || !is_hand(part);
@@ -138,7 +139,7 @@ SmplRotations assembled(const Npz& npz, const NpyArray& root, std::vector<std::s
   rotations.axis_angles.assign(3 * rotations.frames * rotations.joints, 0.0);
   put(rotations, npz, root, 0, 3);
   put(rotations, npz, *body, 1, body_width);
-  for (const Part& part : parts) {
+  for (const PosePart& part : parts) {
     const NpyArray* const array = find_array(npz, part.name);
     if (!array) continue;
     if (is_hand_components(part, *array)) {
@@ -158,7 +159,7 @@ std::vector<std::string_view> smpl_rotation_arrays() {
   std::vector<std::string_view> names;
   for (const auto& some : {whole_names, root_names, body_names})
     names.insert(names.end(), some.begin(), some.end());
-  for (const Part& part : parts) names.push_back(part.name);
+  for (const PosePart& part : parts) names.push_back(part.name);
   return names;
 }
 
@@ -172,7 +173,6 @@ SmplRotations smpl_rotations(const Npz& npz, std::vector<std::string>& notes) {
   const NpyArray* const root = first_of(npz, root_names);
   if (!poses && !root) refuse_layout(npz);
   SmplRotations rotations = poses ? whole(npz, *poses) : assembled(npz, *root, notes);
-  require_reasonable_size({npz.file}, rotations.joints, rotations.frames);
   if (rotations.frames == 0)
     throw Error({npz.file}, "holds no frames", "save a motion of at least one frame");
   return rotations;

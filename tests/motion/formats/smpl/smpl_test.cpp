@@ -288,6 +288,14 @@ TEST(Smpl, MarkersAtTheOriginAreMissing) {
                     parse_smpl_markers(npz_file(without(members, "mocap_framerate")), "m.npz");
                   }),
                   "does not state its frame rate"));
+  const auto named = [&](const std::vector<std::string>& labels) {
+    const auto file = with(members, {"marker_labels", npy_text(labels, 8)});
+    return parse_smpl_markers(npz_file(file), "m.npz").points;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(named({"A", "A", "A 2", "A"}), (Names{"A", "A 3", "A 2", "A 4"}));
+  EXPECT_EQ(named({"", "marker_1", "", ""}),
+            (Names{"marker_1 2", "marker_1", "marker_3", "marker_4"}));
   const auto other = with(members, {"marker_labels", npy_text({"A", "B"}, 1)});
   EXPECT_TRUE(has(refusal_of([&] { parse_smpl_markers(npz_file(other), "m.npz"); }),
                   "holds 2 names for 4 markers"));
