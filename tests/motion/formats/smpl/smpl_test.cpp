@@ -71,8 +71,12 @@ void expect_oracle(const Recording& recording, const SmplMotion& motion) {
     const std::vector<Vec3> expected =
         smpl_positions(offsets, parents, turns, Vec3::Map(&motion.trans[3 * t]));
     const std::vector<Vec3> read = world_positions(recording.skeleton, recording.poses[t]);
-    for (std::size_t j = 0; j < motion.joints; ++j)
+    for (std::size_t j = 0; j < motion.joints; ++j) {
       EXPECT_LT((read[j] - expected[j]).norm(), 1e-12) << t << " " << j;
+      // Positions do not show how the last joint of a limb is turned.
+      const Mat3 turn = recording.poses[t].rotations[j].toRotationMatrix();
+      EXPECT_LT((turn - rodrigues(turns[j])).norm(), 1e-12) << t << " " << j;
+    }
   }
 }
 
