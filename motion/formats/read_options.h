@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@ struct ReadOptions {
   std::optional<std::string> subject;       ///< name or number, from 1, of one of several people
   std::optional<double> frames_per_second;  ///< for files that state no rate; overrides any other
   std::vector<std::string> joints;          ///< names of the points, for files without names
+  /// The user's own SMPL model (.npz), which gives the body of SMPL motions (smpl_model.h). Empty:
+  /// none.
+  std::filesystem::path body_model;
 };
 
 }  // namespace mien::motion

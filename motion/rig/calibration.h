@@ -16,6 +16,12 @@ struct Calibration {
   bool from_rest_pose = false;  ///< whether the zero pose (T-pose or arms down) was used
 };
 
+/// What the zero pose of a rig is worth.
+enum class ZeroPose {
+  checked,  ///< a plausible figure, unless the motion contradicts it
+  defined,  ///< the format defines it, as SMPL its T-pose: only the feet are checked
+};
+
 /// Finds the constants from recordings of one rig, all with the same `joints`.
 ///
 /// Each bone of the rig is aligned with `rest_direction` of its joint. The twist about the bone is
@@ -24,9 +30,10 @@ struct Calibration {
 /// measured: for thighs and shanks from the flexion axis of the knee, for upper arms and forearms
 /// from that of the elbow (mean over frames with more than 15° of flexion), for the trunk from the
 /// lines through hips and shoulders, for neck, head, clavicles and hands from their mean
-/// orientation relative to chest and forearm, for feet from standing flat. If the rig aligns its
-/// limbs with axes of their joint frames, a measured reference near such an axis is
-/// replaced by that axis, so that all recordings of the rig agree.
-Calibration calibrate(std::span<const RigMotion> motions);
+/// orientation relative to chest and forearm, for feet from standing flat. A zero pose that the
+/// format defines is measured for the feet only. If the rig aligns its limbs with axes of their
+/// joint frames, a measured reference near such an axis is replaced by that axis, so that all
+/// recordings of the rig agree.
+Calibration calibrate(std::span<const RigMotion> motions, ZeroPose zero_pose = ZeroPose::checked);
 
 }  // namespace mien::motion

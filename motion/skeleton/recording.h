@@ -14,7 +14,7 @@ namespace mien::motion {
 /// `to_body` (body_mapping.h) turns it into a Clip of the canonical body.
 struct Recording {
   std::string name;    ///< file name without folder and extension
-  std::string format;  ///< "bvh", "amc", "gltf"; "bind pose" of a character
+  std::string format;  ///< "bvh", "amc", "gltf", "smpl"; "bind pose" of a character
   Skeleton skeleton;
   double frames_per_second = 30.0;
   std::vector<Pose> poses;

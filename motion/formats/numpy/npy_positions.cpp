@@ -1,0 +1,240 @@
+#include "motion/formats/numpy/npy_positions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "motion/formats/numpy/array_rate.h"
+#include "motion/formats/numpy/joint_orders.h"
+#include "motion/formats/numpy/npz.h"
+#include "motion/formats/recording_limits.h"
+#include "motion/text/excerpt.h"
+#include "motion/text/result_file.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr std::string_view save_positions =
+    "save the positions of J joints in T frames as an array of T × J × 3";
+constexpr std::size_t humanml3d_joints = 22;
+constexpr double humanml3d_rate = 20.0;
+
+/// Frames, joints and coordinates, without leading extents of 1.
+struct Extents {
+  std::size_t frames = 0;
+  std::size_t joints = 0;
+};
+
+std::optional<Extents> extents_of(const NpyArray& array) {
+  std::span<const std::size_t> shape = array.shape;
+  while (shape.size() > 3 && shape.front() == 1) shape = shape.subspan(1);
+  if (shape.size() != 3 || shape[2] != 3 || shape[0] == 0 || shape[1] == 0) return std::nullopt;
+  return Extents{shape[0], shape[1]};
+}
+
+[[noreturn]] void refuse_shape(const NpyArray& array, const std::string& file) {
+  const std::vector<std::size_t>& shape = array.shape;
+  const std::string has_shape =
+      described(array) + " has the shape " + excerpt(shape_text(array)) + ", which is ";
+  const bool is_table = shape.size() == 2;
+  if (is_table && (shape[1] == 263 || shape[1] == 251)) {
+    const bool is_humanml3d = shape[1] == 263;
+    throw Error({file},
+                has_shape + "that of " + (is_humanml3d ? "HumanML3D" : "KIT-ML") +
+                    " features, not of positions",
+                std::string("recover the joints with recover_from_ric(data, ") +
+                    (is_humanml3d ? "22" : "21") + ") of HumanML3D, and save those");
+  }
+  if (shape.size() >= 3 && shape.back() == 2)
+    throw Error({file}, has_shape + "that of positions in the picture plane (2-D)",
+                "reconstruct the motion in 3-D first");
+  throw Error({file}, has_shape + "not T × J × 3", save_positions);
+}
+
+/// The only array of T × J × 3 of an .npz file.
+std::string positions_name(const Npz& outlines) {
+  std::vector<std::string> names;
+  for (const NpyArray& array : outlines.arrays)
+    if (extents_of(array) && array.type.kind != 'O') names.push_back(array.name);
+  if (names.size() == 1) return names.front();
+  if (names.size() > 1)
+    throw Error({outlines.file}, "holds several arrays of positions: " + listed(names),
+                "save the one of the joints alone");
+  for (const NpyArray& array : outlines.arrays) require_readable(array, {outlines.file});
+  if (outlines.arrays.size() == 1) refuse_shape(outlines.arrays.front(), outlines.file);
+  for (const NpyArray& array : outlines.arrays) names.push_back(array.name);
+  throw Error({outlines.file}, "holds no array of positions, T × J × 3, but " + listed(names),
+              save_positions);
+}
+
+/// The array, and the rates where it stands in an .npz file.
+Npz positions_in(std::string_view bytes, const std::string& file) {
+  if (!bytes.starts_with("PK")) return {file, {parse_npy(bytes, file)}};
+  const std::string name = positions_name(parse_npz(bytes, file, WantedArrays(std::in_place)));
+  std::vector<std::string_view> wanted = rate_array_names();
+  wanted.push_back(name);
+  Npz npz = parse_npz(bytes, file, wanted);
+  const auto found = std::find_if(npz.arrays.begin(), npz.arrays.end(),
+                                  [&](const NpyArray& array) { return array.name == name; });
+  std::iter_swap(npz.arrays.begin(), found);
+  return npz;
+}
+
+/// How much the bones of an order change their length over the frames, and how long they are:
+/// standard deviation and mean, summed over the bones.
+struct BoneLengths {
+  double change = 0.0;
+  double length = 0.0;
+};
+
+BoneLengths bone_lengths(const PointRecording& recording, std::size_t joints,
+                         const JointOrder& order) {
+  BoneLengths sum;
+  for (const auto& [from, to] : order.bones) {
+    double count = 0.0;
+    double mean = 0.0;
+    double square = 0.0;
+    for (std::size_t t = 0; t < recording.positions.size() / joints; ++t) {
+      const std::size_t a = t * joints + static_cast<std::size_t>(from);
+      const std::size_t b = t * joints + static_cast<std::size_t>(to);
+      if (!recording.seen[a] || !recording.seen[b]) continue;
+      const double length = (recording.positions[a] - recording.positions[b]).norm();
+      count += 1.0;
+      const double before = mean;
+      mean += (length - before) / count;
+      square += (length - before) * (length - mean);
+    }
+    if (count == 0.0) continue;
+    sum.change += std::sqrt(square / count);
+    sum.length += mean;
+  }
+  return sum;
+}
+
+/// The order of 25 joints whose bones are clearly the shorter, and not the less constant.
+const JointOrder* order_by_bones(const PointRecording& recording) {
+  const JointOrder* const kinect = joint_order("kinect");
+  const JointOrder* const openpose = joint_order("body_25");
+  const BoneLengths of_kinect = bone_lengths(recording, 25, *kinect);
+  const BoneLengths of_openpose = bone_lengths(recording, 25, *openpose);
+  const auto fits_better = [](const BoneLengths& a, const BoneLengths& b) {
+    return a.length < 0.75 * b.length && a.change <= b.change;
+  };
+  if (fits_better(of_kinect, of_openpose)) return kinect;
+  return fits_better(of_openpose, of_kinect) ? openpose : nullptr;
+}
+
+const JointOrder* order_by_count(const PointRecording& recording, std::size_t joints) {
+  if (joints == 25) return order_by_bones(recording);
+  for (const JointOrder& order : joint_orders())
+    if (order.joints.size() == joints) return &order;
+  return nullptr;
+}
+
+void set_names(PointRecording& recording, std::size_t joints, const ReadOptions& options,
+               const std::string& file) {
+  const std::vector<std::string>& given = options.joints;
+  const JointOrder* const named = given.size() == 1 ? joint_order(given.front()) : nullptr;
+  if (!given.empty() && !named) {
+    const bool all_differ =
+        std::set<std::string>(given.begin(), given.end()).size() == given.size();
+    if (given.size() != joints || !all_differ || std::count(given.begin(), given.end(), "") > 0)
+      throw Error({file},
+                  "joints: gives " + std::to_string(given.size()) + " names, but the array holds " +
+                      std::to_string(joints) + " joints, each of which needs a name of its own",
+                  "name the joints in the order of the array");
+    recording.points = given;
+    return;
+  }
+  const JointOrder* const order = named ? named : order_by_count(recording, joints);
+  if (!order)
+    throw Error({file}, "the order of its " + std::to_string(joints) + " joints is not known",
+                "list their names with joints:, in the order of the array, or name a known order "
+                "(humanml3d, smpl, h36m, kinect, body_25, mediapipe)");
+  if (order->joints.size() != joints)
+    throw Error({file},
+                "joints: " + std::string(order->name) + " has " +
+                    std::to_string(order->joints.size()) + " joints, but the array holds " +
+                    std::to_string(joints),
+                "list the names of the joints in the order of the array");
+  recording.points.assign(order->joints.begin(), order->joints.end());
+  if (!named)
+    recording.notes.push_back("The order of the " + std::to_string(joints) +
+                              " joints is taken to be that of " + std::string(order->name) +
+                              "; another can be named with joints:.");
+}
+
+void set_rate(PointRecording& recording, std::size_t joints, const Npz& npz,
+              const ReadOptions& options) {
+  if (options.frames_per_second) {
+    recording.frames_per_second = checked_rate(*options.frames_per_second, npz.file);
+    return;
+  }
+  std::optional<double> rate = stated_rate(npz);
+  if (!rate && joints == humanml3d_joints && options.joints.empty()) {
+    rate = humanml3d_rate;
+    recording.notes.push_back(
+        "The file does not state its frame rate: 20 Hz, that of HumanML3D, is used.");
+  }
+  if (!rate) throw no_rate(npz.file);
+  recording.frames_per_second = *rate;
+}
+
+}  // namespace
+
+PointRecording parse_npy_positions(std::string_view bytes, const std::string& file_name,
+                                   const ReadOptions& options) {
+  const Npz npz = positions_in(bytes, file_name);
+  const NpyArray& array = npz.arrays.front();
+  const std::optional<Extents> extents = extents_of(array);
+  if (!extents) refuse_shape(array, file_name);
+  require_reasonable_size({file_name}, extents->joints, extents->frames);
+  PointRecording recording;
+  recording.name = std::filesystem::path(file_name).stem().string();
+  recording.format = "npy";
+  const std::vector<double> numbers = numbers_of(array, {file_name});
+  recording.positions.assign(numbers.size() / 3, Vec3::Zero());
+  recording.seen.assign(numbers.size() / 3, false);
+  for (std::size_t i = 0; i < recording.positions.size(); ++i) {
+    const Vec3 position(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+    if (position.hasNaN()) continue;
+    if (position.cwiseAbs().maxCoeff() > 1e12)
+      throw Error({file_name},
+                  described(array) + " holds a number in frame " +
+                      std::to_string(i / extents->joints + 1) + " that is too large",
+                  "save what is missing as NaN");
+    recording.positions[i] = position;
+    recording.seen[i] = true;
+  }
+  set_names(recording, extents->joints, options, file_name);
+  set_rate(recording, extents->joints, npz, options);
+  if (recording.points.front() == "pelvis" && extents->joints == humanml3d_joints &&
+      options.joints.empty()) {
+    recording.unit = "m";
+    recording.metres_per_unit = 1.0;
+  }
+  return recording;
+}
+
+PointRecording read_npy_positions(const std::filesystem::path& path, const ReadOptions& options) {
+  return parse_npy_positions(npz_contents(path), path.string(), options);
+}
+
+std::string to_positions_npy(const Recording& recording) {
+  std::vector<double> numbers;
+  numbers.reserve(3 * recording.poses.size() * recording.skeleton.joints.size());
+  for (const Pose& pose : recording.poses)
+    for (const Vec3& position : world_positions(recording.skeleton, pose))
+      numbers.insert(numbers.end(), position.begin(), position.end());
+  return to_npy(
+      array_of_floats(numbers, {recording.poses.size(), recording.skeleton.joints.size(), 3}));
+}
+
+void write_positions_npy(const Recording& recording, const std::filesystem::path& path) {
+  write_result(path, to_positions_npy(recording));
+}
+
+}  // namespace mien::motion

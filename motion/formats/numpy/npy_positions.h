@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "motion/formats/read_options.h"
+#include "motion/points/point_recording.h"
+#include "motion/skeleton/recording.h"
+
+namespace mien::motion {
+
+/// Reads joint positions from a NumPy array of T × J × 3 (.npy), or from the only such array of an
+/// .npz file; an extent of 1 may stand before. A point with a value that is not a number is missing
+/// in that frame.
+///
+/// - Names: `options.joints`, J of them or the name of one known order (joint_orders.h). Otherwise
+///   by J: 22 HumanML3D, 24 SMPL, 17 Human3.6M, 33 MediaPipe, which is noted. Of the two known
+///   orders of 25, Kinect and BODY_25, it is the one whose bones keep their lengths better over the
+///   frames and are shorter, if that is clear.
+/// - Rate: `options.frames_per_second`, or that stated in an .npz file (array_rate.h). 22 joints
+///   have 20 Hz, HumanML3D's rate, and metres, which is noted.
+///
+/// Throws mien::Error, naming the array and its shape, for arrays of HumanML3D or KIT-ML features
+/// (T × 263, T × 251), two-dimensional positions (T × J × 2), other shapes, Python objects, numbers
+/// of joints whose order is not known, and files without a rate.
+PointRecording read_npy_positions(const std::filesystem::path& path,
+                                  const ReadOptions& options = {});
+
+/// As above, for an .npy or .npz file in memory.
+PointRecording parse_npy_positions(std::string_view bytes, const std::string& file_name,
+                                   const ReadOptions& options = {});
+
+/// The joint positions of a recording as an .npy file: T × J × 3 numbers of 32 bits, in the unit
+/// and axes of the recording, joints in its order.
+std::string to_positions_npy(const Recording& recording);
+
+/// Writes them. Throws WriteFailure if the file cannot be written.
+void write_positions_npy(const Recording& recording, const std::filesystem::path& path);
+
+}  // namespace mien::motion
