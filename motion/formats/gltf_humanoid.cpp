@@ -13,11 +13,9 @@ namespace mien::motion {
 
 namespace {
 
-using Json = nlohmann::json;
-
 /// A member of an object; null if the value is no object or has none of that name.
-const Json& member(const Json& value, std::string_view name) {
-  static const Json none;
+const nlohmann::json& member(const nlohmann::json& value, std::string_view name) {
+  static const nlohmann::json none;
   if (!value.is_object()) return none;
   const auto found = value.find(name);
   return found == value.end() ? none : *found;
@@ -33,7 +31,7 @@ class BoneList {
  public:
   BoneList(size_t nodes, const std::string& file) : nodes_(nodes), file_(file) {}
 
-  void add(const std::string& bone, const Json& node) {
+  void add(const std::string& bone, const nlohmann::json& node) {
     if (node.is_number_integer() && !node.is_number_unsigned()) return;  // −1: not in this figure
     if (!node.is_number_unsigned()) refuse_bone(file_, bone, "has no node");
     const auto index = node.get<std::uint64_t>();
@@ -54,19 +52,21 @@ class BoneList {
 
 }  // namespace
 
-std::vector<HumanBone> human_bones(const Json& document, size_t nodes, const std::string& name) {
-  const Json& extensions = member(document, "extensions");
+std::vector<HumanBone> human_bones(const nlohmann::json& document, size_t nodes,
+                                   const std::string& name) {
+  const nlohmann::json& extensions = member(document, "extensions");
   BoneList list(nodes, name);
   for (const char* extension : {"VRMC_vrm_animation", "VRMC_vrm"}) {
-    const Json& bones = member(member(member(extensions, extension), "humanoid"), "humanBones");
+    const nlohmann::json& bones =
+        member(member(member(extensions, extension), "humanoid"), "humanBones");
     if (!bones.is_object()) continue;
     for (const auto& [bone, value] : bones.items()) list.add(bone, member(value, "node"));
     return std::move(list.bones);
   }
-  const Json& bones = member(member(member(extensions, "VRM"), "humanoid"), "humanBones");
+  const nlohmann::json& bones = member(member(member(extensions, "VRM"), "humanoid"), "humanBones");
   if (!bones.is_array()) return {};
-  for (const Json& value : bones) {
-    const Json& bone = member(value, "bone");
+  for (const nlohmann::json& value : bones) {
+    const nlohmann::json& bone = member(value, "bone");
     if (bone.is_string()) list.add(bone.get<std::string>(), member(value, "node"));
   }
   return std::move(list.bones);

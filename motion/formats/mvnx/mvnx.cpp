@@ -16,7 +16,7 @@ namespace mien::motion {
 
 namespace {
 
-std::string number_text(double number) {
+std::string short_number(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", number);
   std::string written = text;
@@ -85,7 +85,7 @@ void require_rotations(const TextCursor& cursor, const MvnxSubject& subject) {
   }
 }
 
-double median(std::vector<double>& numbers) {
+double middle_of(std::vector<double>& numbers) {
   const auto middle = numbers.begin() + static_cast<long>(numbers.size() / 2);
   std::nth_element(numbers.begin(), middle, numbers.end());
   return *middle;
@@ -99,7 +99,7 @@ Vec3 median_offset(const SegmentMotion& motion, std::size_t t) {
     y.push_back(offset.y());
     z.push_back(offset.z());
   }
-  return {median(x), median(y), median(z)};
+  return {middle_of(x), middle_of(y), middle_of(z)};
 }
 
 Skeleton skeleton_of(const SegmentMotion& motion) {
@@ -151,7 +151,7 @@ void note_loose_joints(const SegmentMotion& motion, Recording& recording) {
   if (farthest <= much) return;
   recording.notes.push_back("The segments move against each other, " +
                             in_quotes(recording.skeleton.joints[loosest].name) + " by up to " +
-                            number_text(100.0 * farthest) +
+                            short_number(100.0 * farthest) +
                             " cm; bones of constant length are used.");
 }
 
@@ -168,7 +168,7 @@ bool are_steps_of(double rate, const std::vector<double>& milliseconds) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < milliseconds.size(); ++i)
     steps.push_back(milliseconds[i] - milliseconds[i - 1]);
-  return std::abs(median(steps) - 1000.0 / rate) <= 1.0;
+  return std::abs(middle_of(steps) - 1000.0 / rate) <= 1.0;
 }
 
 void set_frame_rate(const TextCursor& cursor, const MvnxSubject& subject,
@@ -176,22 +176,22 @@ void set_frame_rate(const TextCursor& cursor, const MvnxSubject& subject,
   const double stated = subject.frame_rate;
   const double timed = rate_of_times(subject.times);
   if (stated != 0.0 && !(stated >= 0.1 && stated <= 1e5))
-    fail(cursor, subject.place, "a frame rate of " + number_text(stated) + " Hz",
+    fail(cursor, subject.place, "a frame rate of " + short_number(stated) + " Hz",
          "state the frames per second as frameRate");
   if (options.frames_per_second) {
     recording.frames_per_second = *options.frames_per_second;
   } else if (timed > 0.0 && stated > 0.0 && !are_steps_of(stated, subject.times)) {
     recording.frames_per_second = timed;
-    recording.notes.push_back("The file states " + number_text(stated) +
-                              " Hz, but its times advance as at " + number_text(timed) +
+    recording.notes.push_back("The file states " + short_number(stated) +
+                              " Hz, but its times advance as at " + short_number(timed) +
                               " Hz, which is used.");
   } else if (stated > 0.0) {
     recording.frames_per_second = stated;
   } else if (timed > 0.0) {
     recording.frames_per_second = timed;
     recording.notes.push_back(
-        "The file does not state its frame rate; that of the frames' times, " + number_text(timed) +
-        " Hz, is used.");
+        "The file does not state its frame rate; that of the frames' times, " +
+        short_number(timed) + " Hz, is used.");
   } else {
     fail(cursor, subject.place, "the frame rate is not stated", "give it with fps:");
   }

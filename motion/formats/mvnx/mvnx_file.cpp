@@ -13,7 +13,7 @@ namespace mien::motion {
 namespace {
 
 /// The elements that are read; all others, and what is in them, are `other`.
-enum class Element {
+enum class MvnxElement {
   outside,
   document,
   subject,
@@ -33,44 +33,45 @@ enum class Element {
   other,
 };
 
-struct Child {
-  Element parent;
+struct MvnxChild {
+  MvnxElement parent;
   std::string_view name;
-  Element element;
+  MvnxElement element;
 };
 
-constexpr Child children[] = {
-    {Element::outside, "mvnx", Element::document},
-    {Element::outside, "mvn", Element::document},
-    {Element::outside, "subject", Element::subject},
-    {Element::outside, "frames", Element::frames},
-    {Element::document, "subject", Element::subject},
-    {Element::document, "frames", Element::frames},
-    {Element::subject, "segments", Element::segments},
-    {Element::segments, "segment", Element::segment},
-    {Element::segment, "points", Element::points},
-    {Element::points, "point", Element::point},
-    {Element::point, "pos_b", Element::point_position},
-    {Element::subject, "joints", Element::joints},
-    {Element::joints, "joint", Element::joint},
-    {Element::joint, "connector1", Element::parent_connector},
-    {Element::joint, "connector2", Element::child_connector},
-    {Element::subject, "frames", Element::frames},
-    {Element::frames, "frame", Element::frame},
-    {Element::frame, "orientation", Element::orientation},
-    {Element::frame, "position", Element::position},
+constexpr MvnxChild known_children[] = {
+    {MvnxElement::outside, "mvnx", MvnxElement::document},
+    {MvnxElement::outside, "mvn", MvnxElement::document},
+    {MvnxElement::outside, "subject", MvnxElement::subject},
+    {MvnxElement::outside, "frames", MvnxElement::frames},
+    {MvnxElement::document, "subject", MvnxElement::subject},
+    {MvnxElement::document, "frames", MvnxElement::frames},
+    {MvnxElement::subject, "segments", MvnxElement::segments},
+    {MvnxElement::segments, "segment", MvnxElement::segment},
+    {MvnxElement::segment, "points", MvnxElement::points},
+    {MvnxElement::points, "point", MvnxElement::point},
+    {MvnxElement::point, "pos_b", MvnxElement::point_position},
+    {MvnxElement::subject, "joints", MvnxElement::joints},
+    {MvnxElement::joints, "joint", MvnxElement::joint},
+    {MvnxElement::joint, "connector1", MvnxElement::parent_connector},
+    {MvnxElement::joint, "connector2", MvnxElement::child_connector},
+    {MvnxElement::subject, "frames", MvnxElement::frames},
+    {MvnxElement::frames, "frame", MvnxElement::frame},
+    {MvnxElement::frame, "orientation", MvnxElement::orientation},
+    {MvnxElement::frame, "position", MvnxElement::position},
 };
 
-Element child_of(Element parent, std::string_view name) {
-  const auto found = std::ranges::find_if(
-      children, [&](const Child& child) { return child.parent == parent && child.name == name; });
-  return found == std::end(children) ? Element::other : found->element;
+MvnxElement child_of(MvnxElement parent, std::string_view name) {
+  const auto found = std::ranges::find_if(known_children, [&](const MvnxChild& child) {
+    return child.parent == parent && child.name == name;
+  });
+  return found == std::end(known_children) ? MvnxElement::other : found->element;
 }
 
-bool has_text(Element element) {
-  return element == Element::orientation || element == Element::position ||
-         element == Element::point_position || element == Element::parent_connector ||
-         element == Element::child_connector;
+bool has_text(MvnxElement element) {
+  return element == MvnxElement::orientation || element == MvnxElement::position ||
+         element == MvnxElement::point_position || element == MvnxElement::parent_connector ||
+         element == MvnxElement::child_connector;
 }
 
 class MvnxReader : public XmlEvents {
@@ -81,18 +82,18 @@ class MvnxReader : public XmlEvents {
     constexpr size_t deepest = 64;
     if (open_.size() >= deepest)
       fail(cursor_, place, "tags nested more than 64 deep", "this is no file of MVN");
-    const Element parent = open_.empty() ? Element::outside : open_.back();
-    const Element element = child_of(parent, name);
-    if (parent == Element::outside && element == Element::other)
+    const MvnxElement parent = open_.empty() ? MvnxElement::outside : open_.back();
+    const MvnxElement element = child_of(parent, name);
+    if (parent == MvnxElement::outside && element == MvnxElement::other)
       fail(cursor_, place, "is XML, but not MVNX: it begins with <" + excerpt(name) + ">",
            "export the motion as MVNX from MVN");
     open_.push_back(element);
     if (has_text(element)) begin_text(place);
-    if (element == Element::subject) begin_subject(attributes, place);
-    if (element == Element::frames && parent != Element::subject) begin_subject({}, place);
-    if (element == Element::segment) subject().segments.push_back({attributes.of("label"), {}});
-    if (element == Element::joint) subject().joints.emplace_back();
-    if (element == Element::frame) begin_frame(attributes, place);
+    if (element == MvnxElement::subject) begin_subject(attributes, place);
+    if (element == MvnxElement::frames && parent != MvnxElement::subject) begin_subject({}, place);
+    if (element == MvnxElement::segment) subject().segments.push_back({attributes.of("label"), {}});
+    if (element == MvnxElement::joint) subject().joints.emplace_back();
+    if (element == MvnxElement::frame) begin_frame(attributes, place);
   }
 
   void text(std::string_view characters) override {
@@ -100,16 +101,18 @@ class MvnxReader : public XmlEvents {
   }
 
   void end() override {
-    const Element element = open_.back();
+    const MvnxElement element = open_.back();
     open_.pop_back();
-    if (element == Element::point_position) add_point();
-    if (element == Element::parent_connector) subject().joints.back().parent = connected_segment();
-    if (element == Element::child_connector) subject().joints.back().child = connected_segment();
-    if (element == Element::frame && is_normal_) end_frame();
+    if (element == MvnxElement::point_position) add_point();
+    if (element == MvnxElement::parent_connector)
+      subject().joints.back().parent = connected_segment();
+    if (element == MvnxElement::child_connector)
+      subject().joints.back().child = connected_segment();
+    if (element == MvnxElement::frame && is_normal_) end_frame();
     if (!is_normal_) return;
-    if (element == Element::orientation)
+    if (element == MvnxElement::orientation)
       add_numbers(subject().orientations, orientations_before_, orientation_count_, "orientation");
-    if (element == Element::position)
+    if (element == MvnxElement::position)
       add_numbers(subject().positions, positions_before_, position_count_, "position");
   }
 
@@ -226,7 +229,7 @@ class MvnxReader : public XmlEvents {
   }
 
   const TextCursor& cursor_;
-  std::vector<Element> open_;
+  std::vector<MvnxElement> open_;
   std::string text_;  ///< of the element that is open
   size_t text_place_ = 0;
   bool is_normal_ = false;        ///< inside a frame of type "normal"

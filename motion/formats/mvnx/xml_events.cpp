@@ -11,7 +11,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr std::string_view obtain_again = "obtain or export the file again";
+constexpr std::string_view obtain_xml_again = "obtain or export the file again";
 
 /// A parser and what it calls. Exceptions must not pass through expat: the first is kept here.
 struct Parsing {
@@ -69,9 +69,10 @@ void XMLCALL on_document_type(void* user, const XML_Char*, const XML_Char*, cons
   if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
   const bool is_cut = error == XML_ERROR_NO_ELEMENTS || error == XML_ERROR_UNCLOSED_TOKEN ||
                       error == XML_ERROR_PARTIAL_CHAR || error == XML_ERROR_UNCLOSED_CDATA_SECTION;
-  if (is_cut) fail(parsing.cursor, parsing.place(), "the file is truncated", obtain_again);
+  if (is_cut) fail(parsing.cursor, parsing.place(), "the file is truncated", obtain_xml_again);
   fail(parsing.cursor, parsing.place(),
-       std::string("this is not well-formed XML (") + XML_ErrorString(error) + ")", obtain_again);
+       std::string("this is not well-formed XML (") + XML_ErrorString(error) + ")",
+       obtain_xml_again);
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ void parse_xml(const TextCursor& cursor, XmlEvents& events) {
         XML_STATUS_OK)
       refuse(parsing);
     if (at + part.size() > parsing.place() + longest_tag + piece)
-      fail(cursor, parsing.place(), "a tag or comment of more than 1 MiB", obtain_again);
+      fail(cursor, parsing.place(), "a tag or comment of more than 1 MiB", obtain_xml_again);
   }
 }
 

@@ -14,7 +14,7 @@
 namespace mien::motion {
 namespace {
 
-ReadOptions asking_for(const std::string& subject) {
+ReadOptions asking_for_figure(const std::string& subject) {
   ReadOptions options;
   options.subject = subject;
   return options;
@@ -94,7 +94,7 @@ TEST(BvhSubjects, AreReadAsFromFilesOfTheirOwn) {
   for (size_t i = 0; i < figures.size(); ++i) {
     const Recording alone = parse_bvh(to_bvh(figures[i]), "f.bvh");
     for (const std::string& wanted : {names[i], std::to_string(i + 1)}) {
-      const Recording read = parse_bvh(text, "f.bvh", asking_for(wanted));
+      const Recording read = parse_bvh(text, "f.bvh", asking_for_figure(wanted));
       expect_same_motion(read, alone);
       EXPECT_EQ(read.subjects, names);
       EXPECT_EQ(read.subject, names[i]);
@@ -117,7 +117,7 @@ TEST(BvhSubjects, ThatAreNotThereAreRefused) {
   const std::string text = together(three_figures());
   for (const char* wanted : {"C:Hips", "0", "4", "", "1x", "-1", "99999999999999999999999"}) {
     const std::string said =
-        mien::test::refusal_of([&] { parse_bvh(text, "f.bvh", asking_for(wanted)); });
+        mien::test::refusal_of([&] { parse_bvh(text, "f.bvh", asking_for_figure(wanted)); });
     EXPECT_NE(said.find("there is no subject \""), std::string::npos) << said;
     EXPECT_NE(said.find("A:Hips, B:Hips, A:Hips 3"), std::string::npos) << said;
   }
@@ -129,7 +129,7 @@ TEST(BvhSubjects, WithoutChannelsCannotBeChosen) {
       "MOTION\nFrames: 1\nFrame Time: 0.01\n10\n";
   EXPECT_NE(mien::test::refusal_of([&] { parse_bvh(text, "f.bvh"); }).find("no joint has channels"),
             std::string::npos);
-  EXPECT_EQ(parse_bvh(text, "f.bvh", asking_for("b")).skeleton.size(), 1);
+  EXPECT_EQ(parse_bvh(text, "f.bvh", asking_for_figure("b")).skeleton.size(), 1);
 }
 
 TEST(BvhSubjects, AreTooManyForAStream) {

@@ -100,7 +100,7 @@ std::string walk_document(const Clip& clip, const Quat& facing) {
   return gltf_text(numbers, nodes_of(clip.body, facing), channels, samplers);
 }
 
-Clip walk_clip() { return repeated(walk({}, 30.0, standard_body()).clip, 2); }
+Clip vrm_walk() { return repeated(walk({}, 30.0, standard_body()).clip, 2); }
 
 void expect_walk(const Recording& recording, const Clip& clip, const Quat& facing) {
   ASSERT_EQ(recording.skeleton.size(), body_joint_count);
@@ -123,7 +123,7 @@ void expect_walk(const Recording& recording, const Clip& clip, const Quat& facin
 }
 
 TEST(Vrm, AnimationsAreReadByTheirBonesWhateverTheNodesAreCalled) {
-  const Clip clip = walk_clip();
+  const Clip clip = vrm_walk();
   const Quat facing = Quat::Identity();
   const Recording recording = parse_gltf(
       with_extension(walk_document(clip, facing), "VRMC_vrm_animation", named_bones()), "a.vrma");
@@ -135,7 +135,7 @@ TEST(Vrm, AnimationsAreReadByTheirBonesWhateverTheNodesAreCalled) {
 }
 
 TEST(Vrm, FiguresOfTheOldKindFaceTheOtherWay) {
-  const Clip clip = walk_clip();
+  const Clip clip = vrm_walk();
   const Quat facing(Eigen::AngleAxisd(pi, Vec3::UnitY()));
   expect_walk(
       parse_gltf(with_extension(walk_document(clip, facing), "VRM", listed_bones()), "a.vrm"), clip,
@@ -157,7 +157,7 @@ TEST(Vrm, CharactersWithoutMotionAreATPose) {
 }
 
 TEST(Vrm, WithoutItsExtensionIsReadByTheNamesOfTheNodes) {
-  const Recording recording = parse_gltf(walk_document(walk_clip(), Quat::Identity()), "a.gltf");
+  const Recording recording = parse_gltf(walk_document(vrm_walk(), Quat::Identity()), "a.gltf");
   EXPECT_EQ(recording.skeleton.size(), body_joint_count + 1);
   EXPECT_EQ(recording.skeleton.joints[1].name, "Spine");
 }

@@ -42,7 +42,7 @@ Clip t_pose_clip() {
   return clip;
 }
 
-std::string with(std::string text, std::string_view word, std::string_view other) {
+std::string with_word(std::string text, std::string_view word, std::string_view other) {
   const size_t at = text.find(word);
   EXPECT_NE(at, std::string::npos) << word;
   return text.replace(at, word.size(), other);
@@ -154,7 +154,7 @@ TEST(Mvnx, TakesTheParentsFromItsJoints) {
   const Clip clip = short_clip();
   std::string text = mvnx_text(clip);
   // A head on a bone that MVN does not have: the joints count, not the usual tree.
-  text = with(text, "<connector1>Neck/jC1Head", "<connector1>T8/jC1Head");
+  text = with_word(text, "<connector1>Neck/jC1Head", "<connector1>T8/jC1Head");
   const Recording recording = parse_mvnx(text, "walk.mvnx");
   const auto head = static_cast<size_t>(find_joint(recording.skeleton, "Head"));
   EXPECT_EQ(recording.skeleton.joints[head].parent, find_joint(recording.skeleton, "T8"));
@@ -162,7 +162,7 @@ TEST(Mvnx, TakesTheParentsFromItsJoints) {
 
 TEST(Mvnx, LeavesOutAPropAndSaysSo) {
   std::string text = mvnx_text(short_clip());
-  text = with(text, "</segments>", "<segment label=\"Prop1\" id=\"24\"/></segments>");
+  text = with_word(text, "</segments>", "<segment label=\"Prop1\" id=\"24\"/></segments>");
   const auto add_to_each = [&](const std::string& end, const std::string& numbers) {
     for (size_t at = text.find(end); at != std::string::npos; at = text.find(end, at + 99))
       text.insert(at, numbers);
@@ -244,23 +244,24 @@ TEST(Mvnx, RefusesWhatIsNotThere) {
       {"<mvnx></mvnx>", "there is no subject"},
       {"<mvnx><subject frameRate=\"60\"/></mvnx>", "f.mvnx:1:7: there are no frames of type"},
       {mvnx_text(short_clip(), {.has_positions = false}), "have no positions of the segments"},
-      {with(good, "</points>", "</pints>"), "this is not well-formed XML (mismatched tag)"},
-      {with(good, "type=\"normal\"", "type=\"other\""), ""},
-      {with(good, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
-            "<!DOCTYPE a [<!ENTITY b \"c\">]>"),
+      {with_word(good, "</points>", "</pints>"), "this is not well-formed XML (mismatched tag)"},
+      {with_word(good, "type=\"normal\"", "type=\"other\""), ""},
+      {with_word(good, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
+                 "<!DOCTYPE a [<!ENTITY b \"c\">]>"),
        "f.mvnx:1:13: a document type (DOCTYPE) is declared"},
-      {with(good, "A &amp; B", "A &b; B"), "this is not well-formed XML (undefined entity)"},
-      {with(good, "frameRate=\"60\"", "frameRate=\"sixty\""), "\"sixty\" is not a valid number"},
-      {with(good, "frameRate=\"60\"", "frameRate=\"-1\""), "a frame rate of -1 Hz"},
-      {with(good, "<connector1>Neck/jC1Head", "<connector1>Head/jC1Head"), ""},
-      {with(good, "<connector2>Head/jC1Head", "<connector2>Neck/jC1Head"),
+      {with_word(good, "A &amp; B", "A &b; B"), "this is not well-formed XML (undefined entity)"},
+      {with_word(good, "frameRate=\"60\"", "frameRate=\"sixty\""),
+       "\"sixty\" is not a valid number"},
+      {with_word(good, "frameRate=\"60\"", "frameRate=\"-1\""), "a frame rate of -1 Hz"},
+      {with_word(good, "<connector1>Neck/jC1Head", "<connector1>Head/jC1Head"), ""},
+      {with_word(good, "<connector2>Head/jC1Head", "<connector2>Neck/jC1Head"),
        "segment \"Neck\" has two parents"},
-      {with(good, "<segment label=\"Head\" id=\"7\">", "<other>"), "mismatched tag"},
-      {with(good, "<segments>", "<segments><segment label=\"Prop\"/>"),
+      {with_word(good, "<segment label=\"Head\" id=\"7\">", "<other>"), "mismatched tag"},
+      {with_word(good, "<segments>", "<segments><segment label=\"Prop\"/>"),
        "a frame has 23 segments, but 24 are listed"},
-      {with(good, "<pos_b>0 0 0", "<pos_b>0 0"), "pos_b has 2 numbers, not 3"},
-      {with(good, "<pos_b>0 0 0", "<pos_b>0 0 nan"), "\"nan\" is not a valid number"},
-      {with(good, "<pos_b>0 0 0", "<pos_b>0 0,5 1"), "\"0,5\" is not a valid number"},
+      {with_word(good, "<pos_b>0 0 0", "<pos_b>0 0"), "pos_b has 2 numbers, not 3"},
+      {with_word(good, "<pos_b>0 0 0", "<pos_b>0 0 nan"), "\"nan\" is not a valid number"},
+      {with_word(good, "<pos_b>0 0 0", "<pos_b>0 0,5 1"), "\"0,5\" is not a valid number"},
   };
   for (const Case& bad : cases) {
     if (bad.words.empty()) {
