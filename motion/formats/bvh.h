@@ -4,12 +4,13 @@
 #include <string>
 #include <string_view>
 
+#include "motion/formats/read_options.h"
 #include "motion/skeleton/recording.h"
 
 namespace mien::motion {
 
-/// Reads a BVH file (Biovision hierarchy): one ROOT, joints in any order, and on any joint up to
-/// six channels in any order. Offsets keep the unit and axes of the file; angles are in degrees.
+/// Reads a BVH file (Biovision hierarchy): joints in any order, and on any joint up to six channels
+/// in any order. Offsets keep the unit and axes of the file; angles are in degrees.
 ///
 /// - The rotation of a joint is the product of its rotation channels in CHANNELS order.
 /// - Each position channel replaces the corresponding coordinate of OFFSET. Those of the root
@@ -17,14 +18,20 @@ namespace mien::motion {
 /// - A frame may extend over several lines. Comments (# and //) are ignored.
 /// - A frame time is converted to the frame rate from which it was rounded (frame_rate.h).
 ///
+/// - A file of several figures has a ROOT for each, and the numbers of all in a frame. `subjects`
+///   lists the names of the roots; `options.subject` chooses one by name or number (from 1).
+///   Without it, the first is read, and `notes` says so.
+///
 /// Throws mien::Error with file, line and column for anything that is not a BVH motion of at least
-/// one frame, for example a second ROOT, numbers that are not finite, a frame with more or fewer
-/// numbers than there are channels, or a `Frames:` that differs from the actual number of frames.
-Recording read_bvh(const std::filesystem::path& path);
+/// one frame, for example a subject that is not there, numbers that are not finite, a frame with
+/// more or fewer numbers than there are channels, or a `Frames:` that differs from the actual
+/// number of frames.
+Recording read_bvh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// As `read_bvh`, for a text in memory; `file_name` is used in error messages and, without folder
 /// and extension, as the name of the recording.
-Recording parse_bvh(std::string_view text, const std::string& file_name);
+Recording parse_bvh(std::string_view text, const std::string& file_name,
+                    const ReadOptions& options = {});
 
 /// Maximum number of decimals written for positions, angles (degrees) and the frame time (seconds).
 inline constexpr int bvh_position_decimals = 7;

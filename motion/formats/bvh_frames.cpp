@@ -68,6 +68,7 @@ struct ShortLine {
 }
 
 void set_channel(Pose& pose, const BvhChannel& channel, double value) {
+  if (channel.joint < 0) return;
   const auto joint = static_cast<size_t>(channel.joint);
   if (channel.rotation) {
     pose.rotations[joint] = turned(pose.rotations[joint], channel.axis, value);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <iterator>
 #include <utility>
 
+#include "motion/formats/chosen_subject.h"
 #include "motion/formats/recording_limits.h"
 
 namespace mien::motion {
@@ -89,12 +90,13 @@ size_t comment_in(std::string_view line) {
 
 class HierarchyReader {
  public:
-  explicit HierarchyReader(TextCursor& cursor) : cursor_(cursor) {}
+  HierarchyReader(TextCursor& cursor, const BvhChoice& choice) : cursor_(cursor), choice_(choice) {}
 
   BvhHierarchy read() {
     expect_heading();
     while (parse_statement()) {
     }
+    if (roots_.size() > 1) keep_one_figure();
     return std::move(hierarchy_);
   }
 
@@ -135,9 +137,11 @@ class HierarchyReader {
 
   bool parse_outer_statement(std::string_view word, size_t place) {
     if (same_word(word, "ROOT")) {
-      if (!joints().empty()) {
-        fail(cursor_, place, "a second ROOT", "keep one figure per file: split it at the roots");
+      if (!roots_.empty() && !choice_.may_choose) {
+        fail(cursor_, place, "a second ROOT, but one figure alone can be streamed",
+             "stream each figure by itself");
       }
+      roots_.push_back({joints().size(), place});
       open_joint("ROOT", place);
       return true;
     }
@@ -227,8 +231,35 @@ class HierarchyReader {
     hierarchy_.channels.push_back(*channel);
   }
 
+  /// The joints of a figure follow each other, up to the next root.
+  void keep_one_figure() {
+    std::vector<std::string> names;
+    for (const Root& root : roots_) names.push_back(joints()[root.joint].name);
+    hierarchy_.subjects = subject_names(names);
+    hierarchy_.chosen =
+        chosen_subject(place_at(cursor_, roots_[1].place), hierarchy_.subjects, choice_.subject);
+    const bool is_last = hierarchy_.chosen + 1 == roots_.size();
+    const size_t first = roots_[hierarchy_.chosen].joint;
+    const size_t end = is_last ? joints().size() : roots_[hierarchy_.chosen + 1].joint;
+    std::vector<Joint> kept(std::make_move_iterator(joints().begin() + static_cast<long>(first)),
+                            std::make_move_iterator(joints().begin() + static_cast<long>(end)));
+    for (Joint& joint : kept) joint.parent = std::max(joint.parent - static_cast<int>(first), -1);
+    joints() = std::move(kept);
+    for (BvhChannel& channel : hierarchy_.channels) {
+      const auto joint = static_cast<size_t>(channel.joint);
+      channel.joint = joint >= first && joint < end ? static_cast<int>(joint - first) : -1;
+    }
+  }
+
+  struct Root {
+    size_t joint = 0;
+    size_t place = 0;
+  };
+
   TextCursor& cursor_;
+  const BvhChoice& choice_;
   BvhHierarchy hierarchy_;
+  std::vector<Root> roots_;
   std::vector<OpenJoint> open_;
 };
 
@@ -249,6 +280,12 @@ std::string without_bvh_comments(std::string_view text) {
   return plain;
 }
 
-BvhHierarchy parse_bvh_hierarchy(TextCursor& cursor) { return HierarchyReader(cursor).read(); }
+BvhHierarchy parse_bvh_hierarchy(TextCursor& cursor, const BvhChoice& choice) {
+  return HierarchyReader(cursor, choice).read();
+}
+
+bool has_channels(const BvhHierarchy& hierarchy) {
+  return std::ranges::any_of(hierarchy.channels, [](const BvhChannel& c) { return c.joint >= 0; });
+}
 
 }  // namespace mien::motion

@@ -2,7 +2,9 @@
 
 #include "motion/formats/bvh.h"
 #include "motion/formats/bvh_frames.h"
+#include "motion/formats/chosen_subject.h"
 #include "motion/formats/recording_limits.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
 
@@ -36,31 +38,36 @@ std::vector<Pose> parse_frames(TextCursor& cursor, const BvhHierarchy& hierarchy
 
 }  // namespace
 
-Recording parse_bvh(std::string_view text, const std::string& file_name) {
+Recording parse_bvh(std::string_view text, const std::string& file_name,
+                    const ReadOptions& options) {
   const std::string plain = without_bvh_comments(text);
   TextCursor cursor = start_of(plain, file_name);
-  BvhHierarchy hierarchy = parse_bvh_hierarchy(cursor);
+  BvhHierarchy hierarchy = parse_bvh_hierarchy(cursor, {.subject = options.subject});
   const auto [count, count_place] = parse_bvh_frame_count(cursor);
   if (count == 0) {
     fail(cursor, count_place, "there are no frames", "give a motion of at least one frame");
   }
-  if (hierarchy.channels.empty()) {
+  if (!has_channels(hierarchy)) {
     fail(cursor, count_place, "no joint has channels", "give the joints CHANNELS");
   }
   require_reasonable_size(place_at(cursor, count_place), hierarchy.skeleton.joints.size(), count);
   Recording recording;
-  recording.name = std::filesystem::path(file_name).stem().string();
+  recording.name = recording_name(file_name);
   recording.format = "bvh";
   recording.frames_per_second = parse_bvh_frame_rate(cursor);
   recording.poses = parse_frames(cursor, hierarchy, count, count_place);
   recording.skeleton = std::move(hierarchy.skeleton);
+  recording.subjects = hierarchy.subjects;
+  if (!hierarchy.subjects.empty()) recording.subject = hierarchy.subjects[hierarchy.chosen];
+  std::string note = note_on_subject(hierarchy.subjects, hierarchy.chosen, options.subject);
+  if (!note.empty()) recording.notes.push_back(std::move(note));
   return recording;
 }
 
-Recording read_bvh(const std::filesystem::path& path) {
+Recording read_bvh(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string text = read_contents(path);
   require_kind(text, path.string(), "bvh");
-  return parse_bvh(text, path.string());
+  return parse_bvh(text, path.string(), options);
 }
 
 }  // namespace mien::motion

@@ -69,7 +69,7 @@ void BvhStream::read_head() {
   TextCursor cursor = start_of(plain, file_);
   const size_t mark = text_.size() - cursor.text.size();
   BvhHead head;
-  head.hierarchy = parse_bvh_hierarchy(cursor);
+  head.hierarchy = parse_bvh_hierarchy(cursor, {.may_choose = false});
   const auto [frames, place] = parse_bvh_frame_count(cursor);
   head.claimed_frames = frames;
   if (head.hierarchy.channels.empty()) {

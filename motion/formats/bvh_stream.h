@@ -22,8 +22,8 @@ struct BvhHead {
 /// one frame.
 ///
 /// Throws mien::Error with file, line and column as soon as the text is found not to be BVH: for
-/// the same faults as `parse_bvh` except a wrong number of frames, and also for a header of more
-/// than 4 MiB, or a frame of more than 4 KiB plus 64 characters per number.
+/// the same faults as `parse_bvh` except a wrong number of frames, and also for a second ROOT, for
+/// a header of more than 4 MiB, or a frame of more than 4 KiB plus 64 characters per number.
 class BvhStream {
  public:
   explicit BvhStream(std::string file_name) : file_(std::move(file_name)) {}

@@ -22,6 +22,10 @@ namespace mien::motion {
 ///   A node without a name is called "joint_0", "joint_1", … by its index in the skeleton. If the
 ///   only child of a leaf joint is a node that is not animated and has no children, mesh or camera,
 ///   its position is the `tip` of the joint.
+/// - In VRM animations (.vrma) and characters (.vrm, 1.0 and 0.x), the skeleton consists of the
+/// bones
+///   of the humanoid and the nodes between them, and bones are named as VRM names them ("hips",
+///   "leftUpperArm"), whatever their nodes are called. Figures of VRM 0.x face −Z.
 /// - World positions are exact for any scales and for matrices without shear: nodes above the root
 ///   become part of the root's pose, and scales become part of the offsets. Poses get `offsets`
 ///   only if a joint moves relative to its parent by more than a millionth of the longest offset.

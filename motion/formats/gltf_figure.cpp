@@ -84,6 +84,28 @@ std::vector<JointSet> skinned_figures(const GltfFile& file, const GltfNodes& nod
   return figures;
 }
 
+/// The bones of a VRM file, without the joints of hair and clothes. Empty if it is no such file.
+std::vector<JointSet> human_figure(const GltfFile& file, const GltfNodes& nodes,
+                                   std::vector<std::string>& notes) {
+  if (file.human_nodes.empty()) return {};
+  JointSet figure{-1, file.human_nodes};
+  sort_unique(figure.joints);
+  figure.root = common_root(file, nodes, figure.joints);
+  std::vector<int> others;
+  for (const tinygltf::Skin& skin : file.model.skins)
+    others.insert(others.end(), skin.joints.begin(), skin.joints.end());
+  sort_unique(others);
+  const std::vector<int> kept = nodes_between(nodes, figure.root, figure.joints);
+  const std::set<int> inside(kept.begin(), kept.end());
+  const auto left_out =
+      std::ranges::count_if(others, [&](int joint) { return !inside.contains(joint); });
+  if (left_out > 0)
+    notes.push_back("The bones of the body are read, without " + std::to_string(left_out) +
+                    (left_out == 1 ? " other joint" : " other joints") +
+                    ", such as those of hair and clothes.");
+  return {std::move(figure)};
+}
+
 /// An end as exporters of bones write it: "Head_end", "ToeNub".
 bool is_called_end(std::string_view name) {
   std::string lower;
@@ -186,7 +208,8 @@ int tip_node(const GltfFile& file, const GltfNodes& nodes, const std::vector<boo
 
 GltfFigure gltf_figure(const GltfFile& file, const GltfNodes& nodes,
                        const std::vector<GltfTrack>& tracks, std::vector<std::string>& notes) {
-  std::vector<JointSet> figures = skinned_figures(file, nodes);
+  std::vector<JointSet> figures = human_figure(file, nodes, notes);
+  if (figures.empty()) figures = skinned_figures(file, nodes);
   if (figures.empty()) figures = moving_trees(file, nodes, tracks);
   if (figures.empty()) {
     refuse(file, "there is neither a skin nor an animation", "export the armature with its motion");

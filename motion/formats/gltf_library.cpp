@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
+#include "motion/formats/gltf_humanoid.h"
 #include "motion/formats/gltf_library.h"
 #include "motion/formats/gltf_meshopt.h"
 #include "motion/formats/gltf_track.h"
@@ -106,7 +107,13 @@ void drop_unread_sections(Json& json) {
   }
 }
 
-Json parse_json(std::string_view text, const std::string& name) {
+/// The document of a file, without what is not read, and its humanoid.
+struct Document {
+  Json json;
+  std::vector<HumanBone> bones;
+};
+
+Document parse_document(std::string_view text, const std::string& name) {
   // The library walks through values recursively.
   constexpr size_t deepest = 64;
   if (is_nested_deeper(text, deepest))
@@ -114,8 +121,11 @@ Json parse_json(std::string_view text, const std::string& name) {
   try {
     Json json = Json::parse(text.begin(), text.end());
     if (!json.is_object()) throw Error({name}, "is not a glTF file", get_it_again);
+    const auto nodes = json.find("nodes");
+    const size_t count = nodes == json.end() ? 0 : nodes->size();
+    std::vector<HumanBone> bones = human_bones(json, count, name);
     drop_unread_sections(json);
-    return json;
+    return {std::move(json), std::move(bones)};
   } catch (const Json::parse_error& error) {
     throw Error(place_of_byte(text, error.byte, name), "this is not the JSON of a glTF file",
                 get_it_again);
@@ -178,12 +188,12 @@ std::vector<tinygltf::Buffer> parse_buffers(Json& json, std::optional<std::strin
 GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
                          const std::optional<std::filesystem::path>& folder) {
   const Container container = parse_container(bytes, name);
-  Json json = parse_json(container.json, name);
+  auto [json, bones] = parse_document(container.json, name);
   require_readable(json, name);
   require_few_nodes(json, name);
   std::vector<tinygltf::Buffer> buffers = parse_buffers(json, container.binary, name, folder);
   unpack_meshopt(json, buffers, name);
-  GltfFile file{name, {}};
+  GltfFile file{name, {}, {}};
   std::string fault;
   std::string warning;
   bool understood = false;
@@ -202,6 +212,11 @@ GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
            get_it_again);
   }
   file.model.buffers = std::move(buffers);
+  for (HumanBone& bone : bones) {
+    if (bone.node >= static_cast<int>(file.model.nodes.size())) continue;
+    file.model.nodes[static_cast<size_t>(bone.node)].name = std::move(bone.name);
+    file.human_nodes.push_back(bone.node);
+  }
   return file;
 }
 

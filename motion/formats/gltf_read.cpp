@@ -8,6 +8,7 @@
 #include "motion/formats/gltf_nodes.h"
 #include "motion/formats/gltf_track.h"
 #include "motion/formats/recording_limits.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
@@ -179,7 +180,7 @@ Recording recording_of(const GltfFile& file, const std::optional<std::string>& w
   std::vector<GltfTrack> tracks;
   if (take) tracks = parse_tracks(file, take->animation);
   Recording recording;
-  recording.name = std::filesystem::path(file.name).stem().string();
+  recording.name = recording_name(file.name);
   recording.format = "gltf";
   for (const GltfTake& one : takes) recording.takes.push_back(one.name);
   if (take) recording.take = take->name;

@@ -175,9 +175,11 @@ std::string rig_family(const Skeleton& rig) {
       {"acclaim", {"lfemur", "lhumerus", "lowerback"}},
       {"bandai-namco", {"joint_Root", "UpperLeg_L", "Shoulder_L"}},
       {"xsens", {"Chest4", "LeftCollar", "LeftElbow"}},
+      {"xsens-mvn", {"T12", "T8", "LeftForeArm"}},
       {"optitrack-arena", {"Ab", "LeftCollar", "LeftWrist"}},
       {"motionbuilder", {"LeftUpLeg", "LeftForeArm", "LeftFoot"}},
       {"vrm", {"J_Bip_C_Hips", "J_Bip_L_UpperLeg", "J_Bip_L_LowerArm"}},
+      {"vrm", {"hips", "leftUpperLeg", "leftLowerArm"}},
       {"smpl", {"left_hip", "left_collar", "spine3"}},
       {"biped", {"Bip01 L Thigh", "Bip01 L UpperArm", "Bip01 Pelvis"}},
   };

@@ -27,8 +27,8 @@ std::optional<KeyJoints> key_joints_by_name(const Skeleton& rig);
 int other_figure_in(const Skeleton& rig, const KeyJoints& keys);
 
 /// Name of the rig family, from joint names that are unique to the family: "cmu-bvh", "acclaim",
-/// "bandai-namco", "xsens", "optitrack-arena", "mixamo", "motionbuilder", "vrm", "smpl", "biped",
-/// "mien"; "by names" when it is none of these.
+/// "bandai-namco", "xsens", "xsens-mvn" (MVNX), "optitrack-arena", "mixamo", "motionbuilder",
+/// "vrm", "smpl", "biped", "mien"; "by names" when it is none of these.
 std::string rig_family(const Skeleton& rig);
 
 }  // namespace mien::motion

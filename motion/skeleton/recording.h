@@ -14,13 +14,16 @@ namespace mien::motion {
 /// `to_body` (body_mapping.h) turns it into a Clip of the canonical body.
 struct Recording {
   std::string name;    ///< file name without folder and extension
-  std::string format;  ///< "bvh", "amc", "gltf", "smpl"; "bind pose" of a character
+  /// "bvh", "amc", "gltf", "smpl", "mvnx", "c3d", "fbx"; "bind pose" of a character.
+  std::string format;
   Skeleton skeleton;
   double frames_per_second = 30.0;
   std::vector<Pose> poses;
-  std::vector<std::string> takes;  ///< names of the file's animations; empty unless glTF
-  std::string take;                ///< the name of this motion
-  std::vector<std::string> notes;  ///< choices and omissions of the reader, as sentences
+  std::vector<std::string> takes;     ///< names of the file's animations; empty unless glTF
+  std::string take;                   ///< the name of this motion
+  std::vector<std::string> notes;     ///< choices and omissions of the reader, as sentences
+  std::vector<std::string> subjects;  ///< people that the file holds; empty if it does not tell
+  std::string subject;                ///< the one who moves here; empty if the file does not tell
 
   int frame_count() const { return static_cast<int>(poses.size()); }
 };

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "motion/error.h"
+#include "motion/text/compressed_file.h"
 
 namespace mien::motion {
 
@@ -103,11 +104,13 @@ FileReading bytes_of_file(const std::filesystem::path& path, std::uintmax_t most
 
 std::string read_contents(const std::filesystem::path& path) {
   FileReading reading = bytes_of_file(path, max_recording_bytes);
-  if (reading.bytes && is_lfs_pointer(*reading.bytes))
+  if (!reading.bytes) throw Error({path.string()}, reading.error, "give the path of a motion file");
+  if (is_lfs_pointer(*reading.bytes))
     throw Error({path.string()}, "is a git LFS pointer; the file itself has not been fetched",
                 "run: git lfs pull");
-  if (reading.bytes) return *std::move(reading.bytes);
-  throw Error({path.string()}, reading.error, "give the path of a motion file");
+  const bool is_compressed = is_gzip(*reading.bytes) && without_compression(path) != path;
+  if (is_compressed) return inflated(*reading.bytes, path.string());
+  return *std::move(reading.bytes);
 }
 
 }  // namespace mien::motion

@@ -36,8 +36,9 @@ inline bool is_lfs_pointer(std::string_view bytes) {
   return bytes.starts_with("version https://git-lfs.github.com/spec/");
 }
 
-/// The bytes of a motion or character file. Throws mien::Error when it cannot be read or is a
-/// git LFS pointer.
+/// The bytes of a motion or character file; those inside it if its name ends in ".gz" and it is
+/// compressed (compressed_file.h). Throws mien::Error when it cannot be read or is a git LFS
+/// pointer.
 std::string read_contents(const std::filesystem::path& path);
 
 }  // namespace mien::motion
