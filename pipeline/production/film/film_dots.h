@@ -14,10 +14,10 @@ namespace mien::pipeline {
 
 extern const TableForm dots_form;
 
-/// Returns a table with the position of each dot of a shot's point-light figures in every frame.
+/// Returns a table with the position of each dot of a shot's figures in every frame.
 std::string dots_csv(const scenes::Shot& shot);
 
-/// Whether a stimulus is shown as a point-light figure.
+/// Whether a stimulus is shown as a point-light figure or as markers.
 bool has_dots(const Stimulus& stimulus);
 
 /// The task "dots:<id>", which makes clips/<id>.dots.csv.

@@ -11,11 +11,11 @@
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
-#include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/methods/stated_settings.h"
+#include "scenes/point_light/marker_dots.h"
 
 namespace mien::pipeline {
 
@@ -67,6 +67,11 @@ void add_set(const Stimulus& stimulus, StatedSettings& settings) {
   }
 }
 
+std::string size_of(const scenes::PointLightOptions& dots) {
+  return dots.size_m ? fmt::format("{:g} m", *dots.size_m)
+                     : fmt::format("{:g} pixels", dots.size_px);
+}
+
 /// "13 dots of 8 pixels": those of noise and masks are stated separately.
 std::string dots_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed) {
   const auto& options = std::get<scenes::PointLightOptions>(stimulus.look.figure);
@@ -74,18 +79,42 @@ std::string dots_of(const Stimulus& stimulus, Motions& motions, std::uint64_t se
   const std::size_t others =
       static_cast<std::size_t>(options.noise) + static_cast<std::size_t>(options.mask);
   const std::size_t own = all > others ? all - others : all;
-  return fmt::format("{} of {}", count_of(own, "dot", "dots"),
-                     options.size_m ? fmt::format("{:g} m", *options.size_m)
-                                    : fmt::format("{:g} pixels", options.size_px));
+  return fmt::format("{} of {}", count_of(own, "dot", "dots"), size_of(options));
+}
+
+/// "39 of 41 markers as dots of 8 pixels, which were not shown where they had not been recorded
+/// (2.1 % of their frames)"
+std::string markers_of(const Stimulus& stimulus, Motions& motions) {
+  const auto& options = std::get<scenes::MarkersOptions>(stimulus.look.figure);
+  const scenes::MarkerCounts counts =
+      scenes::marker_counts(staged_clip(stimulus, motions), options);
+  std::string text =
+      fmt::format("{} of {} as dots of {}", counts.shown,
+                  count_of(counts.recorded, "marker", "markers"), size_of(options.dots));
+  if (!options.pairs.empty() && options.dots.lifetime == 0) text += ", joined by sticks";
+  const auto percent = [](double share) {
+    return fmt::format("{:.2g} % of their frames", 100.0 * share);
+  };
+  if (counts.filled_share > 0.0)
+    text += ", at interpolated positions in " + percent(counts.filled_share);
+  text += counts.dark_share > 0.0
+              ? ", dark in gaps of the recording in " + percent(counts.dark_share)
+              : ", without gaps";
+  return text;
 }
 
 void describe_dots(MethodsText& out) {
-  Names dots;
+  Names dots, markers;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
-    if (has_dots(stimulus)) add_once(dots, dots_of(stimulus, out.motions, out.manifest.seed));
+    if (std::holds_alternative<scenes::PointLightOptions>(stimulus.look.figure))
+      add_once(dots, dots_of(stimulus, out.motions, out.manifest.seed));
+    if (std::holds_alternative<scenes::MarkersOptions>(stimulus.look.figure))
+      add_once(markers, markers_of(stimulus, out.motions));
   }
   if (!dots.empty())
     out.say("Point-light figures have " + fmt::format("{}", fmt::join(dots, " or ")));
+  if (!markers.empty())
+    out.say("Figures of markers show " + fmt::format("{}", fmt::join(markers, "; or ")));
 }
 
 }  // namespace
