@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <optional>
+#include <variant>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/tasks/code_identity.h"
+#include "scenes/point_light/marker_dots.h"
 
 namespace mien::pipeline {
 
@@ -111,6 +115,21 @@ std::string dots_csv(const scenes::Shot& shot) {
 }
 
 bool has_dots(const Stimulus& stimulus) { return scenes::kind_of(stimulus.look.figure).has_dots; }
+
+std::string marker_facts(const Stimulus& stimulus, FinishedMotions& motions) {
+  const auto* options = std::get_if<scenes::MarkersOptions>(&stimulus.look.figure);
+  if (options == nullptr) return "";
+  const scenes::MarkerCounts counts =
+      scenes::marker_counts(staged_clip(stimulus, motions), *options);
+  const auto in_frames = [](double share) {
+    return fmt::format("in {:.2g} % of their frames", 100.0 * share);
+  };
+  std::string facts = fmt::format("{} of {} markers", counts.shown, counts.recorded);
+  if (counts.filled_share > 0.0)
+    facts += ", at interpolated positions " + in_frames(counts.filled_share);
+  return facts + (counts.dark_share > 0.0 ? ", dark " + in_frames(counts.dark_share)
+                                          : ", dark in no frame");
+}
 
 Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equalize,
                const SharedDeterminants& shared, FinishedMotions& motions) {

@@ -11,11 +11,11 @@
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
+#include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/methods/stated_settings.h"
-#include "scenes/point_light/marker_dots.h"
 
 namespace mien::pipeline {
 
@@ -82,25 +82,12 @@ std::string dots_of(const Stimulus& stimulus, Motions& motions, std::uint64_t se
   return fmt::format("{} of {}", count_of(own, "dot", "dots"), size_of(options));
 }
 
-/// "39 of 41 markers as dots of 8 pixels, which were not shown where they had not been recorded
-/// (2.1 % of their frames)"
+/// "39 of 41 markers, dark in 2.1 % of their frames, as dots of 8 pixels joined by sticks"
 std::string markers_of(const Stimulus& stimulus, Motions& motions) {
   const auto& options = std::get<scenes::MarkersOptions>(stimulus.look.figure);
-  const scenes::MarkerCounts counts =
-      scenes::marker_counts(staged_clip(stimulus, motions), options);
-  std::string text =
-      fmt::format("{} of {} as dots of {}", counts.shown,
-                  count_of(counts.recorded, "marker", "markers"), size_of(options.dots));
-  if (!options.pairs.empty() && options.dots.lifetime == 0) text += ", joined by sticks";
-  const auto percent = [](double share) {
-    return fmt::format("{:.2g} % of their frames", 100.0 * share);
-  };
-  if (counts.filled_share > 0.0)
-    text += ", at interpolated positions in " + percent(counts.filled_share);
-  text += counts.dark_share > 0.0
-              ? ", dark in gaps of the recording in " + percent(counts.dark_share)
-              : ", without gaps";
-  return text;
+  const bool has_sticks = !options.pairs.empty() && options.dots.lifetime == 0;
+  return fmt::format("{}, as dots of {}{}", marker_facts(stimulus, motions), size_of(options.dots),
+                     has_sticks ? " joined by sticks" : "");
 }
 
 void describe_dots(MethodsText& out) {
