@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> side_mark
 
 /// The index of a name, or −1.
 int index_of(const std::vector<std::string>& names, std::string_view name) {
-  const auto found = std::ranges::find(names, name);
+  const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
