@@ -1,10 +1,10 @@
 #include "motion/skeleton/clip_markers.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -26,7 +26,11 @@ struct Digest {
     value = (value ^ (value >> 27)) * 0x94d049bb133111ebull;
     value ^= value >> 31;
   }
-  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+  void add(double number) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &number, sizeof bits);  // Emscripten's library has no std::bit_cast yet
+    add(bits);
+  }
   void add(const Vec3& vector) {
     for (const double number : vector) add(number);
   }
