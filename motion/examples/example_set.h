@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace mien::motion {
 /// Selection of the motion files of a set of examples.
 struct ExampleFolder {
   std::filesystem::path path;
-  std::string include = "*";  ///< pattern of file names to include (matches_glob)
+  std::string include = "*";  ///< pattern of file names to include (motion/text/glob.h)
   std::string exclude;        ///< pattern of file names to exclude; empty: none
   std::string take;           ///< name of the motion to use in files with several; empty: the first
   CycleChoice cycle = CycleChoice::automatic;
@@ -61,11 +60,6 @@ struct LoadedExamples {
 /// name occurs twice; and if manual keytimes are missing for a file or refer to one that does not
 /// exist.
 LoadedExamples load_examples(const ExampleFolder& folder);
-
-/// Whether a file name matches a pattern of `*` (any characters), `?` (any one character), `[abc]`
-/// or `[a-z]` (one of these), `[!a]` (any other) and `{walk,run}` (alternatives; may be nested).
-/// Case-sensitive.
-bool matches_glob(std::string_view pattern, std::string_view name);
 
 /// Short labels for a group of files: the prefix and suffix common to all stems (file names without
 /// extension) are removed, in whole parts separated by "_", "." or spaces.

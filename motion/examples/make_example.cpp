@@ -95,8 +95,7 @@ PreparedExample example_of_keytimes(const Clip& clip, const std::vector<double>&
   const auto first = std::lround(keytimes.front() * rate);
   const auto last =
       std::clamp(std::lround(keytimes.back() * rate), first + 1, clip.frame_count() - 1L);
-  Clip part = clip;
-  part.poses = {clip.poses.begin() + first, clip.poses.begin() + last + 1};
+  const Clip part = cut(clip, static_cast<int>(first), static_cast<int>(last));
   PreparedExample prepared;
   prepared.frames = {static_cast<int>(first), static_cast<int>(last)};
   prepared.example.name = clip.name;

@@ -81,4 +81,13 @@ Eigen::RowVectorXd at_time(const CubicSpline& spline, double time) {
               s * (width * spline.slopes.row(k + 1) - rise));
 }
 
+Vec3 catmull_rom(const Vec3& before, const Vec3& from, const Vec3& to, const Vec3& after,
+                 double t) {
+  const Vec3 a = 2.0 * from;
+  const Vec3 b = to - before;
+  const Vec3 c = 2.0 * before - 5.0 * from + 4.0 * to - after;
+  const Vec3 d = 3.0 * (from - to) + after - before;
+  return 0.5 * (a + t * (b + t * (c + t * d)));
+}
+
 }  // namespace mien::motion

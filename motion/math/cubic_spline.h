@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "motion/math/geometry.h"
+
 namespace mien::motion {
 
 /// A C² cubic spline through knots, in Hermite form.
@@ -24,5 +26,9 @@ CubicSpline periodic_spline(std::vector<double> times, const Eigen::MatrixXd& va
 
 /// Values of all curves at a time, which is clamped to the range of the knots.
 Eigen::RowVectorXd at_time(const CubicSpline& spline, double time);
+
+/// The Catmull–Rom spline at `t` in [0, 1] between `from` and `to`, whose neighbours at equal
+/// distances in time are `before` and `after`.
+Vec3 catmull_rom(const Vec3& before, const Vec3& from, const Vec3& to, const Vec3& after, double t);
 
 }  // namespace mien::motion

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
+#include "motion/math/cubic_spline.h"
 #include "motion/math/rotation.h"
+#include "motion/skeleton/clip_markers.h"
 
 namespace mien::motion {
 
@@ -25,15 +28,6 @@ const Pose& pose_at_frame(const Clip& clip, long frame) {
   const long count = clip.frame_count();
   if (!clip.loops) return clip.poses[static_cast<size_t>(std::clamp(frame, 0L, count - 1))];
   return clip.poses[static_cast<size_t>(((frame % count) + count) % count)];
-}
-
-Vec3 catmull_rom(const Vec3& before, const Vec3& from, const Vec3& to, const Vec3& after,
-                 double t) {
-  const Vec3 a = 2.0 * from;
-  const Vec3 b = to - before;
-  const Vec3 c = 2.0 * before - 5.0 * from + 4.0 * to - after;
-  const Vec3 d = 3.0 * (from - to) + after - before;
-  return 0.5 * (a + t * (b + t * (c + t * d)));
 }
 
 /// Slerp between the frames around `frame`; the root by `root(whole, fraction)`.
@@ -74,15 +68,18 @@ Clip resampled(const Clip& clip, double frames_per_second) {
   // A loop must meet its start, so its whole number of frames spans the duration exactly.
   const double step = clip.loops ? clip.frame_count() / static_cast<double>(steps)
                                  : clip.frames_per_second / frames_per_second;
+  std::vector<double> frames;
   for (long i = 0; i < count; ++i) {
     double frame = static_cast<double>(i) * step;
     if (std::abs(frame - std::round(frame)) < 1e-9) frame = std::round(frame);
     if (!clip.loops) frame = std::min(frame, clip.frame_count() - 1.0);
+    frames.push_back(frame);
     result.poses.push_back(sampled(clip, frame, [&](long index, double t) {
       return catmull_rom(root_at_frame(clip, index - 1), root_at_frame(clip, index),
                          root_at_frame(clip, index + 1), root_at_frame(clip, index + 2), t);
     }));
   }
+  carry_markers_at(clip, result, frames);
   return result;
 }
 
@@ -98,7 +95,20 @@ Clip repeated(const Clip& loop, int cycles) {
       result.poses.push_back(std::move(pose));
     }
   }
+  std::vector<double> frames(result.poses.size());
+  std::iota(frames.begin(), frames.end(), 0.0);
+  carry_markers_at(loop, result, frames);
   return result;
+}
+
+Clip cut(const Clip& clip, int first, int last) {
+  assert(first >= 0 && first <= last && last < clip.frame_count());
+  Clip part = clip;
+  part.poses.assign(clip.poses.begin() + first, clip.poses.begin() + last + 1);
+  std::vector<double> frames(part.poses.size());
+  std::iota(frames.begin(), frames.end(), static_cast<double>(first));
+  carry_markers_at(clip, part, frames);
+  return part;
 }
 
 std::vector<std::vector<Vec3>> joint_paths(const Clip& clip) {

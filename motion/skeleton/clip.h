@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "motion/points/markers.h"
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/pose.h"
 #include "motion/skeleton/recording.h"
@@ -22,6 +24,8 @@ struct Clip {
   std::vector<Pose> poses;
   bool loops = false;
   Vec3 cycle_displacement = Vec3::Zero();  ///< metres per cycle; zero when in place
+  /// Of the recording that the motion was made from; to be read with markers_of (clip_markers.h).
+  std::optional<Markers> markers = {};
 
   int frame_count() const { return static_cast<int>(poses.size()); }
 
@@ -42,6 +46,9 @@ Clip resampled(const Clip& clip, double frames_per_second);
 
 /// `cycles` consecutive repetitions of a looping clip, as a clip that does not loop.
 Clip repeated(const Clip& loop, int cycles);
+
+/// The frames from `first` to `last` of a clip.
+Clip cut(const Clip& clip, int first, int last);
 
 /// World positions of all joints, frame by frame.
 std::vector<std::vector<Vec3>> joint_paths(const Clip& clip);

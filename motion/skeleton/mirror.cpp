@@ -1,5 +1,7 @@
 #include "motion/skeleton/mirror.h"
 
+#include "motion/skeleton/clip_markers.h"
+
 namespace mien::motion {
 
 Pose mirrored(const Pose& pose) {
@@ -22,6 +24,8 @@ Clip mirrored(const Clip& clip) {
   }
   for (Pose& pose : result.poses) pose = mirrored(pose);
   result.cycle_displacement = mirrored_place(clip.cycle_displacement);
+  carry_markers(clip, result, [](int, const Vec3& place) { return mirrored_place(place); });
+  if (const Markers* markers = markers_of(result)) attach(result, with_sides_exchanged(*markers));
   return result;
 }
 

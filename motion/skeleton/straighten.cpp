@@ -5,6 +5,7 @@
 
 #include "motion/math/filter.h"
 #include "motion/math/rotation.h"
+#include "motion/skeleton/clip_markers.h"
 
 namespace mien::motion {
 
@@ -66,6 +67,8 @@ Clip straightened(const Clip& clip) {
   const Vec3 start = result.poses.front().root_position;
   const Vec3 origin(clip.loops ? sideways : start.x(), 0.0, start.z());
   for (Pose& pose : result.poses) pose.root_position -= origin;
+  carry_markers(clip, result,
+                [&](int, const Vec3& place) -> Vec3 { return turn * place - origin; });
   return result;
 }
 
@@ -87,6 +90,9 @@ Clip kept_in_place(const Clip& clip) {
   }
   const std::vector<Vec3>& way = farthest < straight_metres ? even : path;
   for (size_t t = 0; t < way.size(); ++t) result.poses[t].root_position -= way[t];
+  carry_markers(clip, result, [&](int frame, const Vec3& place) -> Vec3 {
+    return place - way[static_cast<size_t>(frame)];
+  });
   return result;
 }
 
@@ -98,6 +104,9 @@ Clip travelling(const Clip& loop, const Vec3& displacement_per_cycle) {
     result.poses[i].root_position += static_cast<double>(i) / count * displacement_per_cycle;
   }
   result.cycle_displacement += displacement_per_cycle;
+  carry_markers(loop, result, [&](int frame, const Vec3& place) -> Vec3 {
+    return place + frame / count * displacement_per_cycle;
+  });
   return result;
 }
 

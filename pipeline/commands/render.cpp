@@ -178,7 +178,8 @@ int render_file(const RenderOptions& options, const Console& console) {
   print_warnings(plan.warnings, console);
   const scenes::Shot shot = shot_of(options, plan, console);
   if (!options.dots.empty() && shot.actors.front().dots.empty())
-    throw Error("--dots: only a point-light figure has dots", "add --figure point-light");
+    throw Error("--dots: only point-light figures and markers have dots",
+                "add --figure point-light or --figure markers");
   for (const scenes::Actor& actor : shot.actors)
     for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
   const std::string found = make_file(options, plan, shot, console);
@@ -224,7 +225,7 @@ std::vector<CommandOption> look_options(LookOptions& look) {
               .with_default(),
           option("--scene", &look.scene,
                  "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "
-                 "sets); default: studio, or void for point-light figures")};
+                 "sets); default: studio, or void for point-light figures and markers")};
 }
 
 /// Options for stills, dots and noise.
@@ -236,8 +237,9 @@ std::vector<CommandOption> picture_options(RenderOptions& options) {
           .values(0, 1)
           .with_default("middle"),
       option("--dots", &options.dots,
-             "Also write the positions of the dots of a point-light figure (CSV)"),
-      option("--seed", &options.seed, "Random seed of point-light figures").with_default(),
+             "Also write the positions of the dots of a point-light figure or of markers (CSV)"),
+      option("--seed", &options.seed, "Random seed of point-light figures and markers")
+          .with_default(),
       option(
           "--background", &options.background,
           "Background of a still: shown, transparent, or shadow (only the figure and its shadow)")

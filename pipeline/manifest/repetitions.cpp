@@ -22,7 +22,7 @@ bool is_random_per_id(const scenes::PointLightOptions& dots) {
 
 /// The stimulus without what does not affect its pictures.
 Stimulus as_rendered(Stimulus stimulus) {
-  const auto* dots = std::get_if<scenes::PointLightOptions>(&stimulus.look.figure);
+  const scenes::PointLightOptions* dots = scenes::dots_in(stimulus.look.figure);
   if (dots == nullptr || !is_random_per_id(*dots)) stimulus.id.clear();
   // Dots have the colour that they are given; bodies have that of their role.
   if (dots != nullptr) stimulus.role = Role::created;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "motion/formats/motion_file.h"
+#include "motion/skeleton/clip_markers.h"
 #include "pipeline/base/documents/fault.h"
 #include "render/image/image_io.h"
 
@@ -36,6 +37,9 @@ motion::Clip approved_clip(const Baseline& baseline, const std::string& id,
   clip.frames_per_second = recording.frames_per_second;
   clip.body = recording.skeleton;
   clip.poses = recording.poses;
+  // A baseline has no markers: those of now are shown, so that what differs is the scene.
+  const motion::Markers* markers = motion::markers_of(like);
+  if (markers != nullptr && clip.frame_count() == like.frame_count()) attach(clip, *markers);
   return clip;
 }
 

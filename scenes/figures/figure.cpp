@@ -1,13 +1,43 @@
 #include "scenes/figures/figure.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/clip_markers.h"
 
 namespace mien::scenes {
 
+namespace {
+
+constexpr double least_height_m = 0.2;
+
+/// The median over the frames of the vertical extent of the markers.
+double height_of(const motion::Markers& markers) {
+  std::vector<double> heights;
+  for (int frame = 0; frame < markers.frame_count(); ++frame) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (int point = 0; point < markers.point_count(); ++point) {
+      const std::size_t at = markers.at(frame, point);
+      if (!markers.is_known(at)) continue;
+      least = std::min(least, markers.positions[at].y());
+      most = std::max(most, markers.positions[at].y());
+    }
+    if (least <= most) heights.push_back(most - least);
+  }
+  if (heights.empty()) return 0.0;
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::ranges::nth_element(heights, middle);
+  return *middle;
+}
+
+}  // namespace
+
 double figure_height(const motion::Clip& clip) {
   if (motion::is_body(clip.body)) return motion::standing_height(clip.body);
+  if (const motion::Markers* markers = motion::markers_of(clip))
+    return std::max(height_of(*markers), least_height_m);
   const motion::JointTransforms world = motion::world_transforms(clip.body, clip.poses.front());
   double height = 0.0;
   const auto reach = [&](const motion::Vec3& point) {
@@ -18,11 +48,20 @@ double figure_height(const motion::Clip& clip) {
     const auto& tip = clip.body.joints[j].tip;
     if (tip) reach(world.positions[j] + world.rotations[j] * *tip);
   }
-  return std::max(height, 0.2);
+  return std::max(height, least_height_m);
 }
 
 const FigureKind& kind_of(const Figure& figure) {
   return std::visit([](const auto& options) -> const FigureKind& { return options.kind; }, figure);
+}
+
+const PointLightOptions* dots_in(const Figure& figure) {
+  if (const auto* markers = std::get_if<MarkersOptions>(&figure)) return &markers->dots;
+  return std::get_if<PointLightOptions>(&figure);
+}
+
+PointLightOptions* dots_in(Figure& figure) {
+  return const_cast<PointLightOptions*>(dots_in(std::as_const(figure)));
 }
 
 const std::filesystem::path* file_of(const Figure& figure) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -13,9 +14,9 @@
 
 namespace mien::scenes {
 
-/// Height of the drawn figure, metres: the standing height of a canonical body (body.h); for any
-/// other skeleton the largest distance of a joint or tip from the root in the first frame, at least
-/// 0.2.
+/// Height of the drawn figure, metres: the standing height of a canonical body (body.h). Without
+/// one, the median over the frames of the vertical extent of the clip's markers or, if it has none,
+/// the largest distance of a joint or tip from the root in the first frame; at least 0.2.
 double figure_height(const motion::Clip& clip);
 
 /// The properties of a kind of figure, declared as the member `kind` of its options. All code that
@@ -108,6 +109,29 @@ struct PointLightOptions {
   friend bool operator==(const PointLightOptions&, const PointLightOptions&) = default;
 };
 
+/// The markers of the recording that a motion was made from (motion/skeleton/clip_markers.h), as
+/// point lights or joined to a stick figure: what was recorded, without a body.
+struct MarkersOptions {
+  static constexpr FigureKind kind = {
+      .name = "markers",
+      .set = "void",
+      .has_dots = true,
+      .not_in_overlays = "the markers of several motions cannot be told apart"};
+
+  std::vector<std::string> show;  ///< patterns of names (motion/text/glob.h); empty: all
+  /// Names of markers that a stick joins. With a limited lifetime they are the limbs of the dots
+  /// instead, and sticks are not drawn.
+  std::vector<std::array<std::string, 2>> pairs;
+  /// Whether a marker that was not recorded is shown where its gap was filled in. Otherwise it is
+  /// dark, as in gaps that were not filled in.
+  bool fills_gaps = false;
+
+  /// How the dots are drawn and changed; its joints are not used.
+  PointLightOptions dots;
+
+  friend bool operator==(const MarkersOptions&, const MarkersOptions&) = default;
+};
+
 /// Figures with a surface, which can be shown in several poses at once.
 using BodyFigure = std::variant<StickOptions, MannequinOptions, CharacterOptions>;
 
@@ -134,8 +158,8 @@ struct TrailOptions {
 };
 
 /// The representation of the moving body, with its options.
-using Figure =
-    std::variant<StickOptions, MannequinOptions, CharacterOptions, PointLightOptions, TrailOptions>;
+using Figure = std::variant<StickOptions, MannequinOptions, CharacterOptions, PointLightOptions,
+                            MarkersOptions, TrailOptions>;
 
 /// Options of a kind that is read from a file, so that its name alone does not specify it.
 template <class Options>
@@ -153,6 +177,10 @@ void for_each_kind(const auto& use) {
 }
 
 const FigureKind& kind_of(const Figure& figure);
+
+/// How the dots of a point-light figure, or of markers, are drawn; null for other kinds.
+const PointLightOptions* dots_in(const Figure& figure);
+PointLightOptions* dots_in(Figure& figure);
 
 /// The names of the kinds of Figure or BodyFigure that are not read from a file.
 template <class Figures>

@@ -53,6 +53,7 @@ void add_dots(render::Scene& scene, const std::vector<Dot>& dots, int frame,
   render::Mesh discs;
   discs.material = material;
   for (const Dot& dot : dots) {
+    if (!dot.is_shown(static_cast<std::size_t>(frame))) continue;
     const render::Vec3 centre = dot.path[static_cast<std::size_t>(frame)].cast<float>();
     if (options.size_m) {
       scene.solids.spheres.push_back({centre, static_cast<float>(0.5 * *options.size_m), material});

@@ -21,10 +21,13 @@ DotPath changed(const DotPath& path, Change change) {
 
 DotPath reversed(const DotPath& path) { return {path.rbegin(), path.rend()}; }
 
-DotPath at_constant_speed(const DotPath& path) {
+std::vector<PathPlace> places_at_constant_speed(const DotPath& path) {
+  std::vector<PathPlace> places(path.size());
   const double length = length_of(path);
-  if (length <= 0.0) return path;
-  DotPath even;
+  if (length <= 0.0) {
+    for (std::size_t f = 0; f < path.size(); ++f) places[f].frame = f;
+    return places;
+  }
   std::size_t next = 1;
   double before = 0.0;  // arc length up to point next − 1
   const auto steps = static_cast<double>(path.size() - 1);
@@ -36,11 +39,24 @@ DotPath at_constant_speed(const DotPath& path) {
       ++next;
       segment = (path[next] - path[next - 1]).norm();
     }
-    const double share = segment > 0.0 ? std::min((wanted - before) / segment, 1.0) : 0.0;
-    even.push_back(path[next - 1] + share * (path[next] - path[next - 1]));
+    places[f] = {next - 1, segment > 0.0 ? std::min((wanted - before) / segment, 1.0) : 0.0};
   }
-  even.push_back(path.back());
-  return even;
+  places.back().frame = path.size() - 1;
+  return places;
+}
+
+DotPath at_places(const DotPath& path, const std::vector<PathPlace>& places) {
+  DotPath result;
+  for (const auto& [frame, share] : places) {
+    const Vec3& from = path[frame];
+    const Vec3& to = path[std::min(frame + 1, path.size() - 1)];
+    result.push_back(from + share * (to - from));
+  }
+  return result;
+}
+
+DotPath at_constant_speed(const DotPath& path) {
+  return at_places(path, places_at_constant_speed(path));
 }
 
 DotPath begun_at(const DotPath& path, int frame) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "motion/math/geometry.h"
@@ -14,7 +15,20 @@ using DotPath = std::vector<motion::Vec3>;
 /// The path in reverse order: last frame first.
 DotPath reversed(const DotPath& path);
 
-/// The same path at constant speed: equal arc length from frame to frame. Both ends stay in place.
+/// A position on a path: at a frame, or a share of the way to the next one after it.
+struct PathPlace {
+  std::size_t frame = 0;
+  double share = 0.0;  ///< [0, 1]
+};
+
+/// Where on the path each frame is when it is followed at constant speed: equal arc length from
+/// frame to frame. Both ends stay in place.
+std::vector<PathPlace> places_at_constant_speed(const DotPath& path);
+
+/// The positions at these places.
+DotPath at_places(const DotPath& path, const std::vector<PathPlace>& places);
+
+/// The same path at constant speed.
 DotPath at_constant_speed(const DotPath& path);
 
 /// The path shifted cyclically: it begins with what was its point at index `frame`, and what came

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "motion/error.h"
 #include "motion/math/random_number.h"
@@ -119,20 +120,43 @@ DotPath closed(DotPath path) {
   return path;
 }
 
-DotPath begun_at_random(const DotPath& path, const Vec3& step, std::uint64_t seed,
-                        const std::string& name, std::size_t index) {
-  const auto count = static_cast<double>(path.size());
+Dot begun_at_random(Dot dot, const Vec3& step, std::uint64_t seed, const std::string& name,
+                    std::size_t index) {
+  const auto count = static_cast<double>(dot.path.size());
   const int later = static_cast<int>(uniform(seed, name, index) * count);
-  return with_travel(begun_at(closed(without_travel(path, step)), later), step);
+  dot.path = with_travel(begun_at(closed(without_travel(dot.path, step)), later), step);
+  if (!dot.shown.empty()) {
+    std::rotate(dot.shown.begin(), dot.shown.begin() + later, dot.shown.end());
+  }
+  return dot;
+}
+
+Dot with_constant_speed(Dot dot) {
+  const std::vector<PathPlace> places = places_at_constant_speed(dot.path);
+  dot.path = at_places(dot.path, places);
+  if (dot.shown.empty()) return dot;
+  std::vector<bool> shown;
+  for (const auto& [frame, share] : places) {
+    shown.push_back(dot.shown[frame] && (share == 0.0 || dot.shown[frame + 1]));
+  }
+  dot.shown = std::move(shown);
+  return dot;
+}
+
+Dot backwards(Dot dot) {
+  dot.path = reversed(dot.path);
+  std::reverse(dot.shown.begin(), dot.shown.end());
+  return dot;
 }
 
 void change_timing(std::vector<Dot>& dots, const PointLightOptions& options, const DotStage& stage,
                    std::uint64_t seed) {
   for (std::size_t d = 0; d < dots.size(); ++d) {
-    DotPath& path = dots[d].path;
-    if (options.constant_speed) path = at_constant_speed(path);
-    if (options.phase_scrambled) path = begun_at_random(path, stage.step, seed, "phase", d);
-    if (options.reversed) path = reversed(path);
+    Dot& dot = dots[d];
+    if (options.constant_speed) dot = with_constant_speed(std::move(dot));
+    if (options.phase_scrambled)
+      dot = begun_at_random(std::move(dot), stage.step, seed, "phase", d);
+    if (options.reversed) dot = backwards(std::move(dot));
   }
 }
 
@@ -151,30 +175,24 @@ void change_places(std::vector<Dot>& dots, const PointLightOptions& options,
 
 /// The dots with limited lifetimes. The display has as many dots as before; each life is spent at a
 /// random place of a random limb, and the lives of the dots begin one after the other.
-std::vector<Dot> with_limited_lifetime(const std::vector<Dot>& dots,
-                                       const std::vector<DotJoint>& joints, int lifetime,
-                                       std::uint64_t seed) {
-  std::vector<std::size_t> limbs;
-  for (std::size_t d = 0; d < joints.size(); ++d) {
-    if (joints[d].limb >= 0) limbs.push_back(d);
-  }
-  if (limbs.empty()) {
-    throw Error("these dots are not on limbs, as a limited lifetime requires",
-                "name both ends of a limb, such as LeftElbow and LeftWrist, or omit lifetime");
-  }
+std::vector<Dot> with_limited_lifetime(const std::vector<Dot>& dots, const std::vector<Limb>& limbs,
+                                       int lifetime, std::uint64_t seed) {
+  const bool any_dark =
+      std::ranges::any_of(dots, [](const Dot& dot) { return !dot.shown.empty(); });
   std::vector<Dot> result = dots;
   for (std::size_t d = 0; d < dots.size(); ++d) {
     result[d].kind = "limb";
+    if (any_dark) result[d].shown.assign(dots[d].path.size(), true);
     const auto head_start = static_cast<int>(d * static_cast<std::size_t>(lifetime) / dots.size());
     for (std::size_t f = 0; f < dots[d].path.size(); ++f) {
       const auto life =
           (f + static_cast<std::size_t>(head_start)) / static_cast<std::size_t>(lifetime);
       const std::string name = "life of " + std::to_string(d);
       const double pick = uniform(seed, name + " limb", life) * static_cast<double>(limbs.size());
-      const std::size_t near = limbs[static_cast<std::size_t>(pick)];
-      const auto far = static_cast<std::size_t>(joints[near].limb);
+      const auto [near, far] = limbs[static_cast<std::size_t>(pick)];
       const double along = uniform(seed, name + " along", life);
       result[d].path[f] = (1.0 - along) * dots[near].path[f] + along * dots[far].path[f];
+      if (any_dark) result[d].shown[f] = dots[near].is_shown(f) && dots[far].is_shown(f);
     }
   }
   return result;
@@ -204,16 +222,22 @@ Dot noise_dot(const Extent& extent, const Vec3& step, double speed, std::size_t 
   return dot;
 }
 
-/// In the plane of the picture, metres a frame.
+/// In the plane of the picture, metres a frame, between frames in which a dot is shown.
 double mean_speed(const std::vector<Dot>& dots, const Vec3& step, const Vec3& depth) {
   double way = 0.0;
+  std::size_t steps = 0;
   for (const Dot& dot : dots) {
     DotPath path = without_travel(dot.path, step);
     for (Vec3& point : path) point -= point.dot(depth) * depth;
-    way += length_of(path);
+    double length = 0.0;
+    for (std::size_t f = 1; f < path.size(); ++f) {
+      if (!dot.is_shown(f - 1) || !dot.is_shown(f)) continue;
+      length += (path[f] - path[f - 1]).norm();
+      ++steps;
+    }
+    way += length;
   }
-  const auto steps = static_cast<double>(std::max<std::size_t>(dots.front().path.size(), 2) - 1);
-  return way / (steps * static_cast<double>(dots.size()));
+  return way / static_cast<double>(std::max<std::size_t>(steps, 1));
 }
 
 }  // namespace
@@ -230,15 +254,14 @@ Vec3 changed_step(const PointLightOptions& options, const DotStage& stage) {
   return way[1] - way[0];
 }
 
-std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& options,
-                             const DotStage& stage) {
+std::vector<Dot> displayed_dots(std::vector<Dot> dots, const std::vector<Limb>& limbs,
+                                const PointLightOptions& options, const DotStage& stage) {
   if (options.scrambled && options.lifetime > 0) {
     throw Error("scrambled dots are not on limbs, as a limited lifetime requires",
                 "omit scrambled or lifetime");
   }
   const std::uint64_t seed = options.seed.value_or(stage.seed);
-  const std::vector<DotJoint> joints = dot_joints(clip.body, options);
-  std::vector<Dot> dots = joint_dots(clip, joints);
+  const std::size_t frames = dots.front().path.size();
   change_timing(dots, options, stage, seed);
   change_places(dots, options, stage);
   DotStage changed = stage;
@@ -246,18 +269,33 @@ std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& 
   const Extent extent = extent_of(dots, changed);
   const std::vector<Dot> figure = dots;
   if (options.scrambled) scatter(dots, extent, changed.step, seed);
-  if (options.lifetime > 0) dots = with_limited_lifetime(dots, joints, options.lifetime, seed);
+  if (options.lifetime > 0) dots = with_limited_lifetime(dots, limbs, options.lifetime, seed);
   const double speed = mean_speed(figure, changed.step, extent.axes.col(2));
   for (std::size_t n = 0; n < static_cast<std::size_t>(options.noise); ++n) {
-    dots.push_back(noise_dot(extent, changed.step, speed, clip.poses.size(), seed, n));
+    dots.push_back(noise_dot(extent, changed.step, speed, frames, seed, n));
   }
   for (std::size_t n = 0; n < static_cast<std::size_t>(options.mask); ++n) {
-    const DotPath& path = figure[n % figure.size()].path;
     const Vec3 place = random_place(extent, seed, "mask", n);
-    const DotPath begun = begun_at_random(path, changed.step, seed, "mask phase", n);
-    dots.push_back({"mask", put_at(begun, place, changed.step)});
+    Dot mask = begun_at_random(figure[n % figure.size()], changed.step, seed, "mask phase", n);
+    mask.kind = "mask";
+    mask.path = put_at(mask.path, place, changed.step);
+    dots.push_back(std::move(mask));
   }
   return dots;
+}
+
+std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& options,
+                             const DotStage& stage) {
+  const std::vector<DotJoint> joints = dot_joints(clip.body, options);
+  std::vector<Limb> limbs;
+  for (std::size_t d = 0; d < joints.size(); ++d) {
+    if (joints[d].limb >= 0) limbs.push_back({d, static_cast<std::size_t>(joints[d].limb)});
+  }
+  if (options.lifetime > 0 && !options.scrambled && limbs.empty()) {
+    throw Error("these dots are not on limbs, as a limited lifetime requires",
+                "name both ends of a limb, such as LeftElbow and LeftWrist, or omit lifetime");
+  }
+  return displayed_dots(joint_dots(clip, joints), limbs, options, stage);
 }
 
 }  // namespace mien::scenes

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,9 +14,16 @@ namespace mien::scenes {
 
 /// One dot of a point-light display.
 struct Dot {
-  std::string kind;  ///< the joint's name, "limb" (limited lifetime), "noise" or "mask"
-  DotPath path;      ///< world space, metres; one point per frame
+  /// The name of the joint or marker, "limb" (limited lifetime), "noise" or "mask".
+  std::string kind;
+  DotPath path;                  ///< world space, metres; one point per frame
+  std::vector<bool> shown = {};  ///< whether it is shown in each frame; empty: it always is
+
+  bool is_shown(std::size_t frame) const { return shown.empty() || shown[frame]; }
 };
+
+/// Indices of the dots at both ends of a limb.
+using Limb = std::array<std::size_t, 2>;
 
 /// The properties of the stage that the dots depend on in addition to the clip.
 struct DotStage {
@@ -36,6 +45,11 @@ struct DotStage {
 /// dots that are scrambled or share no limb.
 std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& options,
                              const DotStage& stage);
+
+/// As above, for any dots: `figure` are those without manipulations, at least one, which `limbs`
+/// join. A dot that is dark in some frames is dark in what is made of them.
+std::vector<Dot> displayed_dots(std::vector<Dot> figure, const std::vector<Limb>& limbs,
+                                const PointLightOptions& options, const DotStage& stage);
 
 /// The path `way` of the figure as a whole after the manipulations that change its travel:
 /// reversal, rotation and mirroring.

@@ -11,6 +11,7 @@
 #include "scenes/figures/stick_figure.h"
 #include "scenes/mannequin/mannequin.h"
 #include "scenes/point_light/dot_display.h"
+#include "scenes/point_light/marker_dots.h"
 #include "scenes/stage/trail_figure.h"
 
 namespace mien::scenes {
@@ -93,6 +94,16 @@ struct ActorBuilder {
     actor.draw = [options](render::Scene& scene, const Actor& self, int frame,
                            const render::Camera& camera) {
       add_dots(scene, self.dots, frame, options, camera);
+    };
+  }
+
+  void operator()(const MarkersOptions& options) const {
+    const std::vector<Limb> pairs =
+        options.dots.lifetime > 0 ? std::vector<Limb>() : shown_markers(actor.clip, options).pairs;
+    actor.draw = [dots = options.dots, pairs](render::Scene& scene, const Actor& self, int frame,
+                                              const render::Camera& camera) {
+      if (!pairs.empty()) add_sticks(scene, self.dots, pairs, frame, dots, camera);
+      add_dots(scene, self.dots, frame, dots, camera);
     };
   }
 

@@ -28,7 +28,7 @@ struct Actor {
   FigureColours colours;
   double height_m = 1.75;
   float opacity = 1.0f;               ///< 0 … 1
-  std::vector<Dot> dots;              ///< dots of a point-light figure
+  std::vector<Dot> dots;              ///< dots of a point-light figure or of markers
   std::optional<TrailOptions> trail;  ///< for figures that are shown in several poses
   std::vector<Dot> traces;            ///< dots whose paths a trail shows
   std::vector<std::string> warnings;  ///< of a character (Character::warnings)
@@ -40,8 +40,8 @@ struct Actor {
       draw;
 };
 
-/// Makes the actor of a clip; the dots of a point-light figure are placed when the stage is known
-/// (point_light). Throws Error when the figure cannot be made for the clip.
+/// Makes the actor of a clip; dots are placed when the stage is known (point_light,
+/// marker_dots). Throws Error when the figure cannot be made for the clip.
 Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role);
 
 /// Appends an actor to a scene as a separate figure. After the end of its clip the actor stands

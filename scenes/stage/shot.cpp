@@ -6,8 +6,10 @@
 
 #include "motion/error.h"
 #include "motion/math/rotation.h"
+#include "motion/skeleton/clip_markers.h"
 #include "scenes/cameras/camera_path.h"
 #include "scenes/cameras/figure_place.h"
+#include "scenes/point_light/marker_dots.h"
 #include "scenes/stage/trail_figure.h"
 
 namespace mien::scenes {
@@ -63,7 +65,10 @@ std::vector<Performance> near_origin(std::vector<Performance> performances) {
   const Vec3 start = on_floor(performances.front().clip.poses.front().root_position);
   if (start.norm() < far_m) return performances;
   for (Performance& one : performances) {
-    for (motion::Pose& pose : one.clip.poses) pose.root_position -= start;
+    motion::Clip near = one.clip;
+    for (motion::Pose& pose : near.poses) pose.root_position -= start;
+    carry_markers(one.clip, near, [&](int, const Vec3& place) -> Vec3 { return place - start; });
+    one.clip = std::move(near);
   }
   return performances;
 }
@@ -81,11 +86,23 @@ Vec3 centre_of(const std::vector<std::vector<Vec3>>& points) {
   return on_floor(0.5 * (least + most));
 }
 
+/// The action of an actor: of its body, and of the markers that are shown, which may be elsewhere.
+Action shown_action(const Actor& actor, const Figure& figure) {
+  Action action = action_of(actor.clip);
+  const auto* markers = std::get_if<MarkersOptions>(&figure);
+  if (markers == nullptr) return action;
+  const auto places = marker_places(actor.clip, *markers);
+  for (std::size_t f = 0; f < places.size(); ++f) {
+    action.points[f].insert(action.points[f].end(), places[f].begin(), places[f].end());
+  }
+  return action;
+}
+
 /// The common action of all actors.
-Action shared_action(const std::vector<Actor>& actors) {
-  Action action = action_of(actors.front().clip);
+Action shared_action(const std::vector<Actor>& actors, const Figure& figure) {
+  Action action = shown_action(actors.front(), figure);
   for (std::size_t i = 1; i < actors.size(); ++i) {
-    const Action more = action_of(actors[i].clip);
+    const Action more = shown_action(actors[i], figure);
     const std::size_t count = std::max(action.points.size(), more.points.size());
     for (std::size_t f = 0; f < count; ++f) {
       const auto& points = more.points[std::min(f, more.points.size() - 1)];
@@ -119,7 +136,15 @@ DotStage dot_stage(const Shot& shot, const motion::Clip& clip, std::uint64_t see
   return stage;
 }
 
-void place_dots(Shot& shot, const PointLightOptions& options, std::uint64_t seed) {
+std::vector<Dot> dots_of(const Actor& actor, const Figure& figure, const DotStage& stage) {
+  if (const auto* markers = std::get_if<MarkersOptions>(&figure))
+    return marker_dots(actor.clip, *markers, stage);
+  return point_light(actor.clip, std::get<PointLightOptions>(figure), stage);
+}
+
+/// `options` are those of the figure's dots.
+void place_dots(Shot& shot, const Figure& figure, const PointLightOptions& options,
+                std::uint64_t seed) {
   shot.tone.shoulder = 1.0f;
   const DotStage stage = dot_stage(shot, shot.actors.front().clip, seed);
   if (shot.set.in_place) {
@@ -128,7 +153,7 @@ void place_dots(Shot& shot, const PointLightOptions& options, std::uint64_t seed
     shot.step = changed_step(options, going);
   }
   for (Actor& actor : shot.actors) {
-    actor.dots = point_light(actor.clip, options, dot_stage(shot, actor.clip, seed));
+    actor.dots = dots_of(actor, figure, dot_stage(shot, actor.clip, seed));
   }
 }
 
@@ -145,7 +170,9 @@ Action dotted_action(const Shot& shot, const PointLightOptions& options, Action 
     for (std::size_t f = 0; f < action.points.size(); ++f) {
       const std::size_t shown = std::min(f, way.size() - 1);
       action.points[f].push_back(way[shown]);
-      for (const Dot& dot : actor.dots) action.points[f].push_back(dot.path[shown]);
+      for (const Dot& dot : actor.dots) {
+        if (dot.is_shown(shown)) action.points[f].push_back(dot.path[shown]);
+      }
     }
   }
   action.centre = centre_of(action.points);
@@ -164,10 +191,12 @@ motion::Vec3 mean_step(const motion::Clip& clip) {
   return goes ? step : motion::Vec3::Zero();
 }
 
-motion::Clip on_the_spot(motion::Clip clip, const motion::Vec3& step) {
+motion::Clip on_the_spot(const motion::Clip& clip, const motion::Vec3& step) {
+  motion::Clip still = clip;
   double frame = 0.0;
-  for (motion::Pose& pose : clip.poses) pose.root_position -= frame++ * step;
-  return clip;
+  for (motion::Pose& pose : still.poses) pose.root_position -= frame++ * step;
+  carry_markers(clip, still, [&](int f, const Vec3& place) -> Vec3 { return place - f * step; });
+  return still;
 }
 
 bool looks_across_lanes(const CameraSettings& camera) {
@@ -194,7 +223,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
     throw Error("figures side by side hide each other in a side view",
                 "choose front, three-quarter or follow, or layout: superimposed");
   }
-  if (auto* dots = std::get_if<PointLightOptions>(&look.figure)) dots->size_px *= look.pixel_scale;
+  if (auto* dots = dots_in(look.figure)) dots->size_px *= look.pixel_scale;
   if (look.camera.figure_px) *look.camera.figure_px *= look.pixel_scale;
   Shot shot;
   shot.set = look.set;
@@ -209,10 +238,10 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
     shot.step = mean_step(shot.actors.front().clip);
     for (Actor& actor : shot.actors) {
       const Vec3 step = mean_step(actor.clip);
-      actor.clip = on_the_spot(std::move(actor.clip), step);
+      actor.clip = on_the_spot(actor.clip, step);
     }
   }
-  shot.action = shared_action(shot.actors);
+  shot.action = shared_action(shot.actors, look.figure);
   shot.action.forward = shot.place.forward;
   shot.place.centre = shot.action.centre;
   if (shot.set.belt) include(*shot.set.belt, shot.place, shot.action);
@@ -221,8 +250,8 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   for (Actor& actor : shot.actors) {
     if (actor.trail) actor.traces = traces_of(actor.clip, *actor.trail);
   }
-  if (const auto* dots = std::get_if<PointLightOptions>(&look.figure)) {
-    place_dots(shot, *dots, look.seed);
+  if (const PointLightOptions* dots = dots_in(look.figure)) {
+    place_dots(shot, look.figure, *dots, look.seed);
     // The cameras see the dots, which may go elsewhere than the figure would.
     shot.action = dotted_action(shot, *dots, std::move(shot.action), look.seed);
     shot.cameras = make_camera_rig(look.camera, shot.action, look.size);

@@ -25,7 +25,7 @@ motion::Vec3 mean_step(const motion::Clip& clip);
 
 /// The clip with the displacement `step`, metres per frame, removed: the figure walks in place at
 /// its first position.
-motion::Clip on_the_spot(motion::Clip clip, const motion::Vec3& step);
+motion::Clip on_the_spot(const motion::Clip& clip, const motion::Vec3& step);
 
 /// How clips are shown.
 struct Look {

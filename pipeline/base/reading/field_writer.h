@@ -134,6 +134,7 @@ OrderedJson written(const Value& value, const WritingOptions& how) {
     static_assert(std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string> ||
                   std::is_same_v<Value, std::array<int, 2>> ||
                   std::is_same_v<Value, std::array<double, 2>> ||
+                  std::is_same_v<Value, std::array<std::string, 2>> ||
                   std::is_same_v<Value, std::array<int, 4>>);
     return value;
   }

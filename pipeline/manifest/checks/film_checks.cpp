@@ -140,7 +140,9 @@ void check_shutter(const WrittenFilm& written) {
   if (written.film.output.shutter == 0.0) return;
   const std::string path = written.output_at("shutter");
   if (scenes::kind_of(written.film.look.figure).has_dots) {
-    written.list.add(path, "motion blur is not available for point-light figures",
+    written.list.add(path,
+                     fmt::format("motion blur is not available for {} figures",
+                                 scenes::kind_of(written.film.look.figure).name),
                      "omit it, or set it to 0");
   } else if (written.film.output.frames == FrameFormat::layers) {
     written.list.add(path, "layers cannot have motion blur",

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <variant>
 
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/measures/distance/body_part.h"
@@ -155,6 +156,22 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
   }
 }
 
+/// Only a recording has markers, and only as long as nothing changes its motion. Whether a file
+/// holds any is known when it is read.
+void check_markers(const Stimulus& stimulus, FaultList& list) {
+  if (!std::holds_alternative<scenes::MarkersOptions>(stimulus.look.figure)) return;
+  const std::string own = member_path(stimulus.path, "look.figure");
+  const std::string path = list.was_given(own) ? own : "look.figure";
+  const std::string motion = "the motion of " + motion::in_quotes(stimulus.id);
+  if (!stimulus.clip) {
+    list.add(path, motion + " is not a recording, so it has no markers",
+             "show a recording of markers (clip), or another figure, such as point-light");
+  } else if (!stimulus.modify.empty()) {
+    list.add(path, motion + " is modified, and its markers cannot follow",
+             "omit modify, or show another figure, such as point-light");
+  }
+}
+
 /// Factors become columns, which programs of statistics take as names.
 void check_factors(const Stimulus& stimulus, FaultList& list) {
   const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0; };
@@ -196,6 +213,7 @@ void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultLis
   if (has_examples && !manifest.examples.blendable) check_single(stimulus, list);
   check_interpolation(stimulus, list);
   check_clip(stimulus, list);
+  check_markers(stimulus, list);
   check_walk_path(stimulus, list);
 }
 

@@ -1,7 +1,5 @@
 #include "pipeline/manifest/look/look.h"
 
-#include <variant>
-
 #include "scenes/figures/figure_colour.h"
 #include "scenes/point_light/dot_display.h"
 
@@ -17,7 +15,7 @@ scenes::SetPlan staged_set(const Look& look) {
   const auto show = [&](const render::Color& colour) {
     plan.sky.backdrop_horizon = plan.sky.backdrop_zenith = colour;
   };
-  const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure);
+  const scenes::PointLightOptions* dots = scenes::dots_in(look.figure);
   const bool is_bare = !plan.ground && look.background.empty();
   if (dots != nullptr && (look.scene.empty() || is_bare || !dots->background.empty())) {
     show(scenes::dot_colours(*dots).background);

@@ -30,6 +30,25 @@ void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
   }
 }
 
+void check_markers(const scenes::MarkersOptions& markers, const std::string& path,
+                   FaultList& list) {
+  check_dots(markers.dots, path, {}, list);
+  const std::string pairs = member_path(path, "pairs");
+  if (!markers.pairs.empty() && (markers.dots.scrambled || markers.dots.phase_scrambled)) {
+    list.add(pairs, "scrambled markers are not on a body, as pairs require",
+             "omit scrambled or pairs");
+  }
+  if (markers.pairs.empty() && markers.dots.lifetime > 0 && !markers.dots.scrambled) {
+    list.add(member_path(path, "lifetime"),
+             "markers without pairs are not on limbs, as a limited lifetime requires",
+             "name the two markers of each limb in pairs, or omit lifetime");
+  }
+  for (std::size_t i = 0; i < markers.pairs.size(); ++i) {
+    if (markers.pairs[i][0] != markers.pairs[i][1]) continue;
+    list.add(element_path(pairs, i), "both ends are the same marker", "name two markers");
+  }
+}
+
 void check_trail(const scenes::TrailOptions& trail, const std::string& path,
                  const std::vector<std::string>& joints, FaultList& list) {
   constexpr int most_poses = 29;  // figures of a picture, less the present pose and the traces
@@ -62,7 +81,7 @@ void check_character(const scenes::CharacterOptions& character, const std::strin
 
 /// Contrast is that of dots and background, which a set may have already.
 void check_contrast(const Look& look, const std::string& path, FaultList& list) {
-  const auto& dots = std::get<scenes::PointLightOptions>(look.figure);
+  const scenes::PointLightOptions& dots = *scenes::dots_in(look.figure);
   if (look.scene.empty() || !dots.background.empty()) return;
   const bool has_background = !look.background.empty() || look.scene != "void";
   for (const char* key : {"contrast", "polarity"}) {
@@ -80,8 +99,11 @@ void check_figure(const Look& look, const std::string& path, const std::vector<s
   }
   if (const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure)) {
     check_dots(*dots, member_path(path, "point-light"), joints, list);
-    check_contrast(look, member_path(path, "point-light"), list);
   }
+  if (const auto* markers = std::get_if<scenes::MarkersOptions>(&look.figure))
+    check_markers(*markers, member_path(path, "markers"), list);
+  if (scenes::dots_in(look.figure) != nullptr)
+    check_contrast(look, member_path(path, scenes::kind_of(look.figure).name), list);
   if (const auto* trail = std::get_if<scenes::TrailOptions>(&look.figure)) {
     if (const auto* character = std::get_if<scenes::CharacterOptions>(&trail->figure)) {
       check_character(*character, member_path(path, "trail.figure.character"), list, characters);

@@ -25,12 +25,18 @@ struct JointsForm {
                                       const WritingOptions& how);
 };
 
+/// `size_mm:` of markers, in millimetres as laboratories give it.
+struct MillimetresForm {
+  static void read(const DocumentValue& given, std::optional<double>& metres);
+  static nlohmann::ordered_json write(const std::optional<double>& metres, const WritingOptions&);
+};
+
+inline constexpr Words<bool> gap_words = {{"dark", false}, {"fill", true}};
+
 inline constexpr Words<bool> polarity_words = {{"light-on-dark", false}, {"dark-on-light", true}};
 
-void fields_of(auto&& field, MaybeConst<scenes::PointLightOptions> auto& dots) {
-  field.by("joints", dots, concerns::picture, JointsForm());
-  field("size", dots.size_px, concerns::picture);
-  field("size_m", dots.size_m, concerns::picture);
+/// The options of dots that are the same for joints and markers.
+void dot_fields(auto&& field, MaybeConst<scenes::PointLightOptions> auto& dots) {
   field("polarity", dots.dark_on_light, concerns::picture, polarity_words);
   field("contrast", dots.contrast, concerns::picture);
   field("colour", dots.colour, concerns::picture);
@@ -46,6 +52,22 @@ void fields_of(auto&& field, MaybeConst<scenes::PointLightOptions> auto& dots) {
   field("noise", dots.noise, concerns::picture);
   field("mask", dots.mask, concerns::picture);
   field("seed", dots.seed, concerns::picture);
+}
+
+void fields_of(auto&& field, MaybeConst<scenes::PointLightOptions> auto& dots) {
+  field.by("joints", dots, concerns::picture, JointsForm());
+  field("size", dots.size_px, concerns::picture);
+  field("size_m", dots.size_m, concerns::picture);
+  dot_fields(field, dots);
+}
+
+void fields_of(auto&& field, MaybeConst<scenes::MarkersOptions> auto& markers) {
+  field("show", markers.show, concerns::picture);
+  field("pairs", markers.pairs, concerns::picture);
+  field("gaps", markers.fills_gaps, concerns::picture, gap_words);
+  field("size", markers.dots.size_px, concerns::picture);
+  field.by("size_mm", markers.dots.size_m, concerns::picture, MillimetresForm());
+  dot_fields(field, markers.dots);
 }
 
 /// A Figure or BodyFigure: a name, or a map of one figure to its options.

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -15,6 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double eyes_apart_m = 0.063;
+constexpr double millimetres_per_metre = 1000.0;
 
 /// What stands under a figure's name: its options, or the file that it is read from.
 auto& under_name(auto& options) {
@@ -35,6 +37,16 @@ void JointsForm::read(const DocumentValue& given, scenes::PointLightOptions& dot
 
 OrderedJson JointsForm::write(const scenes::PointLightOptions& dots, const WritingOptions& how) {
   return dots.joints.empty() ? OrderedJson(dots.joint_set) : written(dots.joints, how);
+}
+
+void MillimetresForm::read(const DocumentValue& given, std::optional<double>& metres) {
+  if (given.value.is_number()) metres = given.value.get<double>() / millimetres_per_metre;
+}
+
+OrderedJson MillimetresForm::write(const std::optional<double>& metres, const WritingOptions&) {
+  if (!metres) return {};
+  // Back to the written number, which division and multiplication may miss by a rounding.
+  return std::round(*metres * millimetres_per_metre * 1e6) / 1e6;
 }
 
 template <class Figures>

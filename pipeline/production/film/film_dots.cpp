@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <optional>
+#include <variant>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/tasks/code_identity.h"
+#include "scenes/point_light/marker_dots.h"
 
 namespace mien::pipeline {
 
@@ -35,31 +39,38 @@ struct DotRow {
   const scenes::Dot& dot;
   motion::Vec3 at;
   std::optional<Eigen::Vector2f> seen;  ///< from the upper left corner of the picture
+  bool is_lit;                          ///< not a marker in a gap
   bool is_visible;
   const char* eye;
 
   std::optional<double> pixels(int axis) const {
     return seen ? std::optional(static_cast<double>((*seen)[axis])) : std::nullopt;
   }
+  std::optional<double> metres(int axis) const {
+    return is_lit ? std::optional(at[axis]) : std::nullopt;
+  }
 };
 
 constexpr auto dots_columns = table_of<DotRow>(
-    "clips/<stimulus>.dots.csv", "frame and dot of a point-light figure",
+    "clips/<stimulus>.dots.csv", "frame and dot of a point-light figure or of markers",
     {{"frame", "", "frame of the film, counted from 0", [](auto& r) { return r.frame; }},
      {"time_s", "s", "time of the frame", [](auto& r) { return r.time_s; }},
      {"dot", "", "number of the dot, counted from 0; the same in all frames",
       [](auto& r) { return r.number; }},
-     {"kind", "", "joint name, limb, noise or mask", [](auto& r) { return r.dot.kind; }},
+     {"kind", "", "name of the joint or marker, limb, noise or mask",
+      [](auto& r) { return r.dot.kind; }},
      {"x_px", "pixels",
       "centre of the dot from the left edge of the frame (of a stereo pair: of the whole frame "
-      "with both eyes); empty if it is behind the camera",
+      "with both eyes); empty if it is behind the camera or, of a marker, dark",
       [](auto& r) { return r.pixels(0); }},
      {"y_px", "pixels", "centre of the dot from the upper edge of the frame, downwards",
       [](auto& r) { return r.pixels(1); }},
-     {"x_m", "m", "world position: to the figure's left", [](auto& r) { return r.at.x(); }},
-     {"y_m", "m", "world position: up", [](auto& r) { return r.at.y(); }},
-     {"z_m", "m", "world position: in the walking direction", [](auto& r) { return r.at.z(); }},
-     {"visible", "0/1", "1: inside the image (of that eye)", [](auto& r) { return r.is_visible; }},
+     {"x_m", "m", "world position: to the figure's left; empty if dark",
+      [](auto& r) { return r.metres(0); }},
+     {"y_m", "m", "world position: up", [](auto& r) { return r.metres(1); }},
+     {"z_m", "m", "world position: in the walking direction", [](auto& r) { return r.metres(2); }},
+     {"visible", "0/1", "1: shown and inside the image (of that eye)",
+      [](auto& r) { return r.is_visible; }},
      {"eye", "", "both; for a stereo pair, left or right, with one row for each",
       [](auto& r) { return r.eye; }}});
 
@@ -72,13 +83,15 @@ void add_rows(std::vector<DotRow>& rows, const Eye& eye, const scenes::Actor& ac
     const scenes::Dot& dot = actor.dots[d];
     const auto shown = std::min(static_cast<std::size_t>(frame), dot.path.size() - 1);
     const motion::Vec3& at = dot.path[shown];
+    const bool is_lit = dot.is_shown(shown);
     auto seen = render::project(camera, at.cast<float>());
+    if (!is_lit) seen.reset();
     if (seen) *seen -= Eigen::Vector2f(shown_part.x, shown_part.y);
     const bool is_visible = seen && seen->x() >= 0.0f && seen->y() >= 0.0f &&
                             seen->x() < static_cast<float>(shown_part.width) &&
                             seen->y() < static_cast<float>(shown_part.height);
     if (seen) seen->x() += static_cast<float>(eye.left);
-    rows.push_back({frame, frame / actor.clip.frames_per_second, first + d, dot, at, seen,
+    rows.push_back({frame, frame / actor.clip.frames_per_second, first + d, dot, at, seen, is_lit,
                     is_visible, eye.name});
   }
 }
@@ -102,6 +115,21 @@ std::string dots_csv(const scenes::Shot& shot) {
 }
 
 bool has_dots(const Stimulus& stimulus) { return scenes::kind_of(stimulus.look.figure).has_dots; }
+
+std::string marker_facts(const Stimulus& stimulus, FinishedMotions& motions) {
+  const auto* options = std::get_if<scenes::MarkersOptions>(&stimulus.look.figure);
+  if (options == nullptr) return "";
+  const scenes::MarkerCounts counts =
+      scenes::marker_counts(staged_clip(stimulus, motions), *options);
+  const auto in_frames = [](double share) {
+    return fmt::format("in {:.2g} % of their frames", 100.0 * share);
+  };
+  std::string facts = fmt::format("{} of {} markers", counts.shown, counts.recorded);
+  if (counts.filled_share > 0.0)
+    facts += ", at interpolated positions " + in_frames(counts.filled_share);
+  return facts + (counts.dark_share > 0.0 ? ", dark " + in_frames(counts.dark_share)
+                                          : ", dark in no frame");
+}
 
 Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equalize,
                const SharedDeterminants& shared, FinishedMotions& motions) {

@@ -95,26 +95,27 @@ using AdjustmentsById = std::map<std::string, Adjustment>;
 struct DotsLook {
   std::string scene, background;
   Role role;
-  scenes::PointLightOptions dots;
+  scenes::Figure figure;
 
   friend bool operator==(const DotsLook&, const DotsLook&) = default;
 };
 
 /// Without what only moves dots; nothing where there are none.
 std::optional<DotsLook> dots_look(const Stimulus& stimulus) {
-  const auto* given = std::get_if<scenes::PointLightOptions>(&stimulus.look.figure);
-  if (!given) return std::nullopt;
+  DotsLook look = {stimulus.look.scene, stimulus.look.background, film_role(stimulus),
+                   stimulus.look.figure};
+  scenes::PointLightOptions* dots = scenes::dots_in(look.figure);
+  if (dots == nullptr) return std::nullopt;
   const scenes::PointLightOptions usual;
-  DotsLook look = {stimulus.look.scene, stimulus.look.background, film_role(stimulus), *given};
-  look.dots.lifetime = usual.lifetime;
-  look.dots.inverted = usual.inverted;
-  look.dots.mirrored = usual.mirrored;
-  look.dots.rotated_degrees = usual.rotated_degrees;
-  look.dots.scrambled = usual.scrambled;
-  look.dots.reversed = usual.reversed;
-  look.dots.constant_speed = usual.constant_speed;
-  look.dots.phase_scrambled = usual.phase_scrambled;
-  look.dots.seed = usual.seed;
+  dots->lifetime = usual.lifetime;
+  dots->inverted = usual.inverted;
+  dots->mirrored = usual.mirrored;
+  dots->rotated_degrees = usual.rotated_degrees;
+  dots->scrambled = usual.scrambled;
+  dots->reversed = usual.reversed;
+  dots->constant_speed = usual.constant_speed;
+  dots->phase_scrambled = usual.phase_scrambled;
+  dots->seed = usual.seed;
   return look;
 }
 

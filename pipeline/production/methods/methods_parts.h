@@ -49,7 +49,7 @@ void describe_pictures(MethodsText& out);
 
 /// Every setting of films and of the interpolation of their motions that differs from its default,
 /// except those that other sentences state for all films; also the number and size of the dots of
-/// point-light figures.
+/// point-light figures, and the number of markers with the share of their gaps.
 void describe_settings(MethodsText& out);
 
 /// The settings for reading the examples from a folder, as far as they differ from their defaults.

@@ -71,7 +71,7 @@ void describe_equalization(MethodsText& out) {
   if (!alike.empty()) out.say("The films of the stimuli were equalized in " + listed(alike));
   if (out.manifest.equalize.luminance && std::ranges::any_of(out.manifest.stimuli, has_dots)) {
     out.say(
-        "Point-light figures on the same set whose dots differ only in arrangement and motion "
+        "Figures of dots on the same set whose dots differ only in arrangement and motion "
         "share one exposure, so that their dots have the same luminance wherever they move (also "
         "when scrambled), while the mean luminance of their films may differ; the exposure changes "
         "the luminance of the dots themselves (metrics/exposure.csv)");

@@ -67,6 +67,11 @@ void add_set(const Stimulus& stimulus, StatedSettings& settings) {
   }
 }
 
+std::string size_of(const scenes::PointLightOptions& dots) {
+  return dots.size_m ? fmt::format("{:g} m", *dots.size_m)
+                     : fmt::format("{:g} pixels", dots.size_px);
+}
+
 /// "13 dots of 8 pixels": those of noise and masks are stated separately.
 std::string dots_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed) {
   const auto& options = std::get<scenes::PointLightOptions>(stimulus.look.figure);
@@ -74,18 +79,29 @@ std::string dots_of(const Stimulus& stimulus, Motions& motions, std::uint64_t se
   const std::size_t others =
       static_cast<std::size_t>(options.noise) + static_cast<std::size_t>(options.mask);
   const std::size_t own = all > others ? all - others : all;
-  return fmt::format("{} of {}", count_of(own, "dot", "dots"),
-                     options.size_m ? fmt::format("{:g} m", *options.size_m)
-                                    : fmt::format("{:g} pixels", options.size_px));
+  return fmt::format("{} of {}", count_of(own, "dot", "dots"), size_of(options));
+}
+
+/// "39 of 41 markers, dark in 2.1 % of their frames, as dots of 8 pixels joined by sticks"
+std::string markers_of(const Stimulus& stimulus, Motions& motions) {
+  const auto& options = std::get<scenes::MarkersOptions>(stimulus.look.figure);
+  const bool has_sticks = !options.pairs.empty() && options.dots.lifetime == 0;
+  return fmt::format("{}, as dots of {}{}", marker_facts(stimulus, motions), size_of(options.dots),
+                     has_sticks ? " joined by sticks" : "");
 }
 
 void describe_dots(MethodsText& out) {
-  Names dots;
+  Names dots, markers;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
-    if (has_dots(stimulus)) add_once(dots, dots_of(stimulus, out.motions, out.manifest.seed));
+    if (std::holds_alternative<scenes::PointLightOptions>(stimulus.look.figure))
+      add_once(dots, dots_of(stimulus, out.motions, out.manifest.seed));
+    if (std::holds_alternative<scenes::MarkersOptions>(stimulus.look.figure))
+      add_once(markers, markers_of(stimulus, out.motions));
   }
   if (!dots.empty())
     out.say("Point-light figures have " + fmt::format("{}", fmt::join(dots, " or ")));
+  if (!markers.empty())
+    out.say("Figures of markers show " + fmt::format("{}", fmt::join(markers, "; or ")));
 }
 
 }  // namespace

@@ -63,6 +63,26 @@ constexpr OptionWords option_words[] = {
     {"point-light.noise", "{} noise dots"},
     {"point-light.mask", "{} mask dots"},
     {"point-light.seed", "random seed {} of the dots"},
+    {"markers.show", "markers named {}"},
+    {"markers.pairs", "sticks between {}"},
+    {"markers.gaps", "markers in gaps: {}"},
+    {"markers.size", "markers {} pixels in diameter"},
+    {"markers.size_mm", "markers {} mm in diameter"},
+    {"markers.polarity", "markers {}"},
+    {"markers.contrast", "a Michelson contrast of markers and background of {}"},
+    {"markers.colour", "markers of the colour {}"},
+    {"markers.background", "markers on a background of colour {}"},
+    {"markers.lifetime", "dots on the limbs of markers with a lifetime of {} frames"},
+    {"markers.inverted", "inverted markers"},
+    {"markers.mirrored", "markers mirrored left–right"},
+    {"markers.rotated", "markers turned about the vertical by {}°"},
+    {"markers.scrambled", "markers scrambled in space"},
+    {"markers.reversed", "markers played backwards"},
+    {"markers.constant_speed", "markers at constant speed"},
+    {"markers.phase_scrambled", "markers scrambled in phase"},
+    {"markers.noise", "{} noise dots"},
+    {"markers.mask", "{} mask dots"},
+    {"markers.seed", "random seed {} of the dots of markers"},
     {"camera.orthographic", "an orthographic camera"},
     {"camera.fov", "a field of view of {}°"},
     {"camera.position", "the camera at {} m"},
@@ -103,6 +123,13 @@ std::string name_of_option(std::string_view path) {
   return name;
 }
 
+/// Pairs as a list of names: "LASI–RASI".
+OrderedJson joined_pairs(const OrderedJson& pairs) {
+  OrderedJson names = OrderedJson::array();
+  for (const OrderedJson& pair : pairs) names.push_back(text_of(pair[0]) + "–" + text_of(pair[1]));
+  return names;
+}
+
 bool is_of_maps(const OrderedJson& value) {
   return value.is_array() &&
          std::ranges::any_of(value, [](const OrderedJson& one) { return one.is_structured(); });
@@ -117,6 +144,8 @@ void each_option(const std::string& path, const OrderedJson& value,
       const bool is_bare = one.is_null() || (one.is_object() && one.empty());
       each_option(path + "." + key, is_bare ? OrderedJson(true) : one, visit);
     }
+  } else if (path.ends_with("markers.pairs")) {
+    visit(path, joined_pairs(value));
   } else if (is_of_maps(value)) {
     for (std::size_t i = 0; i < value.size(); ++i)
       each_option(path + "." + std::to_string(i + 1), value[i], visit);

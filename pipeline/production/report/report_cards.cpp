@@ -7,6 +7,7 @@
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/measures/distance/distance.h"
 #include "pipeline/base/documents/html.h"
+#include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/report/lint_timeline.h"
@@ -131,6 +132,8 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions, InterfaceL
                   name_of(stimulus.role), id, id, name_of(stimulus.role));
   card += video_of(stimulus) + contact_sheet(id);
   card += fmt::format("<p>{}.</p>\n", html_escaped(facts_of(stimulus, made)));
+  if (const std::string markers = marker_facts(stimulus, motions); !markers.empty())
+    card += fmt::format("<p>Shown: {}.</p>\n", html_escaped(markers));
   if (!made.modified.empty()) {
     std::string sentence = "Modified: " + made.modified + share_text(made.modified_share);
     for (const std::string& note : made.notes) sentence += "; " + note;

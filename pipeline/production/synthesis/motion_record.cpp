@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "motion/skeleton/clip_markers.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -26,6 +28,17 @@ void add(KeyBuilder& key, const motion::Skeleton& skeleton) {
   }
 }
 
+void add(KeyBuilder& key, const motion::Markers& markers) {
+  for (const std::string& point : markers.points) key.add("marker", point);
+  for (std::size_t i = 0; i < markers.positions.size(); ++i) {
+    if (!markers.is_known(i)) {
+      key.add("m", "missing");
+      continue;
+    }
+    add(key, markers.seen[i] ? "m" : "filled", markers.positions[i]);
+  }
+}
+
 void add(KeyBuilder& key, const motion::Clip& clip) {
   key.add("clip", clip.name)
       .add("fps", clip.frames_per_second)
@@ -37,6 +50,7 @@ void add(KeyBuilder& key, const motion::Clip& clip) {
     for (const motion::Quat& rotation : pose.rotations) add(key, "r", rotation);
     for (const motion::Vec3& offset : pose.offsets) add(key, "o", offset);
   }
+  if (const motion::Markers* markers = motion::markers_of(clip)) add(key, *markers);
 }
 
 void add(KeyBuilder& key, std::string_view name, const NamedValues& values) {

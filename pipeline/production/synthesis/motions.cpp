@@ -73,8 +73,8 @@ motion::Clip Motions::shown(const Stimulus& stimulus) {
   if (!manifest_.equalize.duration) return shown;
   const auto frames = static_cast<std::size_t>(
       std::max(1.0, std::round(shortest_seconds() * shown.frames_per_second)));
-  if (shown.poses.size() > frames) shown.poses.resize(frames);
-  return shown;
+  if (shown.poses.size() <= frames) return shown;
+  return motion::cut(shown, 0, static_cast<int>(frames) - 1);
 }
 
 double Motions::shortest_seconds() {

@@ -189,8 +189,7 @@ Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire
 motion::Clip excerpt(motion::Clip clip, const ClipSource& source) {
   if (!source.frames) return clip;
   const auto [first, last] = *source.frames;
-  clip.poses = {clip.poses.begin() + first, clip.poses.begin() + last + 1};
-  return clip;
+  return motion::cut(clip, first, last);
 }
 
 /// Warns of files with several takes where none was chosen. The reader of a clip reports its own.

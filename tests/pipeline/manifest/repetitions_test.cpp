@@ -66,6 +66,8 @@ TEST(Repetitions, AreNoneOfDotsThatAreOthersForEachId) {
   EXPECT_EQ(told_of(same, scenes::PointLightOptions{.noise = 5}), "");
   EXPECT_NE(told_of(same, scenes::PointLightOptions{.scrambled = true, .seed = 3}), "");
   EXPECT_NE(told_of([](Stimulus& b) { b.role = Role::target; }, scenes::PointLightOptions{}), "");
+  EXPECT_NE(told_of(same, scenes::MarkersOptions{}), "");
+  EXPECT_EQ(told_of(same, scenes::MarkersOptions{.dots = {.scrambled = true}}), "");
 }
 
 TEST(Repetitions, AreAllOfTheFirst) {

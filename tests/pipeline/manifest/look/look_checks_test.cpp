@@ -90,6 +90,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"figure: {character: nobody.glb}",
              "m.yaml:4:28: look.figure.character: there is no file nobody.glb; give a skinned "
              "character (.gltf, .glb, .vrm); paths are taken from the manifest's folder"},
+        Case{"figure: markers",
+             "m.yaml:4:16: look.figure: the motion of \"a\" is not a recording, so it has no "
+             "markers; show a recording of markers (clip), or another figure, such as point-light"},
         Case{"figure: {point-light: {joints: [head]}}",
              "m.yaml:4:40: look.figure.point-light.joints[0]: unknown joint \"head\"; did you mean "
              "\"Head\"?"}));
@@ -98,6 +101,20 @@ TEST(LookChecks, NameTheEndingsOfCharactersAsSchemaAndPageDo) {
   const std::string endings = fmt::format("({})", fmt::join(scenes::character_endings, ", "));
   EXPECT_NE(manifest_schema_text().find(endings), std::string::npos) << endings;
   EXPECT_NE(read_file(MIEN_SOURCE_DIR "/scenes/README.md").find(endings), std::string::npos);
+}
+
+TEST(LookChecks, RefuseMarkersOfAMotionThatIsModified) {
+  const std::string text =
+      "mien: 1\nstudy: s\nstimuli: [{id: a, clip: nobody.bvh, modify: {tempo: 0.8}, look: "
+      "{figure: markers}}]\n";
+  std::string told;
+  for (const Fault& fault :
+       parse_manifest(text, "m.yaml", [](const std::string&) { return std::nullopt; }).faults)
+    told += to_string(fault) + "\n";
+  EXPECT_NE(told.find("stimuli[0].look.figure: the motion of \"a\" is modified, and its markers "
+                      "cannot follow; omit modify"),
+            std::string::npos)
+      << told;
 }
 
 TEST(LookChecks, LeaveContrastToDotsBeforeNothing) {

@@ -4,7 +4,10 @@
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/look/look_checks.h"
+#include "pipeline/manifest/look/look_fields.h"
+#include "pipeline/manifest/look/point_form.h"
 #include "pipeline/temporary_folder.h"
 #include "scenes/figures/figure_colour.h"
 
@@ -63,6 +66,55 @@ TEST(LookOptions, PointLightsStandInTheVoidBeforeTheirOwnBackground) {
   const Look own =
       look_of({.scene = "set: void, background: \"#405060\"", .figure = "point-light"});
   EXPECT_EQ(staged_set(own).sky.backdrop_zenith[0], scenes::colour_from_hex("#405060")[0]);
+}
+
+TEST(LookOptions, TakeMarkersByPatternsAndPairs) {
+  EXPECT_EQ(look_of({.figure = "markers"}).figure, scenes::Figure(scenes::MarkersOptions{}));
+  EXPECT_EQ(look_of({.figure = "markers: {}"}).figure, scenes::Figure(scenes::MarkersOptions{}));
+  const Look look =
+      look_of({.figure = "markers: {size_mm: 14, pairs: [[LASI, RASI], [LKNE, LANK]], "
+                         "show: [\"L*\", RASI], gaps: fill, mask: 20, seed: 3}"});
+  EXPECT_EQ(scene_of(look), "void");
+  const auto& markers = std::get<scenes::MarkersOptions>(look.figure);
+  EXPECT_EQ(markers.show, (std::vector<std::string>{"L*", "RASI"}));
+  ASSERT_EQ(markers.pairs.size(), 2u);
+  EXPECT_EQ(markers.pairs[1], (std::array<std::string, 2>{"LKNE", "LANK"}));
+  EXPECT_TRUE(markers.fills_gaps);
+  EXPECT_DOUBLE_EQ(markers.dots.size_m.value(), 0.014);
+  EXPECT_EQ(markers.dots.mask, 20);
+  EXPECT_EQ(markers.dots.seed, 3u);
+}
+
+TEST(LookOptions, OfMarkersAreWrittenAsTheyWereRead) {
+  for (const char* size : {"14", "14.1", "9.5", "1.23", "333.3"}) {
+    const std::string text =
+        std::string("{markers: {pairs: [[LASI, RASI]], gaps: fill, size_mm: ") + size + "}}";
+    const Look look = look_of({.figure = text});
+    const OrderedJson figure = written(look, WritingOptions{})["figure"];
+    EXPECT_EQ(figure["markers"]["size_mm"].dump(),
+              OrderedJson::parse(size).get<double>() == 14.0 ? "14.0" : size);
+    EXPECT_EQ(look_of({.figure = figure.dump()}).figure, look.figure);
+  }
+}
+
+TEST(LookOptions, OfMarkersThatContradictEachOtherAreRefused) {
+  EXPECT_EQ(faults_of_options({.figure = "markers: {scrambled: true, pairs: [[a, b]]}"}),
+            "--figure.markers.pairs: scrambled markers are not on a body, as pairs require; omit "
+            "scrambled or pairs");
+  EXPECT_EQ(faults_of_options({.figure = "markers: {scrambled: true, lifetime: 4}"}),
+            "--figure.markers.lifetime: scrambled dots are not on limbs, so they cannot have a "
+            "limited lifetime; omit scrambled or lifetime");
+  EXPECT_EQ(faults_of_options({.figure = "markers: {lifetime: 4}"}),
+            "--figure.markers.lifetime: markers without pairs are not on limbs, as a limited "
+            "lifetime requires; name the two markers of each limb in pairs, or omit lifetime");
+  EXPECT_EQ(faults_of_options({.figure = "markers: {pairs: [[a, b], [c, c]]}"}),
+            "--figure.markers.pairs[1]: both ends are the same marker; name two markers");
+  EXPECT_NE(faults_of_options({.figure = "markers: {pairs: [[a]]}"}).find("--figure.markers.pairs"),
+            std::string::npos);
+  EXPECT_NE(faults_of_options({.figure = "markers: {gaps: fil}"}).find("did you mean \"fill\"?"),
+            std::string::npos);
+  EXPECT_NE(faults_of_options({.figure = "markers: {joints: all}"}).find("unknown key"),
+            std::string::npos);
 }
 
 TEST(LookOptions, AreRefusedInTheWordsOfTheOptions) {
