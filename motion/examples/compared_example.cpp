@@ -2,7 +2,7 @@
 
 #include "motion/examples/make_example.h"
 #include "motion/examples/settled_feet.h"
-#include "motion/formats/bvh.h"
+#include "motion/formats/bvh/bvh.h"
 #include "motion/rig/body_mapping.h"
 
 namespace mien::motion {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "motion/error.h"
-#include "motion/formats/acclaim.h"
-#include "motion/formats/bvh.h"
-#include "motion/formats/gltf.h"
+#include "motion/formats/acclaim/acclaim.h"
+#include "motion/formats/bvh/bvh.h"
+#include "motion/formats/gltf/gltf.h"
 
 namespace mien::motion {
 

@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/formats/gltf_library.h"
-#include "motion/formats/gltf_nodes.h"
+#include "motion/formats/gltf/gltf_library.h"
+#include "motion/formats/gltf/gltf_nodes.h"
 #include "motion/skeleton/skeleton.h"
 #include "render/scene/scene.h"
 #include "scenes/skinning/skinned_model.h"

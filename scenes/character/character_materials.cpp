@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "motion/error.h"
-#include "motion/formats/gltf_accessor.h"
+#include "motion/formats/gltf/gltf_accessor.h"
 #include "render/error.h"
 #include "render/scene/texture_io.h"
 #include "scenes/character/character_file.h"

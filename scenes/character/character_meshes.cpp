@@ -1,5 +1,5 @@
 
-#include "motion/formats/gltf_accessor.h"
+#include "motion/formats/gltf/gltf_accessor.h"
 #include "scenes/character/character_file.h"
 
 namespace mien::scenes {

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
-#include "motion/formats/gltf_accessor.h"
+#include "motion/formats/gltf/gltf_accessor.h"
 #include "motion/math/rotation.h"
 #include "scenes/character/character_file.h"
 

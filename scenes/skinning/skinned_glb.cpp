@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/formats/glb_buffer.h"
+#include "motion/formats/gltf/glb_buffer.h"
 #include "render/scene/texture_io.h"
 
 namespace mien::scenes {

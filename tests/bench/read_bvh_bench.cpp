@@ -5,7 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "motion/formats/bvh.h"
+#include "motion/formats/bvh/bvh.h"
 
 namespace {
 

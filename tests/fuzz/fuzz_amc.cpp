@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "motion/error.h"
-#include "motion/formats/acclaim.h"
+#include "motion/formats/acclaim/acclaim.h"
 
 using namespace mien::motion;
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "motion/error.h"
-#include "motion/formats/bvh.h"
+#include "motion/formats/bvh/bvh.h"
 #include "motion/random_recording.h"
 
 using namespace mien::motion;

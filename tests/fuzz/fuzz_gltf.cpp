@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "motion/error.h"
-#include "motion/formats/gltf.h"
+#include "motion/formats/gltf/gltf.h"
 #include "motion/random_recording.h"
 
 using namespace mien::motion;

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/formats/gltf.h"
+#include "motion/formats/gltf/gltf.h"
 #include "motion/gltf_text.h"
 #include "motion/skeleton/recording.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "motion/error.h"
-#include "motion/formats/recording_limits.h"
+#include "motion/formats/reading/recording_limits.h"
 #include "motion/text/plain_number.h"
 
 namespace mien::motion {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/formats/c3d/c3d_parameters.h"
-#include "motion/formats/read_options.h"
+#include "motion/formats/reading/read_options.h"
 
 namespace mien::motion {
 

@@ -8,7 +8,7 @@
 #include "motion/formats/c3d/c3d.h"
 #include "motion/formats/c3d/c3d_layout.h"
 #include "motion/formats/c3d/c3d_segments.h"
-#include "motion/formats/recording_limits.h"
+#include "motion/formats/reading/recording_limits.h"
 #include "motion/math/geometry.h"
 #include "motion/points/point_names.h"
 #include "motion/text/file_contents.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "motion/formats/mvnx/xml_events.h"
-#include "motion/formats/recording_limits.h"
+#include "motion/formats/reading/recording_limits.h"
 #include "motion/text/text_cursor.h"
 
 namespace mien::motion {

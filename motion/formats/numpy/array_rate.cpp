@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "motion/formats/frame_rate.h"
+#include "motion/formats/reading/frame_rate.h"
 
 namespace mien::motion {
 

@@ -9,7 +9,7 @@
 #include "motion/formats/numpy/array_rate.h"
 #include "motion/formats/numpy/joint_orders.h"
 #include "motion/formats/numpy/npz.h"
-#include "motion/formats/recording_limits.h"
+#include "motion/formats/reading/recording_limits.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/result_file.h"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "motion/formats/numpy/npz.h"
-#include "motion/formats/read_options.h"
+#include "motion/formats/reading/read_options.h"
 #include "motion/points/point_recording.h"
 #include "motion/skeleton/recording.h"
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "motion/formats/numpy/array_rate.h"
-#include "motion/formats/recording_limits.h"
+#include "motion/formats/reading/recording_limits.h"
 #include "motion/formats/smpl/smpl.h"
 #include "motion/text/excerpt.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "motion/formats/recording_limits.h"
+#include "motion/formats/reading/recording_limits.h"
 #include "motion/formats/smpl/smpl_joints.h"
 #include "motion/text/excerpt.h"
 

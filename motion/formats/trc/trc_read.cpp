@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "motion/error.h"
-#include "motion/formats/recording_limits.h"
+#include "motion/formats/reading/recording_limits.h"
 #include "motion/formats/trc/trc.h"
 #include "motion/formats/trc/trc_header.h"
 #include "motion/formats/trc/trc_times.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/formats/frame_rate.h"
+#include "motion/formats/reading/frame_rate.h"
 #include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/plain_number.h"

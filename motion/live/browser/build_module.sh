@@ -13,7 +13,7 @@ eigen=${EIGEN_INCLUDE:-/usr/include/eigen3}
 rooms='biomechanics gait interpolation live live/browser math rig skeleton'
 files='error.cpp
   examples/compared_example.cpp examples/make_example.cpp examples/settled_feet.cpp
-  formats/bvh_as_read.cpp formats/bvh_rotation.cpp formats/frame_rate.cpp
+  formats/bvh/bvh_as_read.cpp formats/bvh/bvh_rotation.cpp formats/reading/frame_rate.cpp
   measures/distance/distance.cpp
   measures/features/feature_scale.cpp measures/features/motion_feature_list.cpp measures/features/motion_features.cpp
   points/markers.cpp

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "motion/formats/bvh_stream.h"
-#include "motion/formats/bvh_text.h"
+#include "motion/formats/bvh/bvh_stream.h"
+#include "motion/formats/bvh/bvh_text.h"
 #include "motion/rig/live_mapping.h"
 #include "motion/stream/look_ahead.h"
 #include "pipeline/base/documents/files.h"

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/formats/acclaim.h"
-#include "motion/formats/bvh.h"
-#include "motion/formats/gltf.h"
+#include "motion/formats/acclaim/acclaim.h"
+#include "motion/formats/bvh/bvh.h"
+#include "motion/formats/gltf/gltf.h"
 #include "motion/refusal.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/result_file.h"

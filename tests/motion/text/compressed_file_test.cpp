@@ -4,7 +4,7 @@
 #include <zlib.h>
 
 #include "motion/error.h"
-#include "motion/formats/bvh.h"
+#include "motion/formats/bvh/bvh.h"
 #include "motion/refusal.h"
 #include "motion/text/result_file.h"
 #include "pipeline/temporary_folder.h"
