@@ -11,6 +11,9 @@
 
 namespace mien::motion {
 
+/// Radius of a marker on the skin, metres (those of 14 mm are the most usual).
+inline constexpr double marker_radius = 0.007;
+
 /// What the points tell about the body, frame by frame: joint centres and the directions from which
 /// rotations follow. World space, metres, +Y up.
 struct BodyTracks {
@@ -34,9 +37,12 @@ struct BodyTracks {
 /// are our decisions where no source is named; all lengths are for a stature of 1.75 m and scale
 /// with the legs (hip–knee–ankle 0.85 m):
 ///
-/// - Pelvis: the plane through the front and back iliac spines leans forward by 10° at rest. Hips
-///   by Harrington et al. 2007 (hip_centres.h); without points on the back of the pelvis its depth
-///   is taken as 0.66 of its width. The pelvis joint is 0.03 above the hips.
+/// - Pelvis: the plane through the front and back iliac spines leans forward at rest as far as
+/// makes
+///   the pelvis in line with the trunk in most frames, 0–20° (10° without a trunk): markers are
+///   placed at heights that differ between laboratories by 10° and more. Hips by Harrington et al.
+///   2007 (hip_centres.h); without points on the back of the pelvis its depth is taken as 0.66 of
+///   its width. The pelvis joint is 0.03 above the hips.
 /// - Knees and ankles: the middle of their outer and inner points; with an outer one only, inwards
 ///   along the knee's axis (hinge_axis.h) by 7 mm (a marker's radius) and half the joint's width,
 ///   0.125 (knee) and 0.085 (ankle) of the leg's length. Without such points, by the motion of the

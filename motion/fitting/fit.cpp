@@ -1,5 +1,6 @@
 #include "motion/fitting/fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -201,8 +202,18 @@ void add_notes(const PointRecording& recording, const FrameRange& range, FittedM
   }
 }
 
-void put_on_floor(FittedMotion& fitted) {
-  fitted.raised = -floor_height(fitted.clip);
+/// Height of the floor under feet of which only the ankles are known.
+double floor_below_ankles(const Clip& clip) {
+  std::vector<double> heights;
+  for (const std::vector<Vec3>& joints : joint_paths(clip)) {
+    heights.push_back(std::min(joints[LeftAnkle].y(), joints[RightAnkle].y()));
+  }
+  return percentile(heights, 3.0) - 0.08 * relative_stature(clip.body);
+}
+
+void put_on_floor(const BodyTracks& tracks, FittedMotion& fitted) {
+  const bool has_feet = is_known(tracks.joints[LeftToe]) || is_known(tracks.joints[RightToe]);
+  fitted.raised = -(has_feet ? floor_height(fitted.clip) : floor_below_ankles(fitted.clip));
   for (Pose& pose : fitted.clip.poses) pose.root_position.y() += fitted.raised;
 }
 
@@ -231,7 +242,7 @@ FittedMotion fit_body(const PointRecording& recording, const FitOptions& options
   clip.poses = first_poses;
   clip.poses = least_squares_pass(points, clip.body, attached(), first_poses, range);
   set_residuals(points, complete.filled, attached(), range, fitted);
-  put_on_floor(fitted);
+  put_on_floor(tracks, fitted);
   for (const BodyJoint toe : {LeftToe, RightToe}) {
     if (!is_known(tracks.tips[toe])) bend_toes_at_floor(clip, toe);
   }

@@ -14,7 +14,6 @@ namespace {
 using enum Landmark;
 
 constexpr double standard_leg = 0.85;  // hip–knee–ankle, metres at 1.75 m
-constexpr double marker_radius = 0.007;
 
 struct Leg {
   Side side;
@@ -104,8 +103,21 @@ Track upright_back(const Track& front, const Track& left) {
       front, left);
 }
 
+/// Angle by which the pelvic plane leans forward at rest: so far that the pelvis is in line with
+/// the trunk in most frames, since markers are placed at heights that differ between laboratories
+/// by 10° and more; 0–20°, 10° if the trunk is unknown.
+double forward_lean(const PointTracks& points, const PelvicPlane& plane) {
+  const Track leans = combined(
+      [](const Vec3& trunk, const Vec3& y, const Vec3& z) {
+        return Vec3(std::atan2(-trunk.dot(z), trunk.dot(y)), 0.0, 0.0);
+      },
+      trunk_direction(points, plane.origin), plane.up, plane.forward);
+  const double usual = 10.0 * radians_per_degree;
+  const std::optional<Vec3> lean = median_of(leans);
+  return lean ? std::clamp(lean->x(), 0.0, 2.0 * usual) : usual;
+}
+
 void add_pelvis_from_spines(const PointTracks& points, BodyTracks& body) {
-  constexpr double lean = 10.0 * radians_per_degree;
   const Track left_front = points.of(front_iliac_spine, Side::left);
   const Track right_front = points.of(front_iliac_spine, Side::right);
   const Track front = middle_of(left_front, right_front);
@@ -116,8 +128,9 @@ void add_pelvis_from_spines(const PointTracks& points, BodyTracks& body) {
   if (depth <= 0.0) back = upright_back(front, direction(right_front, left_front));
   const PelvicPlane plane = pelvic_plane(left_front, right_front, back);
   body.pelvis_left = plane.left;
+  const double lean = forward_lean(points, plane);
   body.pelvis_up = combined(
-      [](const Vec3& y, const Vec3& z) { return Vec3(std::cos(lean) * y - std::sin(lean) * z); },
+      [&](const Vec3& y, const Vec3& z) { return Vec3(std::cos(lean) * y - std::sin(lean) * z); },
       plane.up, plane.forward);
   add_hips_from_spines(points, plane, depth, body);
 }
@@ -141,30 +154,53 @@ void add_pelvis(const PointTracks& points, BodyTracks& body) {
   body.joints[Pelvis] = is_known(centre) ? centre : hips;  // raised when the scale is known
 }
 
-/// The points beside a knee, ankle or elbow.
-struct HingeJoint {
-  Track outer;
-  Track inner;
-  double half_width;
+/// The points at one leg: joint centres in the file, and points beside the joints.
+struct LegPoints {
+  Track knee;
+  Track outer_knee;
+  Track inner_knee;
+  Track ankle;
+  Track outer_ankle;
+  Track inner_ankle;
 };
 
-/// A joint centre by the first way that is possible in each frame.
-Track joint_centre(const Track& given, const HingeJoint& hinge, const Track& axis, double outward) {
-  const Track inward = shifted(hinge.outer, axis, -outward * (marker_radius + hinge.half_width));
-  return first_known(given, first_known(middle_of(hinge.outer, hinge.inner), inward));
+LegPoints leg_points(const PointTracks& points, const Leg& leg, const BodyTracks& body) {
+  LegPoints at{points.of(knee, leg.side),        points.of(outer_knee, leg.side),
+               points.of(inner_knee, leg.side),  points.of(ankle, leg.side),
+               points.of(outer_ankle, leg.side), points.of(inner_ankle, leg.side)};
+  add_functional_joints(points, leg.side, body.joints[leg.hip], at.knee, at.ankle);
+  at.knee = first_known(at.knee, middle_of(at.outer_knee, at.inner_knee));
+  at.ankle = first_known(at.ankle, middle_of(at.outer_ankle, at.inner_ankle));
+  return at;
 }
 
-Track knee_axis(const PointTracks& points, const Leg& leg, const Track& knees, const Track& ankles,
-                const BodyTracks& body) {
-  const Track bend = hinge_axis(body.joints[leg.hip], knees, ankles, body.pelvis_left, 1.0);
-  const Track across =
-      leg.side == Side::left
-          ? direction(points.of(inner_knee, leg.side), points.of(outer_knee, leg.side))
-          : direction(points.of(outer_knee, leg.side), points.of(inner_knee, leg.side));
+/// Centres of the knee and the ankle, in frames in which they are not known, inward from the outer
+/// points by a marker's radius and half the joint's width.
+void add_joints_beside(LegPoints& at, const Leg& leg, const BodyTracks& body) {
+  const Track& hips = body.joints[leg.hip];
+  const Track knees = is_known(at.knee) ? at.knee : at.outer_knee;
+  const Track ankles = is_known(at.ankle) ? at.ankle : at.outer_ankle;
+  const double length =
+      median_distance(hips, knees).value_or(0.43) + median_distance(knees, ankles).value_or(0.42);
+  const double knee_inward = -leg.outward * (marker_radius + 0.0625 * length);
+  const double ankle_inward = -leg.outward * (marker_radius + 0.0425 * length);
+  const Limb limb{ankles, !is_known(at.ankle), ankle_inward, body.pelvis_left};
+  at.knee = first_known(at.knee, joint_beside(hips, at.outer_knee, limb, knee_inward, Hinge{}));
+  // The axis with the knee as it is now; that of the ankle's outer point is near enough to its own.
+  const Track axis = hinge_axis(
+      hips, at.knee, limb.end_is_outer ? shifted(ankles, body.pelvis_left, ankle_inward) : ankles,
+      body.pelvis_left, Hinge{});
+  at.ankle = first_known(at.ankle, shifted(at.outer_ankle, axis, ankle_inward));
+}
+
+Track knee_axis(const LegPoints& at, const Leg& leg, const BodyTracks& body) {
+  const Track bend = hinge_axis(body.joints[leg.hip], at.knee, at.ankle, body.pelvis_left, Hinge{});
+  const Track across = leg.side == Side::left ? direction(at.inner_knee, at.outer_knee)
+                                              : direction(at.outer_knee, at.inner_knee);
   const auto count = [](const Track& track) {
     return std::count_if(track.begin(), track.end(), [](const auto& v) { return v.has_value(); });
   };
-  return 2 * count(across) > count(knees) ? first_known(across, bend) : bend;
+  return 2 * count(across) > count(at.knee) ? first_known(across, bend) : bend;
 }
 
 void add_ball_of_foot(const PointTracks& points, const Leg& leg, BodyTracks& body) {
@@ -200,21 +236,11 @@ void add_ball_of_foot(const PointTracks& points, const Leg& leg, BodyTracks& bod
 }
 
 void add_leg(const PointTracks& points, const Leg& leg, BodyTracks& body) {
-  HingeJoint at_knee{points.of(outer_knee, leg.side), points.of(inner_knee, leg.side), 0.0};
-  HingeJoint at_ankle{points.of(outer_ankle, leg.side), points.of(inner_ankle, leg.side), 0.0};
-  Track given_knee = points.of(knee, leg.side);
-  Track given_ankle = points.of(ankle, leg.side);
-  add_functional_joints(points, leg.side, body.joints[leg.hip], given_knee, given_ankle);
-  const Track knees = first_known(given_knee, at_knee.outer);
-  const Track ankles = first_known(given_ankle, at_ankle.outer);
-  const double length = median_distance(body.joints[leg.hip], knees).value_or(0.43) +
-                        median_distance(knees, ankles).value_or(0.42);
-  at_knee.half_width = 0.0625 * length;
-  at_ankle.half_width = 0.0425 * length;
-  const Track axis = knee_axis(points, leg, knees, ankles, body);
-  body.axes[leg.hip] = axis;
-  body.joints[leg.knee] = joint_centre(given_knee, at_knee, axis, leg.outward);
-  body.joints[leg.ankle] = joint_centre(given_ankle, at_ankle, axis, leg.outward);
+  LegPoints at = leg_points(points, leg, body);
+  add_joints_beside(at, leg, body);
+  body.axes[leg.hip] = knee_axis(at, leg, body);
+  body.joints[leg.knee] = at.knee;
+  body.joints[leg.ankle] = at.ankle;
 }
 
 double scale_of(const BodyTracks& body) {

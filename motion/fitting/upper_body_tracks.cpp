@@ -15,7 +15,7 @@ using enum Landmark;
 constexpr double neck_above_shoulders = 0.06;  // metres at 1.75 m, as the lengths below
 constexpr double chest_below_neck = 0.24;
 constexpr double spine_above_pelvis = 0.11;
-constexpr double marker_radius = 0.007;
+constexpr double carrying_angle = 10.0 * radians_per_degree;
 
 struct Arm {
   Side side;
@@ -126,19 +126,21 @@ void add_arm(const PointTracks& points, const Arm& arm, BodyTracks& body) {
   const Track outer = points.of(outer_elbow, arm.side);
   const Track inner = points.of(inner_elbow, arm.side);
   const Track given = points.of(elbow, arm.side);
-  const Track elbows = first_known(given, outer);
-  const Track expected = expected_elbow_axis(shoulders, elbows, arm, body);
-  const Track bend = hinge_axis(shoulders, elbows, wrists, expected, -arm.outward);
+  const Track known = first_known(given, middle_of(outer, inner));
+  const Track expected = expected_elbow_axis(shoulders, first_known(known, outer), arm, body);
+  const Hinge hinge{-arm.outward, carrying_angle};
+  const double upper_arm_length =
+      median_distance(shoulders, first_known(known, outer)).value_or(0.285 * body.scale);
+  const double inward = -(marker_radius + 0.135 * upper_arm_length);
+  const Limb limb{wrists, false, 0.0, expected};
+  const Track elbows = first_known(known, joint_beside(shoulders, outer, limb, inward, hinge));
+  const Track bend = hinge_axis(shoulders, elbows, wrists, expected, hinge);
   const Track across = direction(inner, outer);
-  const Track axis = is_known(across) ? first_known(across, bend) : bend;
-  const double upper_arm_length = median_distance(shoulders, elbows).value_or(0.285 * body.scale);
-  const double inward = marker_radius + 0.135 * upper_arm_length;
   body.joints[arm.shoulder] = shoulders;
-  body.joints[arm.elbow] =
-      first_known(given, first_known(middle_of(outer, inner), shifted(outer, axis, -inward)));
+  body.joints[arm.elbow] = elbows;
+  body.axes[arm.shoulder] = is_known(across) ? first_known(across, bend) : bend;
   body.joints[arm.wrist] = wrists;
   body.tips[arm.wrist] = points.of(hand, arm.side);
-  body.axes[arm.shoulder] = axis;
   body.axes[arm.elbow] = direction(finger_side, thumb_side);
 }
 
