@@ -47,9 +47,8 @@ std::optional<Bend> bend_of(const Vec3& root, const Vec3& middle, const std::opt
 
 /// Weight of the measured axis, 0 to 1, where the other axis to choose is `usual`. An axis that
 /// points the other way is that of a limb bent backwards: unless far bent, an error of the joint.
-double weight_of(const Bend& bend, const Vec3& usual) {
-  constexpr double noise_metres = 0.015;
-  constexpr double backward_metres = 0.06;
+double weight_of(const Bend& bend, const Vec3& usual, double noise_metres) {
+  const double backward_metres = std::max(0.06, noise_metres);
   const double forward = smooth_step(bend.measured.dot(usual) + 0.5);
   const double noise = backward_metres + forward * (noise_metres - backward_metres);
   return bend.away * bend.away / (bend.away * bend.away + noise * noise);
@@ -71,14 +70,16 @@ Track hinge_axis(const Track& root, const Track& middle, const Track& end, const
     cosine += weight * bend.expected.dot(bend.measured);
     sine += weight * bend.bone.dot(bend.expected.cross(bend.measured));
   }
-  const double turn = std::hypot(cosine, sine) > 1e-12 ? std::atan2(sine, cosine) : 0.0;
+  constexpr double most = 60.0 * radians_per_degree;
+  const double mean = std::hypot(cosine, sine) > 1e-12 ? std::atan2(sine, cosine) : 0.0;
+  const double turn = std::clamp(mean, -most, most);
   Track axis(root.size());
   for (std::size_t frame = 0; frame < root.size(); ++frame) {
     if (!bends[frame]) continue;
     const Bend& bend = *bends[frame];
     const Vec3 usual =
         std::cos(turn) * bend.expected + std::sin(turn) * bend.bone.cross(bend.expected);
-    const double weight = weight_of(bend, usual);
+    const double weight = weight_of(bend, usual, hinge.noise_metres);
     const Vec3 mixed = weight * bend.measured + (1.0 - weight) * usual;
     axis[frame] = mixed.norm() > 1e-6 ? Vec3(mixed.normalized()) : usual;
   }

@@ -12,6 +12,9 @@ struct Hinge {
   /// Angle between the lower bone and the plane in which it turns (the carrying angle of the
   /// elbow), radians.
   double valgus = 0.0;
+  /// Distance of the middle joint from the line between the ends at which the plane of bend is half
+  /// trusted.
+  double noise_metres = 0.015;
 };
 
 /// The axis about which the middle joint of a limb bends, a unit vector perpendicular to the upper

@@ -106,12 +106,12 @@ Track upright_back(const Track& front, const Track& left) {
 /// Angle by which the pelvic plane leans forward at rest: so far that the pelvis is in line with
 /// the trunk in most frames, since markers are placed at heights that differ between laboratories
 /// by 10° and more; 0–20°, 10° if the trunk is unknown.
-double forward_lean(const PointTracks& points, const PelvicPlane& plane) {
+double forward_lean(const PointTracks& points, const PelvicPlane& plane, const Track& hips) {
   const Track leans = combined(
       [](const Vec3& trunk, const Vec3& y, const Vec3& z) {
         return Vec3(std::atan2(-trunk.dot(z), trunk.dot(y)), 0.0, 0.0);
       },
-      trunk_direction(points, plane.origin), plane.up, plane.forward);
+      trunk_direction(points, hips), plane.up, plane.forward);
   const double usual = 10.0 * radians_per_degree;
   const std::optional<Vec3> lean = median_of(leans);
   return lean ? std::clamp(lean->x(), 0.0, 2.0 * usual) : usual;
@@ -128,11 +128,12 @@ void add_pelvis_from_spines(const PointTracks& points, BodyTracks& body) {
   if (depth <= 0.0) back = upright_back(front, direction(right_front, left_front));
   const PelvicPlane plane = pelvic_plane(left_front, right_front, back);
   body.pelvis_left = plane.left;
-  const double lean = forward_lean(points, plane);
+  add_hips_from_spines(points, plane, depth, body);
+  const double lean =
+      forward_lean(points, plane, middle_of(body.joints[LeftHip], body.joints[RightHip]));
   body.pelvis_up = combined(
       [&](const Vec3& y, const Vec3& z) { return Vec3(std::cos(lean) * y - std::sin(lean) * z); },
       plane.up, plane.forward);
-  add_hips_from_spines(points, plane, depth, body);
 }
 
 void add_pelvis(const PointTracks& points, BodyTracks& body) {

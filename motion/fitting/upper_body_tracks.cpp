@@ -133,7 +133,9 @@ void add_arm(const PointTracks& points, const Arm& arm, BodyTracks& body) {
       median_distance(shoulders, first_known(known, outer)).value_or(0.285 * body.scale);
   const double inward = -(marker_radius + 0.135 * upper_arm_length);
   const Limb limb{wrists, false, 0.0, expected};
-  const Track elbows = first_known(known, joint_beside(shoulders, outer, limb, inward, hinge));
+  Hinge rough = hinge;  // while the joint itself is sought
+  rough.noise_metres = 0.05;
+  const Track elbows = first_known(known, joint_beside(shoulders, outer, limb, inward, rough));
   const Track bend = hinge_axis(shoulders, elbows, wrists, expected, hinge);
   const Track across = direction(inner, outer);
   body.joints[arm.shoulder] = shoulders;

@@ -33,7 +33,7 @@ TEST(MarkerSets, AreRecognisedByName) {
 }
 
 TEST(MarkerSets, IgnoreCaseSeparatorsAndSubject) {
-  for (const std::string& before : {"Anna:", "Anna_", "Anna Smith: "}) {
+  for (const std::string before : {"Anna:", "Anna_", "Anna Smith: "}) {
     Names names;
     for (std::string name : plug_in_gait) {
       std::transform(name.begin(), name.end(), name.begin(),
