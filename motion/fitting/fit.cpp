@@ -1,0 +1,256 @@
+#include "motion/fitting/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "motion/error.h"
+#include "motion/fitting/attachments.h"
+#include "motion/fitting/body_tracks.h"
+#include "motion/fitting/fitted_proportions.h"
+#include "motion/fitting/initial_poses.h"
+#include "motion/fitting/least_squares_pass.h"
+#include "motion/points/gaps.h"
+#include "motion/points/marker_sets.h"
+#include "motion/rig/toe_bend.h"
+#include "motion/skeleton/floor.h"
+#include "motion/text/excerpt.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr std::string_view still_shown =
+    "the points can still be shown as they are with `figure: markers`";
+
+std::string in_words(double value, int decimals) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string needed() {
+  return "a body needs points at the pelvis, knees and ankles of both sides, named as in Plug-in "
+         "Gait (LASI, LPSI, LKNE, LANK), IOR, CMU or OpenSim, or joints (LeftHip, LeftKnee, "
+         "LeftAnkle); " +
+         std::string(still_shown);
+}
+
+MarkerSet usable_set(const PointRecording& recording) {
+  MarkerSet set = recognised_marker_set(recording.points);
+  if (set.name.empty()) {
+    throw Error(
+        Place{recording.name},
+        "the points are not a set of markers or joints that is known: " + listed(recording.points),
+        needed());
+  }
+  if (!set.missing_parts.empty()) {
+    throw Error(Place{recording.name},
+                "the points (" + set.name + ") do not show the " + listed(set.missing_parts) +
+                    "; found: " + listed(recording.points),
+                needed());
+  }
+  return set;
+}
+
+/// Refuses recordings in which a part that a body needs is never seen.
+void require_parts(const PointRecording& recording, const BodyTracks& tracks,
+                   const FrameRange& range) {
+  std::vector<std::string> unseen;
+  if (range.size() == 0) unseen.emplace_back("pelvis");
+  for (const BodyJoint joint : {LeftKnee, RightKnee, LeftAnkle, RightAnkle}) {
+    if (!is_known(tracks.joints[joint])) unseen.emplace_back(name_of(joint));
+  }
+  if (unseen.empty()) return;
+  throw Error(Place{recording.name},
+              "the points of these parts are missing in all frames: " + listed(unseen), needed());
+}
+
+struct SquareSum {
+  double sum = 0.0;
+  int count = 0;
+  void add(double square) {
+    sum += square;
+    ++count;
+  }
+  double root_mean() const { return count > 0 ? std::sqrt(sum / count) : 0.0; }
+};
+
+/// Distances of the points from the fitted body.
+void set_residuals(const PointTracks& points, const std::vector<bool>& filled_values,
+                   std::span<const Attachment> attached, const FrameRange& range,
+                   FittedMotion& fitted) {
+  constexpr double mm = 1000.0;
+  std::vector<SquareSum> by_point(points.recording.points.size());
+  SquareSum all;
+  for (int i = 0; i < range.size(); ++i) {
+    const JointTransforms world =
+        world_transforms(fitted.clip.body, fitted.clip.poses[static_cast<std::size_t>(i)]);
+    SquareSum in_frame;
+    for (const Attachment& attachment : attached) {
+      const std::size_t at = points.recording.at(range.first + i, attachment.point);
+      if (!points.recording.seen[at] || filled_values[at]) continue;
+      const Vec3 place =
+          world.positions[attachment.joint] + world.rotations[attachment.joint] * attachment.place;
+      const double square = (place - points.recording.positions[at]).squaredNorm() * mm * mm;
+      by_point[static_cast<std::size_t>(attachment.point)].add(square);
+      in_frame.add(square);
+      all.add(square);
+    }
+    fitted.frame_residual_mm.push_back(in_frame.count > 0 ? std::optional(in_frame.root_mean())
+                                                          : std::nullopt);
+  }
+  for (std::size_t point = 0; point < by_point.size(); ++point) {
+    fitted.points[point].residual_mm = by_point[point].root_mean();
+    if (by_point[point].count > 0) fitted.points[point].use = PointUse::used;
+  }
+  fitted.residual_mm = all.root_mean();
+}
+
+std::vector<FittedPoint> described_points(const PointRecording& recording, const MarkerSet& set,
+                                          const std::vector<bool>& filled_values) {
+  const GapSummary gaps = gaps_of(recording);
+  std::vector<FittedPoint> points;
+  for (std::size_t point = 0; point < recording.points.size(); ++point) {
+    FittedPoint described;
+    described.name = recording.points[point];
+    described.missing_share = gaps.points[point].missing_share;
+    int count = 0;
+    for (int frame = 0; frame < recording.frame_count(); ++frame) {
+      count += filled_values[recording.at(frame, static_cast<int>(point))];
+    }
+    described.filled_share = static_cast<double>(count) / recording.frame_count();
+    if (set.roles[point]) {
+      described.role = words_for(*set.roles[point]);
+      described.use = PointUse::missing;
+    }
+    points.push_back(std::move(described));
+  }
+  return points;
+}
+
+void warn_of_parts_at_rest(const BodyTracks& tracks, FittedMotion& fitted) {
+  for (const bool left : {true, false}) {
+    const std::string side = left ? "left" : "right";
+    if (!is_known(tracks.joints[left ? LeftElbow : RightElbow])) {
+      fitted.warnings.push_back("The " + side + " arm has no points: it hangs beside the trunk.");
+    } else if (!is_known(tracks.joints[left ? LeftWrist : RightWrist])) {
+      fitted.warnings.push_back("The " + side + " wrist has no points: the forearm is straight.");
+    }
+    if (!is_known(tracks.joints[left ? LeftToe : RightToe])) {
+      fitted.warnings.push_back("The " + side +
+                                " foot has no points in front of the ankle: it stays at a right "
+                                "angle to the shank.");
+    }
+  }
+  if (!is_known(tracks.chest_up)) {
+    fitted.warnings.emplace_back("The trunk has no points: it moves with the pelvis.");
+  }
+  if (!is_known(tracks.joints[Head])) {
+    fitted.warnings.emplace_back("The head has no points: it moves with the trunk.");
+  }
+}
+
+/// Feet that point backwards: left and right are exchanged, by names or by the file's axes.
+void warn_of_exchanged_sides(const BodyTracks& tracks, FittedMotion& fitted) {
+  int ahead = 0;
+  int behind = 0;
+  for (std::size_t frame = 0; frame < tracks.frame_count(); ++frame) {
+    const auto& left = tracks.pelvis_left[frame];
+    for (const BodyJoint toe : {LeftToe, RightToe}) {
+      const auto& end = tracks.joints[toe][frame];
+      const auto& start = tracks.joints[body_parents[toe]][frame];
+      if (!left || !end || !start) continue;
+      ++(left->cross(Vec3::UnitY()).dot(*end - *start) > 0.0 ? ahead : behind);
+    }
+  }
+  if (behind <= ahead) return;
+  fitted.warnings.emplace_back(
+      "The feet point backwards: left and right seem to be exchanged in the names of the points, "
+      "or the file's axes are left-handed.");
+}
+
+void warn_of_residuals(const FitOptions& options, FittedMotion& fitted) {
+  for (const FittedPoint& point : fitted.points) {
+    if (point.use == PointUse::missing) {
+      fitted.warnings.push_back("The point " + in_quotes(point.name) + " (" + point.role +
+                                ") is missing in all frames.");
+    }
+    if (point.residual_mm <= options.warned_residual_mm) continue;
+    fitted.warnings.push_back("The point " + in_quotes(point.name) + " is " +
+                              in_words(point.residual_mm, 0) +
+                              " mm (RMS) away from the fitted body: it may be mislabelled or have "
+                              "moved on the skin.");
+  }
+}
+
+void add_notes(const PointRecording& recording, const FrameRange& range, FittedMotion& fitted) {
+  fitted.notes.push_back("The points were recognised as " + fitted.marker_set + "; up is " +
+                         fitted.axes.up + ".");
+  if (!fitted.axes.note.empty()) fitted.notes.push_back(fitted.axes.note);
+  if (range.size() < recording.frame_count()) {
+    fitted.notes.push_back("The motion has frames " + std::to_string(range.first + 1) + " to " +
+                           std::to_string(range.past) + " of " +
+                           std::to_string(recording.frame_count()) +
+                           "; in the others the pelvis is not seen.");
+  }
+  if (std::abs(fitted.raised) >= 0.005) {
+    fitted.notes.push_back(
+        "The motion was " + std::string(fitted.raised > 0 ? "raised" : "lowered") + " by " +
+        in_words(std::abs(fitted.raised) * 100.0, 1) + " cm so that the feet stand on the floor.");
+  }
+}
+
+/// Height of the floor under feet of which only the ankles are known.
+double floor_below_ankles(const Clip& clip) {
+  std::vector<double> heights;
+  for (const std::vector<Vec3>& joints : joint_paths(clip)) {
+    heights.push_back(std::min(joints[LeftAnkle].y(), joints[RightAnkle].y()));
+  }
+  return percentile(heights, 3.0) - 0.08 * relative_stature(clip.body);
+}
+
+void put_on_floor(const BodyTracks& tracks, FittedMotion& fitted) {
+  const bool has_feet = is_known(tracks.joints[LeftToe]) || is_known(tracks.joints[RightToe]);
+  fitted.raised = -(has_feet ? floor_height(fitted.clip) : floor_below_ankles(fitted.clip));
+  for (Pose& pose : fitted.clip.poses) pose.root_position.y() += fitted.raised;
+}
+
+}  // namespace
+
+FittedMotion fit_body(const PointRecording& recording, const FitOptions& options) {
+  const MarkerSet set = usable_set(recording);
+  FittedMotion fitted;
+  fitted.marker_set = set.name;
+  fitted.axes = point_axes(recording);
+  FilledPoints complete = filled(recording, options.max_gap_seconds);
+  complete.recording = in_metres_y_up(std::move(complete.recording), fitted.axes);
+  const PointTracks points{complete.recording, set};
+  const BodyTracks tracks = body_tracks(points);
+  const FrameRange range = frames_with_pelvis(tracks);
+  require_parts(recording, tracks, range);
+  fitted.first_frame = range.first;
+  fitted.points = described_points(recording, set, complete.filled);
+
+  Clip& clip = fitted.clip;
+  clip.name = recording.name;
+  clip.frames_per_second = recording.frames_per_second;
+  clip.body = fitted_proportions(tracks);
+  const std::vector<Pose> first_poses = initial_poses(tracks, clip.body, range);
+  const auto attached = [&] { return attachments(points, clip.body, clip.poses, range); };
+  clip.poses = first_poses;
+  clip.poses = least_squares_pass(points, clip.body, attached(), first_poses, range);
+  set_residuals(points, complete.filled, attached(), range, fitted);
+  put_on_floor(tracks, fitted);
+  for (const BodyJoint toe : {LeftToe, RightToe}) {
+    if (!is_known(tracks.tips[toe])) bend_toes_at_floor(clip, toe);
+  }
+  add_notes(recording, range, fitted);
+  warn_of_exchanged_sides(tracks, fitted);
+  warn_of_parts_at_rest(tracks, fitted);
+  warn_of_residuals(options, fitted);
+  return fitted;
+}
+
+}  // namespace mien::motion

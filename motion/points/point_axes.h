@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "motion/points/point_recording.h"
+
+namespace mien::motion {
+
+/// How the space of a recording lies: which way is up, what a unit is and where the floor is.
+struct PointAxes {
+  std::string up = "+Y";         ///< of the file's axes: "+X", "-X", "+Y", "-Y", "+Z" or "-Z"
+  Quat turn = Quat::Identity();  ///< from the file's axes to +Y up
+  double metres_per_unit = 1.0;
+  double floor = 0.0;            ///< height of the floor in the file, along `up`, metres
+  bool is_unit_guessed = false;  ///< the file states no unit
+  std::string note;              ///< a sentence about an uncertain unit; may be empty
+};
+
+/// Finds the axes by the data; those that the file states are often wrong.
+///
+/// Up: where the names of the points tell (marker_sets.h), from the feet to the head and trunk,
+/// else from the feet to the pelvis; otherwise the axis along which the body is longest in most
+/// frames and moves about least, towards the end that the lowest points do not share: feet come to
+/// rest on one level, heads do not. Unit: as the file states it, otherwise the one in which the
+/// body is of human height (unit_guess.h), or 0.5–2.5 m tall in metres, centimetres or millimetres.
+/// Floor: the file's zero if the lowest point (3rd percentile over the frames) is within −0.02 and
+/// 0.12 m of it, otherwise the height of that point.
+PointAxes point_axes(const PointRecording& recording);
+
+/// The recording in metres with +Y up and the floor at 0. Horizontal places and headings stay as
+/// recorded: Z-up (x, y, z) becomes (x, z, −y).
+PointRecording in_metres_y_up(PointRecording recording, const PointAxes& axes);
+PointRecording in_metres_y_up(PointRecording recording);
+
+}  // namespace mien::motion

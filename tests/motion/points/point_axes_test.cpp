@@ -1,0 +1,109 @@
+#include "motion/points/point_axes.h"
+
+#include <array>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/fitting/virtual_points.h"
+
+namespace mien::motion {
+namespace {
+
+using namespace mien::motion::test;
+
+/// The recording with its axes exchanged so that its +Y becomes the axis `up` of the file.
+PointRecording with_up(PointRecording recording, const std::string& up) {
+  for (Vec3& p : recording.positions) {
+    const double x = p.x(), y = p.y(), z = p.z();
+    if (up == "+X") p = Vec3(y, -x, z);
+    if (up == "-X") p = Vec3(-y, x, z);
+    if (up == "-Y") p = Vec3(x, -y, -z);
+    if (up == "+Z") p = Vec3(x, -z, y);
+    if (up == "-Z") p = Vec3(x, z, -y);
+  }
+  return recording;
+}
+
+PointRecording unnamed(PointRecording recording) {
+  for (std::size_t i = 0; i < recording.points.size(); ++i) {
+    recording.points[i] = "p" + std::to_string(i);
+  }
+  return recording;
+}
+
+TEST(PointAxes, UpIsFoundByNamesAndByShape) {
+  const PointRecording walked = recorded(truth(), plug_in_gait_markers());
+  for (const std::string up : {"+X", "-X", "+Y", "-Y", "+Z", "-Z"}) {
+    EXPECT_EQ(point_axes(with_up(walked, up)).up, up);
+    EXPECT_EQ(point_axes(unnamed(with_up(walked, up))).up, up) << "without names";
+  }
+}
+
+TEST(PointAxes, UpIsFoundFromLegsAlone) {
+  std::vector<VirtualPoint> legs = plug_in_gait_markers();
+  std::erase_if(legs, [](const VirtualPoint& point) {
+    return point.joint == Chest || point.joint == Head || point.joint == LeftClavicle ||
+           (point.joint >= LeftClavicle && point.joint <= RightWrist);
+  });
+  for (const std::string up : {"+Y", "-Z", "+X"}) {
+    EXPECT_EQ(point_axes(with_up(recorded(truth(), legs), up)).up, up);
+  }
+}
+
+TEST(PointAxes, BringPointsToYUpInMetresWithTheirHeading) {
+  const PointRecording walked = recorded(truth(), plug_in_gait_markers());
+  PointRecording turned = z_up_in_mm(walked);
+  turned.seen[5] = false;
+  turned.positions[5].setZero();
+  const PointRecording back = in_metres_y_up(turned);
+  EXPECT_EQ(back.unit, "m");
+  EXPECT_EQ(back.metres_per_unit, 1.0);
+  for (std::size_t at = 0; at < walked.positions.size(); ++at) {
+    if (at == 5) continue;
+    EXPECT_LT((back.positions[at] - walked.positions[at]).norm(), 1e-9);
+  }
+  EXPECT_EQ(back.positions[5], Vec3::Zero());  // missing points do not move
+}
+
+TEST(PointAxes, GuessTheUnitOfABodyOfHumanHeight) {
+  for (const double metres : {1.0, 0.01, 0.001, 0.0254}) {
+    PointRecording walked = recorded(truth(), plug_in_gait_markers());
+    for (Vec3& place : walked.positions) place /= metres;
+    walked.unit = "";
+    walked.metres_per_unit = 0.0;
+    const PointAxes axes = point_axes(walked);
+    EXPECT_TRUE(axes.is_unit_guessed);
+    EXPECT_DOUBLE_EQ(axes.metres_per_unit, metres);
+    EXPECT_EQ(axes.note, "");
+  }
+}
+
+TEST(PointAxes, SayThatNoUnitFits) {
+  PointRecording walked = recorded(truth(), plug_in_gait_markers());
+  for (Vec3& place : walked.positions) place *= 0.02;
+  walked.metres_per_unit = 0.0;
+  EXPECT_NE(point_axes(walked).note, "");
+}
+
+TEST(PointAxes, KeepTheFloorOfTheFileIfTheFeetAreNearIt) {
+  PointRecording walked = recorded(truth(), plug_in_gait_markers());
+  EXPECT_EQ(point_axes(walked).floor, 0.0);
+  for (Vec3& place : walked.positions) place.y() -= 0.9;
+  EXPECT_NEAR(point_axes(walked).floor, -0.9, 0.06);
+  double lowest = 1.0;
+  for (const Vec3& place : in_metres_y_up(walked).positions) lowest = std::min(lowest, place.y());
+  EXPECT_NEAR(lowest, 0.0, 0.02);
+}
+
+TEST(PointAxes, OfNothingAreTheUsualOnes) {
+  PointRecording empty;
+  empty.points = {"A", "B"};
+  EXPECT_EQ(point_axes(empty).up, "+Y");
+  empty.positions.assign(4, Vec3::Zero());
+  empty.seen.assign(4, false);
+  EXPECT_EQ(point_axes(empty).up, "+Y");
+}
+
+}  // namespace
+}  // namespace mien::motion
