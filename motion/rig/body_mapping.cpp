@@ -14,6 +14,7 @@
 #include "motion/rig/rig_topology.h"
 #include "motion/rig/toe_bend.h"
 #include "motion/rig/unit_guess.h"
+#include "motion/skeleton/clip_markers.h"
 #include "motion/skeleton/floor.h"
 
 namespace mien::motion {
@@ -151,6 +152,10 @@ Error on_all_fours(const Recording& recording) {
 UpAxis up_of(const Recording& recording, const std::vector<JointTransforms>& world,
              BodyMapping& mapping) {
   UpAxis up = up_axis(world, mapping.joints);
+  if (recording.markers) {  // in the space of a clip
+    up.axis = Vec3::UnitY();
+    return up;
+  }
   if (recording.format != "gltf") {
     if (up.clearness < 0.7) {
       mapping.warnings.push_back("The figure is seldom upright: " + axis_name(up.axis) +
@@ -173,8 +178,9 @@ void check_frames(const Recording& recording) {
               "give a recording of at least one frame");
 }
 
-void set_scale(BodyMapping& mapping, const std::string& format) {
-  const UnitGuess unit = guess_unit(standing_height(mapping.body), format);
+void set_scale(BodyMapping& mapping, const Recording& recording) {
+  if (recording.markers) return;
+  const UnitGuess unit = guess_unit(standing_height(mapping.body), recording.format);
   mapping.metres_per_unit = unit.metres;
   if (!unit.warning.empty()) mapping.warnings.push_back(unit.warning);
   for (Joint& joint : mapping.body.joints) {
@@ -278,12 +284,14 @@ BodyMapping recognise(std::span<const Recording> recordings) {
   const bool is_nameless = mapping.rig == rig_by_topology;
   if (is_nameless && goes_on_all_fours(motions.front())) throw on_all_fours(first);
   const Calibration calibration =
-      calibrate(motions, first.format == "smpl" ? ZeroPose::defined : ZeroPose::checked);
+      calibrate(motions, first.format == "smpl" || first.markers ? ZeroPose::defined
+                                                                 : ZeroPose::checked);
   mapping.calibration = calibration.to_body;
   mapping.body = calibration.body;
-  set_scale(mapping, first.format);
+  set_scale(mapping, first);
   warn_of_missing(mapping);
-  for (const Recording& recording : recordings) warn_of_sloping_floor(mapping, recording);
+  for (const Recording& recording : recordings)
+    if (!recording.markers) warn_of_sloping_floor(mapping, recording);
   mapping.confidence = mean_confidence(mapping.joints);
   warn_of_all_fours(mapping, motions.front());
   return mapping;
@@ -294,6 +302,7 @@ BodyMapping recognise(const Recording& recording) { return recognise(std::span(&
 RecordedFloor recorded_floor(const Recording& recording, const BodyMapping& mapping) {
   check_frames(recording);
   check_joints(recording, mapping);
+  if (recording.markers) return {};
   Clip clip = as_recorded(recording, mapping);
   const Quat levelling = floor_levelling(clip);
   level(clip, levelling);
@@ -308,6 +317,7 @@ Clip to_body(const Recording& recording, const BodyMapping& mapping, const Recor
   make_continuous(clip.poses);
   for (Pose& pose : clip.poses) pose.root_position.y() -= floor.height;
   for (const BodyJoint toe : {LeftToe, RightToe}) bend_toes_at_floor(clip, toe);
+  if (recording.markers) attach(clip, *recording.markers);
   return clip;
 }
 
@@ -329,6 +339,7 @@ RigAnalysis analyse_rig(const Recording& recording) {
   } catch (const Error& error) {
     result.rejection = error.what();
     result.warnings = recording.notes;
+    if (recording.markers) return result;  // notes say why; its space is that of a clip
     result.warnings.push_back(result.rejection);
     result.warnings.push_back("It is shown as it is: unscaled (1 unit = 1 m), with +Y up.");
   }

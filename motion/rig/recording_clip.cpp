@@ -1,6 +1,7 @@
 #include "motion/rig/recording_clip.h"
 
 #include "motion/rig/body_mapping.h"
+#include "motion/skeleton/clip_markers.h"
 
 namespace mien::motion {
 
@@ -34,6 +35,7 @@ Clip clip_of(const Recording& recording) {
   clip.poses = recording.poses;
   to_metres(rig.metres_per_unit, rig.to_y_up, clip.body, clip.poses);
   for (Pose& pose : clip.poses) pose.root_position.y() -= rig.floor;
+  if (recording.markers) attach(clip, *recording.markers);
   return clip;
 }
 

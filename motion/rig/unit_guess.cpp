@@ -26,7 +26,8 @@ std::optional<double> known_unit(double height) {
 UnitGuess guess_unit(double height, const std::string& format) {
   constexpr double doll = 0.1;
   constexpr double giant = 20.0;
-  const bool is_metric = format == "gltf" || format == "bind pose";
+  const bool is_metric =
+      format == "gltf" || format == "bind pose" || format == "smpl" || format == "mvnx";
   if (is_metric && height > doll && height < giant) return {};
   const std::optional<double> known = known_unit(height);
   if (!known) {
@@ -38,7 +39,7 @@ UnitGuess guess_unit(double height, const std::string& format) {
   if (!is_metric) return {*known, ""};
   return {*known,
           "The figure stands " + number(height) +
-              " m tall in the unit of glTF, which is implausible; the unit is assumed to be " +
+              " m tall in metres, the unit of its format, which is implausible; the unit is assumed to be " +
               number(*known) + " m."};
 }
 

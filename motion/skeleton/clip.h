@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/points/markers.h"
+#include "motion/skeleton/markers.h"
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/pose.h"
 #include "motion/skeleton/recording.h"

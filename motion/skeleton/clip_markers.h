@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "motion/points/markers.h"
+#include "motion/skeleton/markers.h"
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {

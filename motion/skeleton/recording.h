@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "motion/skeleton/markers.h"
 #include "motion/skeleton/pose.h"
 #include "motion/skeleton/skeleton.h"
 
@@ -24,6 +26,9 @@ struct Recording {
   std::vector<std::string> notes;     ///< choices and omissions of the reader, as sentences
   std::vector<std::string> subjects;  ///< people that the file holds; empty if it does not tell
   std::string subject;                ///< the one who moves here; empty if the file does not tell
+  /// Of a recording of points. The figure is then in metres with +Y up and the floor at y = 0: the
+  /// canonical body fitted to them or, if that was not possible, a single joint in their centre.
+  std::optional<Markers> markers;
 
   int frame_count() const { return static_cast<int>(poses.size()); }
 };

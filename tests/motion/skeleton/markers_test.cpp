@@ -1,4 +1,4 @@
-#include "motion/points/markers.h"
+#include "motion/skeleton/markers.h"
 
 #include <gtest/gtest.h>
 
