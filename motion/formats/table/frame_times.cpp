@@ -29,6 +29,7 @@ std::string short_number(double value) {
 struct TimeGrid {
   double period = 0.0;  ///< of a frame, in the unit of the file
   double tolerance = 0.0;
+  double deviation = 0.0;  ///< largest distance of a time from its frame
   std::vector<std::int64_t> frame_of;
   std::optional<std::size_t> off_grid;  ///< the first moment that does not lie on it
 };
@@ -53,7 +54,8 @@ TimeGrid grid_with(const MomentTimes& moments, std::vector<std::int64_t> frame_o
     if (std::isnan(moments.times[i])) continue;
     const auto since = static_cast<double>(grid.frame_of[i] - grid.frame_of[from]);
     const double on_grid = *first + since * grid.period;
-    if (std::abs(moments.times[i] - on_grid) > grid.tolerance) grid.off_grid = i;
+    grid.deviation = std::max(grid.deviation, std::abs(moments.times[i] - on_grid));
+    if (grid.deviation > grid.tolerance) grid.off_grid = i;
   }
   return grid;
 }
@@ -126,13 +128,18 @@ double seconds_per_unit(const MomentTimes& moments, double period, FrameTiming& 
   return 1e-3;
 }
 
-/// The usual rate if it explains the times as well, or else the rate of the period.
-double rate_of(const TimeGrid& grid, double in_seconds, std::int64_t frames) {
+/// The nearest whole rate or NTSC rate if the times as written are also those of it, or else the
+/// rate of the period.
+double rate_of(const MomentTimes& moments, const TimeGrid& grid, double in_seconds) {
   const double rate = 1.0 / (grid.period * in_seconds);
-  const double usual = snapped_frame_rate(rate);
-  const double drift =
-      std::abs(1.0 / (usual * in_seconds) - grid.period) * static_cast<double>(frames);
-  return drift <= grid.tolerance ? usual : rate;
+  const auto frames = static_cast<double>(grid.frame_of.back());
+  const double rounding = 1.01 * moments.last_digit + 1e-9 * grid.period;
+  for (const double usual : {std::round(rate), snapped_frame_rate(rate)}) {
+    if (usual < 1.0) continue;
+    const double drift = std::abs(1.0 / (usual * in_seconds) - grid.period) * frames;
+    if (drift <= rounding) return usual;
+  }
+  return rate;
 }
 
 bool has_times(const MomentTimes& moments) {
@@ -149,9 +156,14 @@ std::optional<double> place_in_time(const MomentTimes& moments, FrameTiming& tim
   }
   if (!has_times(moments)) return std::nullopt;
   TimeGrid grid = grid_with(moments, timing.frame_of);
-  if (grid.off_grid && moments.numbers.empty()) {
-    grid = grid_with_gaps(moments);
-    if (!grid.off_grid) timing.frame_of = grid.frame_of;
+  if (moments.numbers.empty()) {
+    // With few decimals, times with a gap may lie near a coarser grid without one.
+    TimeGrid with_gaps = grid_with_gaps(moments);
+    const bool fits = !with_gaps.off_grid && with_gaps.frame_of.back() > grid.frame_of.back();
+    if (fits && (grid.off_grid || with_gaps.deviation < 0.5 * grid.deviation)) {
+      grid = std::move(with_gaps);
+      timing.frame_of = grid.frame_of;
+    }
   }
   if (grid.off_grid) {
     if (!is_rate_told) refuse_uneven(moments, *grid.off_grid);
@@ -160,7 +172,7 @@ std::optional<double> place_in_time(const MomentTimes& moments, FrameTiming& tim
     return std::nullopt;
   }
   const double in_seconds = seconds_per_unit(moments, grid.period, timing);
-  return rate_of(grid, in_seconds, timing.frame_of.back());
+  return rate_of(moments, grid, in_seconds);
 }
 
 void require_usable_rate(double rate, const std::string& file) {
@@ -212,12 +224,16 @@ void require_present_size(const Place& place, std::size_t points, std::int64_t f
   constexpr std::size_t positions_per_byte = 16;
   constexpr std::size_t always_allowed = 1'000'000;
   const auto count = static_cast<std::size_t>(frames);
-  require_reasonable_size(place, points, count);
-  if (points == 0 || count <= (bytes * positions_per_byte + always_allowed) / points) return;
-  throw Error(place,
-              std::to_string(count) + " frames of " + std::to_string(points) +
-                  " points are far more than the file holds",
-              "check the numbers or times of the frames");
+  if (points > 0 && count > (bytes * positions_per_byte + always_allowed) / points)
+    throw Error(place,
+                std::to_string(count) + " frames of " + std::to_string(points) +
+                    " points are far more than the file holds",
+                "check the numbers or times of the frames");
+  if (!is_reasonable_size(points, count))
+    throw Error(place,
+                std::to_string(count) + " frames of " + std::to_string(points) +
+                    " points are more than can be read",
+                "keep the points of one person, or cut the recording into shorter files");
 }
 
 }  // namespace mien::motion

@@ -63,7 +63,8 @@ std::vector<std::string> full_names(const std::vector<std::string>& names,
   return full;
 }
 
-void take_named_column(WideColumns& columns, const std::string& name, int column) {
+/// Whether the column is the number or the time of the frame.
+bool take_named_column(WideColumns& columns, const std::string& name, int column) {
   const NamedColumn named = named_column(name);
   if (named.use == ColumnUse::frame && columns.frame < 0) {
     columns.frame = column;
@@ -71,8 +72,9 @@ void take_named_column(WideColumns& columns, const std::string& name, int column
     columns.time = column;
     columns.time_column = named;
   } else {
-    columns.left_out.push_back(name.empty() ? "column " + std::to_string(column + 1) : name);
+    return false;
   }
+  return true;
 }
 
 }  // namespace
@@ -84,19 +86,20 @@ WideColumns wide_columns(const std::vector<std::string>& names,
   columns.width = full.size();
   Candidates candidates;
   std::vector<std::optional<LengthUnit>> units(full.size());
+  std::vector<bool> is_left_out(full.size(), false);
   for (std::size_t i = 0; i < full.size(); ++i) {
     const std::optional<AxisName> axis = axis_name(full[i]);
     if (axis) {
       candidates.add(*axis, static_cast<int>(i));
       units[i] = axis->unit;
     } else if (!full[i].empty()) {
-      take_named_column(columns, full[i], static_cast<int>(i));
+      is_left_out[i] = !take_named_column(columns, full[i], static_cast<int>(i));
     }
   }
   for (const Candidate& candidate : candidates.all()) {
     if (!candidate.is_point()) {
       for (const int column : candidate.column)
-        if (column >= 0) columns.left_out.push_back(full[static_cast<std::size_t>(column)]);
+        if (column >= 0) is_left_out[static_cast<std::size_t>(column)] = true;
       continue;
     }
     const std::array<int, 3> of_axes = {candidate.column[0], candidate.column[1],
@@ -110,6 +113,8 @@ WideColumns wide_columns(const std::vector<std::string>& names,
         columns.has_mixed_units = true;
     }
   }
+  for (std::size_t i = 0; i < full.size(); ++i)
+    if (is_left_out[i]) columns.left_out.push_back(full[i]);
   return columns;
 }
 
