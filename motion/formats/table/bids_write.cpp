@@ -1,0 +1,102 @@
+#include <nlohmann/json.hpp>
+
+#include "motion/formats/table/bids_motion.h"
+#include "motion/formats/table/decimal_text.h"
+#include "motion/formats/table/point_names.h"
+
+namespace mien::motion {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int position_decimals = 7;
+constexpr char axis_letters[] = "xyz";
+
+std::string letters_and_digits(const std::string& label, const char* otherwise) {
+  std::string kept;
+  for (const char c : label) {
+    const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (is_kept) kept += c;
+  }
+  return kept.empty() ? otherwise : kept;
+}
+
+std::string file_prefix(const BidsLabels& labels) {
+  const std::string session = letters_and_digits(labels.session, "");
+  return "sub-" + letters_and_digits(labels.subject, "01") +
+         (session.empty() ? "" : "_ses-" + session) + "_task-" +
+         letters_and_digits(labels.task, "motion") + "_tracksys-" +
+         letters_and_digits(labels.tracking_system, "points") + "_";
+}
+
+/// A point's name as a field of a table: without tabs and line ends, and not like a quoted field.
+std::string as_field(std::string name) {
+  for (char& c : name)
+    if (c == '\t' || c == '\n' || c == '\r' || c == '"') c = ' ';
+  return name;
+}
+
+std::string motion_table(const PointRecording& recording) {
+  std::string text;
+  for (int frame = 0; frame < recording.frame_count(); ++frame) {
+    for (int point = 0; point < recording.point_count(); ++point) {
+      const std::size_t at = recording.at(frame, point);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (point > 0 || axis > 0) text += '\t';
+        const double value = recording.positions[at][axis];
+        if (!recording.seen[at]) {
+          text += "n/a";
+        } else if (recording.metres_per_unit > 0.0) {
+          append_decimal(text, value * recording.metres_per_unit, position_decimals);
+        } else {
+          append_shortest(text, value);
+        }
+      }
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string channels_table(const PointRecording& recording) {
+  const std::string unit = recording.metres_per_unit > 0.0 ? "m" : "n/a";
+  std::string text = "name\tcomponent\ttype\ttracked_point\tunits\n";
+  std::vector<std::string> names;
+  for (const std::string& point : recording.points) names.push_back(as_field(point));
+  for (const std::string& name : distinct_names(std::move(names))) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const char letter = axis_letters[axis];
+      text += name + '_' + letter + '\t' + letter + "\tPOS\t" + name + '\t' + unit + '\n';
+    }
+  }
+  return text;
+}
+
+std::string sidecar(const PointRecording& recording, const BidsLabels& labels) {
+  Json json;
+  json["TaskName"] = letters_and_digits(labels.task, "motion");
+  json["TrackingSystemName"] = letters_and_digits(labels.tracking_system, "points");
+  json["SamplingFrequency"] = recording.frames_per_second;
+  json["RecordingDuration"] = recording.frame_count() / recording.frames_per_second;
+  json["MotionChannelCount"] = 3 * recording.point_count();
+  json["POSChannelCount"] = 3 * recording.point_count();
+  json["TrackedPointsCount"] = recording.point_count();
+  for (const char* const other :
+       {"ACCEL", "ANGACCEL", "GYRO", "JNTANG", "LATENCY", "MAGN", "MISC", "ORNT", "VEL"})
+    json[std::string(other) + "ChannelCount"] = 0;
+  json["MissingValues"] = "n/a";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> to_bids_motion(const PointRecording& recording,
+                                                                const BidsLabels& labels) {
+  const std::string prefix = file_prefix(labels);
+  return {{prefix + "motion.tsv", motion_table(recording)},
+          {prefix + "channels.tsv", channels_table(recording)},
+          {prefix + "motion.json", sidecar(recording, labels)}};
+}
+
+}  // namespace mien::motion

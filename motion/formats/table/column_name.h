@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mien::motion {
+
+/// A unit of length as files name it.
+struct LengthUnit {
+  std::string_view name;  ///< "m", "cm", "mm"
+  double metres = 0.0;
+};
+
+/// The unit for "m", "metres", "Meters", "mm", "Millimeters", "cm", …; nothing for other words.
+std::optional<LengthUnit> length_unit(std::string_view word);
+
+/// What the name of a column says of a coordinate.
+struct AxisName {
+  std::string_view base;  ///< what the coordinate is of: "nose"; may be empty
+  int axis = 0;           ///< 0, 1, 2 for x, y, z; 3 for w of a quaternion
+  std::optional<LengthUnit> unit = {};
+};
+
+/// Reads "nose_x", "nose.X", "nose x", "nose:x", "noseX", "x_nose", "X", and these with a unit:
+/// "nose_x (mm)", "nose_x_m". "nose_pos_x" is of "nose".
+std::optional<AxisName> axis_name(std::string_view name);
+
+/// Whether a base is of values that are no positions: "hip_rot", "hand velocity", "quat".
+bool is_other_quantity(std::string_view base);
+
+/// What a column is of, apart from coordinates.
+enum class ColumnUse { frame, time, point, subject, model, trajectory, other };
+
+struct NamedColumn {
+  ColumnUse use = ColumnUse::other;
+  double seconds_per_unit = 1.0;  ///< of a time
+  bool has_unit = false;          ///< whether the name states the unit of time
+};
+
+/// Reads "Frame#", "frame_number"; "time", "Time (Seconds)", "t_ms", "timestamp"; "keypoint",
+/// "marker name"; "subject", "person_id".
+NamedColumn named_column(std::string_view name);
+
+}  // namespace mien::motion

@@ -1,0 +1,108 @@
+#include "motion/formats/table/tidy_csv.h"
+
+#include <nlohmann/json.hpp>
+
+#include "motion/formats/table/decimal_text.h"
+
+namespace mien::motion {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int time_decimals = 9;
+constexpr int position_decimals = 7;
+
+/// The text as a field: in quotes if it would not be read back otherwise.
+std::string as_field(const std::string& text) {
+  const bool is_plain = !text.empty() && text.find_first_of(",;\t\"\r\n") == std::string::npos &&
+                        text.front() != ' ' && text.back() != ' ' && text.front() != '#';
+  if (is_plain) return text;
+  std::string field = "\"";
+  for (const char c : text) {
+    if (c == '"') field += '"';
+    field += c;
+  }
+  return field + '"';
+}
+
+bool is_metric(const PointRecording& recording) { return recording.metres_per_unit > 0.0; }
+
+void append_position(std::string& text, const PointRecording& recording, const Vec3& position) {
+  for (int axis = 0; axis < 3; ++axis) {
+    text += ',';
+    if (is_metric(recording)) {
+      append_decimal(text, position[axis] * recording.metres_per_unit, position_decimals);
+    } else {
+      append_shortest(text, position[axis]);
+    }
+  }
+}
+
+Json described(const std::string& meaning, const std::string& unit = "") {
+  Json column{{"description", meaning}};
+  if (!unit.empty()) column["unit"] = unit;
+  return column;
+}
+
+Json columns_of(bool is_in_metres) {
+  Json columns;
+  columns["frame"] = described("number of the frame, from 0");
+  columns["time_s"] = described("time since the first frame", "s");
+  columns["point"] = described("name of the point");
+  const std::string unit = is_in_metres ? "m" : "as in the source, which states none";
+  for (const char* const axis : {"x", "y", "z"})
+    columns[std::string(axis) + (is_in_metres ? "_m" : "")] = described(
+        std::string("position along ") + axis + "; empty where the point is missing", unit);
+  return columns;
+}
+
+}  // namespace
+
+std::string to_tidy_csv(const PointRecording& recording) {
+  std::string text =
+      is_metric(recording) ? "frame,time_s,point,x_m,y_m,z_m\n" : "frame,time_s,point,x,y,z\n";
+  std::vector<std::string> fields;
+  for (const std::string& point : recording.points) fields.push_back(as_field(point));
+  std::string moment;
+  for (int frame = 0; frame < recording.frame_count(); ++frame) {
+    moment = std::to_string(frame) + ',';
+    append_decimal(moment, frame / recording.frames_per_second, time_decimals);
+    moment += ',';
+    for (int point = 0; point < recording.point_count(); ++point) {
+      const std::size_t at = recording.at(frame, point);
+      text += moment;
+      text += fields[static_cast<std::size_t>(point)];
+      if (recording.seen[at]) {
+        append_position(text, recording, recording.positions[at]);
+      } else {
+        text += ",,,";
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+std::string tidy_csv_sidecar(const PointRecording& recording) {
+  Json json;
+  json["description"] = "Positions of points over time; a row is a point of a frame.";
+  json["columns"] = columns_of(is_metric(recording));
+  json["axes"] = "as in the source";
+  json["frames_per_second"] = recording.frames_per_second;
+  json["frames"] = recording.frame_count();
+  json["points"] = recording.points;
+  json["source"] = {
+      {"name", recording.name}, {"format", recording.format}, {"unit", recording.unit}};
+  if (!recording.subject.empty()) json["subject"] = recording.subject;
+  Json events = Json::array();
+  for (const PointEvent& event : recording.events)
+    events.push_back(
+        {{"label", event.label}, {"context", event.context}, {"seconds", event.seconds}});
+  if (!events.empty()) json["events"] = std::move(events);
+  if (!recording.notes.empty()) json["notes"] = recording.notes;
+  // Names may be in any encoding.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace mien::motion
