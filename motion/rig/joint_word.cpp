@@ -17,8 +17,9 @@ constexpr std::string_view short_finger_words[] = {"index", "middle", "ring", "l
 constexpr std::string_view face_words[] = {"head", "neck", "skull", "jaw", "eye", "face"};
 
 /// Parts of a name that say nothing about the joint.
-constexpr std::string_view padding[] = {"bip",  "j",   "c",    "jnt",   "joint", "bone", "def",
-                                        "bind", "org", "jbip", "biped", "skel",  "char"};
+constexpr std::string_view padding[] = {"bip",   "j",    "c",    "jnt",      "joint",
+                                        "bone",  "def",  "bind", "org",      "jbip",
+                                        "biped", "skel", "char", "character"};
 
 bool is_body_word(std::string_view word) {
   for (Words words : {Words(pelvis_words), Words(head_words), Words(upper_arm_words),
