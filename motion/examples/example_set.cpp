@@ -126,7 +126,9 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
   for (const fs::directory_entry& entry : entries) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with('.')) continue;  // hidden: macOS puts "._walk.bvh" beside "walk.bvh"
-    if (!entry.is_regular_file() || !is_motion_file(entry.path())) continue;
+    const bool is_named =
+        is_motion_file(entry.path()) && folder.include.ends_with(entry.path().extension().string());
+    if (!entry.is_regular_file() || !(is_named || is_found_as_motion(entry.path()))) continue;
     if (!matches_glob(folder.include, name)) continue;
     if (!folder.exclude.empty() && matches_glob(folder.exclude, name)) continue;
     files.push_back(entry.path());

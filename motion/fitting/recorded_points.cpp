@@ -22,9 +22,8 @@ Markers markers_of_points(const PointRecording& points, const PointAxes& axes,
     for (int point = 0; point < points.point_count(); ++point) {
       const std::size_t at = points.at(frame, point);
       const bool is_filled = whole.filled[at], is_seen = whole.recording.seen[at] && !is_filled;
-      markers.positions.push_back(is_seen || is_filled
-                                      ? Vec3(whole.recording.positions[at] + raised)
-                                      : Vec3(Vec3::Zero()));
+      markers.positions.push_back(
+          is_seen || is_filled ? Vec3(whole.recording.positions[at] + raised) : Vec3(Vec3::Zero()));
       markers.seen.push_back(is_seen);
       markers.filled.push_back(is_filled);
     }
@@ -44,13 +43,12 @@ RecordedPoints recorded_points(const PointRecording& points) {
   } catch (const Error& error) {
     result.rejection = error.what();
   }
-  Markers markers =
-      markers_of_points(points, result.fit ? result.fit->axes : point_axes(points),
-                        result.fit ? &*result.fit : nullptr);
+  Markers markers = markers_of_points(points, result.fit ? result.fit->axes : point_axes(points),
+                                      result.fit ? &*result.fit : nullptr);
   Recording& recording = result.recording;
-  recording = to_recording(result.fit ? result.fit->clip
-                                      : clip_of_markers(points.name, points.frames_per_second,
-                                                        markers));
+  recording =
+      to_recording(result.fit ? result.fit->clip
+                              : clip_of_markers(points.name, points.frames_per_second, markers));
   recording.name = points.name;
   recording.format = points.format;
   recording.subjects = points.subjects;

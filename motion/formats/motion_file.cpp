@@ -4,40 +4,109 @@
 #include <cctype>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "motion/error.h"
+#include "motion/fitting/recorded_points.h"
 #include "motion/formats/acclaim/acclaim.h"
 #include "motion/formats/bvh/bvh.h"
+#include "motion/formats/c3d/c3d.h"
+#include "motion/formats/fbx/fbx.h"
 #include "motion/formats/gltf/gltf.h"
+#include "motion/formats/keypoints/keypoints.h"
+#include "motion/formats/mvnx/mvnx.h"
+#include "motion/formats/numpy/npy_positions.h"
+#include "motion/formats/smpl/smpl.h"
+#include "motion/formats/table/bids_motion.h"
+#include "motion/formats/table/point_table.h"
+#include "motion/formats/trc/trc.h"
+#include "motion/text/compressed_file.h"
+#include "motion/text/file_contents.h"
 
 namespace mien::motion {
 
 namespace {
 
-using ChosenTake = std::optional<std::string>;
+using std::filesystem::path;
+
+FileContents read_gltf_file(const path& file, const ReadOptions& how) {
+  return read_gltf(file, how.take);
+}
+
+// Theia's files hold rotations instead of points.
+FileContents read_c3d_file(const path& file, const ReadOptions& how) {
+  if (holds_c3d_rotations(read_contents(file))) return read_c3d_rotations(file, how);
+  return read_c3d(file, how);
+}
+
+FileContents read_npz_file(const path& file, const ReadOptions& how) {
+  if (holds_smpl_motion(read_contents(file), file.string())) return read_smpl(file, how);
+  return read_npy_positions(file, how);
+}
+
+FileContents read_tsv_file(const path& file, const ReadOptions& how) {
+  if (is_bids_motion(file)) return read_bids_motion(file, how);
+  return read_point_table(file, how);
+}
+
+template <auto reader>
+FileContents read_with(const path& file, const ReadOptions& how) {
+  return reader(file, how);
+}
+
+Recording read_bvh_file(const path& file, const ReadOptions& how) { return read_bvh(file, how); }
 
 constexpr MotionFormat formats[] = {
     {.ending = ".bvh",
      .name = "BVH",
+     .has_subjects = true,
      .is_streamed = true,
-     .read = [](const std::filesystem::path& path, const ChosenTake&) { return read_bvh(path); },
+     .read = read_with<read_bvh_file>,
      .write = write_bvh},
     {.ending = ".amc",
      .name = "Acclaim",
      .part_ending = ".asf",
-     .read = [](const std::filesystem::path& path, const ChosenTake&) { return read_amc(path); }},
+     .read = [](const path& file, const ReadOptions&) { return FileContents(read_amc(file)); }},
+    {.ending = ".fbx", .name = "FBX", .has_takes = true, .read = read_with<read_fbx>},
     {.ending = ".gltf",
      .name = "glTF",
      .part_ending = ".bin",
      .has_takes = true,
-     .read = read_gltf},
+     .read = read_gltf_file},
     {.ending = ".glb",
      .name = "glTF",
      .has_takes = true,
      .is_metric = true,
-     .read = read_gltf,
+     .read = read_gltf_file,
      .write = write_glb},
+    {.ending = ".vrma", .name = "VRM", .has_takes = true, .read = read_gltf_file},
+    {.ending = ".vrm", .name = "VRM", .has_takes = true, .read = read_gltf_file},
+    {.ending = ".mvnx", .name = "MVNX", .has_subjects = true, .read = read_with<read_mvnx>},
+    {.ending = ".c3d", .name = "C3D", .has_subjects = true, .read = read_c3d_file},
+    {.ending = ".trc", .name = "TRC", .read = read_with<read_trc>},
+    {.ending = ".npz", .name = "NumPy", .is_of_motions = false, .read = read_npz_file},
+    {.ending = ".npy",
+     .name = "NumPy",
+     .is_of_motions = false,
+     .read = read_with<read_npy_positions>},
+    {.ending = ".csv",
+     .name = "tables of points",
+     .has_subjects = true,
+     .is_of_motions = false,
+     .read = read_with<read_point_table>},
+    {.ending = ".tsv",
+     .name = "tables of points",
+     .part_ending = ".json",
+     .has_subjects = true,
+     .is_of_motions = false,
+     .read = read_tsv_file},
+    {.ending = ".json",
+     .name = "keypoints",
+     .has_subjects = true,
+     .is_of_motions = false,
+     .read = read_with<read_keypoints>},
 };
 
 std::string names_and_extensions(bool (*is_meant)(const MotionFormat&)) {
@@ -60,7 +129,7 @@ std::string names_and_extensions(bool (*is_meant)(const MotionFormat&)) {
 std::span<const MotionFormat> motion_formats() { return formats; }
 
 std::string lower_case_ending(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
+  std::string ending = without_compression(path).extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;
@@ -86,12 +155,17 @@ std::string formats_with_takes() {
 
 bool is_motion_file(const std::filesystem::path& path) { return motion_format(path) != nullptr; }
 
+bool is_found_as_motion(const std::filesystem::path& path) {
+  const MotionFormat* format = motion_format(path);
+  return format != nullptr && format->is_of_motions;
+}
+
 bool may_hold_takes(const std::filesystem::path& path) {
   const MotionFormat* format = motion_format(path);
   return format != nullptr && format->has_takes;
 }
 
-Recording read_motion(const std::filesystem::path& path, const std::optional<std::string>& take) {
+FileContents read_file(const std::filesystem::path& path, const ReadOptions& options) {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown)) {
     throw Error({path.string(), 0, 0}, "is a folder", "name a motion file in it");
@@ -101,11 +175,27 @@ Recording read_motion(const std::filesystem::path& path, const std::optional<std
     throw Error({path.string(), 0, 0}, "is not a motion file that can be read",
                 "use " + formats_read());
   }
-  if (take && !format->has_takes) {
+  if (options.take && !format->has_takes) {
     throw Error({path.string(), 0, 0}, "holds one motion, so no take can be chosen",
                 "omit the take; only " + formats_with_takes() + " can hold several");
   }
-  return format->read(path, take);
+  if (options.subject && !format->has_subjects) {
+    throw Error({path.string(), 0, 0}, "holds one person, so no subject can be chosen",
+                "omit the subject");
+  }
+  return format->read(path, options);
+}
+
+Recording read_motion(const std::filesystem::path& path, const ReadOptions& options) {
+  FileContents contents = read_file(path, options);
+  if (auto* recording = std::get_if<Recording>(&contents)) return std::move(*recording);
+  return recorded_points(std::get<PointRecording>(contents)).recording;
+}
+
+Recording read_motion(const std::filesystem::path& path, const std::optional<std::string>& take) {
+  ReadOptions options;
+  options.take = take;
+  return read_motion(path, options);
 }
 
 Recording read_take(const std::filesystem::path& path, const std::string& take) {

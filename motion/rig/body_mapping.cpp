@@ -283,9 +283,8 @@ BodyMapping recognise(std::span<const Recording> recordings) {
   }
   const bool is_nameless = mapping.rig == rig_by_topology;
   if (is_nameless && goes_on_all_fours(motions.front())) throw on_all_fours(first);
-  const Calibration calibration =
-      calibrate(motions, first.format == "smpl" || first.markers ? ZeroPose::defined
-                                                                 : ZeroPose::checked);
+  const Calibration calibration = calibrate(
+      motions, first.format == "smpl" || first.markers ? ZeroPose::defined : ZeroPose::checked);
   mapping.calibration = calibration.to_body;
   mapping.body = calibration.body;
   set_scale(mapping, first);

@@ -37,10 +37,10 @@ UnitGuess guess_unit(double height, const std::string& format) {
             " units tall, which does not fit any known unit of length; it is scaled to 1.70 m."};
   }
   if (!is_metric) return {*known, ""};
-  return {*known,
-          "The figure stands " + number(height) +
-              " m tall in metres, the unit of its format, which is implausible; the unit is assumed to be " +
-              number(*known) + " m."};
+  return {*known, "The figure stands " + number(height) +
+                      " m tall in metres, the unit of its format, which is implausible; the unit "
+                      "is assumed to be " +
+                      number(*known) + " m."};
 }
 
 }  // namespace mien::motion

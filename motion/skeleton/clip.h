@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "motion/skeleton/markers.h"
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/markers.h"
 #include "motion/skeleton/pose.h"
 #include "motion/skeleton/recording.h"
 

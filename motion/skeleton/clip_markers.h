@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "motion/skeleton/markers.h"
 #include "motion/skeleton/clip.h"
+#include "motion/skeleton/markers.h"
 
 namespace mien::motion {
 

@@ -15,7 +15,7 @@ namespace mien::motion {
 ///
 /// `to_body` (body_mapping.h) turns it into a Clip of the canonical body.
 struct Recording {
-  std::string name;    ///< file name without folder and extension
+  std::string name;  ///< file name without folder and extension
   /// "bvh", "amc", "gltf", "smpl", "mvnx", "c3d", "fbx"; "bind pose" of a character.
   std::string format;
   Skeleton skeleton;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -8,6 +9,8 @@ namespace mien::motion {
 
 // Numbers of a C3D file. The processor that wrote it decides the order of their bytes
 // (c3d.org, "C3D User Guide": "Integers and Bytes", "Floating-point").
+
+inline constexpr std::size_t block_bytes = 512;
 
 /// As the parameter section states it in its fourth byte.
 enum class C3dProcessor { intel = 84, dec = 85, mips = 86 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/error.h"
+#include "motion/formats/c3d/c3d_bytes.h"
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/text/plain_number.h"
 
@@ -11,7 +12,6 @@ namespace mien::motion {
 
 namespace {
 
-constexpr std::size_t block_bytes = 512;
 constexpr std::size_t largest_word = 65'535;
 
 // Words of the header, from 1 as in the format's description.

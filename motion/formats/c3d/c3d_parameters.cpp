@@ -5,12 +5,12 @@
 #include <cstdlib>
 
 #include "motion/error.h"
+#include "motion/formats/c3d/c3d_bytes.h"
 
 namespace mien::motion {
 
 namespace {
 
-constexpr std::size_t block_bytes = 512;
 constexpr std::size_t most_records = 65'536;
 constexpr std::size_t most_texts = 65'536;
 constexpr std::string_view obtain_again = "obtain the file again, or export it again";

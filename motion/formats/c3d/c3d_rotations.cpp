@@ -6,6 +6,7 @@
 
 #include "motion/error.h"
 #include "motion/formats/c3d/c3d.h"
+#include "motion/formats/c3d/c3d_bytes.h"
 #include "motion/formats/c3d/c3d_layout.h"
 #include "motion/formats/c3d/c3d_segments.h"
 #include "motion/formats/reading/recording_limits.h"
@@ -20,7 +21,6 @@ namespace {
 
 constexpr std::size_t values_of_a_segment = 17;
 constexpr std::size_t segment_bytes = 4 * values_of_a_segment;
-constexpr std::size_t block_bytes = 512;
 
 /// Where the matrices lie: frame after frame, 17 floats for each segment.
 struct RotationLayout {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "motion/formats/read_options.h"
+#include "motion/formats/reading/read_options.h"
 #include "motion/skeleton/recording.h"
 
 namespace mien::motion {

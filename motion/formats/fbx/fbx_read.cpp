@@ -9,7 +9,7 @@
 #include "motion/formats/fbx/fbx_pose.h"
 #include "motion/formats/fbx/fbx_scene.h"
 #include "motion/formats/fbx/fbx_timing.h"
-#include "motion/formats/recording_limits.h"
+#include "motion/formats/reading/recording_limits.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"

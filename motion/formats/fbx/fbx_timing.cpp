@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "motion/error.h"
-#include "motion/formats/frame_rate.h"
+#include "motion/formats/reading/frame_rate.h"
 
 namespace mien::motion {
 

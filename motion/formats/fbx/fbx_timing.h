@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "motion/formats/fbx/fbx_scene.h"
-#include "motion/formats/read_options.h"
+#include "motion/formats/reading/read_options.h"
 
 namespace mien::motion {
 

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "motion/formats/reading/frame_rate.h"
 #include "motion/formats/gltf/gltf_accessor.h"
+#include "motion/formats/reading/frame_rate.h"
 #include "motion/math/rotation.h"
 
 namespace mien::motion {

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/formats/read_options.h"
+#include "motion/formats/reading/read_options.h"
 #include "motion/formats/table/frame_times.h"
 #include "motion/math/geometry.h"
 

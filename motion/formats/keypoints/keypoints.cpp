@@ -5,10 +5,12 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "motion/formats/json_text.h"
 #include "motion/formats/keypoints/keypoint_take.h"
+#include "motion/formats/reading/chosen_subject.h"
+#include "motion/formats/reading/json_text.h"
 #include "motion/formats/table/column_name.h"
 #include "motion/formats/table/point_names.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
@@ -134,9 +136,11 @@ void choose_person(const PeopleOfFrames& people, const KeypointFile& file, Keypo
         take.subjects.push_back(person.name);
   if (take.subjects.empty())
     throw Error({file.name}, "nobody is found in any frame", known_layouts);
-  const std::size_t chosen = chosen_subject(take.subjects, file.options, {file.name});
+  const std::size_t chosen = chosen_subject({file.name}, take.subjects, file.options.subject);
   take.subject = take.subjects[chosen];
-  if (take.subjects.size() > 1) take.notes.push_back(note_of_choice(take.subjects, chosen));
+  if (const std::string note = note_on_subject(take.subjects, chosen, file.options.subject);
+      !note.empty())
+    take.notes.push_back(note);
   for (const auto& in_frame : people) {
     const auto found = std::ranges::find(in_frame, take.subject, &KeypointPerson::name);
     take.moments.push_back(found == in_frame.end() ? nullptr : found->points);
@@ -177,7 +181,7 @@ PointRecording parse_keypoints(std::string_view json, const std::string& file_na
   const Json parsed = parse_json_text(json, file_name, "keypoints");
   const KeypointFile file{parsed, file_name, options};
   PointRecording recording = recording_of(take_of(file), file, json.size());
-  recording.name = name_of_file(file_name);
+  recording.name = recording_name(file_name);
   return recording;
 }
 

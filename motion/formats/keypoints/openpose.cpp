@@ -53,8 +53,8 @@ std::vector<KeypointPerson> people_in(const Json& frame, std::size_t number,
   return people;
 }
 
-void read_points(const Json& values, const KeypointFile& file, std::size_t frame,
-                 std::span<Keypoint> points) {
+void read_openpose_points(const Json& values, const KeypointFile& file, std::size_t frame,
+                          std::span<Keypoint> points) {
   if (values.size() != points.size() * values_per_point)
     throw Error({file.name},
                 "frame " + std::to_string(frame + 1) + " has " + std::to_string(values.size()) +
@@ -91,7 +91,7 @@ KeypointTake openpose_take(const std::vector<const Json*>& frames, const Keypoin
   if (found.has_hands_or_face)
     take.notes.emplace_back("Keypoints of hands and faces were left out.");
   take.read_points = [file](const Json& person, std::size_t frame, std::span<Keypoint> points) {
-    read_points(person, file, frame, points);
+    read_openpose_points(person, file, frame, points);
   };
   return take;
 }

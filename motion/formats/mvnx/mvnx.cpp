@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "motion/formats/mvnx/mvnx_skeleton.h"
 #include "motion/formats/reading/chosen_subject.h"
 #include "motion/formats/reading/frame_rate.h"
-#include "motion/formats/mvnx/mvnx_skeleton.h"
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/file_contents.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "motion/formats/read_options.h"
+#include "motion/formats/reading/read_options.h"
 #include "motion/points/point_recording.h"
 
 namespace mien::motion {

@@ -5,12 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/formats/json_text.h"
+#include "motion/formats/reading/chosen_subject.h"
+#include "motion/formats/reading/json_text.h"
 #include "motion/formats/table/bids_motion.h"
 #include "motion/formats/table/point_names.h"
 #include "motion/formats/table/table_cell.h"
 #include "motion/formats/table/table_rows.h"
 #include "motion/formats/table/wide_table.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
@@ -254,11 +256,11 @@ PointRecording parse_bids_motion(const BidsMotionTexts& texts, const ReadOptions
   require_columns(rows, channels, channels.columns.notes);
   PointRecording recording = read_wide_rows(rows, channels.columns, options);
   convert_units(channels, texts.channels_file, recording);
-  recording.name = name_of_file(texts.motion_file);
+  recording.name = recording_name(texts.motion_file);
   recording.format = "bids";
   const std::string subject = entity(recording.name, "sub");
   recording.subjects = {subject.empty() ? recording.name : "sub-" + subject};
-  chosen_subject(recording.subjects, options, {texts.motion_file});
+  chosen_subject({texts.motion_file}, recording.subjects, options.subject);
   return recording;
 }
 

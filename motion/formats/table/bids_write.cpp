@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/formats/table/bids_motion.h"
+#include "motion/formats/table/column_name.h"
 #include "motion/formats/table/decimal_text.h"
 #include "motion/formats/table/point_names.h"
 
@@ -8,10 +9,9 @@ namespace mien::motion {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int position_decimals = 7;
-constexpr char axis_letters[] = "xyz";
 
 std::string letters_and_digits(const std::string& label, const char* otherwise) {
   std::string kept;
@@ -74,7 +74,7 @@ std::string channels_table(const PointRecording& recording) {
 }
 
 std::string sidecar(const PointRecording& recording, const BidsLabels& labels) {
-  Json json;
+  OrderedJson json;
   json["TaskName"] = letters_and_digits(labels.task, "motion");
   json["TrackingSystemName"] = letters_and_digits(labels.tracking_system, "points");
   json["SamplingFrequency"] = recording.frames_per_second;
@@ -86,7 +86,7 @@ std::string sidecar(const PointRecording& recording, const BidsLabels& labels) {
        {"ACCEL", "ANGACCEL", "GYRO", "JNTANG", "LATENCY", "MAGN", "MISC", "ORNT", "VEL"})
     json[std::string(other) + "ChannelCount"] = 0;
   json["MissingValues"] = "n/a";
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace

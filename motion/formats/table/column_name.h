@@ -6,6 +6,9 @@
 
 namespace mien::motion {
 
+/// The names of the axes in columns.
+inline constexpr char axis_letters[] = "xyz";
+
 /// A unit of length as files name it.
 struct LengthUnit {
   std::string_view name;  ///< "m", "cm", "mm"

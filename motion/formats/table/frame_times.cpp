@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "motion/formats/frame_rate.h"
-#include "motion/formats/recording_limits.h"
+#include "motion/formats/reading/frame_rate.h"
+#include "motion/formats/reading/recording_limits.h"
 
 namespace mien::motion {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "motion/error.h"
-#include "motion/formats/read_options.h"
+#include "motion/formats/reading/read_options.h"
 
 namespace mien::motion {
 

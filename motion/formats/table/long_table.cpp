@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "motion/formats/reading/chosen_subject.h"
+#include "motion/formats/table/column_name.h"
 #include "motion/formats/table/frame_times.h"
 #include "motion/formats/table/point_names.h"
 #include "motion/formats/table/table_cell.h"
@@ -13,8 +15,6 @@
 namespace mien::motion {
 
 namespace {
-
-constexpr char axis_letters[] = "xyz";
 
 /// Names with indices, in order of occurrence.
 class NameList {
@@ -148,8 +148,10 @@ class LongReader {
     if (subjects_.names().size() < 2 && !options_.subject) return;
     if (subjects_.names().empty())
       throw Error({file()}, "names no people, so none can be chosen", "remove subject:");
-    const std::size_t chosen = chosen_subject(subjects_.names(), options_, {file()});
-    if (subjects_.names().size() > 1) notes_.push_back(note_of_choice(subjects_.names(), chosen));
+    const std::size_t chosen = chosen_subject({file()}, subjects_.names(), options_.subject);
+    if (const std::string note = note_on_subject(subjects_.names(), chosen, options_.subject);
+        !note.empty())
+      notes_.push_back(note);
     std::erase_if(all_, [&](const LongRow& row) { return row.subject != chosen; });
     subject_ = subjects_.names()[chosen];
     NameList kept;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/formats/read_options.h"
+#include "motion/formats/reading/read_options.h"
 #include "motion/formats/table/column_name.h"
 #include "motion/formats/table/table_rows.h"
 #include "motion/points/point_recording.h"

@@ -1,13 +1,11 @@
 #include "motion/formats/table/point_names.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <unordered_map>
 #include <unordered_set>
 
-#include "motion/text/as_number.h"
+#include "motion/formats/reading/chosen_subject.h"
 #include "motion/text/excerpt.h"
-#include "motion/text/text_cursor.h"
 
 namespace mien::motion {
 
@@ -59,22 +57,6 @@ std::vector<std::string> distinct_names(std::vector<std::string> names) {
   return names;
 }
 
-std::size_t chosen_subject(const std::vector<std::string>& subjects, const ReadOptions& options,
-                           const Place& place) {
-  if (!options.subject) return 0;
-  const auto named = std::ranges::find(subjects, *options.subject);
-  if (named != subjects.end()) return static_cast<std::size_t>(named - subjects.begin());
-  const std::optional<std::size_t> number = as_number<std::size_t>(*options.subject);
-  if (number && *number >= 1 && *number <= subjects.size()) return *number - 1;
-  throw Error(place, "there is no " + in_quotes(*options.subject) + " in the file",
-              "choose one of: " + listed(subjects));
-}
-
-std::string note_of_choice(const std::vector<std::string>& subjects, std::size_t chosen) {
-  return "The file holds " + std::to_string(subjects.size()) + " people (" + listed(subjects) +
-         "); " + excerpt(subjects[chosen]) + " is read. Choose another with subject:.";
-}
-
 void split_subjects(PointRecording& recording, const ReadOptions& options, const Place& place) {
   std::vector<std::string> subjects;
   std::unordered_map<std::string, std::size_t> index_of;
@@ -95,7 +77,7 @@ void split_subjects(PointRecording& recording, const ReadOptions& options, const
     recording.subjects = std::move(subjects);
     return;
   }
-  const std::size_t chosen = chosen_subject(subjects, options, place);
+  const std::size_t chosen = chosen_subject(place, subjects, options.subject);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < subject_of.size(); ++i)
     if (subject_of[i] == chosen) kept.push_back(i);
@@ -104,10 +86,6 @@ void split_subjects(PointRecording& recording, const ReadOptions& options, const
   recording.points = distinct_names(std::move(recording.points));
   recording.subject = subjects[chosen];
   recording.subjects = std::move(subjects);
-}
-
-std::string name_of_file(const std::string& file) {
-  return std::filesystem::path(file).stem().string();
 }
 
 }  // namespace mien::motion

@@ -8,6 +8,7 @@
 #include "motion/formats/table/program_tables.h"
 #include "motion/formats/table/table_cell.h"
 #include "motion/formats/table/wide_table.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
@@ -16,7 +17,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr std::size_t most_header_rows = 8;
+constexpr std::size_t most_rows_before_table = 8;
 constexpr char name_columns[] =
     "name three columns for each point, as in nose_x, nose_y, nose_z, or have the columns frame, "
     "point, x, y, z";
@@ -60,7 +61,7 @@ void skip_units(TableRows& rows, WideColumns& columns) {
 WideColumns columns_of_rows(TableRows& rows) {
   std::vector<Names> header = {names_of(rows)};
   std::vector<std::size_t> after = {rows.position()};
-  while (header.size() < most_header_rows && rows.next() && !is_numeric(rows)) {
+  while (header.size() < most_rows_before_table && rows.next() && !is_numeric(rows)) {
     header.push_back(names_of(rows));
     after.push_back(rows.position());
   }
@@ -154,7 +155,7 @@ PointRecording parse_point_table(std::string_view text, const std::string& file_
   const char separator = text.starts_with("NO_OF_FRAMES") ? '\t' : separator_of(text);
   TableRows rows(text, file_name, separator);
   PointRecording recording = read_rows(rows, options);
-  recording.name = name_of_file(file_name);
+  recording.name = recording_name(file_name);
   recording.format = separator == '\t' ? "tsv" : "csv";
   if (recording.subjects.empty()) split_subjects(recording, options, {file_name});
   return recording;

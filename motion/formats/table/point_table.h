@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "motion/formats/read_options.h"
+#include "motion/formats/reading/read_options.h"
 #include "motion/points/point_recording.h"
 
 namespace mien::motion {

@@ -8,13 +8,13 @@ namespace mien::motion {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int time_decimals = 9;
-constexpr int position_decimals = 7;
+constexpr int tidy_position_decimals = 7;
 
 /// The text as a field: in quotes if it would not be read back otherwise.
-std::string as_field(const std::string& text) {
+std::string as_csv_field(const std::string& text) {
   const bool is_plain = !text.empty() && text.find_first_of(",;\t\"\r\n") == std::string::npos &&
                         text.front() != ' ' && text.back() != ' ' && text.front() != '#';
   if (is_plain) return text;
@@ -32,21 +32,21 @@ void append_position(std::string& text, const PointRecording& recording, const V
   for (int axis = 0; axis < 3; ++axis) {
     text += ',';
     if (is_metric(recording)) {
-      append_decimal(text, position[axis] * recording.metres_per_unit, position_decimals);
+      append_decimal(text, position[axis] * recording.metres_per_unit, tidy_position_decimals);
     } else {
       append_shortest(text, position[axis]);
     }
   }
 }
 
-Json described(const std::string& meaning, const std::string& unit = "") {
-  Json column{{"description", meaning}};
+OrderedJson described(const std::string& meaning, const std::string& unit = "") {
+  OrderedJson column{{"description", meaning}};
   if (!unit.empty()) column["unit"] = unit;
   return column;
 }
 
-Json columns_of(bool is_in_metres) {
-  Json columns;
+OrderedJson columns_of(bool is_in_metres) {
+  OrderedJson columns;
   columns["frame"] = described("number of the frame, from 0");
   columns["time_s"] = described("time since the first frame", "s");
   columns["point"] = described("name of the point");
@@ -63,7 +63,7 @@ std::string to_tidy_csv(const PointRecording& recording) {
   std::string text =
       is_metric(recording) ? "frame,time_s,point,x_m,y_m,z_m\n" : "frame,time_s,point,x,y,z\n";
   std::vector<std::string> fields;
-  for (const std::string& point : recording.points) fields.push_back(as_field(point));
+  for (const std::string& point : recording.points) fields.push_back(as_csv_field(point));
   std::string moment;
   for (int frame = 0; frame < recording.frame_count(); ++frame) {
     moment = std::to_string(frame) + ',';
@@ -85,7 +85,7 @@ std::string to_tidy_csv(const PointRecording& recording) {
 }
 
 std::string tidy_csv_sidecar(const PointRecording& recording) {
-  Json json;
+  OrderedJson json;
   json["description"] = "Positions of points over time; a row is a point of a frame.";
   json["columns"] = columns_of(is_metric(recording));
   json["axes"] = "as in the source";
@@ -95,14 +95,14 @@ std::string tidy_csv_sidecar(const PointRecording& recording) {
   json["source"] = {
       {"name", recording.name}, {"format", recording.format}, {"unit", recording.unit}};
   if (!recording.subject.empty()) json["subject"] = recording.subject;
-  Json events = Json::array();
+  OrderedJson events = OrderedJson::array();
   for (const PointEvent& event : recording.events)
     events.push_back(
         {{"label", event.label}, {"context", event.context}, {"seconds", event.seconds}});
   if (!events.empty()) json["events"] = std::move(events);
   if (!recording.notes.empty()) json["notes"] = recording.notes;
   // Names may be in any encoding.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace mien::motion

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/formats/table/column_name.h"
 #include "motion/formats/table/frame_times.h"
 #include "motion/formats/table/point_names.h"
 #include "motion/formats/table/table_cell.h"
@@ -10,8 +11,6 @@
 namespace mien::motion {
 
 namespace {
-
-constexpr char axis_letters[] = "xyz";
 
 /// Reads the rows of a table in which a row is a frame.
 class WideReader {

@@ -64,7 +64,7 @@ void list_folder(const fs::path& folder, const std::string& name, int depth, Fou
     const fs::path& path = entry->path();
     if (entry->is_directory(unknown) && !entry->is_symlink(unknown)) below.push_back(path);
     if (!entry->is_regular_file(unknown)) continue;
-    if (motion::is_motion_file(path))
+    if (motion::is_found_as_motion(path))
       found.motions[name.empty() ? "." : name].push_back(path.filename().string());
     if (scenes::is_character_file(path))
       found.characters.push_back(joined(name, path.filename().string()));
@@ -117,7 +117,7 @@ bool StudioPlaces::contains(const std::string& name) const {
   std::error_code unknown;
   if (fs::is_directory(path, unknown)) return true;
   return fs::is_regular_file(path, unknown) &&
-         (motion::is_motion_file(path) || scenes::is_character_file(path));
+         (motion::is_found_as_motion(path) || scenes::is_character_file(path));
 }
 
 }  // namespace mien::pipeline

@@ -15,7 +15,7 @@ TEST(RealFiles, LoadWithFiniteValues) {
   if (!data) GTEST_SKIP() << "no real motion here: set MIEN_DATA to the folder that has it";
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(*data)) {
-    if (!motion::is_motion_file(entry.path())) continue;
+    if (!motion::is_found_as_motion(entry.path())) continue;
     ++files;
     const motion::Recording recording = motion::read_motion(entry.path());
     EXPECT_TRUE(is_sound(recording)) << entry.path();

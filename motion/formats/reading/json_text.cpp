@@ -1,4 +1,4 @@
-#include "motion/formats/json_text.h"
+#include "motion/formats/reading/json_text.h"
 
 #include <nlohmann/json.hpp>
 
