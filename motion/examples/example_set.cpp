@@ -153,8 +153,9 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
   LoadedExamples loaded;
   const std::vector<fs::path> files = example_files(folder);
   for (const fs::path& file : files) {
-    const bool chooses = !folder.take.empty() && may_hold_takes(file);
-    recordings.push_back(read_motion(file, chooses ? std::optional(folder.take) : std::nullopt));
+    ReadOptions how = folder.how;
+    if (!may_hold_takes(file)) how.take.reset();
+    recordings.push_back(read_motion(file, how));
     for (const std::string& note : recordings.back().notes) {
       loaded.warnings.push_back(file.filename().string() + ": " + note);
     }

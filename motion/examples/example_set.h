@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/examples/make_example.h"
+#include "motion/formats/reading/read_options.h"
 #include "motion/skeleton/example.h"
 
 namespace mien::motion {
@@ -16,7 +17,7 @@ struct ExampleFolder {
   std::filesystem::path path;
   std::string include = "*";  ///< pattern of file names to include (motion/text/glob.h)
   std::string exclude;        ///< pattern of file names to exclude; empty: none
-  std::string take;           ///< name of the motion to use in files with several; empty: the first
+  ReadOptions how;            ///< which motions of the files; takes apply to formats that have some
   CycleChoice cycle = CycleChoice::automatic;
   bool shorten_names = true;  ///< name examples by the part of the file name in which they differ
   std::vector<std::pair<std::string, std::string>> names;  ///< file stem → name; takes precedence

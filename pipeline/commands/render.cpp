@@ -62,8 +62,10 @@ std::string name_among(std::set<std::string>& names, const std::string& wanted) 
 }
 
 /// Reads the clip of a file; prints warnings about its rig.
-motion::Clip clip_in(const std::string& file, const std::string& take, const Console& console) {
-  const motion::Recording recording = read_take(file, take);
+motion::Clip clip_in(const std::string& file, const RecordingArguments& arguments,
+                     const Console& console) {
+  const NamedRecording named = named_recording(file, arguments);
+  const motion::Recording recording = motion::read_motion(named.file, named.how);
   for (const std::string& warning : motion::analyse_rig(recording).warnings)
     console.err << "warning: " << file << ": " << warning << '\n';
   motion::Clip clip = clip_of(recording);
@@ -83,7 +85,7 @@ std::vector<scenes::Performance> performances_of(const RenderOptions& options, c
   std::vector<scenes::Performance> performances;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
     motion::Clip clip =
-        motion::resampled(clip_in(options.files[i], options.take, console), output.fps);
+        motion::resampled(clip_in(options.files[i], options.recording, console), output.fps);
     if (output.in_place) clip = motion::kept_in_place(clip);
     performances.push_back({.name = name_among(names, fs::path(options.files[i]).stem().string()),
                             .clip = std::move(clip),
@@ -192,13 +194,13 @@ int render_file(const RenderOptions& options, const Console& console) {
 
 /// Options for input motions and the output file.
 std::vector<CommandOption> file_options(RenderOptions& options) {
-  return {
+  return all_of(
       argument("files", &options.files,
                "Motion file: " + motion::formats_read() +
                    "; or two or three in one scene: target (green), created (blue), reference "
                    "(red)")
           .values(1, 3),
-      take_option(options.take),
+      recording_options(options.recording),
       option("--layout", &options.layout, "How two or three motions are shown in one scene")
           .one_of({"superimposed", "side-by-side"})
           .with_default(),
@@ -209,7 +211,7 @@ std::vector<CommandOption> file_options(RenderOptions& options) {
               "write; its folder is created if necessary (default: <file>.mp4 in the current "
               "folder)"),
       flag("--repeat", &options.repeat,
-           "Animated images (webp, gif, apng): loop forever instead of playing once")};
+           "Animated images (webp, gif, apng): loop forever instead of playing once"));
 }
 
 /// Options for the look.

@@ -44,7 +44,7 @@ class OutputFlags {
 /// Command-line options of `mien render`.
 struct RenderOptions {
   std::vector<std::string> files;
-  std::string take;  ///< take to use from files with several; empty: the first
+  RecordingArguments recording;  ///< of all files
   std::string out;
   OutputFlags output;
   LookOptions look;

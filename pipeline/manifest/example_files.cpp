@@ -10,7 +10,7 @@ motion::ExampleFolder example_folder(const Examples& examples) {
   folder.path = examples.folder;
   folder.include = examples.include;
   folder.exclude = examples.exclude;
-  folder.take = examples.take;
+  folder.how = read_options(examples.how);
   folder.cycle = examples.cycle;
   folder.keytimes = examples.keytimes;
   folder.shorten_names = examples.labels == Examples::Labels::from_name;

@@ -11,6 +11,7 @@
 #include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/ratings/answers/expectation.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
+#include "pipeline/manifest/recording_choice.h"
 
 namespace mien::pipeline {
 
@@ -30,7 +31,7 @@ struct Examples {
   std::filesystem::path folder;  ///< resolved
   std::string include = "*";     ///< glob on file names
   std::string exclude;           ///< glob on file names; empty excludes nothing
-  std::string take;              ///< take of files with several motions; empty: the first
+  RecordingChoice how;           ///< which motions of the files
   motion::CycleChoice cycle = motion::CycleChoice::automatic;
   /// Keytimes set manually: file stem → keytimes, seconds.
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;
@@ -52,7 +53,7 @@ void fields_of(auto&& field, MaybeConst<Examples> auto& examples) {
   field("folder", examples.folder, concerns::repertoire);
   field("include", examples.include, concerns::repertoire);
   field("exclude", examples.exclude, concerns::repertoire);
-  field("take", examples.take, concerns::repertoire);
+  recording_fields(field, examples.how, concerns::repertoire);
   field("cycle", examples.cycle, concerns::repertoire, cycle_words);
   field("blend", examples.blendable, concerns::repertoire);
   field("keytimes", examples.keytimes, concerns::repertoire);

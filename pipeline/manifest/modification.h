@@ -11,6 +11,7 @@
 
 #include "motion/modify/modification.h"
 #include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/recording_choice.h"
 #include "pipeline/manifest/style_step.h"
 
 namespace mien::pipeline {
@@ -19,7 +20,7 @@ namespace mien::pipeline {
 struct PoseSource {
   std::string example;         ///< empty: `file` is used
   std::filesystem::path file;  ///< resolved
-  std::string take;            ///< take of a file with several; empty: the first
+  RecordingChoice how;         ///< which motion of the file
   int frame = 0;               ///< counted from 0
 
   friend bool operator==(const PoseSource&, const PoseSource&) = default;
@@ -35,7 +36,7 @@ struct PoseMotionForm {
 void fields_of(auto&& field, MaybeConst<PoseSource> auto& pose) {
   field.by("motion", pose, concerns::motion | concerns::required | concerns::alone,
            PoseMotionForm());
-  field("take", pose.take, concerns::motion);
+  recording_fields(field, pose.how, concerns::motion);
   field("frame", pose.frame, concerns::motion);
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 void add_pose(const std::string& path, const PoseSource& pose, std::vector<NamedMotion>& motions) {
   if (pose.file.empty()) return;
-  motions.push_back({path, "motion", pose.file, pose.take, pose.frame, member_path(path, "frame")});
+  motions.push_back(
+      {path, "motion", pose.file, read_options(pose.how), pose.frame, member_path(path, "frame")});
 }
 
 }  // namespace
@@ -20,14 +21,14 @@ std::vector<NamedMotion> named_motions(const Stimulus& stimulus) {
   if (stimulus.clip && !stimulus.clip->file.empty()) {
     const ClipSource& clip = *stimulus.clip;
     const std::string path = member_path(stimulus.path, "clip");
-    motions.push_back({path, "file", clip.file, clip.take, clip.frames ? (*clip.frames)[1] : 0,
-                       member_path(path, "frames")});
+    motions.push_back({path, "file", clip.file, read_options(clip.how),
+                       clip.frames ? (*clip.frames)[1] : 0, member_path(path, "frames")});
   }
   if (stimulus.walk) {
     const std::string path = member_path(stimulus.path, "path.graph");
     for (std::size_t i = 0; i < stimulus.walk->graph.size(); ++i) {
-      const auto& [file, take] = stimulus.walk->graph[i];
-      motions.push_back({element_path(path, i), "file", file, take, 0, ""});
+      const auto& [file, how] = stimulus.walk->graph[i];
+      motions.push_back({element_path(path, i), "file", file, read_options(how), 0, ""});
     }
   }
   for (const ModificationStep& step : stimulus.modify) {
@@ -40,8 +41,8 @@ std::vector<NamedMotion> named_motions(const Stimulus& stimulus) {
 }
 
 std::string default_take_note(const NamedMotion& motion) {
-  if (!motion.take.empty() || !motion::may_hold_takes(motion.file)) return "";
-  const motion::Recording recording = motion::read_motion(motion.file);
+  if (motion.how.take || !motion::may_hold_takes(motion.file)) return "";
+  const motion::Recording recording = motion::read_motion(motion.file, motion.how);
   return recording.takes.size() > 1 ? recording.notes.front() : "";
 }
 

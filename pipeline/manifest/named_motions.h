@@ -14,9 +14,9 @@ struct NamedMotion {
   std::string path;  ///< path in the manifest of the file name or of its map: "stimuli[2].clip"
   std::string key;   ///< key of the file in that map: "file", "motion"
   std::filesystem::path file;
-  std::string take;      ///< empty: none selected
-  int last_frame = 0;    ///< last requested frame, counted from 0; 0 if all frames are used
-  std::string frame_at;  ///< path in the manifest of the requested frame
+  motion::ReadOptions how;  ///< which motion of the file
+  int last_frame = 0;       ///< last requested frame, counted from 0; 0 if all frames are used
+  std::string frame_at;     ///< path in the manifest of the requested frame
 };
 
 /// Returns the motion files of the stimulus's clip, of its path's graph and of its modifications'

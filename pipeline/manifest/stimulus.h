@@ -18,6 +18,7 @@
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/modification.h"
 #include "pipeline/manifest/output.h"
+#include "pipeline/manifest/recording_choice.h"
 #include "pipeline/manifest/regression_limits.h"
 #include "pipeline/manifest/walk_path.h"
 #include "scenes/figures/figure_colour.h"
@@ -64,13 +65,13 @@ void fields_of(auto&& field, MaybeConst<Interpolation> auto& how) {
 /// A motion file from which a stimulus takes its motion.
 struct ClipSource {
   std::filesystem::path file;                ///< resolved
-  std::string take;                          ///< take of a file with several; empty: the first
+  RecordingChoice how;                       ///< which motion of the file
   std::optional<std::array<int, 2>> frames;  ///< first and last, counted from 0; all when absent
 };
 
 void fields_of(auto&& field, MaybeConst<ClipSource> auto& clip) {
   field("file", clip.file, concerns::motion | concerns::required | concerns::alone);
-  field("take", clip.take, concerns::motion);
+  recording_fields(field, clip.how, concerns::motion);
   field("frames", clip.frames, concerns::motion);
 }
 

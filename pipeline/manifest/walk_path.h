@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/recording_choice.h"
 
 namespace mien::pipeline {
 
@@ -60,14 +61,14 @@ using FloorPoint = std::array<double, 2>;
 /// A motion of a motion graph.
 struct GraphMotion {
   std::filesystem::path file;  ///< resolved
-  std::string take;            ///< take of a file with several; empty: the first
+  RecordingChoice how;         ///< which motion of the file
 
   friend bool operator==(const GraphMotion&, const GraphMotion&) = default;
 };
 
 void fields_of(auto&& field, MaybeConst<GraphMotion> auto& motion) {
   field("file", motion.file, concerns::motion | concerns::required | concerns::alone);
-  field("take", motion.take, concerns::motion);
+  recording_fields(field, motion.how, concerns::motion);
 }
 
 /// A path for the steered walker (motion/steered_walk/scripted_walk.h), starting and ending in a

@@ -84,8 +84,7 @@ void note_body(const Npz& npz, const std::vector<double>& betas, const ReadOptio
     return;
   }
   notes.push_back(
-      "The body is mien's own, 1.75 m tall: the person's proportions need a model of "
-      "the SMPL family (body_model)." +
+      "The body is mien's own, 1.75 m tall: the person's proportions are not in the file." +
       person);
 }
 

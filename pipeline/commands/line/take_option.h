@@ -21,13 +21,56 @@ inline CommandOption take_option(std::string& take) {
                 "Motion to use from a file with several (listed by mien motion info)");
 }
 
+/// Which motion of the files of a command is used, and what the files do not state.
+struct RecordingArguments {
+  std::string take;
+  std::string subject;
+  double fps = 0.0;  ///< 0: as the file states it
+};
+
+/// The options --take, --subject and --recorded-fps.
+inline std::vector<CommandOption> recording_options(RecordingArguments& arguments) {
+  return {take_option(arguments.take),
+          option("--subject", &arguments.subject,
+                 "Name or number of the person to use from a file with several"),
+          option("--recorded-fps", &arguments.fps,
+                 "Frames per second of the recording, for files that do not state it (fps: in "
+                 "manifests)")
+              .positive()};
+}
+
+/// A motion file as named on the command line, and how it is read.
+struct NamedRecording {
+  std::string file;
+  motion::ReadOptions how;
+};
+
+/// "walk.fbx#Run" is the take "Run" of walk.fbx, unless there is a file of that whole name.
+inline NamedRecording named_recording(const std::string& name,
+                                      const RecordingArguments& arguments) {
+  NamedRecording named{name, {}};
+  const std::size_t mark = name.rfind('#');
+  std::error_code unknown;
+  if (mark != std::string::npos && !std::filesystem::exists(name, unknown) &&
+      std::filesystem::exists(name.substr(0, mark), unknown)) {
+    named.file = name.substr(0, mark);
+    named.how.take = name.substr(mark + 1);
+  }
+  if (!arguments.take.empty()) named.how.take = arguments.take;
+  if (!arguments.subject.empty()) named.how.subject = arguments.subject;
+  if (arguments.fps > 0.0) named.how.frames_per_second = arguments.fps;
+  return named;
+}
+
 using motion::read_take;
 
 /// Reads the motion of a file and prints the reader's notes as warnings, such as which figure was
-/// chosen and, if `take` is empty, which take. Throws Error.
-inline motion::Recording read_with_warnings(const std::string& file, const std::string& take,
+/// chosen and, if no take is chosen, which take. Throws Error.
+inline motion::Recording read_with_warnings(const std::string& file,
+                                            const RecordingArguments& arguments,
                                             const Console& console) {
-  motion::Recording recording = motion::read_take(file, take);
+  const NamedRecording named = named_recording(file, arguments);
+  motion::Recording recording = motion::read_motion(named.file, named.how);
   for (const std::string& note : recording.notes)
     console.err << "warning: " << file << ": " << note << '\n';
   return recording;

@@ -16,13 +16,13 @@ namespace {
 struct ConvertOptions {
   std::string in;
   std::string out;
-  std::string take;
+  RecordingArguments recording;
   bool body = false;
 };
 
 int convert(const ConvertOptions& options, const Console& console) {
   refuse_own_input(options.in, options.out);
-  motion::Recording recording = read_with_warnings(options.in, options.take, console);
+  motion::Recording recording = read_with_warnings(options.in, options.recording, console);
   const motion::MotionFormat* format = motion::motion_format(options.out);
   if (options.body) {
     recording = motion::to_recording(motion::to_body(recording));
@@ -50,7 +50,7 @@ Command motion_convert_command() {
               argument("out", &options->out,
                        "File to write: " + motion::formats_written() +
                            "; glTF in metres with +Y up, others in the unit and axes of the input"),
-              take_option(options->take),
+              recording_options(options->recording),
               flag("--body", &options->body,
                    "Map it onto the canonical body: 21 joints, metres, +Y up")),
           .notes =

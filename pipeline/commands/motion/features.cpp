@@ -24,7 +24,7 @@ using nlohmann::ordered_json;
 
 struct FeaturesOptions {
   std::vector<std::string> files;
-  std::string take;
+  RecordingArguments recording;
   std::string masses = "male";
   std::string sideways = "outward";
   bool json = false;
@@ -48,9 +48,9 @@ motion::FeatureOptions feature_options(const FeaturesOptions& options) {
   return result;
 }
 
-MeasuredFile measured(const std::string& file, const std::string& take,
+MeasuredFile measured(const std::string& file, const RecordingArguments& arguments,
                       const motion::FeatureOptions& options, const Console& console) {
-  const motion::Recording recording = read_with_warnings(file, take, console);
+  const motion::Recording recording = read_with_warnings(file, arguments, console);
   const motion::Clip clip = motion::to_body(recording);
   motion::PreparedExample prepared = motion::prepare_example(clip);
   const motion::FeatureValues values = motion::measure_features(prepared.example, options);
@@ -162,7 +162,7 @@ void show_table(const std::vector<MeasuredFile>& all, const Console& console) {
 int show_features(const FeaturesOptions& options, const Console& console) {
   std::vector<MeasuredFile> all;
   for (const std::string& file : options.files)
-    all.push_back(measured(file, options.take, feature_options(options), console));
+    all.push_back(measured(file, options.recording, feature_options(options), console));
   if (options.json) {
     show_json(all, console);
   } else if (options.csv) {
@@ -177,30 +177,31 @@ int show_features(const FeaturesOptions& options, const Console& console) {
 
 Command motion_features_command() {
   const auto options = std::make_shared<FeaturesOptions>();
-  return {.name = "features",
-          .summary = "Measure the 51 motion features by which motions can be specified",
-          .options = all_of(
-              argument("files", &options->files, "Motion files"), take_option(options->take),
-              option("--masses", &options->masses,
-                     "Body segment masses: male, female (de Leva 1996), winter (Winter 2009)")
-                  .one_of({"male", "female", "winter"})
-                  .with_default(),
-              option("--sideways", &options->sideways,
-                     "Sign of lateral angles of arms, legs and feet: outward from the body, or all "
-                     "to the left")
-                  .one_of({"outward", "left"})
-                  .with_default(),
-              flag("--json", &options->json, "As JSON"),
-              flag("--csv", &options->csv, "As a table with one row per motion and feature")
-                  .excludes("--json")),
-          .notes =
-              "Measures the steadiest gait cycle, or the whole motion if there is none. \"mu\" is "
-              "a mean, \"sigma\" a standard deviation over the cycle; fb is forward and backward, "
-              "lr left and right, v up and down.\n\n"
-              "Examples:\n"
-              "  mien motion features walk.bvh\n"
-              "  mien motion features --csv captures/*.bvh > features.csv",
-          .run = [options](const Console& console) { return show_features(*options, console); }};
+  return {
+      .name = "features",
+      .summary = "Measure the 51 motion features by which motions can be specified",
+      .options = all_of(
+          argument("files", &options->files, "Motion files"), recording_options(options->recording),
+          option("--masses", &options->masses,
+                 "Body segment masses: male, female (de Leva 1996), winter (Winter 2009)")
+              .one_of({"male", "female", "winter"})
+              .with_default(),
+          option("--sideways", &options->sideways,
+                 "Sign of lateral angles of arms, legs and feet: outward from the body, or all "
+                 "to the left")
+              .one_of({"outward", "left"})
+              .with_default(),
+          flag("--json", &options->json, "As JSON"),
+          flag("--csv", &options->csv, "As a table with one row per motion and feature")
+              .excludes("--json")),
+      .notes =
+          "Measures the steadiest gait cycle, or the whole motion if there is none. \"mu\" is "
+          "a mean, \"sigma\" a standard deviation over the cycle; fb is forward and backward, "
+          "lr left and right, v up and down.\n\n"
+          "Examples:\n"
+          "  mien motion features walk.bvh\n"
+          "  mien motion features --csv captures/*.bvh > features.csv",
+      .run = [options](const Console& console) { return show_features(*options, console); }};
 }
 
 }  // namespace mien::pipeline

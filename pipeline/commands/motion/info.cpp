@@ -1,12 +1,20 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/fitting/recorded_points.h"
 #include "motion/formats/motion_file.h"
 #include "motion/measures/features/motion_summary.h"
+#include "motion/points/gaps.h"
+#include "motion/points/marker_sets.h"
+#include "motion/points/point_axes.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/motion.h"
 
@@ -18,7 +26,7 @@ using nlohmann::ordered_json;
 
 struct InfoOptions {
   std::string file;
-  std::string take;
+  RecordingArguments recording;
   bool json = false;
 };
 
@@ -112,12 +120,100 @@ void show_text(const motion::MotionSummary& summary, const Console& console) {
   for (const std::string& warning : summary.warnings) console.out << "warning: " << warning << '\n';
 }
 
+/// What a file of points holds, and how the body was fitted to it.
+struct PointsSummary {
+  motion::PointRecording points;
+  motion::MarkerSet set;
+  motion::GapSummary gaps;
+  motion::PointAxes axes;
+  std::optional<motion::FittedMotion> fit;
+};
+
+ordered_json as_json(const PointsSummary& summary) {
+  ordered_json points = ordered_json::array();
+  for (std::size_t i = 0; i < summary.points.points.size(); ++i) {
+    ordered_json point = {{"point", summary.points.points[i]},
+                          {"missing_share", rounded(summary.gaps.points[i].missing_share)},
+                          {"longest_gap_s", rounded(summary.gaps.points[i].longest_gap_seconds)}};
+    if (summary.fit) {
+      const motion::FittedPoint& fitted = summary.fit->points[i];
+      if (fitted.use == motion::PointUse::used) {
+        point["role"] = fitted.role;
+        point["residual_mm"] = rounded(fitted.residual_mm);
+      }
+    }
+    points.push_back(std::move(point));
+  }
+  ordered_json events = ordered_json::array();
+  for (const motion::PointEvent& event : summary.points.events)
+    events.push_back(
+        {{"event", event.label}, {"context", event.context}, {"time_s", rounded(event.seconds)}});
+  ordered_json result = {{"marker_set", summary.set.name},
+                         {"unit", summary.points.unit},
+                         {"unit_m", summary.axes.metres_per_unit},
+                         {"up", summary.axes.up},
+                         {"missing_share", rounded(summary.gaps.missing_share)},
+                         {"longest_gap_s", rounded(summary.gaps.longest_gap_seconds)},
+                         {"points", points},
+                         {"events", events}};
+  result["fit_residual_mm"] = nullptr;
+  if (summary.fit) result["fit_residual_mm"] = rounded(summary.fit->residual_mm);
+  return result;
+}
+
+std::size_t point_of_longest_gap(const motion::GapSummary& gaps) {
+  const auto longest = std::ranges::max_element(
+      gaps.points, {}, [](const motion::PointGaps& each) { return each.longest_gap_seconds; });
+  return static_cast<std::size_t>(longest - gaps.points.begin());
+}
+
+void show_fit(const motion::FittedMotion& fit, const Console& console) {
+  console.out << fmt::format("fit      {:.1f} mm (root mean square of all markers)",
+                             fit.residual_mm);
+  const auto worst = std::ranges::max_element(fit.points, {}, &motion::FittedPoint::residual_mm);
+  if (worst != fit.points.end() && worst->residual_mm > 0.0)
+    console.out << fmt::format("; largest {}: {:.1f} mm", worst->name, worst->residual_mm);
+  console.out << '\n';
+}
+
+void show_text(const PointsSummary& summary, const Console& console) {
+  const motion::PointRecording& points = summary.points;
+  console.out << fmt::format("points   {}, {}\n", points.point_count(),
+                             summary.set.name.empty() ? "no known marker set" : summary.set.name);
+  console.out << fmt::format(
+      "axes     {} up, in {}\n", summary.axes.up,
+      points.unit.empty() ? "a unit that the file does not state" : points.unit);
+  if (summary.gaps.missing_share > 0.0)
+    console.out << fmt::format("missing  {:.1f} %, longest gap {:.2f} s ({})\n",
+                               100.0 * summary.gaps.missing_share, summary.gaps.longest_gap_seconds,
+                               points.points[point_of_longest_gap(summary.gaps)]);
+  if (!points.subjects.empty())
+    console.out << fmt::format("people   {}\n", fmt::join(points.subjects, ", "));
+  if (!points.events.empty()) console.out << fmt::format("events   {}\n", points.events.size());
+  if (summary.fit) show_fit(*summary.fit, console);
+}
+
 int show_info(const InfoOptions& options, const Console& console) {
-  const motion::MotionSummary summary = motion::summarise(read_take(options.file, options.take));
-  if (options.json) {
-    console.out << as_json(summary).dump(2, ' ', false, ordered_json::error_handler_t::replace)
-                << '\n';
+  const NamedRecording named = named_recording(options.file, options.recording);
+  motion::FileContents contents = motion::read_file(named.file, named.how);
+  std::optional<PointsSummary> points;
+  motion::Recording recording;
+  if (auto* found = std::get_if<motion::PointRecording>(&contents)) {
+    motion::RecordedPoints motion = motion::recorded_points(*found);
+    points =
+        PointsSummary{*found, motion::recognised_marker_set(found->points), motion::gaps_of(*found),
+                      motion::point_axes(*found), std::move(motion.fit)};
+    recording = std::move(motion.recording);
   } else {
+    recording = std::get<motion::Recording>(std::move(contents));
+  }
+  const motion::MotionSummary summary = motion::summarise(recording);
+  if (options.json) {
+    ordered_json json = as_json(summary);
+    if (points) json["recorded"] = as_json(*points);
+    console.out << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+  } else {
+    if (points) show_text(*points, console);
     show_text(summary, console);
   }
   return exit_done;
@@ -130,7 +226,8 @@ Command motion_info_command() {
   return {.name = "info",
           .summary = "Show the contents of a motion file and how its rig was recognised",
           .options = all_of(argument("file", &options->file, "Motion file"),
-                            take_option(options->take), flag("--json", &options->json, "As JSON")),
+                            recording_options(options->recording),
+                            flag("--json", &options->json, "As JSON")),
           .notes = "Example:\n  mien motion info walk.bvh --json | jq .speed_m_s",
           .run = [options](const Console& console) { return show_info(*options, console); }};
 }

@@ -30,7 +30,7 @@ struct LintCommand {
   std::string original;
   std::string original_take;
   std::string timeline;
-  std::string take;
+  RecordingArguments recording;
   double mass_kg = motion::LintOptions().body_mass_kg;
   bool loop = false;
   bool errors_only = false;
@@ -71,7 +71,7 @@ LintedFile linted(const std::string& file, const LintCommand& command, const mot
                   const Console& console) {
   motion::LintOptions options;
   options.body_mass_kg = command.mass_kg;
-  const motion::Recording recording = read_with_warnings(file, command.take, console);
+  const motion::Recording recording = read_with_warnings(file, command.recording, console);
   const motion::Clip clip = looped_if_requested(clip_of(recording), command.loop);
   LintedFile result;
   result.file = file;
@@ -197,7 +197,7 @@ int show_findings(const LintCommand& command, const Console& console) {
   std::optional<motion::Clip> original;
   if (!command.original.empty()) {
     original = looped_if_requested(
-        clip_of(read_with_warnings(command.original, command.original_take, console)),
+        clip_of(read_with_warnings(command.original, {.take = command.original_take}, console)),
         command.loop);
     if (!motion::is_body(original->body))
       throw Error(fmt::format("no human body was recognised in \"{}\"", command.original),
@@ -241,7 +241,7 @@ Command motion_lint_command() {
       .summary =
           "Find implausible movement: foot sliding, jumps, overstretched joints and other faults",
       .options = all_of(
-          argument("files", &options->files, "Motion files"), take_option(options->take),
+          argument("files", &options->files, "Motion files"), recording_options(options->recording),
           option("--original", &options->original,
                  "The unmodified motion; faults that it already has are reported only where they "
                  "have grown, and timing is compared"),

@@ -30,7 +30,7 @@ struct ModifyOptions {
 int modify_file(const ModifyOptions& options, const Console& console) {
   refuse_own_input(options.in, options.out);
   Stimulus stimulus = stimulus_of({options.in, options.change, options.recipes, options.on_fault});
-  stimulus.clip->take = options.take;
+  stimulus.clip->how.take = options.take;
   stimulus.output.fps =
       options.fps > 0.0 ? options.fps : read_take(options.in, options.take).frames_per_second;
   const Synthesis made = synthesize(stimulus, {});

@@ -89,8 +89,8 @@ class StepChecker : FaultList {
     if (!pose.file.empty())
       check_file(path, pose.file, "the name of an example or a motion file",
                  motion::max_recording_bytes);
-    check_take(member_path(path, "take"), pose.file, pose.take, *this);
-    if (!pose.example.empty() && !pose.take.empty()) {
+    check_take(member_path(path, "take"), pose.file, read_options(pose.how), *this);
+    if (!pose.example.empty() && !pose.how.take.empty()) {
       add(member_path(path, "take"),
           motion::in_quotes(pose.example) + " is an example with one motion",
           "omit take, or name a motion file");

@@ -144,8 +144,8 @@ void check_points(const std::string& path, const WalkPath& walk, FaultList& list
 void check_graph(const std::string& path, const WalkPath& walk, FaultList& list) {
   const std::string graph = member_path(path, "graph");
   for (std::size_t i = 0; i < walk.graph.size(); ++i) {
-    const auto& [file, take] = walk.graph[i];
-    check_motion_file(element_path(graph, i), file, take, list);
+    const auto& [file, how] = walk.graph[i];
+    check_motion_file(element_path(graph, i), file, read_options(how), list);
   }
   const auto refuse = [&](const std::string& at) {
     if (!list.was_given(at)) return;

@@ -149,7 +149,7 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
   if (!stimulus.clip) return;
   const std::string path = member_path(stimulus.path, "clip");
   const ClipSource& clip = *stimulus.clip;
-  check_motion_file(path, clip.file, clip.take, list);
+  check_motion_file(path, clip.file, read_options(clip.how), list);
   if (clip.frames && (*clip.frames)[0] > (*clip.frames)[1]) {
     list.add(member_path(path, "frames"), "the first frame comes after the last",
              "exchange the two");

@@ -1,6 +1,6 @@
 #include "pipeline/manifest/checks/take_checks.h"
 
-#include <map>
+#include <deque>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,32 +23,35 @@ class ReadTakes {
     std::string wrong;
   };
 
-  const Take& of(const std::filesystem::path& file, const std::string& take) {
-    const auto [entry, is_new] = takes_.emplace(std::pair(file, take), Take());
-    if (!is_new) return entry->second;
+  const Take& of(const std::filesystem::path& file, const motion::ReadOptions& how) {
+    for (const auto& [key, take] : takes_)
+      if (key.first == file && key.second == how) return take;
+    Take& take = takes_.emplace_back(std::pair(file, how), Take()).second;
     try {
-      entry->second.recording = motion::read_take(file, take);
+      take.recording = motion::read_motion(file, how);
     } catch (const Error& error) {
-      entry->second.wrong = error.what();
+      take.wrong = error.what();
     }
-    return entry->second;
+    return take;
   }
 
  private:
-  std::map<std::pair<std::filesystem::path, std::string>, Take> takes_;
+  std::deque<std::pair<std::pair<std::filesystem::path, motion::ReadOptions>, Take>> takes_;
 };
 
 /// Whether the file can be read and may contain the take.
 bool is_readable(const NamedMotion& motion) {
   return motion::is_motion_file(motion.file) &&
-         (motion.take.empty() || motion::may_hold_takes(motion.file)) &&
+         (!motion.how.take || motion::may_hold_takes(motion.file)) &&
          motion::read_error(motion.file, motion::max_recording_bytes).empty();
 }
 
 void check_recording(const NamedMotion& motion, ReadTakes& takes, FaultList& list) {
-  if ((motion.take.empty() && motion.last_frame == 0) || !is_readable(motion)) return;
-  const auto& [recording, wrong] = takes.of(motion.file, motion.take);
-  if (!wrong.empty()) return list.add(member_path(motion.path, "take"), wrong, "");
+  if ((motion.how == motion::ReadOptions() && motion.last_frame == 0) || !is_readable(motion))
+    return;
+  const auto& [recording, wrong] = takes.of(motion.file, motion.how);
+  if (!wrong.empty())
+    return list.add(motion.how.take ? member_path(motion.path, "take") : motion.path, wrong, "");
   if (const std::string fault = frame_fault(recording, motion.last_frame); !fault.empty()) {
     list.add(motion.frame_at, motion.file.string() + ": " + fault,
              fmt::format("name a frame from 0 to {}", recording.frame_count() - 1));
@@ -71,21 +74,21 @@ void add_default_take(const NamedMotion& motion, FaultList& list) {
 }  // namespace
 
 void check_motion_file(const std::string& path, const std::filesystem::path& file,
-                       const std::string& take, FaultList& list) {
+                       const motion::ReadOptions& how, FaultList& list) {
   if (file.empty()) return;
   const std::string own = member_path(path, "file");
   const std::string at = list.was_given(own) ? own : path;
   list.check_file(at, file, "a motion file: " + motion::formats_read(),
                   motion::max_recording_bytes);
-  check_take(member_path(path, "take"), file, take, list);
+  check_take(member_path(path, "take"), file, how, list);
   if (motion::is_motion_file(file)) return;
   list.add(at, motion::in_quotes(file.extension().string()) + " is not a motion file format",
            "use " + motion::formats_read());
 }
 
-void check_take(const std::string& path, const std::filesystem::path& file, const std::string& take,
-                FaultList& list) {
-  if (take.empty() || !motion::is_motion_file(file) || motion::may_hold_takes(file)) return;
+void check_take(const std::string& path, const std::filesystem::path& file,
+                const motion::ReadOptions& how, FaultList& list) {
+  if (!how.take || !motion::is_motion_file(file) || motion::may_hold_takes(file)) return;
   list.add(path, "a file of " + file.extension().string() + " holds one motion",
            "omit take; only " + motion::formats_with_takes() + " can hold several");
 }
@@ -103,9 +106,9 @@ std::vector<Fault> check_recordings(const Manifest& manifest) {
 std::vector<Fault> default_take_warnings(const Manifest& manifest) {
   FaultList list(manifest.places);
   const Examples& examples = manifest.examples;
-  if (examples.builtin.empty() && !examples.folder.empty() && examples.take.empty()) {
+  if (examples.builtin.empty() && !examples.folder.empty() && examples.how.take.empty()) {
     for (const auto& file : motion::example_files(example_folder(examples)))
-      add_default_take({"examples.set", "folder", file, "", 0, ""}, list);
+      add_default_take({"examples.set", "folder", file, read_options(examples.how), 0, ""}, list);
   }
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.foil) continue;

@@ -9,16 +9,16 @@
 
 namespace mien::pipeline {
 
-/// Adds the faults of a motion file and of its take; `take` is empty if none is selected. `path` is
+/// Adds the faults of a motion file and of the take that is selected. `path` is
 /// the path, in the manifest, of the file name or of the map that contains the file name as
 /// `file:`.
 void check_motion_file(const std::string& path, const std::filesystem::path& file,
-                       const std::string& take, FaultList& list);
+                       const motion::ReadOptions& how, FaultList& list);
 
-/// Adds a fault if a take is selected (`take` is not empty) although the motion file's format holds
+/// Adds a fault if a take is selected although the motion file's format holds
 /// only one motion. `path` is the path of the take in the manifest.
-void check_take(const std::string& path, const std::filesystem::path& file, const std::string& take,
-                FaultList& list);
+void check_take(const std::string& path, const std::filesystem::path& file,
+                const motion::ReadOptions& how, FaultList& list);
 
 /// Returns a fault for each take or frame that a stimulus requests and its motion file lacks, and
 /// one for each such file that cannot be interpreted. Reads only files of which a take or a frame

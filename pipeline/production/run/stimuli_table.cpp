@@ -37,7 +37,8 @@ std::string requested_of(const Stimulus& stimulus) {
   if (!stimulus.clip)
     return listed(stimulus.adjectives) + listed(stimulus.features) + listed(stimulus.weights);
   std::string text = stimulus.clip->file.filename().string();
-  if (!stimulus.clip->take.empty()) text += " " + stimulus.clip->take;
+  for (const auto* choice : {&stimulus.clip->how.take, &stimulus.clip->how.subject})
+    if (!choice->empty()) text += " " + *choice;
   if (const auto& frames = stimulus.clip->frames) {
     text += " " + std::to_string((*frames)[0]) + "-" + std::to_string((*frames)[1]);
   }

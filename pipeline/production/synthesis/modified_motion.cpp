@@ -31,7 +31,7 @@ motion::Pose pose_of(const PoseSource& source, const Repertoire& repertoire) {
     }
     clip = found->clip;
   } else {
-    const motion::Recording recording = motion::read_take(source.file, source.take);
+    const motion::Recording recording = motion::read_motion(source.file, read_options(source.how));
     require_frame(recording, source.frame, source.file);
     clip = clip_of(recording);
   }

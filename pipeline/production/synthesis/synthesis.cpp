@@ -206,18 +206,27 @@ void warn_of_default_takes(const Stimulus& stimulus, std::vector<std::string>& w
 Synthesis as_captured(const Stimulus& stimulus) {
   Synthesis result;
   const ClipSource& source = *stimulus.clip;
-  const motion::Recording recording = motion::read_take(source.file, source.take);
+  const motion::Recording recording = motion::read_motion(source.file, read_options(source.how));
   if (source.frames) require_frame(recording, (*source.frames)[1], source.file);
-  const motion::BodyMapping mapping = motion::recognise(recording);
-  result.warnings = mapping.warnings;
-  const motion::Clip clip = excerpt(motion::to_body(recording, mapping), source);
+  const bool has_body = !recording.markers || motion::is_body(recording.skeleton);
+  motion::Clip whole;
+  if (has_body) {
+    const motion::BodyMapping mapping = motion::recognise(recording);
+    result.warnings = mapping.warnings;
+    whole = motion::to_body(recording, mapping);
+  } else {  // markers that could not be fitted
+    result.warnings = recording.notes;
+    whole = motion::clip_of(recording);
+  }
+  const motion::Clip clip = excerpt(whole, source);
   result.motion.name = stimulus.id;
   // What is modified stays at its own rate until then.
   result.motion.clip =
       stimulus.modify.empty() ? motion::resampled(clip, stimulus.output.fps) : clip;
   result.motion.keytimes = {0.0, result.motion.clip.duration_seconds()};
-  result.planted_drift_m =
-      motion::planted_drift(result.motion.clip, motion::foot_plants(result.motion.clip));
+  if (has_body)
+    result.planted_drift_m =
+        motion::planted_drift(result.motion.clip, motion::foot_plants(result.motion.clip));
   return result;
 }
 

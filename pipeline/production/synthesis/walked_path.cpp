@@ -87,8 +87,8 @@ std::vector<motion::Vec3> places_of(const WalkPath& path) {
 /// The files' motions, whole, at one frame rate and on one body.
 std::vector<motion::Clip> clips_of(const WalkPath& path, double frames_per_second) {
   std::vector<motion::Clip> clips;
-  for (const auto& [file, take] : path.graph) {
-    const motion::Recording recording = motion::read_take(file, take);
+  for (const auto& [file, how] : path.graph) {
+    const motion::Recording recording = motion::read_motion(file, read_options(how));
     motion::Clip clip = motion::to_body(recording, motion::recognise(recording));
     if (!clips.empty()) clip = motion::retarget(clip, clips.front().body);
     clips.push_back(motion::resampled(clip, frames_per_second));

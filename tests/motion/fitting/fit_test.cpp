@@ -7,12 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "motion/fitting/virtual_points.h"
 #include "motion/gait/contact.h"
 #include "motion/procedural/expressive_walks.h"
+#include "motion/refusal.h"
 #include "motion/skeleton/sole.h"
-
-#include "tests/motion/fitting/virtual_points.h"
-#include "tests/motion/refusal.h"
 
 namespace mien::motion {
 namespace {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "motion/fitting/fit.h"
+#include "motion/fitting/trc_points.h"
 #include "motion/skeleton/sole.h"
 
-#include "tests/motion/fitting/trc_points.h"
-#include "tests/real_data.h"
+#include "real_data.h"
 
 namespace mien::motion {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/motion/fitting/virtual_points.h"
+#include "motion/fitting/virtual_points.h"
 
 namespace mien::motion {
 namespace {

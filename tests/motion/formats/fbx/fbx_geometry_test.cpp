@@ -100,8 +100,6 @@ void PrintTo(const PosedFile& file, std::ostream* out) { *out << file.fbx << " "
 
 class FbxGeometry : public testing::TestWithParam<PosedFile> {};
 
-}  // namespace
-
 // Largest distance 1e-4 of the size, or the rounding of the .obj's decimals.
 TEST_P(FbxGeometry, IsThatOfTheProgramThatWroteTheFile) {
   const auto data = mien::test::real_data();
@@ -154,3 +152,5 @@ INSTANTIATE_TEST_SUITE_P(
         PosedFile{"blender_279_sausage_6100_ascii", "blender_279_sausage_spin_15", "Spin", 15},
         PosedFile{"blender_279_sausage_6100_ascii", "blender_279_sausage_wiggle_20", "Wiggle",
                   20}));
+
+}  // namespace

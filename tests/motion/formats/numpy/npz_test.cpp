@@ -23,7 +23,7 @@ std::string refusal_of_npz(const std::string& file, const WantedArrays& wanted =
   return refusal_of([&] { parse_npz(file, "a.npz", wanted, most); });
 }
 
-bool has(const std::string& text, std::string_view words) {
+bool contains(const std::string& text, std::string_view words) {
   return text.find(words) != std::string::npos;
 }
 
@@ -40,7 +40,7 @@ TEST(Npz, StoredAndDeflatedArraysAreRead) {
 TEST(Npz, WhatIsNotWantedIsOnlyOutlined) {
   const std::string file = npz_file(
       {{"a", npy_f8("(2,)", {1, 2})}, {"b", npy_f8("(1, 3)", {3, 4, 5}), true}, {"c", "no array"}});
-  EXPECT_TRUE(has(refusal_of_npz(file), "the array \"c\" is not a NumPy array"));
+  EXPECT_TRUE(contains(refusal_of_npz(file), "the array \"c\" is not a NumPy array"));
   const Npz npz =
       parse_npz(npz_file({{"a", npy_f8("(2,)", {1, 2})}, {"b", npy_f8("(1, 3)", {3, 4, 5}), true}}),
                 "a.npz", WantedArrays({"a"}));
@@ -54,8 +54,9 @@ TEST(Npz, ObjectsAreNamedAndLeftAlone) {
   const Npz npz =
       parse_npz(npz_file({{"labels", npy_file("'|O'", "(2,)", "\x80pickle")}}), "a.npz");
   EXPECT_EQ(object_arrays(npz), std::vector<std::string>{"labels"});
-  EXPECT_TRUE(has(refusal_of([&] { numbers_of(npz.arrays[0], {"a.npz"}); }),
-                  "a.npz: the array \"labels\" holds Python objects, which are never unpickled"));
+  EXPECT_TRUE(
+      contains(refusal_of([&] { numbers_of(npz.arrays[0], {"a.npz"}); }),
+               "a.npz: the array \"labels\" holds Python objects, which are never unpickled"));
 }
 
 TEST(Npz, ObjectsOfARealFileAreNamed) {
@@ -89,34 +90,36 @@ TEST(Npz, ArchivesThatUnpackToTooMuchAreRefused) {
   const std::string file = npz_file({{"a", zeros, true}, {"b", zeros, true}});
   EXPECT_LT(file.size(), 10'000u);
   parse_npz(file, "a.npz", std::nullopt, 1'700'000);
-  EXPECT_TRUE(has(refusal_of_npz(file, std::nullopt, 1'500'000), "unpack to more than the 1 MiB"));
+  EXPECT_TRUE(
+      contains(refusal_of_npz(file, std::nullopt, 1'500'000), "unpack to more than the 1 MiB"));
   // Stated sizes are refused before anything is unpacked, and do not hide true ones.
   const std::string liar = npz_file({{"a", zeros, true, 0, 3'500'000'000}});
-  EXPECT_TRUE(has(refusal_of_npz(liar), "unpack to more than the 2048 MiB"));
+  EXPECT_TRUE(contains(refusal_of_npz(liar), "unpack to more than the 2048 MiB"));
   const std::string modest = npz_file({{"a", zeros, true, 0, 10}});
-  EXPECT_TRUE(has(refusal_of_npz(modest, std::nullopt, 1000), "a.npz: "));
+  EXPECT_TRUE(contains(refusal_of_npz(modest, std::nullopt, 1000), "a.npz: "));
 }
 
 TEST(Npz, ManyMembersAreRefused) {
   std::vector<ZipMember> members(most_npz_members + 1, {"x", ""});
-  EXPECT_TRUE(has(refusal_of_npz(mien::test::zip_file(members)), "more than 4096 files"));
+  EXPECT_TRUE(contains(refusal_of_npz(mien::test::zip_file(members)), "more than 4096 files"));
 }
 
 TEST(Npz, EncryptedRepeatedAndMissingArraysAreRefused) {
   const std::string array = npy_f8("(1,)", {1});
-  EXPECT_TRUE(has(refusal_of_npz(npz_file({{"poses", array, false, 1}})),
-                  "the array \"poses\" is encrypted"));
-  EXPECT_TRUE(has(refusal_of_npz(npz_file({{"poses", array}, {"poses", array}})),
-                  "two arrays are named \"poses\""));
-  EXPECT_TRUE(has(refusal_of_npz(mien::test::zip_file({{"a.txt", "x"}})), "without NumPy arrays"));
-  EXPECT_TRUE(has(refusal_of_npz(mien::test::zip_file({})), "a.npz: "));
-  EXPECT_TRUE(has(refusal_of_npz(array), "is a single NumPy array"));
+  EXPECT_TRUE(contains(refusal_of_npz(npz_file({{"poses", array, false, 1}})),
+                       "the array \"poses\" is encrypted"));
+  EXPECT_TRUE(contains(refusal_of_npz(npz_file({{"poses", array}, {"poses", array}})),
+                       "two arrays are named \"poses\""));
+  EXPECT_TRUE(
+      contains(refusal_of_npz(mien::test::zip_file({{"a.txt", "x"}})), "without NumPy arrays"));
+  EXPECT_TRUE(contains(refusal_of_npz(mien::test::zip_file({})), "a.npz: "));
+  EXPECT_TRUE(contains(refusal_of_npz(array), "is a single NumPy array"));
 }
 
 TEST(Npz, ADamagedArrayIsFound) {
   std::string file = npz_file({{"poses", npy_f8("(2,)", {1, 2})}});
   file[file.find("poses.npy") + 9 + 130] ^= 1;  // in the elements; the checksum differs
-  EXPECT_TRUE(has(refusal_of_npz(file), "the array \"poses\" cannot be unpacked"));
+  EXPECT_TRUE(contains(refusal_of_npz(file), "the array \"poses\" cannot be unpacked"));
 }
 
 TEST(Npz, EveryTruncationAndManyMutationsAreReadOrRefused) {

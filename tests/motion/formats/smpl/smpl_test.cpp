@@ -16,7 +16,7 @@ namespace {
 
 using namespace mien::test;
 
-bool has(const std::string& text, std::string_view words) {
+bool contains(const std::string& text, std::string_view words) {
   return text.find(words) != std::string::npos;
 }
 
@@ -196,7 +196,7 @@ TEST(Smpl, HandsOfPrincipalComponentsAreLeftAtRestAndNoted) {
                                  {"left_hand_pose", npy_f8("(4, 6)", std::vector<double>(24))}});
   const Recording recording = recording_of(members);
   expect_oracle(recording, motion);
-  EXPECT_TRUE(has(recording.notes.front(), "\"left_hand_pose\" holds principal components"));
+  EXPECT_TRUE(contains(recording.notes.front(), "\"left_hand_pose\" holds principal components"));
 }
 
 TEST(Smpl, BodyAndGenderAreNoted) {
@@ -223,24 +223,25 @@ TEST(Smpl, TheRateIsNeverGuessed) {
   EXPECT_EQ(rated("fps", 119.99998), 120.0);
   const std::vector<ZipMember> two =
       with(with(members, {"fps", npy_f8("()", {30})}), {"mocap_framerate", npy_f8("()", {120})});
-  EXPECT_TRUE(has(refusal_of_members(two),
-                  "its frame rates contradict each other: "
-                  "mocap_framerate is 120 Hz, fps is 30 Hz"));
+  EXPECT_TRUE(contains(refusal_of_members(two),
+                       "its frame rates contradict each other: "
+                       "mocap_framerate is 120 Hz, fps is 30 Hz"));
   EXPECT_EQ(recording_of(two, options).frames_per_second, 25.0);
   for (const char* rate : {"(2,)", "()"}) {
     const bool is_single = rate[1] == ')';
     const std::string array =
         npy_f8(rate, is_single ? std::vector<double>{0} : std::vector<double>{30, 30});
-    EXPECT_TRUE(has(refusal_of_members(with(members, {"fps", array})), "which is no frame rate"));
+    EXPECT_TRUE(
+        contains(refusal_of_members(with(members, {"fps", array})), "which is no frame rate"));
   }
   options.frames_per_second = -1.0;
-  EXPECT_TRUE(has(refusal_of_members(members, options), "fps: -1 is not between"));
+  EXPECT_TRUE(contains(refusal_of_members(members, options), "fps: -1 is not between"));
 }
 
 TEST(Smpl, WithoutTranslationTheFigureStaysInPlace) {
   const Recording recording = recording_of(without(amass_members(random_motion(52), 30), "trans"));
   EXPECT_TRUE(recording.poses[2].root_position.isZero());
-  EXPECT_TRUE(has(recording.notes[0], "stays in place"));
+  EXPECT_TRUE(contains(recording.notes[0], "stays in place"));
 }
 
 TEST(Smpl, WrongShapesAreRefusedByName) {
@@ -249,28 +250,31 @@ TEST(Smpl, WrongShapesAreRefusedByName) {
   const auto refused = [&](const char* name, const char* shape, std::size_t count) {
     return refusal_of_members(with(members, {name, npy_f8(shape, std::vector<double>(count))}));
   };
-  EXPECT_TRUE(has(refused("poses", "(4, 51)", 204), "the array \"poses\" has the shape (4, 51)"));
-  EXPECT_TRUE(has(refused("poses", "(4, 24, 3, 3)", 864), "that of rotation matrices"));
-  EXPECT_TRUE(has(refused("poses", "(624,)", 624), "has the shape (624,)"));
-  EXPECT_TRUE(has(refused("poses", "(0, 156)", 0), ""));
-  EXPECT_TRUE(has(refused("trans", "(3, 3)", 9), "\"trans\" has the shape (3, 3), not (4, 3)"));
+  EXPECT_TRUE(
+      contains(refused("poses", "(4, 51)", 204), "the array \"poses\" has the shape (4, 51)"));
+  EXPECT_TRUE(contains(refused("poses", "(4, 24, 3, 3)", 864), "that of rotation matrices"));
+  EXPECT_TRUE(contains(refused("poses", "(624,)", 624), "has the shape (624,)"));
+  EXPECT_TRUE(contains(refused("poses", "(0, 156)", 0), ""));
+  EXPECT_TRUE(
+      contains(refused("trans", "(3, 3)", 9), "\"trans\" has the shape (3, 3), not (4, 3)"));
   SmplMotion wrong = motion;
   wrong.poses[156 * 2 + 7] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(has(refusal_of_members(amass_members(wrong, 30.0)),
-                  "\"poses\" holds a number in frame 3 that is not finite"));
-  EXPECT_TRUE(has(refusal_of_members(without(members, "poses")),
-                  "holds no SMPL motion: it has neither poses nor root_orient and pose_body, but "
-                  "trans, betas, gender, mocap_framerate"));
-  EXPECT_TRUE(has(refusal_of_members(with(members, {"poses", npy_file("'|O'", "()", "x")})),
-                  "\"poses\" holds Python objects, which are never unpickled"));
+  EXPECT_TRUE(contains(refusal_of_members(amass_members(wrong, 30.0)),
+                       "\"poses\" holds a number in frame 3 that is not finite"));
+  EXPECT_TRUE(
+      contains(refusal_of_members(without(members, "poses")),
+               "holds no SMPL motion: it has neither poses nor root_orient and pose_body, but "
+               "trans, betas, gender, mocap_framerate"));
+  EXPECT_TRUE(contains(refusal_of_members(with(members, {"poses", npy_file("'|O'", "()", "x")})),
+                       "\"poses\" holds Python objects, which are never unpickled"));
 }
 
 TEST(Smpl, ObjectsOfARealFileAreRefusedByName) {
   const auto data = real_data();
   if (!data) GTEST_SKIP() << "no real data";
   const std::filesystem::path file = *data / "recordings" / "npz" / "objects_romp.npz";
-  EXPECT_TRUE(has(refusal_of([&] { read_smpl(file); }),
-                  "the array \"results\" holds Python objects, which are never unpickled"));
+  EXPECT_TRUE(contains(refusal_of([&] { read_smpl(file); }),
+                       "the array \"results\" holds Python objects, which are never unpickled"));
 }
 
 TEST(Smpl, MarkersAtTheOriginAreMissing) {
@@ -288,10 +292,10 @@ TEST(Smpl, MarkersAtTheOriginAreMissing) {
   EXPECT_EQ(read.positions[read.at(1, 2)], Vec3(0, 0, 0));
   EXPECT_EQ(read.frames_per_second, 120.0);
   EXPECT_EQ(read.metres_per_unit, 0.0);
-  EXPECT_TRUE(has(refusal_of([&] {
-                    parse_smpl_markers(npz_file(without(members, "mocap_framerate")), "m.npz");
-                  }),
-                  "does not state its frame rate"));
+  EXPECT_TRUE(contains(refusal_of([&] {
+                         parse_smpl_markers(npz_file(without(members, "mocap_framerate")), "m.npz");
+                       }),
+                       "does not state its frame rate"));
   const auto named = [&](const std::vector<std::string>& labels) {
     const auto file = with(members, {"marker_labels", npy_text(labels, 8)});
     return parse_smpl_markers(npz_file(file), "m.npz").points;
@@ -301,10 +305,10 @@ TEST(Smpl, MarkersAtTheOriginAreMissing) {
   EXPECT_EQ(named({"", "marker_1", "", ""}),
             (Names{"marker_1 2", "marker_1", "marker_3", "marker_4"}));
   const auto other = with(members, {"marker_labels", npy_text({"A", "B"}, 1)});
-  EXPECT_TRUE(has(refusal_of([&] { parse_smpl_markers(npz_file(other), "m.npz"); }),
-                  "holds 2 names for 4 markers"));
-  EXPECT_TRUE(has(refusal_of([&] { parse_smpl_markers(npz_file({members[2]}), "m.npz"); }),
-                  "it has no array marker_data"));
+  EXPECT_TRUE(contains(refusal_of([&] { parse_smpl_markers(npz_file(other), "m.npz"); }),
+                       "holds 2 names for 4 markers"));
+  EXPECT_TRUE(contains(refusal_of([&] { parse_smpl_markers(npz_file({members[2]}), "m.npz"); }),
+                       "it has no array marker_data"));
 }
 
 TEST(Smpl, MotionIsToldFromOtherArrays) {

@@ -37,7 +37,7 @@ std::string refusal(const std::string& motion_text, const std::string& channels_
   return refusal_of([&] { parse(motion_text, channels_text, json); });
 }
 
-void expect_words(const std::string& text, const std::string& words) {
+void expect_bids_words(const std::string& text, const std::string& words) {
   EXPECT_NE(text.find(words), std::string::npos) << "\"" << words << "\" is not in: " << text;
 }
 
@@ -58,7 +58,7 @@ TEST(BidsMotion, PositionsAreFoundByTheirChannels) {
   EXPECT_LT((recording.positions[1] - Vec3(4, 5, 6)).norm(), 1e-12);
   EXPECT_FALSE(recording.seen[2]);
   ASSERT_EQ(recording.notes.size(), 1u);
-  expect_words(recording.notes[0], "a_q, lat");
+  expect_bids_words(recording.notes[0], "a_q, lat");
 }
 
 TEST(BidsMotion, TheSidecarTellsRateAndMissingValues) {
@@ -68,25 +68,28 @@ TEST(BidsMotion, TheSidecarTellsRateAndMissingValues) {
   EXPECT_EQ(recording.frames_per_second, 480.5);
   EXPECT_FALSE(recording.seen[1]);
   EXPECT_EQ(recording.notes.size(), 3u);
-  expect_words(refusal(motion, channels, "{}"), "fps:");
-  expect_words(refusal(motion, channels, R"({"SamplingFrequency": "n/a"})"), "fps:");
-  expect_words(refusal(motion, channels, "{\n\"SamplingFrequency\": 1x}"), "motion.json:2:");
-  expect_words(refusal(motion, channels, "[1]"), "is not a BIDS sidecar");
+  expect_bids_words(refusal(motion, channels, "{}"), "fps:");
+  expect_bids_words(refusal(motion, channels, R"({"SamplingFrequency": "n/a"})"), "fps:");
+  expect_bids_words(refusal(motion, channels, "{\n\"SamplingFrequency\": 1x}"), "motion.json:2:");
+  expect_bids_words(refusal(motion, channels, "[1]"), "is not a BIDS sidecar");
 }
 
 TEST(BidsMotion, FilesThatDoNotFitAreRefused) {
-  expect_words(refusal(motion + "1\t2\t3\t4\t5\t6\t7\t8\t9\n", channels, sidecar),
-               ":3:17: the row has");
-  expect_words(refusal("1\t2\n", channels, sidecar), "2 columns, but there are 8 channels");
-  expect_words(refusal(motion, with(channels, "units", "unit"), sidecar), "no column \"units\"");
-  expect_words(refusal(motion, with(channels, "a\tmm", "a\tfeet"), sidecar),
-               "\"feet\" is not a unit");
-  expect_words(refusal(motion, with(channels, "a\tmm", "a\tm"), sidecar), "in different units");
-  expect_words(refusal(motion, with(channels, "a_y\ty", "a_y\tx"), sidecar), "two channels of one");
-  expect_words(
+  expect_bids_words(refusal(motion + "1\t2\t3\t4\t5\t6\t7\t8\t9\n", channels, sidecar),
+                    ":3:17: the row has");
+  expect_bids_words(refusal("1\t2\n", channels, sidecar), "2 columns, but there are 8 channels");
+  expect_bids_words(refusal(motion, with(channels, "units", "unit"), sidecar),
+                    "no column \"units\"");
+  expect_bids_words(refusal(motion, with(channels, "a\tmm", "a\tfeet"), sidecar),
+                    "\"feet\" is not a unit");
+  expect_bids_words(refusal(motion, with(channels, "a\tmm", "a\tm"), sidecar),
+                    "in different units");
+  expect_bids_words(refusal(motion, with(channels, "a_y\ty", "a_y\tx"), sidecar),
+                    "two channels of one");
+  expect_bids_words(
       refusal(motion, "name\tcomponent\ttype\ttracked_point\tunits\nq\tx\tORNT\ta\trad\n", sidecar),
       "POS");
-  expect_words(refusal("", channels, sidecar), "there are no frames");
+  expect_bids_words(refusal("", channels, sidecar), "there are no frames");
   EXPECT_EQ(
       parse("a_x\ta_y\ta_q\ta_z\tb_x\tb_y\tb_z\tlat\n" + motion, channels, sidecar).frame_count(),
       2);
@@ -106,9 +109,9 @@ TEST(BidsMotion, CompanionsAreFoundByName) {
   const std::string prefix = "sub-07_task-walk_tracksys-omc_";
   const std::filesystem::path file = folder / (prefix + "motion.tsv");
   write_result(file, motion);
-  expect_words(refusal_of([&] { read_bids_motion(file); }), "its channels file");
+  expect_bids_words(refusal_of([&] { read_bids_motion(file); }), "its channels file");
   write_result(folder / (prefix + "channels.tsv"), channels);
-  expect_words(refusal_of([&] { read_bids_motion(file); }), "fps:");
+  expect_bids_words(refusal_of([&] { read_bids_motion(file); }), "fps:");
   write_result(root / "task-walk_motion.json", sidecar);
   EXPECT_EQ(read_bids_motion(file).frames_per_second, 100.0);
   write_result(folder / (prefix + "motion.json"), with(sidecar, "100", "50"));
@@ -144,7 +147,7 @@ TEST(BidsMotion, WhatIsWrittenReadsBack) {
   EXPECT_EQ(files[1].first, "sub-p07_task-walkfast_tracksys-Vicon_channels.tsv");
   EXPECT_EQ(files[2].first, "sub-p07_task-walkfast_tracksys-Vicon_motion.json");
   for (const char* const required : {"SamplingFrequency", "TaskName", "TrackingSystemName"})
-    expect_words(files[2].second, required);
+    expect_bids_words(files[2].second, required);
   const std::filesystem::path root = new_folder("bids_written");
   for (const auto& [name, text] : files) write_result(root / name, text);
   const PointRecording again = read_bids_motion(root / files[0].first);

@@ -483,9 +483,9 @@ TEST(PointTable, TidyTablesReadBack) {
   const PointRecording unitless = parse_point_table(to_tidy_csv(recording), "walk.csv");
   EXPECT_EQ(unitless.positions, recording.positions);
   EXPECT_EQ(unitless.metres_per_unit, 0.0);
-  const std::string sidecar = tidy_csv_sidecar(recording);
-  expect_words(sidecar, "\"frames_per_second\": 59.94");
-  expect_words(sidecar, "a, \\\"b\\\"; 'c'");
+  const std::string side = tidy_csv_sidecar(recording);
+  expect_words(side, "\"frames_per_second\": 59.94");
+  expect_words(side, "a, \\\"b\\\"; 'c'");
 }
 
 /// Reads or refuses; anything else is a failure of the test.

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/formats/reading/read_options.h"
+#include "pipeline/base/documents/concerns.h"
+
+namespace mien::pipeline {
+
+/// Which motion of a file is used, and what the file itself does not state.
+struct RecordingChoice {
+  std::string take;                 ///< of a file with several; empty: the first
+  std::string subject;              ///< name or number of one of several people; empty: the first
+  std::optional<double> fps;        ///< frame rate of the recording; none: as the file states it
+  std::vector<std::string> joints;  ///< names of points that have none in the file
+
+  friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
+};
+
+/// The choice as the readers of files take it.
+inline motion::ReadOptions read_options(const RecordingChoice& choice) {
+  motion::ReadOptions options;
+  if (!choice.take.empty()) options.take = choice.take;
+  if (!choice.subject.empty()) options.subject = choice.subject;
+  options.frames_per_second = choice.fps;
+  options.joints = choice.joints;
+  return options;
+}
+
+/// The fields of the choice, which are written beside that of the file.
+void recording_fields(auto&& field, auto& choice, unsigned concern) {
+  field("take", choice.take, concern);
+  field("subject", choice.subject, concern);
+  field("fps", choice.fps, concern);
+  field("joints", choice.joints, concern);
+}
+
+}  // namespace mien::pipeline
