@@ -186,8 +186,6 @@ void warn_of_residuals(const FitOptions& options, FittedMotion& fitted) {
 }
 
 void add_notes(const PointRecording& recording, const FrameRange& range, FittedMotion& fitted) {
-  fitted.notes.push_back("The points were recognised as " + fitted.marker_set + "; up is " +
-                         fitted.axes.up + ".");
   if (!fitted.axes.note.empty()) fitted.notes.push_back(fitted.axes.note);
   if (range.size() < recording.frame_count()) {
     fitted.notes.push_back("The motion has frames " + std::to_string(range.first + 1) + " to " +

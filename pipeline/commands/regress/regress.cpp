@@ -83,7 +83,7 @@ int regress_files(const RegressOptions& options, const Console& console) {
   };
   require_file(options.before);
   require_file(options.now);
-  if (both([](const std::string& file) { return motion::is_motion_file(file); })) {
+  if (both([](const std::string& file) { return motion::is_found_as_motion(file); })) {
     const auto takes = takes_of(options.takes, {options.before, options.now});
     return print_comparison(
         compared_motion_files(options.before, options.now, options.tolerance, takes), options,
@@ -102,7 +102,7 @@ int regress_files(const RegressOptions& options, const Console& console) {
 
 /// Refuses a motion, image or video in place of a study.
 void refuse_lone_file(const std::string& file) {
-  if (!motion::is_motion_file(file) && !is_media(file)) return;
+  if (!motion::is_found_as_motion(file) && !is_media(file)) return;
   throw Error({file}, "a second file to compare with is missing",
               "name the approved file, then the current one: mien regress approved.bvh walk.bvh");
 }

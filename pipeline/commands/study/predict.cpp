@@ -40,7 +40,7 @@ struct Unrated {
 motion::FeatureValues features_of(const std::string& file, const std::string& take,
                                   const Repertoire& repertoire, const Console& console) {
   motion::Example example =
-      motion::make_example(motion::to_body(read_with_warnings(file, take, console)));
+      motion::make_example(motion::to_body(read_with_warnings(file, {.take = take}, console)));
   const motion::Skeleton& body = repertoire.examples.examples.front().clip.body;
   example.clip = motion::retarget(example.clip, body);
   return motion::measure_features(example);

@@ -58,7 +58,7 @@ void decode_by_ending(const fs::path& file) {
   const auto reader = readers.find(file.extension().string());
   if (render::video_kind_of(file)) {
     render::probe(file);
-  } else if (motion::is_motion_file(file)) {
+  } else if (motion::is_found_as_motion(file)) {
     motion::read_motion(file);
   } else if (reader != readers.end()) {
     reader->second(file);

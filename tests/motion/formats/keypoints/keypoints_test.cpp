@@ -86,7 +86,7 @@ TEST(Keypoints, PeopleOfOpenPoseAreKeptApart) {
   const PointRecording second = parse_keypoints(text, "w.json", options);
   EXPECT_EQ(second.positions[second.at(1, 5)], Vec3(35, 5, 2));
   options.subject = "person 9";
-  expect_words(refusal(text, options), "choose one of: person 4, person 7");
+  expect_words(refusal(text, options), "it holds person 4, person 7: choose one of these");
 }
 
 TEST(Keypoints, TwoDimensionalKeypointsAreRefused) {

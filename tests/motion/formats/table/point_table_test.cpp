@@ -285,7 +285,7 @@ TEST(PointTable, SubjectsAreInTheNames) {
     EXPECT_EQ(one.positions[0], Vec3(4, 5, 6));
   }
   options.subject = "C";
-  expect_words(refusal(text, options), "choose one of: A, B");
+  expect_words(refusal(text, options), "it holds A, B: choose one of these");
 }
 
 TEST(PointTable, MotiveExportsAreRead) {
@@ -402,7 +402,7 @@ TEST(PointTable, LongTablesHaveTimesAndPeople) {
   EXPECT_EQ(first.subject, "Ann");
   EXPECT_EQ(first.frames_per_second, 100.0);
   EXPECT_EQ(first.unit, "mm");
-  EXPECT_TRUE(is_noted(first, "2 people (Ann, Bob); Ann is read"));
+  EXPECT_TRUE(is_noted(first, "2 people (Ann, Bob); \"Ann\" is used"));
   ReadOptions options;
   options.subject = "Bob";
   const PointRecording second = parse_point_table(text, "w.csv", options);
