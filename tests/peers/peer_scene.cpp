@@ -1,21 +1,26 @@
-// The scene that mien and its peers draw (walking_scene.h), for comparison with them.
+// The scenes that mien and its peers draw (walking_scene.h, walking_mannequin.h), for comparison
+// with them. The first argument may be --figure=mannequin; the figure is made of sticks otherwise.
 //
-//   peer_scene write SCENE.json            for the peers
+//   peer_scene write SCENE.json            for the peers; meshes are in SCENE.json.vertices: of
+//   each
+//                                          frame all positions, then all normals, 32-bit floats
 //   peer_scene measure FRAMES REFERENCE [SAMPLES…]
 //                                          draws it with both cores at several numbers of samples,
 //                                          and prints JSON: seconds a frame and the RMS error of
 //                                          linear RGB of the last of FRAMES against REFERENCE
 //                                          samples, for a camera that stands and one that goes
 //                                          round the figure. The time is that of a film of 24
-//                                          frames, drawn as those of a film are, two in flight;
-//                                          what persists was made before
+//                                          frames, drawn as those of a film are, two in flight,
+//                                          skinning included; what persists was made before
 //   peer_scene draw FRAMES SAMPLES standing|moving
 //                                          draws it on one thread and prints processor seconds a
 //                                          frame: for profilers, and to hold two builds side by
 //                                          side
-//   peer_scene picture FRAME SAMPLES FILE  draws one frame before the standing camera and writes
-//                                          its beauty, albedo and normals, one film after the
-//                                          other, as 32-bit floats, the first row at the top
+//   peer_scene picture FRAME SAMPLES standing|moving|close matte|sheen FILE
+//                                          draws one frame and writes its beauty, albedo, normals
+//                                          and positions, one film after the other, as 32-bit
+//                                          floats, the first row at the top; matte leaves out the
+//                                          specular lobe of materials
 
 #include <algorithm>
 #include <array>
@@ -24,13 +29,17 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "peers/walking_mannequin.h"
 #include "peers/walking_scene.h"
 
 namespace {
@@ -39,32 +48,79 @@ using namespace mien;
 using namespace mien::peers;
 using nlohmann::json;
 
+/// The scene of a frame, 0 … frames_in_all − 1.
+using SceneAt = std::function<render::Scene(int frame)>;
+
+const std::map<std::string, View> views = {
+    {"standing", View::standing}, {"moving", View::moving}, {"close", View::close}};
+
 json numbers(const render::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-void write_scene(const motion::Clip& clip, const std::string& file) {
+json numbers(const Color& c) { return {c.x(), c.y(), c.z()}; }
+
+json sticks_of(const motion::Clip& clip) {
+  json sticks;
+  sticks["joint_radius"] = joint_radius;
+  sticks["bone_radius"] = bone_radius;
+  sticks["albedo"] = {0.2, 0.35, 0.6};
+  sticks["parents"] = joints_at(clip, 0).parents;
+  for (int f = 0; f < frames_in_all; ++f) {
+    json joints;
+    for (const render::Vec3& place : joints_at(clip, f).places) joints.push_back(numbers(place));
+    sticks["joints"].push_back(joints);
+  }
+  return sticks;
+}
+
+void write_vectors(std::ostream& out, const std::vector<render::Vec3>& vectors) {
+  for (const render::Vec3& v : vectors)
+    out.write(reinterpret_cast<const char*>(v.data()), 3 * sizeof(float));
+}
+
+/// The scene's mesh, whose vertices are written to a file beside.
+json mesh_of(const SceneAt& scene_at, const std::string& vertex_file) {
+  const render::Scene scene = scene_at(0);
+  const render::Mesh& mesh = scene.solids.meshes[0];
+  const render::Material& skin = scene.materials[static_cast<std::size_t>(mesh.material)];
+  const render::Texture& paint = *scene.textures[static_cast<std::size_t>(skin.texture)];
+  json texels;
+  for (const Color& texel : paint.texels) texels.push_back(numbers(Color(skin.albedo * texel)));
+  std::ofstream vertices(vertex_file, std::ios::binary);
+  for (int f = 0; f < frames_in_all; ++f) {
+    const render::Scene moved = scene_at(f);
+    write_vectors(vertices, moved.solids.meshes[0].positions);
+    write_vectors(vertices, moved.solids.meshes[0].normals);
+  }
+  return {{"vertices", mesh.positions.size()},
+          {"triangles", mesh.triangles},
+          {"uv", mesh.uv},
+          {"specular_f0", skin.specular_f0},
+          {"roughness", skin.roughness},
+          {"paint", {{"width", paint.width}, {"height", paint.height}, {"texels", texels}}}};
+}
+
+void write_scene(const motion::Clip& clip, const SceneAt& scene_at, const std::string& file) {
   json out;
-  const render::Scene scene = scene_of(joints_at(clip, 0));
+  const render::Scene scene = scene_at(0);
   const render::AreaLight& light = scene.lights[0];
-  out["joint_radius"] = joint_radius;
-  out["bone_radius"] = bone_radius;
-  out["albedo"] = {0.2, 0.35, 0.6};
   out["floor_albedo"] = 0.5;
   out["sky"] = 0.6;
   out["light"] = {{"centre", numbers(light.centre)},
                   {"half_u", numbers(light.half_u)},
                   {"half_v", numbers(light.half_v)},
                   {"radiance", light.radiance.x()}};
-  out["vertical_field_of_view"] = camera_at(0, false).vertical_field_of_view;
-  out["parents"] = joints_at(clip, 0).parents;
-  for (int f = 0; f < frames_in_all; ++f) {
-    json frame;
-    for (const render::Vec3& place : joints_at(clip, f).places)
-      frame["joints"].push_back(numbers(place));
-    frame["standing"] = {{"position", numbers(camera_at(f, false).position)},
-                         {"target", numbers(camera_at(f, false).target)}};
-    frame["moving"] = {{"position", numbers(camera_at(f, true).position)},
-                       {"target", numbers(camera_at(f, true).target)}};
-    out["frames"].push_back(frame);
+  out["vertical_field_of_view"] = camera_at(0, View::standing).vertical_field_of_view;
+  for (const auto& [name, view] : views) {
+    for (int f = 0; f < frames_in_all; ++f) {
+      const render::Camera camera = camera_at(f, view);
+      out["cameras"][name].push_back(
+          {{"position", numbers(camera.position)}, {"target", numbers(camera.target)}});
+    }
+  }
+  if (scene.solids.meshes.empty()) {
+    out["sticks"] = sticks_of(clip);
+  } else {
+    out["mesh"] = mesh_of(scene_at, file + ".vertices");
   }
   std::ofstream(file) << out;
 }
@@ -87,7 +143,7 @@ render::Quality quality_of(int samples) {
 }
 
 /// Draws frames as those of a film are: two in flight, and of each its light, part by part.
-render::Framebuffer draw_frames(render::Tracer& tracer, const motion::Clip& clip, bool moving,
+render::Framebuffer draw_frames(render::Tracer& tracer, const SceneAt& scene_at, View view,
                                 int frames, const render::Quality& quality) {
   struct Flight {
     render::PreparedView ready;
@@ -98,10 +154,10 @@ render::Framebuffer draw_frames(render::Tracer& tracer, const motion::Clip& clip
   const auto begin = [&](std::size_t number) {
     const int f = static_cast<int>(number);
     if (f == frames) return false;
-    const render::Camera camera = camera_at(f, moving);
+    const render::Camera camera = camera_at(f, view);
     if (flight(number).film.channels.empty())
       flight(number).film = render::Framebuffer(camera.width, camera.height);
-    flight(number).ready = tracer.prepare({scene_of(joints_at(clip, f)), camera, quality});
+    flight(number).ready = tracer.prepare({scene_at(f), camera, quality});
     return true;
   };
   const auto draw = [&](std::size_t number) {
@@ -118,7 +174,7 @@ render::Framebuffer draw_frames(render::Tracer& tracer, const motion::Clip& clip
 
 constexpr int timed_frames = 24;
 
-json measure(const motion::Clip& clip, bool moving, int frames, int reference_samples,
+json measure(const SceneAt& scene_at, View view, int frames, int reference_samples,
              const std::vector<int>& counts) {
   render::Tracer tracer;
   // Against plain sampling: every ray of its own, nothing interpolated.
@@ -126,14 +182,15 @@ json measure(const motion::Clip& clip, bool moving, int frames, int reference_sa
   thorough.floor_sky_tolerance = 0.0f;
   thorough.seed = 1234567;
   const int last = frames - 1;
-  const render::Scene shown = scene_of(joints_at(clip, last));
-  const render::Framebuffer reference = tracer.trace(shown, camera_at(last, moving), thorough);
+  const render::Scene shown = scene_at(last);
+  const render::Framebuffer reference = tracer.trace(shown, camera_at(last, view), thorough);
   json rows;
   for (const int samples : counts) {
     render::Tracer fresh;
-    const render::Framebuffer film = draw_frames(fresh, clip, moving, frames, quality_of(samples));
+    const render::Framebuffer film =
+        draw_frames(fresh, scene_at, view, frames, quality_of(samples));
     const auto start = std::chrono::steady_clock::now();
-    draw_frames(fresh, clip, moving, timed_frames, quality_of(samples));
+    draw_frames(fresh, scene_at, view, timed_frames, quality_of(samples));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     rows.push_back({{"samples", samples},
                     {"seconds", taken.count() / timed_frames},
@@ -143,10 +200,10 @@ json measure(const motion::Clip& clip, bool moving, int frames, int reference_sa
 }
 
 /// Processor seconds a frame, after a first one that shows the set.
-double drawing_seconds(const motion::Clip& clip, bool moving, int frames, int samples) {
+double drawing_seconds(const SceneAt& scene_at, View view, int frames, int samples) {
   render::Tracer tracer({.threads = 1});
   const auto draw = [&](int f) {
-    tracer.trace(scene_of(joints_at(clip, f)), camera_at(f, moving), quality_of(samples));
+    tracer.trace(scene_at(f), camera_at(f, view), quality_of(samples));
   };
   draw(0);
   const std::clock_t start = std::clock();
@@ -154,13 +211,16 @@ double drawing_seconds(const motion::Clip& clip, bool moving, int frames, int sa
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / frames;
 }
 
-void write_picture(const motion::Clip& clip, int frame, int samples, const std::string& file) {
+void write_picture(render::Scene scene, const render::Camera& camera, int samples, bool matte,
+                   const std::string& file) {
   render::Quality quality = quality_of(samples);
   quality.floor_sky_tolerance = 0.0f;
-  const render::Layers layers =
-      render::Tracer().layers(scene_of(joints_at(clip, frame)), camera_at(frame, false), quality);
+  for (render::Material& material : scene.materials)
+    if (matte) material.specular_f0 = 0.0f;
+  const render::Layers layers = render::Tracer().layers(scene, camera, quality);
   std::ofstream out(file, std::ios::binary);
-  for (const render::Framebuffer* film : {&layers.beauty, &layers.albedo, &layers.normal}) {
+  for (const render::Framebuffer* film :
+       {&layers.beauty, &layers.albedo, &layers.normal, &layers.position}) {
     out.write(reinterpret_cast<const char*>(film->channels.data()),
               static_cast<std::streamsize>(film->channels.size() * sizeof(float)));
   }
@@ -170,36 +230,48 @@ void write_picture(const motion::Clip& clip, int frame, int samples, const std::
 
 int main(int argc, char** argv) {
   const Walk clip = walk();
-  const std::string what = argc > 1 ? argv[1] : "";
-  if (what == "write" && argc == 3) {
-    write_scene(clip, argv[2]);
+  SceneAt scene_at = [&](int frame) { return scene_of(joints_at(clip, frame)); };
+  std::unique_ptr<const WalkingMannequin> mannequin;
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words[0] == "--figure=mannequin") {
+    words.erase(words.begin());
+    mannequin = std::make_unique<const WalkingMannequin>(clip);
+    scene_at = [&](int frame) { return mannequin->scene_at(frame); };
+  }
+  const std::string what = words.empty() ? "" : words[0];
+  const auto number = [&](std::size_t i) { return std::atoi(words[i].c_str()); };
+  const auto is_view = [&](std::size_t i) { return views.contains(words[i]); };
+  if (what == "write" && words.size() == 2) {
+    write_scene(clip, scene_at, words[1]);
     return 0;
   }
-  if (what == "measure" && argc >= 4) {
-    const int frames = std::atoi(argv[2]), reference = std::atoi(argv[3]);
+  if (what == "measure" && words.size() >= 3) {
+    const int frames = number(1), reference = number(2);
     if (frames < 1 || frames > frames_in_all || reference < 1) return 2;
     std::vector<int> counts;
-    for (int i = 4; i < argc; ++i) counts.push_back(std::max(std::atoi(argv[i]), 2));
+    for (std::size_t i = 3; i < words.size(); ++i) counts.push_back(std::max(number(i), 2));
     if (counts.empty()) counts = {2, 4, 8, 16, 32, 64};
-    std::cout << json{{"standing", measure(clip, false, frames, reference, counts)},
-                      {"moving", measure(clip, true, frames, reference, counts)}}
+    std::cout << json{{"standing", measure(scene_at, View::standing, frames, reference, counts)},
+                      {"moving", measure(scene_at, View::moving, frames, reference, counts)}}
               << '\n';
     return 0;
   }
-  if (what == "draw" && argc == 5) {
-    const int frames = std::atoi(argv[2]), samples = std::atoi(argv[3]);
+  if (what == "draw" && words.size() == 4 && is_view(3)) {
+    const int frames = number(1), samples = number(2);
     if (frames < 1 || frames > frames_in_all || samples < 2) return 2;
-    std::cout << drawing_seconds(clip, std::string(argv[4]) == "moving", frames, samples) << '\n';
+    std::cout << drawing_seconds(scene_at, views.at(words[3]), frames, samples) << '\n';
     return 0;
   }
-  if (what == "picture" && argc == 5) {
-    const int frame = std::atoi(argv[2]), samples = std::atoi(argv[3]);
+  if (what == "picture" && words.size() == 6 && is_view(3) &&
+      (words[4] == "matte" || words[4] == "sheen")) {
+    const int frame = number(1), samples = number(2);
     if (frame < 0 || frame >= frames_in_all || samples < 1) return 2;
-    write_picture(clip, frame, samples, argv[4]);
+    write_picture(scene_at(frame), camera_at(frame, views.at(words[3])), samples,
+                  words[4] == "matte", words[5]);
     return 0;
   }
-  std::cerr << "peer_scene write SCENE.json | peer_scene measure FRAMES REFERENCE [SAMPLES…] | "
-               "peer_scene draw FRAMES SAMPLES standing|moving | "
-               "peer_scene picture FRAME SAMPLES FILE\n";
+  std::cerr << "peer_scene [--figure=mannequin] write SCENE.json | measure FRAMES REFERENCE "
+               "[SAMPLES…] | draw FRAMES SAMPLES standing|moving | "
+               "picture FRAME SAMPLES standing|moving|close matte|sheen FILE\n";
   return 2;
 }

@@ -68,7 +68,7 @@ render::Scene scene_at(const Subject& subject, int way, const peers::Walk& walk,
 Sequence drawn(const Subject& subject, int way, const peers::Walk& walk, int frames,
                render::Quality quality) {
   render::Tracer tracer({.threads = 1});
-  render::Camera camera = peers::camera_at(0, false);
+  render::Camera camera = peers::camera_at(0, peers::View::standing);
   camera.window = shadow;
   if (subject.sky) quality.floor_sky_smooth = way != 0;
   Sequence sequence;

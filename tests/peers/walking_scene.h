@@ -1,7 +1,8 @@
 #pragma once
 
-// The scene that mien and its peers draw: 21 spheres and 20 cylinders in the poses of the built-in
-// walk, on a floor under one area light and an even sky.
+// The scene that mien and its peers draw: a figure in the poses of the built-in walk, on a floor
+// under one area light and an even sky. Here it is 21 spheres and 20 cylinders; walking_mannequin.h
+// has a skinned mesh.
 
 #include <cmath>
 #include <vector>
@@ -26,6 +27,13 @@ inline Walk walk() {
   return motion::repeated(motion::builtin_examples("walks-10").examples.front().clip, 3);
 }
 
+/// The pose of a frame, walking in place.
+inline motion::Pose pose_at(const Walk& clip, int frame) {
+  motion::Pose pose = clip.poses[static_cast<std::size_t>(frame)];
+  pose.root_position.x() = pose.root_position.z() = 0.0;
+  return pose;
+}
+
 struct Joints {
   std::vector<render::Vec3> places;
   std::vector<int> parents;
@@ -33,26 +41,17 @@ struct Joints {
 
 inline Joints joints_at(const Walk& clip, int frame) {
   Joints joints;
-  motion::Pose pose = clip.poses[static_cast<std::size_t>(frame)];
-  const motion::JointTransforms world = motion::world_transforms(clip.body, pose);
-  const motion::Vec3 root = world.positions[0];
-  for (std::size_t j = 0; j < world.positions.size(); ++j) {
-    const motion::Vec3 place = world.positions[j] - motion::Vec3(root.x(), 0.0, root.z());
-    joints.places.push_back(place.cast<float>());
+  const std::vector<motion::Vec3> places = motion::world_positions(clip.body, pose_at(clip, frame));
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    joints.places.push_back(places[j].cast<float>());
     joints.parents.push_back(clip.body.joints[j].parent);
   }
   return joints;
 }
 
-inline render::Scene scene_of(const Joints& joints) {
+/// Floor, light and sky, without a figure.
+inline render::Scene empty_scene() {
   render::Scene scene;
-  scene.materials = {{.albedo = {0.2f, 0.35f, 0.6f}}};
-  for (std::size_t j = 0; j < joints.places.size(); ++j) {
-    scene.solids.spheres.push_back({joints.places[j], joint_radius});
-    if (joints.parents[j] < 0) continue;
-    scene.solids.round_cones.push_back({joints.places[static_cast<std::size_t>(joints.parents[j])],
-                                        joints.places[j], bone_radius, bone_radius});
-  }
   scene.ground.albedo = Color::Constant(0.5f);
   scene.ground.line_spacing = 0.0f;
   scene.ground.fade_start = 4000.0f;
@@ -64,11 +63,31 @@ inline render::Scene scene_of(const Joints& joints) {
   return scene;
 }
 
-inline render::Camera camera_at(int frame, bool moving) {
-  const float angle = moving ? orbit_step * static_cast<float>(frame) : 0.0f;
+inline render::Scene scene_of(const Joints& joints) {
+  render::Scene scene = empty_scene();
+  scene.materials = {{.albedo = {0.2f, 0.35f, 0.6f}}};
+  for (std::size_t j = 0; j < joints.places.size(); ++j) {
+    scene.solids.spheres.push_back({joints.places[j], joint_radius});
+    if (joints.parents[j] < 0) continue;
+    scene.solids.round_cones.push_back({joints.places[static_cast<std::size_t>(joints.parents[j])],
+                                        joints.places[j], bone_radius, bone_radius});
+  }
+  return scene;
+}
+
+/// How the camera sees the figure: before it, round it by `orbit_step` a frame, or near its arm,
+/// trunk and hips.
+enum class View { standing, moving, close };
+
+inline render::Camera camera_at(int frame, View view) {
+  const float orbit = view == View::moving ? orbit_step * static_cast<float>(frame) : 0.0f;
   render::Camera camera{
-      .position = {4.2f * std::sin(0.25f + angle), 1.4f, 4.2f * std::cos(0.25f + angle)},
+      .position = {4.2f * std::sin(0.25f + orbit), 1.4f, 4.2f * std::cos(0.25f + orbit)},
       .target = {0.0f, 0.9f, 0.0f}};
+  if (view == View::close) {
+    camera.position = {-0.8f, 1.3f, 1.3f};
+    camera.target = {0.0f, 1.05f, 0.0f};
+  }
   camera.width = 1280;
   camera.height = 720;
   return camera;
