@@ -7,6 +7,7 @@
 
 #include "motion/formats/acclaim/acclaim_skeleton.h"
 #include "motion/formats/reading/recording_limits.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
 #include "motion/text/text_cursor.h"
@@ -171,12 +172,12 @@ class AmcReader {
 
 /// Subject and, in some collections, the motion's own name: "02" and "02_01" for 02_01.amc.
 std::array<std::string, 2> skeleton_names(const std::filesystem::path& amc) {
-  const std::string stem = amc.stem().string();
+  const std::string stem = recording_name(amc);
   return {stem.substr(0, stem.rfind('_')), stem};
 }
 
 bool has_name_for(const std::filesystem::path& asf, const std::filesystem::path& amc) {
-  return std::ranges::count(skeleton_names(amc), asf.stem().string()) > 0;
+  return std::ranges::count(skeleton_names(amc), recording_name(asf)) > 0;
 }
 
 std::vector<std::filesystem::path> asf_files_beside(const std::filesystem::path& amc) {
@@ -184,7 +185,8 @@ std::vector<std::filesystem::path> asf_files_beside(const std::filesystem::path&
   std::vector<std::filesystem::path> files;
   std::error_code failure;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failure)) {
-    if (same_word(entry.path().extension().string(), ".asf")) files.push_back(entry.path());
+    if (same_word(without_compression(entry.path()).extension().string(), ".asf"))
+      files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -198,7 +200,7 @@ std::filesystem::path find_asf(const std::filesystem::path& amc) {
   const std::vector<std::filesystem::path> files = asf_files_beside(amc);
   for (const std::string& wanted : names) {
     for (const std::filesystem::path& file : files) {
-      if (file.stem().string() == wanted) return file;
+      if (recording_name(file) == wanted) return file;
     }
   }
   if (files.size() == 1) return files.front();
@@ -214,7 +216,7 @@ Recording parse_amc(const NamedText& amc, const NamedText& asf,
   AcclaimSkeleton skeleton = parse_asf(asf.text, asf.file_name);
   AmcReader reader(amc, skeleton);
   Recording recording;
-  recording.name = std::filesystem::path(amc.file_name).stem().string();
+  recording.name = recording_name(amc.file_name);
   recording.format = "amc";
   recording.poses = reader.read();
   recording.frames_per_second =

@@ -4,6 +4,7 @@
 #include "motion/formats/c3d/c3d_layout.h"
 #include "motion/formats/c3d/c3d_points.h"
 #include "motion/points/length_unit.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
@@ -36,7 +37,7 @@ PointRecording parse_c3d(std::string_view bytes, const std::string& file_name,
         rotations > 0 ? "read it as a motion of a skeleton" : "export it again with its markers");
   }
   PointRecording recording;
-  recording.name = std::filesystem::path(file_name).stem().string();
+  recording.name = recording_name(file_name);
   recording.format = "c3d";
   const C3dLayout layout = c3d_layout(file, options, recording.notes);
   C3dColumns columns = c3d_columns(file, layout.points, options, recording.notes);

@@ -12,6 +12,7 @@
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/math/geometry.h"
 #include "motion/points/point_names.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
 
@@ -133,7 +134,7 @@ Recording parse_c3d_rotations(std::string_view bytes, const std::string& file_na
                               const ReadOptions& options) {
   const C3dFile file = parse_c3d_parameters(bytes, file_name);
   Recording recording;
-  recording.name = std::filesystem::path(file_name).stem().string();
+  recording.name = recording_name(file_name);
   recording.format = "c3d";
   const RotationLayout layout = rotation_layout(file, recording.notes);
   recording.frames_per_second = rotation_rate(file, options, recording.notes);

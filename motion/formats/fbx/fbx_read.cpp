@@ -10,6 +10,7 @@
 #include "motion/formats/fbx/fbx_scene.h"
 #include "motion/formats/fbx/fbx_timing.h"
 #include "motion/formats/reading/recording_limits.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
@@ -138,7 +139,7 @@ std::vector<Pose> sampled(const FbxScene& scene, const FbxFigure& figure, FbxAni
 Recording recording_of(const FbxScene& scene, const ReadOptions& options) {
   ChosenTake chosen = options.take ? named_take(scene, *options.take) : first_moving_take(scene);
   Recording recording;
-  recording.name = std::filesystem::path(scene.document.file).stem().string();
+  recording.name = recording_name(scene.document.file);
   recording.format = "fbx";
   if (chosen.take) recording.take = chosen.take->name;
   note_choice(scene, options, recording);

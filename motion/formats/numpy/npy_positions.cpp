@@ -10,6 +10,7 @@
 #include "motion/formats/numpy/joint_orders.h"
 #include "motion/formats/numpy/npz.h"
 #include "motion/formats/reading/recording_limits.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/result_file.h"
 
@@ -193,7 +194,7 @@ PointRecording parse_npy_positions(std::string_view bytes, const std::string& fi
   if (!extents) refuse_shape(array, file_name);
   require_reasonable_size({file_name}, extents->joints, extents->frames);
   PointRecording recording;
-  recording.name = std::filesystem::path(file_name).stem().string();
+  recording.name = recording_name(file_name);
   recording.format = "npy";
   const std::vector<double> numbers = numbers_of(array, {file_name});
   recording.positions.assign(numbers.size() / 3, Vec3::Zero());

@@ -6,6 +6,7 @@
 #include "motion/formats/numpy/array_rate.h"
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/formats/smpl/smpl.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 
 namespace mien::motion {
@@ -69,7 +70,7 @@ PointRecording parse_smpl_markers(std::string_view bytes, const std::string& fil
   wanted.insert(wanted.end(), {"marker_data", "marker_labels"});
   const Npz npz = parse_npz(bytes, file_name, wanted);
   PointRecording recording;
-  recording.name = std::filesystem::path(file_name).stem().string();
+  recording.name = recording_name(file_name);
   recording.format = "smpl";
   const NpyArray& markers = markers_in(npz);
   recording.points = distinct(labels_in(npz, markers.shape[1]));

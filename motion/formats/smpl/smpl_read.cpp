@@ -8,6 +8,7 @@
 #include "motion/formats/smpl/smpl_model.h"
 #include "motion/formats/smpl/smpl_rotations.h"
 #include "motion/math/rotation.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 
 namespace mien::motion {
@@ -102,7 +103,7 @@ Recording parse_smpl(std::string_view bytes, const std::string& file_name,
                      const ReadOptions& options) {
   const Npz npz = parse_npz(bytes, file_name, motion_arrays());
   Recording recording;
-  recording.name = std::filesystem::path(file_name).stem().string();
+  recording.name = recording_name(file_name);
   recording.format = "smpl";
   const SmplRotations rotations = smpl_rotations(npz, recording.notes);
   recording.frames_per_second = rate_of(npz, options);

@@ -11,6 +11,7 @@
 #include "motion/points/length_unit.h"
 #include "motion/points/point_names.h"
 #include "motion/text/as_number.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
@@ -192,7 +193,7 @@ PointRecording parse_trc(std::string_view text, const std::string& file_name,
                          const ReadOptions& options) {
   TextCursor cursor = start_of(text, file_name);
   PointRecording recording;
-  recording.name = std::filesystem::path(file_name).stem().string();
+  recording.name = recording_name(file_name);
   recording.format = "trc";
   TrcHeader header = parse_trc_header(cursor, recording.notes);
   recording.points = distinct_point_names(std::move(header.names), recording.notes);
