@@ -31,6 +31,10 @@ namespace {
 
 using std::filesystem::path;
 
+// Of recordings, frames per second.
+constexpr double least_rate = 0.1;
+constexpr double greatest_rate = 10000.0;
+
 FileContents read_gltf_file(const path& file, const ReadOptions& how) {
   return read_gltf(file, how.take);
 }
@@ -89,17 +93,20 @@ constexpr MotionFormat formats[] = {
     {.ending = ".npz", .name = "NumPy", .is_of_motions = false, .read = read_npz_file},
     {.ending = ".npy",
      .name = "NumPy",
+     .has_nameless_points = true,
      .is_of_motions = false,
      .read = read_with<read_npy_positions>},
     {.ending = ".csv",
      .name = "tables of points",
      .has_subjects = true,
+     .has_nameless_points = true,
      .is_of_motions = false,
      .read = read_with<read_point_table>},
     {.ending = ".tsv",
      .name = "tables of points",
      .part_ending = ".json",
      .has_subjects = true,
+     .has_nameless_points = true,
      .is_of_motions = false,
      .read = read_tsv_file},
     {.ending = ".json",
@@ -183,7 +190,19 @@ FileContents read_file(const std::filesystem::path& path, const ReadOptions& opt
     throw Error({path.string(), 0, 0}, "holds one person, so no subject can be chosen",
                 "omit the subject");
   }
-  return format->read(path, options);
+  if (!options.joints.empty() && !format->has_nameless_points) {
+    throw Error({path.string(), 0, 0}, "has names of its joints or points, so none can be given",
+                "omit the names of joints");
+  }
+  const double rate = options.frames_per_second.value_or(1.0);
+  if (!(rate >= least_rate && rate <= greatest_rate)) {
+    throw Error({path.string(), 0, 0}, "cannot have been recorded at the given frame rate",
+                "give one from 0.1 to 10000 frames per second");
+  }
+  FileContents contents = format->read(path, options);
+  if (auto* recording = std::get_if<Recording>(&contents); recording && options.frames_per_second)
+    recording->frames_per_second = *options.frames_per_second;
+  return contents;
 }
 
 Recording read_motion(const std::filesystem::path& path, const ReadOptions& options) {

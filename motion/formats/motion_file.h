@@ -24,10 +24,11 @@ struct MotionFormat {
   std::string_view name;    ///< "BVH"; extensions of the same format have the same name
   /// Extension of companion files in the same folder: ".asf"; may be empty.
   std::string_view part_ending = {};
-  bool has_takes = false;     ///< a file may contain several motions (takes)
-  bool has_subjects = false;  ///< a file may contain several people
-  bool is_streamed = false;   ///< frames can be read as they arrive (bvh_stream.h)
-  bool is_metric = false;     ///< written in metres with +Y up, whatever the input
+  bool has_takes = false;            ///< a file may contain several motions (takes)
+  bool has_subjects = false;         ///< a file may contain several people
+  bool is_streamed = false;          ///< frames can be read as they arrive (bvh_stream.h)
+  bool is_metric = false;            ///< written in metres with +Y up, whatever the input
+  bool has_nameless_points = false;  ///< `ReadOptions::joints` names them
   /// The extension belongs to no other kind of files: tables and the like are read if they are
   /// named, but not taken for motions when a folder is searched.
   bool is_of_motions = true;

@@ -36,7 +36,7 @@ struct PoseMotionForm {
 void fields_of(auto&& field, MaybeConst<PoseSource> auto& pose) {
   field.by("motion", pose, concerns::motion | concerns::required | concerns::alone,
            PoseMotionForm());
-  recording_fields(field, pose.how, concerns::motion);
+  pose_fields(field, pose.how, concerns::motion);
   field("frame", pose.frame, concerns::motion);
 }
 

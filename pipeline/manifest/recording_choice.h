@@ -29,12 +29,15 @@ inline motion::ReadOptions read_options(const RecordingChoice& choice) {
   return options;
 }
 
-/// The fields of the choice, which are written beside that of the file.
-void recording_fields(auto&& field, auto& choice, unsigned concern) {
+/// The fields of the choice, which are written beside that of the file; a pose has no rate.
+void pose_fields(auto&& field, auto& choice, unsigned concern) {
   field("take", choice.take, concern);
   field("subject", choice.subject, concern);
-  field("fps", choice.fps, concern);
   field("joints", choice.joints, concern);
+}
+void recording_fields(auto&& field, auto& choice, unsigned concern) {
+  pose_fields(field, choice, concern);
+  field("fps", choice.fps, concern);
 }
 
 }  // namespace mien::pipeline

@@ -1,6 +1,7 @@
 #include "motion/formats/motion_file.h"
 
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -58,7 +59,10 @@ TEST(MotionFormats, AreNamedWhereAnotherIsRefused) {
     EXPECT_TRUE(holds(single, "holds one motion")) << single;
     EXPECT_TRUE(holds(single, formats_with_takes())) << single;
   }
-  EXPECT_EQ(formats_read(), "BVH (.bvh), Acclaim (.amc) or glTF (.gltf, .glb)");
+  EXPECT_EQ(formats_read(),
+            "BVH (.bvh), Acclaim (.amc), FBX (.fbx), glTF (.gltf, .glb), VRM (.vrma, .vrm), MVNX "
+            "(.mvnx), C3D (.c3d), TRC (.trc), NumPy (.npz, .npy), tables of points (.csv, .tsv) or "
+            "keypoints (.json)");
 }
 
 /// "… are read; … are written": what the page says of both.
@@ -79,6 +83,43 @@ TEST(MotionFormats, AreThoseOfTheirPage) {
       EXPECT_TRUE(holds(read, "`" + std::string(format.part_ending) + "`")) << format.part_ending;
     }
   }
+}
+
+TEST(MotionFormats, OfAnyKindTakeAStatedRate) {
+  const test::TemporaryFolder folder;
+  std::mt19937_64 random(6);
+  const Recording recording = test::random_recording(random);
+  ReadOptions how;
+  how.frames_per_second = 55.0;
+  for (const char* name : {"walk.bvh", "walk.glb"}) {
+    write_motion(recording, folder.path() / name);
+    EXPECT_EQ(read_motion(folder.path() / name, how).frames_per_second, 55.0) << name;
+  }
+  for (const double rate : {0.0, -3.0, 1e6, std::nan("")}) {
+    how.frames_per_second = rate;
+    EXPECT_TRUE(holds(test::refusal_of([&] { read_motion(folder.path() / "walk.bvh", how); }),
+                      "frame rate"))
+        << rate;
+  }
+}
+
+TEST(MotionFormats, RefuseChoicesThatTheirFilesDoNotHave) {
+  ReadOptions joints;
+  joints.joints = {"a"};
+  EXPECT_TRUE(holds(test::refusal_of([&] { read_motion("walk.bvh", joints); }), "names of"));
+  ReadOptions person;
+  person.subject = "Ann";
+  EXPECT_TRUE(holds(test::refusal_of([&] { read_motion("walk.glb", person); }), "one person"));
+}
+
+// A table of answers in a folder of motions is none of them.
+TEST(MotionFormats, ThatOtherFilesHaveAsWellAreReadWhenNamed) {
+  for (const char* name : {"a.csv", "a.tsv", "a.json", "a.npy", "a.npz"}) {
+    EXPECT_TRUE(is_motion_file(name)) << name;
+    EXPECT_FALSE(is_found_as_motion(name)) << name;
+  }
+  EXPECT_TRUE(is_found_as_motion("a.bvh.gz"));
+  EXPECT_TRUE(is_found_as_motion("a.C3D"));
 }
 
 }  // namespace

@@ -408,13 +408,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"stimuli:\n  - {id: a, weights: {normal: 0, sad: 0}}\n",
              "m.yaml:5:22: stimuli[0].weights: all weights are 0; give at least one example a "
              "weight\n"},
-        Case{"stimuli:\n  - {id: a, clip: run.bvh}\n",
-             "m.yaml:5:19: stimuli[0].clip: there is no file run.bvh; give a motion file: "
-             "BVH (.bvh), Acclaim (.amc) or glTF (.gltf, .glb); paths are taken from the "
-             "manifest's folder\n"},
+        Case{
+            "stimuli:\n  - {id: a, clip: run.bvh}\n",
+            "m.yaml:5:19: stimuli[0].clip: there is no file run.bvh; give a motion file: "
+            "BVH (.bvh), Acclaim (.amc), FBX (.fbx), glTF (.gltf, .glb), VRM (.vrma, .vrm), MVNX "
+            "(.mvnx), C3D (.c3d), TRC (.trc), NumPy (.npz, .npy), tables of points (.csv, .tsv) or "
+            "keypoints (.json); paths are taken from the "
+            "manifest's folder\n"},
         Case{"stimuli:\n  - {id: a, clip: notes.txt}\n",
              "m.yaml:5:19: stimuli[0].clip: \".txt\" is not a motion file format; use BVH (.bvh), "
-             "Acclaim (.amc) or glTF (.gltf, .glb)\n"},
+             "Acclaim (.amc), FBX (.fbx), glTF (.gltf, .glb), VRM (.vrma, .vrm), MVNX (.mvnx), C3D "
+             "(.c3d), TRC (.trc), NumPy (.npz, .npy), tables of points (.csv, .tsv) or keypoints "
+             "(.json)\n"},
         Case{"stimuli:\n  - {id: a, clip: {file: walk.bvh, frames: [9, 3]}}\n",
              "m.yaml:5:44: stimuli[0].clip.frames: the first frame comes after the last; exchange "
              "the "

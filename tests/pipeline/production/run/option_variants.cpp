@@ -107,6 +107,8 @@ const Surroundings surroundings[] = {
     {"modify.limbs", "{}", R"({"acceleration": 0.5})"},
     {"modify.signal", "{}", R"({"paths": 0.5})"},
     {"modify.seed", "{}", R"({"variation": 0.5})"},
+    {"modify.pose.neutral.subject", "{}", R"({"motion": "one/sad.bvh"})"},
+    {"modify.pose.posed.subject", "{}", R"({"motion": "one/sad.bvh"})"},
     {"modify.pose.neutral.take", "{}", R"({"motion": "takes.gltf"})"},
     {"modify.pose.posed.take", "{}", R"({"motion": "takes.gltf"})"},
     {"modify.pose.neutral.", "{}", R"({"motion": "normal"})"},
@@ -128,6 +130,8 @@ const Surroundings surroundings[] = {
     {"stimuli[].features", "{}", "{}"},
     {"stimuli[].clip.frames", "{}", R"({"file": "one/normal.bvh"})"},
     {"stimuli[].clip.take", "{}", R"({"file": "takes.gltf"})"},
+    {"stimuli[].clip.subject", "{}", R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].clip.fps", "{}", R"({"file": "one/normal.bvh"})"},
     {"stimuli[].path.script[].walk", "{}", "{}"},
     {"stimuli[].path.script[].turn", "{}", "{}"},
     {"stimuli[].path.script[].stand", "{}", "{}"},
@@ -135,6 +139,8 @@ const Surroundings surroundings[] = {
     {"stimuli[].path.script", "{}", "{}"},
     {"stimuli[].path.points", "{}", "{}"},
     {"stimuli[].path.graph[].take", with_graph, R"({"file": "takes.gltf"})"},
+    {"stimuli[].path.graph[].subject", with_graph, R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].path.graph[].fps", with_graph, R"({"file": "one/normal.bvh"})"},
     {"stimuli[].path.graph[].file", with_graph, "{}"},
     {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}]})"},
     {"stimuli[].path.threshold_m", "{}",
@@ -170,6 +176,15 @@ struct Values {
 };
 
 const Values chosen_values[] = {
+    // The first figure of a file, by number and by the name of its root.
+    {"clip.subject", R"(["1", "Pelvis"])"},
+    {"set.subject", R"(["1", "Pelvis"])"},
+    {"graph[].subject", R"(["1", "Pelvis"])"},
+    {"neutral.subject", R"(["1", "Pelvis"])"},
+    {"posed.subject", R"(["1", "Pelvis"])"},
+    {"clip.fps", "[40, 50]"},
+    {"set.fps", "[40, 50]"},
+    {"graph[].fps", "[40, 50]"},
     {"stimuli[].path", R"([[{"walk": 1}], {"points": [[0, 0], [0, 1]]}])"},
     {"stimuli[].path.script", R"([[{"walk": 1}], [{"turn": 30}]])"},
     {"stimuli[].path.script[].walk", "[1, 1.5]"},
@@ -486,6 +501,10 @@ json with_value(const std::string& path, const json& value) {
 }  // namespace
 
 bool has_one_value(const std::string& path) {
+  // Names of points are for files that have none.
+  for (const char* of_file :
+       {"set.joints", "clip.joints", "graph[].joints", "neutral.joints", "posed.joints"})
+    if (path.ends_with(of_file)) return true;
   // Markers need a recording that holds some, and this study has none.
   if (path.find("look.figure.markers") != std::string::npos) return true;
   // An overlay takes neither point lights nor trails.
