@@ -16,7 +16,6 @@ files='error.cpp
   formats/bvh/bvh_as_read.cpp formats/bvh/bvh_rotation.cpp formats/reading/frame_rate.cpp
   measures/distance/distance.cpp
   measures/features/feature_scale.cpp measures/features/motion_feature_list.cpp measures/features/motion_features.cpp
-  skeleton/markers.cpp
   procedural/affective_walk.cpp procedural/builtin_styles.cpp
   procedural/expressive_walks.cpp procedural/foot_roll.cpp procedural/leg_cycle.cpp
   procedural/walk_curves.cpp procedural/walk_style.cpp procedural/walker.cpp
