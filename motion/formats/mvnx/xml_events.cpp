@@ -1,6 +1,7 @@
 #include "motion/formats/mvnx/xml_events.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <new>
@@ -21,8 +22,12 @@ struct Parsing {
   std::exception_ptr thrown;
 
   size_t place() const {
-    const XML_Index index = XML_GetCurrentByteIndex(parser);
-    return std::min(static_cast<size_t>(std::max<XML_Index>(index, 0)), cursor.text.size());
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+    const std::int64_t index = XML_GetCurrentByteIndex64(parser);
+#else
+    const std::int64_t index = XML_GetCurrentByteIndex(parser);
+#endif
+    return std::min(static_cast<size_t>(std::max<std::int64_t>(index, 0)), cursor.text.size());
   }
 };
 
