@@ -18,6 +18,7 @@
 #include "motion/formats/keypoints/keypoints.h"
 #include "motion/formats/mvnx/mvnx.h"
 #include "motion/formats/numpy/npy_positions.h"
+#include "motion/formats/numpy/npz.h"
 #include "motion/formats/smpl/smpl.h"
 #include "motion/formats/table/bids_motion.h"
 #include "motion/formats/table/point_table.h"
@@ -46,7 +47,7 @@ FileContents read_c3d_file(const path& file, const ReadOptions& how) {
 }
 
 FileContents read_npz_file(const path& file, const ReadOptions& how) {
-  if (holds_smpl_motion(read_contents(file), file.string())) return read_smpl(file, how);
+  if (holds_smpl_motion(npz_contents(file), file.string())) return read_smpl(file, how);
   return read_npy_positions(file, how);
 }
 

@@ -12,6 +12,8 @@
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
+#include "motion/text/file_contents.h"
+#include "motion/text/file_kind.h"
 #include "motion/text/result_file.h"
 
 namespace mien::motion {
@@ -221,7 +223,9 @@ PointRecording parse_npy_positions(std::string_view bytes, const std::string& fi
 }
 
 PointRecording read_npy_positions(const std::filesystem::path& path, const ReadOptions& options) {
-  return parse_npy_positions(npz_contents(path), path.string(), options);
+  const std::string bytes = read_contents(path);
+  require_kind(bytes, path.string(), bytes.starts_with("PK") ? "npz" : "npy");
+  return parse_npy_positions(bytes, path.string(), options);
 }
 
 std::string to_positions_npy(const Recording& recording) {

@@ -172,7 +172,7 @@ Npz parse_npz(std::string_view bytes, const std::string& file_name, const Wanted
 
 std::string npz_contents(const std::filesystem::path& path) {
   std::string bytes = read_contents(path);
-  if (!bytes.starts_with("PK")) require_kind(bytes, path.string(), "npz");
+  require_kind(bytes, path.string(), "npz");
   return bytes;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -9,8 +10,16 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/mvnx/mvnx_text.h"
+#include "motion/formats/numpy/npy_positions.h"
+#include "motion/formats/smpl/smpl.h"
+#include "motion/formats/table/bids_motion.h"
+#include "motion/formats/table/tidy_csv.h"
+#include "motion/formats/trc/trc.h"
+#include "motion/procedural/walker.h"
 #include "motion/random_recording.h"
 #include "motion/refusal.h"
+#include "motion/rig/recording_clip.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::motion {
@@ -120,6 +129,55 @@ TEST(MotionFormats, ThatOtherFilesHaveAsWellAreReadWhenNamed) {
   }
   EXPECT_TRUE(is_found_as_motion("a.bvh.gz"));
   EXPECT_TRUE(is_found_as_motion("a.C3D"));
+}
+
+/// A walk, and its joints as points.
+PointRecording walking_points(const Clip& walk) {
+  PointRecording points;
+  points.name = "walk";
+  points.format = "test";
+  points.frames_per_second = walk.frames_per_second;
+  points.unit = "m";
+  points.metres_per_unit = 1.0;
+  for (const Joint& joint : walk.body.joints) points.points.push_back(joint.name);
+  for (const std::vector<Vec3>& places : joint_paths(walk))
+    points.positions.insert(points.positions.end(), places.begin(), places.end());
+  points.seen.assign(points.positions.size(), true);
+  return points;
+}
+
+// From the file's name on: what the readers of bytes do is tested beside them.
+TEST(MotionFormats, AreReadFromTheirFiles) {
+  const test::TemporaryFolder folder;
+  const Clip clip = walk({}, 60.0, standard_body()).clip;
+  const PointRecording points = walking_points(clip);
+  const auto file = [&](const char* name) { return folder.path() / name; };
+  write_positions_npy(to_recording(clip), file("walk.npy"));
+  write_amass_npz(to_recording(clip), file("walk.npz"));
+  write_trc(points, file("walk.trc"));
+  std::ofstream(file("walk.csv")) << to_tidy_csv(points);
+  std::ofstream(file("walk.mvnx")) << test::mvnx_document(test::mvnx_subject(clip));
+  for (const auto& [name, text] : to_bids_motion(points)) std::ofstream(file(name.c_str())) << text;
+  int formats = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(".json") || name.ends_with("_channels.tsv")) continue;  // of BIDS
+    ReadOptions how;
+    if (name == "walk.npy") {  // has neither names nor a rate
+      how.joints = points.points;
+      how.frames_per_second = 60.0;
+    }
+    const Recording read = read_motion(entry.path(), how);
+    EXPECT_EQ(read.frame_count(), clip.frame_count()) << name;
+    EXPECT_NEAR(read.frames_per_second, 60.0, 1e-6) << name;
+    const Clip again = clip_of(read);
+    ASSERT_TRUE(is_body(again.body)) << name;
+    EXPECT_LT((joint_paths(again)[9][LeftKnee] - joint_paths(again)[9][Pelvis]).norm(), 0.7)
+        << name;
+    EXPECT_GT(joint_paths(again)[9][Pelvis].y(), 0.7) << name;
+    ++formats;
+  }
+  EXPECT_EQ(formats, 6);
 }
 
 }  // namespace
