@@ -121,7 +121,7 @@ bool ends_as_a_result(std::string_view label) {
   return false;
 }
 
-void tell_of_people(const People& people, const C3dColumns& chosen,
+void note_people(const People& people, const C3dColumns& chosen,
                     std::vector<std::string>& notes) {
   if (people.with_labels < 2) return;
   if (chosen.subject.empty()) {
@@ -170,7 +170,7 @@ C3dColumns c3d_columns(const C3dFile& file, std::size_t points, const ReadOption
     throw Error({file.name}, "none of its points is a position: " + listed(left_out),
                 "export the markers or joint centres");
   }
-  tell_of_people(people, chosen, notes);
+  note_people(people, chosen, notes);
   if (!left_out.empty()) {
     notes.push_back("Left out, since they are no positions: " + listed(left_out) + ".");
   }

@@ -16,7 +16,4 @@ Pose fbx_pose(const FbxScene& scene, const FbxFigure& figure, const std::vector<
 Skeleton fbx_skeleton(const FbxScene& scene, const FbxFigure& figure,
                       const std::vector<bool>& moved);
 
-/// Gives the skeleton the offsets that do not change; takes them out of the poses when none does.
-void settle_fbx_offsets(Recording& recording);
-
 }  // namespace mien::motion

@@ -10,6 +10,7 @@
 #include "motion/formats/fbx/fbx_scene.h"
 #include "motion/formats/fbx/fbx_timing.h"
 #include "motion/formats/reading/recording_limits.h"
+#include "motion/skeleton/settled_offsets.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
@@ -154,7 +155,7 @@ Recording recording_of(const FbxScene& scene, const ReadOptions& options) {
   recording.frames_per_second = timing.frames_per_second;
   recording.skeleton = fbx_skeleton(scene, figure, moved);
   recording.poses = sampled(scene, figure, std::move(chosen.animation), timing);
-  settle_fbx_offsets(recording);
+  settle_offsets(recording);
   return recording;
 }
 

@@ -8,6 +8,7 @@
 #include "motion/formats/gltf/gltf_nodes.h"
 #include "motion/formats/gltf/gltf_track.h"
 #include "motion/formats/reading/recording_limits.h"
+#include "motion/skeleton/settled_offsets.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
@@ -114,31 +115,6 @@ std::vector<Pose> sampled(const GltfFile& file, const GltfNodes& nodes, const Gl
     poses.push_back(pose_of(file, figure, transforms));
   }
   return poses;
-}
-
-/// Gives the skeleton the offsets that do not change; takes them out of the poses when none does.
-void settle_offsets(Recording& recording) {
-  std::vector<Joint>& joints = recording.skeleton.joints;
-  const std::vector<Vec3> first = recording.poses.front().offsets;
-  double longest = 0.0;
-  std::vector<double> changes(joints.size(), 0.0);
-  for (const Pose& pose : recording.poses) {
-    for (size_t j = 1; j < joints.size(); ++j) {
-      longest = std::max(longest, pose.offsets[j].norm());
-      changes[j] = std::max(changes[j], (pose.offsets[j] - first[j]).norm());
-    }
-  }
-  const double least = 1e-6 * longest;
-  for (size_t j = 1; j < joints.size(); ++j) {
-    if (changes[j] <= least) joints[j].offset = first[j];
-  }
-  const bool any_moves = *std::max_element(changes.begin(), changes.end()) > least;
-  for (Pose& pose : recording.poses) {
-    if (!any_moves) pose.offsets = {};
-    for (size_t j = 0; j < pose.offsets.size(); ++j) {
-      if (changes[j] <= least) pose.offsets[j] = joints[j].offset;
-    }
-  }
 }
 
 void keep_tracks_of(const GltfFigure& figure, const GltfNodes& nodes,

@@ -1,5 +1,7 @@
 #include "motion/formats/keypoints/keypoint_names.h"
 
+#include "motion/points/joint_orders.h"
+
 namespace mien::motion {
 
 const std::vector<std::string>& body_25_names() {
@@ -19,14 +21,8 @@ const std::vector<std::string>& coco_18_names() {
 }
 
 const std::vector<std::string>& mediapipe_pose_names() {
-  static const std::vector<std::string> names = {
-      "nose",        "left_eye_inner",  "left_eye",        "left_eye_outer", "right_eye_inner",
-      "right_eye",   "right_eye_outer", "left_ear",        "right_ear",      "mouth_left",
-      "mouth_right", "left_shoulder",   "right_shoulder",  "left_elbow",     "right_elbow",
-      "left_wrist",  "right_wrist",     "left_pinky",      "right_pinky",    "left_index",
-      "right_index", "left_thumb",      "right_thumb",     "left_hip",       "right_hip",
-      "left_knee",   "right_knee",      "left_ankle",      "right_ankle",    "left_heel",
-      "right_heel",  "left_foot_index", "right_foot_index"};
+  static const auto joints = joint_order("mediapipe")->joints;
+  static const std::vector<std::string> names(joints.begin(), joints.end());
   return names;
 }
 

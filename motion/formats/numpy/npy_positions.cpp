@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "motion/formats/numpy/array_rate.h"
-#include "motion/formats/numpy/joint_orders.h"
+#include "motion/points/joint_orders.h"
 #include "motion/formats/numpy/npz.h"
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/text/compressed_file.h"

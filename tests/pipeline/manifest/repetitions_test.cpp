@@ -15,8 +15,8 @@ Stimulus stimulus(const std::string& id) {
 }
 
 /// What is told of a stimulus called "b" that differs from "a" by `change`.
-std::string told_of(const std::function<void(Stimulus&)>& change,
-                    const scenes::Figure& figure = scenes::StickOptions{}) {
+std::string repetition_note(const std::function<void(Stimulus&)>& change,
+                            const scenes::Figure& figure = scenes::StickOptions{}) {
   Manifest manifest;
   manifest.examples.builtin = "walks-10";
   manifest.stimuli = {stimulus("a"), stimulus("b")};
@@ -28,7 +28,7 @@ std::string told_of(const std::function<void(Stimulus&)>& change,
 }
 
 TEST(Repetitions, AreToldWithBothIds) {
-  EXPECT_EQ(told_of([](Stimulus&) {}),
+  EXPECT_EQ(repetition_note([](Stimulus&) {}),
             "b: looks identical to \"a\"; change the motion or look of one of them; ignore this if "
             "the repetition is intended\n");
 }
@@ -48,7 +48,7 @@ TEST(Repetitions, DifferInNothingThatIsSeen) {
       [](Stimulus& b) { b.output.presentation.blank_before = 0.5; },
       [](Stimulus& b) { b.modify.push_back({.emotion = "sad", .strength = 0.5}); },
   };
-  for (const auto& change : seen) EXPECT_EQ(told_of(change), "");
+  for (const auto& change : seen) EXPECT_EQ(repetition_note(change), "");
   const std::function<void(Stimulus&)> unseen[] = {
       [](Stimulus& b) {
         b.factors = {{"emotion", "sadness"}};
@@ -56,18 +56,19 @@ TEST(Repetitions, DifferInNothingThatIsSeen) {
       [](Stimulus& b) { b.output.clips.clear(); },
       [](Stimulus& b) { b.output.video = {render::VideoKind::webm}; },
   };
-  for (const auto& change : unseen) EXPECT_NE(told_of(change), "");
+  for (const auto& change : unseen) EXPECT_NE(repetition_note(change), "");
 }
 
 TEST(Repetitions, AreNoneOfDotsThatAreOthersForEachId) {
   const auto same = [](Stimulus&) {};
-  EXPECT_NE(told_of(same, scenes::PointLightOptions{}), "");
-  EXPECT_EQ(told_of(same, scenes::PointLightOptions{.scrambled = true}), "");
-  EXPECT_EQ(told_of(same, scenes::PointLightOptions{.noise = 5}), "");
-  EXPECT_NE(told_of(same, scenes::PointLightOptions{.scrambled = true, .seed = 3}), "");
-  EXPECT_NE(told_of([](Stimulus& b) { b.role = Role::target; }, scenes::PointLightOptions{}), "");
-  EXPECT_NE(told_of(same, scenes::MarkersOptions{}), "");
-  EXPECT_EQ(told_of(same, scenes::MarkersOptions{.dots = {.scrambled = true}}), "");
+  EXPECT_NE(repetition_note(same, scenes::PointLightOptions{}), "");
+  EXPECT_EQ(repetition_note(same, scenes::PointLightOptions{.scrambled = true}), "");
+  EXPECT_EQ(repetition_note(same, scenes::PointLightOptions{.noise = 5}), "");
+  EXPECT_NE(repetition_note(same, scenes::PointLightOptions{.scrambled = true, .seed = 3}), "");
+  EXPECT_NE(
+      repetition_note([](Stimulus& b) { b.role = Role::target; }, scenes::PointLightOptions{}), "");
+  EXPECT_NE(repetition_note(same, scenes::MarkersOptions{}), "");
+  EXPECT_EQ(repetition_note(same, scenes::MarkersOptions{.dots = {.scrambled = true}}), "");
 }
 
 TEST(Repetitions, AreAllOfTheFirst) {

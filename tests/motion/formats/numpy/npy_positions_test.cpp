@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/formats/numpy/joint_orders.h"
+#include "motion/points/joint_orders.h"
 #include "motion/formats/numpy/numpy_files.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/refusal.h"

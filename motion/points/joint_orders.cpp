@@ -1,4 +1,4 @@
-#include "motion/formats/numpy/joint_orders.h"
+#include "motion/points/joint_orders.h"
 
 #include <algorithm>
 #include <array>
