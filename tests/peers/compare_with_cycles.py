@@ -9,12 +9,12 @@ BUILD is a build folder with MIEN_BENCHMARKS on. Needs `blender` (3.4 or later);
 skipped, with exit code 77, where there is none. Either renderer is measured against its own picture
 of many samples, so what their shapes differ in does not count. Run it on an idle machine.
 
-Means of blocks of 16 x 16 pixels away from edges have to agree within 0.5 % and four standard errors,
-from afar and near, else the exit code is 1. --agreement checks nothing else, and may run on a busy
-machine. For it either renderer draws matte surfaces, because their specular lobes have other
-formulas; --sheen shows how far those differ. In folds of a skinned mesh, where smooth normals lean
-away from the triangles, 2 % are allowed: Cycles has no light from below a triangle's plane
-(light_from_below).
+Means of blocks of 16 x 16 pixels away from edges have to agree within 0.5 %, from afar and near, else
+the exit code is 1. --agreement checks nothing else, and may run on a busy machine. For it either
+renderer draws matte surfaces, because their specular lobes have other formulas; --sheen shows how far
+those differ. Folds of a skinned mesh, where smooth normals lean away from the triangles, are listed by
+themselves: there Cycles has no light from below a triangle's plane (light_from_below). The mannequin
+does not pass yet: close up, blocks in its folds differ by up to 1.7 %.
 """
 
 import argparse
@@ -46,7 +46,6 @@ MARGIN = 3  # pixels: edges reach so far by the filter
 LARGEST_DIFFERENCE = 0.005
 NOISE = 4.0  # standard errors: one of 15,000 blocks is farther off
 BELOW = 0.001  # share of a surface's light, from below its triangles, from which a block is a fold
-LARGEST_IN_FOLDS = 0.02
 VIEWS = ("standing", "close")
 
 
@@ -124,13 +123,8 @@ def report_agreement(agreement):
                   f"RMS {100 * row['rms']:.3f} % (noise {100 * row['standard_error']:.3f} %), "
                   f"at most {100 * largest:+.2f} ± {100 * standard_error:.2f} % at {x}, {y}; "
                   f"{100 * max(beyond_noise(row['farthest']), 0.0):.2f} % beyond noise")
-            if name == "folds":
-                agree = agree and beyond_noise(row["farthest"]) <= LARGEST_IN_FOLDS
-            else:
-                agree = (agree and row["blocks"] > 0
-                         and beyond_noise(row["farthest"]) <= LARGEST_DIFFERENCE)
-    print("  they agree" if agree else f"  they differ by more than {100 * LARGEST_DIFFERENCE} % "
-          f"({100 * LARGEST_IN_FOLDS} % in folds)")
+            agree = agree and row["blocks"] > 0 and abs(largest) <= LARGEST_DIFFERENCE
+    print("  they agree" if agree else f"  they differ by more than {100 * LARGEST_DIFFERENCE} %")
     return agree
 
 
