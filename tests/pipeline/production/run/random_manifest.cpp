@@ -146,9 +146,10 @@ class Generator {
 
   json stimulus(const std::string& id) {
     json drawn = value(followed(schema_["properties"]["stimuli"]["items"]), 1);
-    for (const char* motion : {"adjectives", "features", "weights", "clip"}) drawn.erase(motion);
+    for (const char* motion : {"adjectives", "features", "weights", "clip", "path"})
+      drawn.erase(motion);
     drawn["id"] = id;
-    switch (below(5)) {
+    switch (below(6)) {
       case 0:
         drawn["adjectives"] = named_numbers({"quickness", "largeness", "sad-happy"});
         break;
@@ -157,6 +158,9 @@ class Generator {
         break;
       case 2:
         drawn["clip"] = one_of(clips);
+        break;
+      case 3:
+        drawn["path"] = one_of(paths);
         break;
       default:
         drawn["weights"] = named_numbers(examples_shown);
@@ -189,6 +193,8 @@ class Generator {
   const json clips = json::parse(
       R"(["walk.bvh", "two.bvh", "one.bvh", {"file": "walk.bvh", "frames": [0, 2]},
           {"file": "walk.bvh", "frames": [3, 20]}])");
+  const json paths = json::parse(
+      R"([[{"walk": 0.5}], [{"stand": 0.3}, {"turn": 45}], {"points": [[0, 0], [0.7, 0.2]]}])");
 };
 
 /// "stimuli[0].look" → "stimuli", "0", "look".
