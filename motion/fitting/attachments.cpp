@@ -97,6 +97,12 @@ BodyJoint segment_of(const Role& role) {
 
 }  // namespace
 
+std::optional<BodyJoint> rigid_segment_of(const Role& role) {
+  if (role.landmark == Landmark::pelvis || role.landmark == Landmark::hip) return Pelvis;
+  if (joint_at(role)) return std::nullopt;
+  return segment_of(role);
+}
+
 std::vector<Attachment> attachments(const PointTracks& points, const Skeleton& body,
                                     std::span<const Pose> poses, const FrameRange& range) {
   const std::size_t point_count = points.recording.points.size();

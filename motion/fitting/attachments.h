@@ -17,6 +17,11 @@ struct Attachment {
   Vec3 place = Vec3::Zero();  ///< in the joint's frame, metres
 };
 
+/// The segment, by its joint, that the point moves with as if it were part of it: a marker with the
+/// bone under it, a hip joint with the pelvis. None for other joint centres, which may belong to
+/// either of two bones.
+std::optional<BodyJoint> rigid_segment_of(const Role& role);
+
 /// The attachments of all points whose role is known and that are seen in the range. Joint centres
 /// are at the joints of the body. Other points are where they are in most frames: at the median of
 /// their places in the frame of their segment.

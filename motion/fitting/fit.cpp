@@ -9,8 +9,10 @@
 #include "motion/fitting/attachments.h"
 #include "motion/fitting/body_tracks.h"
 #include "motion/fitting/fitted_proportions.h"
+#include "motion/fitting/fitted_set.h"
 #include "motion/fitting/initial_poses.h"
 #include "motion/fitting/least_squares_pass.h"
+#include "motion/fitting/segment_gaps.h"
 #include "motion/points/gaps.h"
 #include "motion/points/marker_sets.h"
 #include "motion/rig/toe_bend.h"
@@ -21,37 +23,10 @@ namespace mien::motion {
 
 namespace {
 
-constexpr std::string_view still_shown =
-    "the points can still be shown as they are with `figure: markers`";
-
 std::string in_words(double value, int decimals) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
   return text;
-}
-
-std::string needed() {
-  return "a body needs points at the pelvis, knees and ankles of both sides, named as in Plug-in "
-         "Gait (LASI, LPSI, LKNE, LANK), IOR, CMU or OpenSim, or joints (LeftHip, LeftKnee, "
-         "LeftAnkle); " +
-         std::string(still_shown);
-}
-
-MarkerSet usable_set(const PointRecording& recording) {
-  MarkerSet set = recognised_marker_set(recording.points);
-  if (set.name.empty()) {
-    throw Error(
-        Place{recording.name},
-        "the points are not a set of markers or joints that is known: " + listed(recording.points),
-        needed());
-  }
-  if (!set.missing_parts.empty()) {
-    throw Error(Place{recording.name},
-                "the points (" + set.name + ") do not show the " + listed(set.missing_parts) +
-                    "; found: " + listed(recording.points),
-                needed());
-  }
-  return set;
 }
 
 /// Refuses recordings in which a part that a body needs is never seen.
@@ -64,7 +39,8 @@ void require_parts(const PointRecording& recording, const BodyTracks& tracks,
   }
   if (unseen.empty()) return;
   throw Error(Place{recording.name},
-              "the points of these parts are missing in all frames: " + listed(unseen), needed());
+              "the points of these parts are missing in all frames: " + listed(unseen),
+              points_a_body_needs());
 }
 
 struct SquareSum {
@@ -162,7 +138,8 @@ void warn_of_exchanged_sides(const BodyTracks& tracks, FittedMotion& fitted) {
       const auto& end = tracks.joints[toe][frame];
       const auto& start = tracks.joints[body_parents[toe]][frame];
       if (!left || !end || !start) continue;
-      ++(left->cross(Vec3::UnitY()).dot(*end - *start) > 0.0 ? ahead : behind);
+      const auto& up = tracks.pelvis_up[frame];
+      ++(left->cross(up.value_or(Vec3::UnitY())).dot(*end - *start) > 0.0 ? ahead : behind);
     }
   }
   if (behind <= ahead) return;
@@ -183,6 +160,11 @@ void warn_of_residuals(const FitOptions& options, FittedMotion& fitted) {
                               " mm (RMS) away from the fitted body: it may be mislabelled or have "
                               "moved on the skin.");
   }
+}
+
+std::string note_on_people(const PointRecording& recording, const std::string& fitted) {
+  return "The body is fitted to the points of " + in_quotes(fitted) + ", one of " +
+         std::to_string(recording.subjects.size()) + " people.";
 }
 
 void add_notes(const PointRecording& recording, const FrameRange& range, FittedMotion& fitted) {
@@ -211,21 +193,27 @@ double floor_below_ankles(const Clip& clip) {
 
 void put_on_floor(const BodyTracks& tracks, FittedMotion& fitted) {
   const bool has_feet = is_known(tracks.joints[LeftToe]) || is_known(tracks.joints[RightToe]);
-  fitted.raised = -(has_feet ? floor_height(fitted.clip) : floor_below_ankles(fitted.clip));
+  const double floor = has_feet ? floor_height(fitted.clip) : floor_below_ankles(fitted.clip);
+  constexpr double most = 0.25;  // metres; feet farther from the lowest points are in the air
+  if (std::abs(floor) > most) return;
+  fitted.raised = -floor;
   for (Pose& pose : fitted.clip.poses) pose.root_position.y() += fitted.raised;
 }
 
 }  // namespace
 
 FittedMotion fit_body(const PointRecording& recording, const FitOptions& options) {
-  const MarkerSet set = usable_set(recording);
+  const FittedSet chosen = fitted_set(recording);
+  const MarkerSet& set = chosen.set;
   FittedMotion fitted;
   fitted.marker_set = set.name;
+  if (!chosen.subject.empty()) fitted.notes.push_back(note_on_people(recording, chosen.subject));
   fitted.axes = point_axes(recording);
   FilledPoints complete = filled(recording, options.max_gap_seconds);
   complete.recording = in_metres_y_up(std::move(complete.recording), fitted.axes);
   const PointTracks points{complete.recording, set};
-  const BodyTracks tracks = body_tracks(points);
+  const PointRecording with_whole_segments = with_segments_completed(points);
+  const BodyTracks tracks = body_tracks(PointTracks{with_whole_segments, set});
   const FrameRange range = frames_with_pelvis(tracks);
   require_parts(recording, tracks, range);
   fitted.first_frame = range.first;
@@ -240,7 +228,7 @@ FittedMotion fit_body(const PointRecording& recording, const FitOptions& options
   clip.poses = first_poses;
   clip.poses = least_squares_pass(points, clip.body, attached(), first_poses, range);
   set_residuals(points, complete.filled, attached(), range, fitted);
-  put_on_floor(tracks, fitted);
+  if (!fitted.axes.is_up_by_floor) put_on_floor(tracks, fitted);
   for (const BodyJoint toe : {LeftToe, RightToe}) {
     if (!is_known(tracks.tips[toe])) bend_toes_at_floor(clip, toe);
   }

@@ -45,14 +45,25 @@ std::optional<Bend> bend_of(const Vec3& root, const Vec3& middle, const std::opt
   return bend;
 }
 
-/// Weight of the measured axis, 0 to 1, where the other axis to choose is `usual`. An axis that
-/// points the other way is that of a limb bent backwards: unless far bent, an error of the joint.
+/// Weight of the measured axis, 0 to 1, where the other axis to choose is `usual`. An axis across
+/// or against that one is that of a limb bent sideways or backwards: unless far bent, an error of
+/// the joint.
 double weight_of(const Bend& bend, const Vec3& usual, double noise_metres) {
   const double backward_metres = std::max(0.06, noise_metres);
-  const double forward = smooth_step(bend.measured.dot(usual) + 0.5);
+  const double forward = smooth_step(2.0 * bend.measured.dot(usual));
   const double noise = backward_metres + forward * (noise_metres - backward_metres);
   return bend.away * bend.away / (bend.away * bend.away + noise * noise);
 }
+
+/// In the mean turn of the axis, of a frame in which the joint is `away` from the line between the
+/// ends. Joints that are some centimetres beside their places bend a straight limb this much: such
+/// frames do not count.
+double weight_in_mean(double away) {
+  constexpr double straight = 0.03;  // metres
+  constexpr double bent = 0.09;      // metres
+  return away * away * smooth_step((away - straight) / (bent - straight));
+}
+constexpr double straight_limb = 0.01 * 0.01;  // weight of the expected axis in each frame
 
 }  // namespace
 
@@ -66,7 +77,8 @@ Track hinge_axis(const Track& root, const Track& middle, const Track& end, const
     bends[frame] = bend_of(*root[frame], *middle[frame], end[frame], *expected[frame], hinge);
     if (!bends[frame]) continue;
     const Bend& bend = *bends[frame];
-    const double weight = bend.away * bend.away;
+    cosine += straight_limb;
+    const double weight = weight_in_mean(bend.away);
     cosine += weight * bend.expected.dot(bend.measured);
     sine += weight * bend.bone.dot(bend.expected.cross(bend.measured));
   }

@@ -22,8 +22,9 @@ struct Hinge {
 ///
 /// Where the limb is nearly straight (the middle joint about 15 mm or less from the line between
 /// the ends), its plane of bend is noise: there the axis turns smoothly into `expected`, turned
-/// about the bone by the mean angle between the two axes, for which bent frames count most. An axis
-/// that points away from that one counts only if the limb is far bent.
+/// about the bone by the mean angle between the two axes over the frames in which the limb is bent
+/// (by more than 3 cm, fully by 9 cm); a limb that is never bent keeps `expected`. An axis
+/// across or against that one counts only if the limb is far bent.
 Track hinge_axis(const Track& root, const Track& middle, const Track& end, const Track& expected,
                  const Hinge& hinge);
 

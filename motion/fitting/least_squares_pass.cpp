@@ -10,7 +10,9 @@ namespace mien::motion {
 
 namespace {
 
-constexpr int steps = 3;
+constexpr int least_steps = 3;
+constexpr int most_steps = 15;
+constexpr double settled = 0.005;           // radians or metres
 constexpr double point_deviation = 0.010;   // metres
 constexpr double far_point = 0.030;         // metres
 constexpr double given_turn = 0.5;          // radians
@@ -99,9 +101,11 @@ std::vector<Pose> least_squares_pass(const PointTracks& points, const Skeleton& 
   const double frame_seconds = 1.0 / points.recording.frames_per_second;
   const double smooth = std::max(least_smooth_turn, acceleration * frame_seconds * frame_seconds);
   std::vector<Pose> current = poses;
-  for (int step = 0; step < steps; ++step) {
+  std::vector<bool> is_settled(poses.size(), false);
+  for (int step = 0; step < most_steps; ++step) {
     std::vector<Pose> next = current;
     for (std::size_t i = 0; i < poses.size(); ++i) {
+      if (step >= least_steps && is_settled[i]) continue;
       const Pose& pose = current[i];
       const JointTransforms world = world_transforms(body, pose);
       Equations equations;
@@ -119,7 +123,9 @@ std::vector<Pose> least_squares_pass(const PointTracks& points, const Skeleton& 
         add_reference(body, world, pose, interpolate(current[i - 1], current[i + 1], 0.5), smooth,
                       smooth, equations);
       }
-      next[i] = moved(body, world, pose, solve_symmetric(equations.normal, equations.right));
+      const Eigen::MatrixXd change = solve_symmetric(equations.normal, equations.right);
+      is_settled[i] = change.cwiseAbs().maxCoeff() < settled;
+      next[i] = moved(body, world, pose, change);
     }
     current = std::move(next);
   }

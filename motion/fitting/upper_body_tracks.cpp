@@ -162,7 +162,7 @@ const std::vector<HeadPlace>& head_shape() {
       {head_top, Side::middle, {0, 0.17, 0}},         {head_front, Side::left, {0.07, 0.11, 0.08}},
       {head_front, Side::right, {-0.07, 0.11, 0.08}}, {head_back, Side::left, {0.07, 0.11, -0.08}},
       {head_back, Side::right, {-0.07, 0.11, -0.08}}, {head_side, Side::left, {0.078, 0.07, 0.02}},
-      {head_side, Side::right, {-0.078, 0.07, 0.02}},
+      {head_side, Side::right, {-0.078, 0.07, 0.02}}, {head_front, Side::middle, {0, 0.11, 0.10}},
   };
   return shape;
 }

@@ -144,6 +144,110 @@ constexpr MarkerName opensim[] = {
     {"*.MT5", fifth_metatarsal},
 };
 
+// OptiTrack's markers of a skeleton: Baseline (37, 41 with heels and tips of the toes) and its
+// variants.
+constexpr MarkerName optitrack_baseline[] = {
+    {"HeadTop", head_top},
+    {"HeadFront", head_front},
+    {"HeadSide", head_side},
+    {"BackTop", cervical_7},
+    {"BackLeft", trunk},
+    {"BackRight", trunk},
+    {"Chest", sternum},
+    {"*ShoulderTop", acromion},
+    {"*ShoulderBack", trunk},
+    {"*UArmHigh", upper_arm},
+    {"*ElbowOut", outer_elbow},
+    {"*WristIn", thumb_side_of_wrist},
+    {"*WristOut", finger_side_of_wrist},
+    {"*HandOut", hand},
+    {"*HandIn", hand},
+    {"Waist*Front", front_iliac_spine},
+    {"Waist*Back", back_iliac_spine},
+    {"*Thigh", thigh},
+    {"*KneeOut", outer_knee},
+    {"*KneeIn", inner_knee},
+    {"*Shin", shank},
+    {"*AnkleOut", outer_ankle},
+    {"*AnkleIn", inner_ankle},
+    {"*Heel", heel},
+    {"*ToeIn", first_metatarsal},
+    {"*ToeOut", fifth_metatarsal},
+    {"*ToeTip", toe_tip},
+};
+
+// The sets of Qualisys for sports and animation, with or without "Q_" before each name.
+constexpr MarkerName qualisys[] = {
+    {"Head*", head_side},
+    {"HeadFront", head_front},
+    {"HeadTop", head_top},
+    {"SpineTop", cervical_7},
+    {"SpineThoracic2", cervical_7},
+    {"SpineThoracic12", back},
+    {"Chest", jugular_notch},
+    {"ChestLow", sternum},
+    {"Back*", trunk},
+    {"*ShoulderTop", acromion},
+    {"*ShoulderBack", trunk},
+    {"*Arm", upper_arm},
+    {"*ArmHigh", upper_arm},
+    {"*ElbowOut", outer_elbow},
+    {"*ElbowIn", inner_elbow},
+    {"*WristIn", thumb_side_of_wrist},
+    {"*WristOut", finger_side_of_wrist},
+    {"*Hand2", hand},
+    {"*HandOut", hand},
+    {"*HandIn", hand},
+    {"Waist*Front", front_iliac_spine},
+    {"Waist*Back", back_iliac_spine},
+    {"Waist*", iliac_crest},
+    {"WaistBack", sacrum},
+    {"*Sips", back_iliac_spine},
+    {"*ThighFrontLow", thigh},
+    {"*ThighHigh", thigh},
+    {"*ThighLow", thigh},
+    {"*KneeOut", outer_knee},
+    {"*KneeIn", inner_knee},
+    {"*ShinFrontHigh", shank},
+    {"*ShinFrontLow", shank},
+    {"*ShinSide", shank},
+    {"*AnkleOut", outer_ankle},
+    {"*AnkleIn", inner_ankle},
+    {"*HeelBack", heel},
+    {"*Forefoot1", first_metatarsal},
+    {"*Forefoot2", second_metatarsal},
+    {"*Forefoot5", fifth_metatarsal},
+    {"*ForefootIn", first_metatarsal},
+    {"*ForefootOut", fifth_metatarsal},
+    {"*ToeTip", toe_tip},
+};
+
+// The markers that OpenCap and Pose2Sim estimate from keypoints (Uhlrich et al. 2023).
+constexpr MarkerName opencap[] = {
+    {"*.ASIS_study", front_iliac_spine},
+    {"*.PSIS_study", back_iliac_spine},
+    {"*HJC_study", hip},
+    {"C7_study", cervical_7},
+    {"*_shoulder_study", acromion},
+    {"*_lelbow_study", outer_elbow},
+    {"*_melbow_study", inner_elbow},
+    {"*_lwrist_study", thumb_side_of_wrist},
+    {"*_mwrist_study", finger_side_of_wrist},
+    {"*_thigh1_study", thigh},
+    {"*_thigh2_study", thigh},
+    {"*_thigh3_study", thigh},
+    {"*_knee_study", outer_knee},
+    {"*_mknee_study", inner_knee},
+    {"*_sh1_study", shank},
+    {"*_sh2_study", shank},
+    {"*_sh3_study", shank},
+    {"*_ankle_study", outer_ankle},
+    {"*_mankle_study", inner_ankle},
+    {"*_calc_study", heel},
+    {"*_toe_study", second_metatarsal},
+    {"*_5meta_study", fifth_metatarsal},
+};
+
 // The first 22 joints of SMPL, SMPL-H and SMPL-X, in the order of HumanML3D.
 constexpr MarkerName smpl[] = {
     {"pelvis", pelvis}, {"*hip", hip},         {"spine1", spine}, {"*knee", knee},
@@ -173,6 +277,14 @@ constexpr MarkerName body_25[] = {
     {"*Wrist", wrist},   {"MidHip", mid_hips},    {"*Hip", hip},           {"*Knee", knee},
     {"*Ankle", ankle},   {"*Eye", eye},           {"*Ear", ear},           {"*BigToe", toe_tip},
     {"*SmallToe", foot}, {"*Heel", heel},
+};
+
+// HALPE_26, the keypoints of Pose2Sim's usual model.
+constexpr MarkerName halpe_26[] = {
+    {"Nose", nose},       {"Neck", mid_shoulders}, {"Head", head_top}, {"*Shoulder", shoulder},
+    {"*Elbow", elbow},    {"*Wrist", wrist},       {"Hip", mid_hips},  {"*Hip", hip},
+    {"*Knee", knee},      {"*Ankle", ankle},       {"*Eye", eye},      {"*Ear", ear},
+    {"*BigToe", toe_tip}, {"*SmallToe", foot},     {"*Heel", heel},
 };
 
 // Microsoft Kinect for Windows v2 and Azure Kinect.
@@ -221,63 +333,28 @@ constexpr MarkerName joint_centres[] = {
 };
 
 constexpr MarkerNames sets[] = {
-    {"Plug-in Gait", plug_in_gait},   {"CMU 41 markers", cmu},
-    {"IOR (Leardini 2007)", rizzoli}, {"OpenSim gait", opensim},
-    {"canonical body", canonical},    {"SMPL joints", smpl},
-    {"Human3.6M joints", human36m},   {"COCO keypoints", coco},
-    {"BODY_25 keypoints", body_25},   {"MediaPipe landmarks", media_pipe},
-    {"Kinect joints", kinect},        {"Azure Kinect joints", azure_kinect},
-    {"OptiTrack bones", optitrack},   {"joint centres", joint_centres},
-};
-
-constexpr MarkerName common[] = {
-    {"*HJC", hip},
-    {"*KJC", knee},
-    {"*AJC", ankle},
-    {"*SJC", shoulder},
-    {"*EJC", elbow},
-    {"*WJC", wrist},
-    {"*LFC", outer_knee},  // lateral and medial condyle of the femur
-    {"*MFC", inner_knee},
-    {"*LKNE", outer_knee},
-    {"*MKNE", inner_knee},
-    {"*KNM", inner_knee},
-    {"*KNEM", inner_knee},
-    {"*LMAL", outer_ankle},
-    {"*MMAL", inner_ankle},
-    {"*MANK", inner_ankle},
-    {"*ANKM", inner_ankle},
-    {"*MELB", inner_elbow},
-    {"*ELBM", inner_elbow},
-    {"*CAL", heel},
-    {"*MT1", first_metatarsal},
-    {"*MT2", second_metatarsal},
-    {"*MT5", fifth_metatarsal},
-    {"*D1M", first_metatarsal},
-    {"*D5M", fifth_metatarsal},
-    {"*TH1", thigh},
-    {"*TH2", thigh},
-    {"*TH3", thigh},
-    {"*TH4", thigh},
-    {"*THAP", thigh},
-    {"*THAD", thigh},
-    {"*THI", thigh},
-    {"*TB1", shank},
-    {"*TB2", shank},
-    {"*TB3", shank},
-    {"*TB4", shank},
-    {"*TIB", shank},
-    {"*TIAP", shank},
-    {"*TIAD", shank},
-    {"*ICR", iliac_crest},
-    {"*ILC", iliac_crest},
-    {"*GTR", trochanter},
+    {"Plug-in Gait", plug_in_gait},
+    {"CMU 41 markers", cmu},
+    {"IOR (Leardini 2007)", rizzoli},
+    {"OpenSim gait", opensim},
+    {"OptiTrack markers", optitrack_baseline},
+    {"Qualisys markers", qualisys},
+    {"OpenCap", opencap},
+    {"canonical body", canonical},
+    {"SMPL joints", smpl},
+    {"Human3.6M joints", human36m},
+    {"COCO keypoints", coco},
+    {"BODY_25 keypoints", body_25},
+    {"HALPE_26 keypoints", halpe_26},
+    {"MediaPipe landmarks", media_pipe},
+    {"Kinect joints", kinect},
+    {"Azure Kinect joints", azure_kinect},
+    {"OptiTrack bones", optitrack},
+    {"joint centres", joint_centres},
 };
 
 }  // namespace
 
 std::span<const MarkerNames> known_marker_sets() { return sets; }
-
-std::span<const MarkerName> common_marker_names() { return common; }
 
 }  // namespace mien::motion

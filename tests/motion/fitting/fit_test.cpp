@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "motion/fitting/virtual_points.h"
+#include "motion/fitting/virtual_marker_sets.h"
 #include "motion/gait/contact.h"
 #include "motion/procedural/expressive_walks.h"
 #include "motion/refusal.h"
@@ -99,7 +99,11 @@ std::vector<KnownSet> all_sets() {
           {"Plug-in Gait", plug_in_gait_markers(), 30.0},
           {"CMU 41 markers", cmu_markers(), 30.0},
           {"IOR (Leardini 2007)", rizzoli_markers(), 30.0},
-          {"OpenSim gait", cluster_markers(), 30.0}};
+          {"OpenSim gait", cluster_markers(), 30.0},
+          {"OptiTrack markers", optitrack_markers(), 30.0},
+          {"Qualisys markers", qualisys_markers(), 30.0},
+          {"OpenCap", opencap_markers(), 30.0},
+          {"HALPE_26 keypoints", halpe_26_keypoints(), 15.0}};
 }
 
 TEST(Fit, FindsTheJointsOfAWalkInEverySet) {
