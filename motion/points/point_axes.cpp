@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -148,6 +149,54 @@ Vec3 upward_by_shape(const PointRecording& recording) {
   return best;
 }
 
+/// Height of the lowest and extent of the points along a direction, metres: 3rd and 75th percentile
+/// over the frames; none if nothing is seen.
+std::optional<Extent> usual_extent(const PointRecording& recording, const Vec3& direction,
+                                   double metres_per_unit) {
+  std::vector<double> lows;
+  std::vector<double> sizes;
+  for (const Extent& extent : extents(recording, direction)) {
+    lows.push_back(extent.low * metres_per_unit);
+    sizes.push_back((extent.high - extent.low) * metres_per_unit);
+  }
+  if (lows.empty()) return std::nullopt;
+  const double low = percentile(lows, low_percent);
+  return Extent{low, low + percentile(sizes, 75.0)};
+}
+
+/// Whether the lowest points keep one level, as on a floor, and not as of someone who walks by.
+bool is_level(const PointRecording& recording, const Vec3& direction, double metres_per_unit) {
+  constexpr double most = 0.15;  // metres
+  std::vector<double> lows;
+  for (const Extent& extent : extents(recording, direction)) lows.push_back(extent.low);
+  return spread(lows) * metres_per_unit < most;
+}
+
+bool is_at_zero(double lowest) { return lowest > -0.02 && lowest < 0.12; }
+
+/// The axis that is up although the body does not stand along it: +Y or +Z if the points begin at
+/// its zero in all frames, as on the floor of a laboratory, and the body either lies (its extent is
+/// less than half of that along `body`) or is upside down (`body` is the opposite). Keypoints with
+/// y down have their zero at the camera, so that upside down counts only in files of laboratories.
+std::optional<UpAxis> up_by_floor(const PointRecording& recording, const UpAxis& body,
+                                  double metres_per_unit) {
+  const std::optional<Extent> along = usual_extent(recording, body.direction, metres_per_unit);
+  if (!along || is_at_zero(along->low)) return std::nullopt;
+  const bool is_of_laboratory = recording.format == "c3d" || recording.format == "trc";
+  for (const UpAxis& axis : up_axes()) {
+    if (std::string_view(axis.name) != "+Y" && std::string_view(axis.name) != "+Z") continue;
+    const double cosine = axis.direction.dot(body.direction);
+    if (cosine > 0.5) continue;
+    const std::optional<Extent> extent = usual_extent(recording, axis.direction, metres_per_unit);
+    if (!extent || !is_at_zero(extent->low)) continue;
+    if (!is_level(recording, axis.direction, metres_per_unit)) continue;
+    const bool lies = extent->high - extent->low < 0.5 * (along->high - along->low);
+    const bool is_upside_down = cosine < -0.5 && is_of_laboratory;
+    if (lies || is_upside_down) return axis;
+  }
+  return std::nullopt;
+}
+
 /// The unit of a file that states none, from the body's height in it.
 void guess_metres(double height, PointAxes& axes) {
   axes.is_unit_guessed = true;
@@ -171,31 +220,27 @@ PointAxes point_axes(const PointRecording& recording) {
   const std::optional<Vec3> named = upward_by_names(recording);
   const bool is_named = named && named->norm() > 0.0;
   const Vec3 upward = is_named ? *named : upward_by_shape(recording);
-  Vec3 up = Vec3::UnitY();
-  double most = 0.0;
-  for (const UpAxis& axis : up_axes()) {
-    const double along = axis.direction.dot(upward);
-    if (along <= most) continue;
-    most = along;
-    axes.up = axis.name;
-    axes.turn = axis.turn;
-    up = axis.direction;
-  }
-  std::vector<double> heights;
-  std::vector<double> lows;
-  for (const Extent& extent : extents(recording, up)) {
-    heights.push_back(extent.high - extent.low);
-    lows.push_back(extent.low);
-  }
+  UpAxis up = up_axes().front();
+  for (const UpAxis& axis : up_axes())
+    if (axis.direction.dot(upward) > up.direction.dot(upward)) up = axis;
   axes.metres_per_unit = recording.metres_per_unit;
   if (!(axes.metres_per_unit > 0.0)) {
     axes.metres_per_unit = 1.0;
-    guess_metres(heights.empty() ? 0.0 : percentile(heights, 75.0), axes);
+    const std::optional<Extent> body = usual_extent(recording, up.direction, 1.0);
+    guess_metres(body ? body->high - body->low : 0.0, axes);
   }
-  if (lows.empty()) return axes;
-  const double lowest = percentile(lows, low_percent) * axes.metres_per_unit;
-  const bool is_at_zero = lowest > -0.02 && lowest < 0.12;
-  if (!is_at_zero) axes.floor = lowest;
+  const std::optional<UpAxis> by_floor =
+      is_named ? up_by_floor(recording, up, axes.metres_per_unit) : std::nullopt;
+  if (by_floor) {
+    axes.note = std::string("The body lies or is upside down; ") + by_floor->name +
+                " is taken as up, because the points begin at its zero, as at a floor.";
+    axes.is_up_by_floor = true;
+    up = *by_floor;
+  }
+  axes.up = up.name;
+  axes.turn = up.turn;
+  const std::optional<Extent> extent = usual_extent(recording, up.direction, axes.metres_per_unit);
+  if (extent && !is_at_zero(extent->low)) axes.floor = extent->low;
   return axes;
 }
 

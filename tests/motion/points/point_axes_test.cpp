@@ -1,5 +1,6 @@
 #include "motion/points/point_axes.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -49,6 +50,55 @@ TEST(PointAxes, UpIsFoundFromLegsAlone) {
   for (const std::string up : {"+Y", "-Z", "+X"}) {
     EXPECT_EQ(point_axes(with_up(recorded(truth(), legs), up)).up, up);
   }
+}
+
+/// Someone who stands still, turned about the left-right axis so that `+Y` of the body becomes
+/// the direction (0, cos, sin), with the lowest point 2 cm above the floor.
+PointRecording still(double degrees) {
+  Clip clip = truth();
+  clip.poses.assign(30, clip.poses.front());
+  PointRecording recording = recorded(clip, plug_in_gait_markers());
+  const Quat turn = exp(Vec3(degrees * radians_per_degree, 0, 0));
+  double lowest = 1e9;
+  for (Vec3& p : recording.positions) {
+    p = turn * p;
+    lowest = std::min(lowest, p.y());
+  }
+  for (Vec3& p : recording.positions) p.y() += 0.02 - lowest;
+  return recording;
+}
+
+TEST(PointAxes, WhoLiesOnTheFloorIsNotMadeToStand) {
+  for (const double degrees : {90.0, -90.0}) {  // on the face, on the back
+    const PointRecording lying = still(degrees);
+    const PointAxes axes = point_axes(lying);
+    EXPECT_EQ(axes.up, "+Y");
+    EXPECT_NE(axes.note.find("lies or is upside down"), std::string::npos);
+    EXPECT_EQ(point_axes(with_up(lying, "+Z")).up, "+Z");
+  }
+  EXPECT_EQ(point_axes(still(0.0)).up, "+Y");
+  EXPECT_EQ(point_axes(still(0.0)).note, "");
+}
+
+TEST(PointAxes, WhoWalksAwayFromTheOriginDoesNotLie) {
+  // A walk along +Z whose root is at the origin in the first frame: its feet are below zero.
+  PointRecording walk = recorded(truth(), plug_in_gait_markers());
+  const Vec3 first = walk.positions.front();
+  const Quat turn(Eigen::AngleAxisd(-0.65, Vec3::UnitY()));
+  for (Vec3& p : walk.positions) p = turn * (p - first) + Vec3(0, 0.5, 0.1);
+  EXPECT_EQ(point_axes(walk).up, "+Y");
+  EXPECT_EQ(point_axes(with_up(walk, "+Z")).up, "+Z");
+}
+
+TEST(PointAxes, WhoStandsOnTheHandsIsToldByTheFloorOfALaboratory) {
+  PointRecording upside_down = still(180.0);
+  EXPECT_EQ(point_axes(upside_down).up, "-Y") << "as of a camera at the height of the head";
+  upside_down.format = "c3d";
+  EXPECT_EQ(point_axes(upside_down).up, "+Y");
+  EXPECT_EQ(point_axes(with_up(upside_down, "+Z")).up, "+Z");
+  PointRecording y_down = with_up(recorded(truth(), plug_in_gait_markers()), "-Y");
+  y_down.format = "c3d";
+  EXPECT_EQ(point_axes(y_down).up, "-Y") << "no floor at 0 above";
 }
 
 TEST(PointAxes, BringPointsToYUpInMetresWithTheirHeading) {
