@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "motion/formats/numpy/array_rate.h"
-#include "motion/points/joint_orders.h"
 #include "motion/formats/numpy/npz.h"
 #include "motion/formats/reading/recording_limits.h"
+#include "motion/points/joint_orders.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
@@ -24,6 +24,8 @@ constexpr std::string_view save_positions =
     "save the positions of J joints in T frames as an array of T × J × 3";
 constexpr std::size_t humanml3d_joints = 22;
 constexpr double humanml3d_rate = 20.0;
+constexpr std::string_view name_arrays[] = {"names",         "joint_names",  "labels",
+                                            "marker_labels", "marker_names", "keypoints"};
 
 /// Frames, joints and coordinates, without leading extents of 1.
 struct Extents {
@@ -73,12 +75,13 @@ std::string positions_name(const Npz& outlines) {
               save_positions);
 }
 
-/// The array, and the rates where it stands in an .npz file.
+/// The array, and the rates and names where it stands in an .npz file.
 Npz positions_in(std::string_view bytes, const std::string& file) {
   if (!bytes.starts_with("PK")) return {file, {parse_npy(bytes, file)}};
   const std::string name = positions_name(parse_npz(bytes, file, WantedArrays(std::in_place)));
   std::vector<std::string_view> wanted = rate_array_names();
   wanted.push_back(name);
+  wanted.insert(wanted.end(), std::begin(name_arrays), std::end(name_arrays));
   Npz npz = parse_npz(bytes, file, wanted);
   const auto found = std::find_if(npz.arrays.begin(), npz.arrays.end(),
                                   [&](const NpyArray& array) { return array.name == name; });
@@ -137,8 +140,22 @@ const JointOrder* order_by_count(const PointRecording& recording, std::size_t jo
   return nullptr;
 }
 
-void set_names(PointRecording& recording, std::size_t joints, const ReadOptions& options,
-               const std::string& file) {
+/// The names of the joints that stand beside their positions; empty if there are none.
+std::vector<std::string> stated_names(const Npz& npz, std::size_t joints) {
+  for (const std::string_view name : name_arrays) {
+    const NpyArray* const array = find_array(npz, name);
+    if (!array || array->size() != joints || (array->type.kind != 'U' && array->type.kind != 'S'))
+      continue;
+    std::vector<std::string> names = texts_of(*array, {npz.file});
+    const std::set<std::string> distinct(names.begin(), names.end());
+    if (distinct.size() == joints && !distinct.contains("")) return names;
+  }
+  return {};
+}
+
+void set_names(PointRecording& recording, std::size_t joints, const Npz& npz,
+               const ReadOptions& options) {
+  const std::string& file = npz.file;
   const std::vector<std::string>& given = options.joints;
   const JointOrder* const named = given.size() == 1 ? joint_order(given.front()) : nullptr;
   if (!given.empty() && !named) {
@@ -152,6 +169,8 @@ void set_names(PointRecording& recording, std::size_t joints, const ReadOptions&
     recording.points = given;
     return;
   }
+  if (given.empty()) recording.points = stated_names(npz, joints);
+  if (!recording.points.empty()) return;
   const JointOrder* const order = named ? named : order_by_count(recording, joints);
   if (!order)
     throw Error({file}, "the order of its " + std::to_string(joints) + " joints is not known",
@@ -170,14 +189,14 @@ void set_names(PointRecording& recording, std::size_t joints, const ReadOptions&
                               "; another can be named with joints:.");
 }
 
-void set_rate(PointRecording& recording, std::size_t joints, const Npz& npz,
+void set_rate(PointRecording& recording, bool is_taken_as_humanml3d, const Npz& npz,
               const ReadOptions& options) {
   if (options.frames_per_second) {
     recording.frames_per_second = checked_rate(*options.frames_per_second, npz.file);
     return;
   }
   std::optional<double> rate = stated_rate(npz);
-  if (!rate && joints == humanml3d_joints && options.joints.empty()) {
+  if (!rate && is_taken_as_humanml3d) {
     rate = humanml3d_rate;
     recording.notes.push_back(
         "The file does not state its frame rate: 20 Hz, that of HumanML3D, is used.");
@@ -212,10 +231,12 @@ PointRecording parse_npy_positions(std::string_view bytes, const std::string& fi
     recording.positions[i] = position;
     recording.seen[i] = true;
   }
-  set_names(recording, extents->joints, options, file_name);
-  set_rate(recording, extents->joints, npz, options);
-  if (recording.points.front() == "pelvis" && extents->joints == humanml3d_joints &&
-      options.joints.empty()) {
+  const bool is_taken_as_humanml3d = extents->joints == humanml3d_joints &&
+                                     options.joints.empty() &&
+                                     stated_names(npz, extents->joints).empty();
+  set_names(recording, extents->joints, npz, options);
+  set_rate(recording, is_taken_as_humanml3d, npz, options);
+  if (is_taken_as_humanml3d) {
     recording.unit = "m";
     recording.metres_per_unit = 1.0;
   }

@@ -15,11 +15,13 @@ namespace mien::motion {
 /// in that frame.
 ///
 /// - Names: `options.joints`, J of them or the name of one known order (joint_orders.h). Otherwise
-///   by J: 22 HumanML3D, 24 SMPL, 17 Human3.6M, 33 MediaPipe, which is noted. Of the two known
-///   orders of 25, Kinect and BODY_25, it is the one whose bones keep their lengths better over the
-///   frames and are shorter, if that is clear.
+///   those in an array of J texts in the same .npz file (names, joint_names, labels, marker_labels,
+///   marker_names or keypoints), if they all differ. Otherwise by J: 22 HumanML3D, 24 SMPL, 17
+///   Human3.6M, 33 MediaPipe, which is noted. Of the two known orders of 25, Kinect and BODY_25, it
+///   is the one whose bones keep their lengths better over the frames and are shorter, if that is
+///   clear.
 /// - Rate: `options.frames_per_second`, or that stated in an .npz file (array_rate.h). 22 joints
-///   have 20 Hz, HumanML3D's rate, and metres, which is noted.
+///   without names have 20 Hz, HumanML3D's rate, and metres, which is noted.
 ///
 /// Throws mien::Error, naming the array and its shape, for arrays of HumanML3D or KIT-ML features
 /// (T × 263, T × 251), two-dimensional positions (T × J × 2), other shapes, Python objects, numbers

@@ -208,7 +208,8 @@ class LongReader {
     note_left_out(columns_.left_out, recording.notes);
     if (partial_ > 0)
       recording.notes.push_back("In " + std::to_string(partial_) +
-                                " rows only one or two coordinates are given; the point is taken "
+                                (partial_ == 1 ? " row" : " rows") +
+                                " only one or two coordinates are given; the point is taken "
                                 "as missing there.");
     if (other_trajectories_ > 0)
       recording.notes.push_back("Rows of other trajectories than " +

@@ -1,7 +1,6 @@
 #include "motion/formats/table/point_table.h"
 
 #include <algorithm>
-#include <array>
 
 #include "motion/formats/table/long_table.h"
 #include "motion/formats/table/point_names.h"
@@ -115,12 +114,6 @@ PointRecording read_named_rows(TableRows& rows, const ReadOptions& options) {
   if (columns.points.empty()) columns = columns_of_rows(rows);
   skip_units(rows, columns);
   return read_wide_rows(rows, std::move(columns), options);
-}
-
-bool is_nexus_section(std::string_view field) {
-  constexpr std::array<std::string_view, 5> sections = {"Trajectories", "Joints", "Segments",
-                                                        "Devices", "Model Outputs"};
-  return std::ranges::any_of(sections, [&](std::string_view s) { return same_word(s, field); });
 }
 
 PointRecording read_qualisys(TableRows& rows, const ReadOptions& options) {

@@ -22,8 +22,12 @@ WideColumns motive_columns(TableRows& rows);
 /// NO_OF_FRAMES, or −1.
 WideColumns qualisys_columns(TableRows& rows, std::int64_t* declared_frames);
 
+/// Whether the word begins a section of a CSV of Vicon Nexus, in a row of its own.
+bool is_nexus_section(std::string_view word);
+
 /// CSV of Vicon Nexus: sections, of which "Trajectories" has a row with the frame rate, one with
-/// the names of points over their x, the axes, and the units. Goes to that section.
+/// the names of points over their x, the axes, and the units. Goes to that section; notes which
+/// sections stand before it.
 WideColumns nexus_columns(TableRows& rows);
 
 }  // namespace mien::motion

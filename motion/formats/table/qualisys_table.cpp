@@ -105,9 +105,20 @@ WideColumns qualisys_columns(TableRows& rows, std::int64_t* declared_frames) {
   return columns;
 }
 
+bool is_nexus_section(std::string_view word) {
+  constexpr std::array<std::string_view, 6> sections = {"Trajectories", "Joints", "Segments",
+                                                        "Devices",      "Events", "Model Outputs"};
+  return std::ranges::any_of(sections, [&](std::string_view s) { return same_word(s, word); });
+}
+
 WideColumns nexus_columns(TableRows& rows) {
+  std::vector<std::string> others;
   bool has_row = true;
-  while (has_row && !same_word(rows.field(0), "Trajectories")) has_row = rows.next();
+  for (; has_row && !same_word(rows.field(0), "Trajectories"); has_row = rows.next()) {
+    const std::string word(rows.field(0));
+    if (is_nexus_section(word) && std::ranges::find(others, word) == others.end())
+      others.push_back(word);
+  }
   if (!has_row || !rows.next())
     rows.refuse(0, "holds no section \"Trajectories\"", "export the trajectories from Nexus");
   const std::optional<double> rate = as_written_number(rows.field(0));
@@ -120,6 +131,9 @@ WideColumns nexus_columns(TableRows& rows) {
   WideColumns columns = wide_columns(header[0], header[1]);
   columns.rate = rate;
   columns.may_end_at_text = true;
+  if (!others.empty())
+    columns.notes.push_back(
+        "Only the section \"Trajectories\" is read; others were left out: " + listed(others) + ".");
   std::erase_if(columns.left_out, [](const std::string& name) { return name == "Sub Frame"; });
   for (const std::string& word : header[2])
     if (!columns.unit) columns.unit = length_unit(word);

@@ -12,6 +12,11 @@ namespace mien::motion {
 
 namespace {
 
+/// "In 3 places"
+std::string in_places(std::size_t count) {
+  return "In " + std::to_string(count) + (count == 1 ? " place" : " places");
+}
+
 /// Reads the rows of a table in which a row is a frame.
 class WideReader {
  public:
@@ -165,16 +170,15 @@ class WideReader {
     recording.notes.insert(recording.notes.end(), timing.notes.begin(), timing.notes.end());
     note_left_out(columns_.left_out, recording.notes);
     if (partial_ > 0)
-      recording.notes.push_back("In " + std::to_string(partial_) +
-                                " places only one or two coordinates of a point are given; the "
+      recording.notes.push_back(in_places(partial_) +
+                                " only one or two coordinates of a point are given; the "
                                 "point is taken as missing there.");
     if (at_origin_ > 0 && columns_.is_missing_at_origin)
-      recording.notes.push_back(
-          "In " + std::to_string(at_origin_) +
-          " places a point is at exactly 0 0 0; it is taken as missing there.");
+      recording.notes.push_back(in_places(at_origin_) +
+                                " a point is at exactly 0 0 0; it is taken as missing there.");
     if (at_origin_ > 0 && !columns_.is_missing_at_origin)
-      recording.notes.push_back("In " + std::to_string(at_origin_) +
-                                " places a point is at exactly 0 0 0, which is taken as its "
+      recording.notes.push_back(in_places(at_origin_) +
+                                " a point is at exactly 0 0 0, which is taken as its "
                                 "position; leave the cells empty if it is missing.");
   }
 

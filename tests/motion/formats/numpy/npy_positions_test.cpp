@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/points/joint_orders.h"
 #include "motion/formats/numpy/numpy_files.h"
+#include "motion/points/joint_orders.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/refusal.h"
 #include "motion/skeleton/clip.h"
@@ -137,6 +137,31 @@ TEST(NpyPositions, NamesMayBeGiven) {
   EXPECT_EQ(parse_npy_positions(positions(2, 25), "a.npy", options).points[20], "spine_shoulder");
   EXPECT_TRUE(
       has(refused(positions(2, 24), options), "kinect has 25 joints, but the array holds 24"));
+}
+
+TEST(NpyPositions, NamesBesideTheArrayAreUsed) {
+  const std::vector<std::string> names = {"RightHip", "LeftHip", "Pelvis"};
+  const auto read = [](const std::string& npz, const ReadOptions& how = {}) {
+    return parse_npy_positions(npz, "a.npz", how);
+  };
+  const ZipMember joints = {"joints", positions(2, 3)};
+  const ZipMember rate = {"fps", npy_f8("()", {50})};
+  EXPECT_EQ(read(npz_file({joints, rate, {"names", npy_text(names, 8)}})).points, names);
+  EXPECT_EQ(read(npz_file({{"labels", npy_text(names, 8)}, joints, rate})).points, names);
+  ReadOptions given;
+  given.joints = {"a", "b", "c"};
+  EXPECT_EQ(read(npz_file({joints, rate, {"names", npy_text(names, 8)}}), given).points,
+            given.joints);
+  // Two names for three joints, or one name twice, name nothing.
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"a", "b"}, {"a", "a", "b"}})
+    EXPECT_TRUE(has(refused(npz_file({joints, rate, {"names", npy_text(wrong, 8)}})),
+                    "the order of its 3 joints is not known"));
+  // 22 joints with names of their own are not taken for HumanML3D's: the rate must be given.
+  std::vector<std::string> own;
+  for (int i = 0; i < 22; ++i) own.push_back("joint" + std::to_string(i));
+  EXPECT_TRUE(has(refused(npz_file({{"j", positions(2, 22)}, {"names", npy_text(own, 8)}}), {}),
+                  "does not state its frame rate"));
 }
 
 TEST(NpyPositions, WhatIsNoNumberIsMissing) {

@@ -161,7 +161,7 @@ TEST(PointTable, MissingPositionsAreNotAtTheOrigin) {
   ASSERT_EQ(recording.frame_count(), 7);
   EXPECT_EQ(recording.seen, (std::vector<bool>{true, false, false, false, false, false, true}));
   for (int f = 1; f < 6; ++f) EXPECT_EQ(recording.positions[recording.at(f, 0)], Vec3::Zero());
-  EXPECT_TRUE(is_noted(recording, "In 1 places only one or two coordinates"));
+  EXPECT_TRUE(is_noted(recording, "In 1 place only one or two coordinates"));
 }
 
 TEST(PointTable, RowsMayEndShort) {
@@ -377,6 +377,21 @@ TEST(PointTable, NexusExportsAreRead) {
   EXPECT_EQ(recording.unit, "mm");
   EXPECT_EQ(recording.frame_count(), 2);
   EXPECT_TRUE(is_noted(recording, "\"Model Outputs\" follows"));
+}
+
+TEST(PointTable, NexusExportsWithEventsAndDevicesBeforeTheTrajectoriesAreRead) {
+  const std::string before =
+      "Events\n100\nSubject,Context,Name,Time (s),Description\nP,Left,Foot Strike,0.5,\n\n"
+      "Devices\n1000\n,,Force plate,,\nFrame,Sub Frame,Fx,Fy,Fz\n,,N,N,N\n5,0,1,2,3\n\n";
+  const std::string text =
+      before +
+      "Trajectories\n100\n,,P:LASI,,\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n5,0,1,2,3\n6,0,4,5,6\n";
+  const PointRecording recording = parse_point_table(text, "walk.csv");
+  EXPECT_EQ(recording.points, std::vector<std::string>{"LASI"});
+  EXPECT_EQ(recording.frame_count(), 2);
+  EXPECT_EQ(recording.positions[1], Vec3(4, 5, 6));
+  EXPECT_TRUE(is_noted(recording, "others were left out: \"Events\", \"Devices\"") ||
+              is_noted(recording, "others were left out: Events, Devices"));
 }
 
 TEST(PointTable, LongTablesMayBeInAnyOrder) {
