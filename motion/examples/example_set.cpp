@@ -8,6 +8,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/glob.h"
 #include "motion/text/nearest_word.h"
@@ -113,6 +114,12 @@ size_t shared_length(std::span<const std::string> stems, bool reversed) {
   return shared;
 }
 
+/// Whether the pattern matches the name by its ending, as "*.csv" and "*.{csv,npz}" do.
+bool names_ending(const std::string& pattern, const std::string& name) {
+  const fs::path other = fs::path(name).replace_extension(".any-other-ending");
+  return matches_glob(pattern, name) && !matches_glob(pattern, other.string());
+}
+
 }  // namespace
 
 std::vector<fs::path> example_files(const ExampleFolder& folder) {
@@ -126,8 +133,7 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
   for (const fs::directory_entry& entry : entries) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with('.')) continue;  // hidden: macOS puts "._walk.bvh" beside "walk.bvh"
-    const bool is_named =
-        is_motion_file(entry.path()) && folder.include.ends_with(entry.path().extension().string());
+    const bool is_named = is_motion_file(entry.path()) && names_ending(folder.include, name);
     if (!entry.is_regular_file() || !(is_named || is_found_as_motion(entry.path()))) continue;
     if (!matches_glob(folder.include, name)) continue;
     if (!folder.exclude.empty() && matches_glob(folder.exclude, name)) continue;
@@ -144,7 +150,7 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
 
 std::vector<std::string> example_names(const ExampleFolder& folder) {
   std::vector<std::string> stems;
-  for (const fs::path& file : example_files(folder)) stems.push_back(file.stem().string());
+  for (const fs::path& file : example_files(folder)) stems.push_back(recording_name(file));
   return names_of(folder, stems);
 }
 
@@ -159,7 +165,7 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
     for (const std::string& note : recordings.back().notes) {
       loaded.warnings.push_back(file.filename().string() + ": " + note);
     }
-    loaded.file_stems.push_back(file.stem().string());
+    loaded.file_stems.push_back(recording_name(file));
   }
   const std::vector<std::string> names = names_of(folder, loaded.file_stems);
   const std::vector<BodyMapping> mappings = mappings_of(recordings);

@@ -35,6 +35,28 @@ TEST(ExampleSet, LeavesHiddenFilesOut) {
   EXPECT_EQ(example_files(folder), (std::vector<fs::path>{folder.path / "walk.bvh"}));
 }
 
+TEST(ExampleSet, TakesTablesOnlyByTheirEnding) {
+  ExampleFolder folder;
+  folder.path = fs::path(testing::TempDir()) / "mien-folder-with-tables";
+  fs::create_directories(folder.path);
+  for (const char* name : {"a.bvh", "b.bvh.gz", "answers.csv", "t.npz", "u.csv.gz"})
+    std::ofstream(folder.path / name) << "x";
+  const auto found = [&](const std::string& include) {
+    folder.include = include;
+    std::vector<std::string> names;
+    for (const fs::path& file : example_files(folder)) names.push_back(file.filename().string());
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(found("*"), (Names{"a.bvh", "b.bvh.gz"}));
+  EXPECT_EQ(found("{a,b,t,u}*"), (Names{"a.bvh", "b.bvh.gz"}));
+  EXPECT_EQ(found("*.csv"), Names{"answers.csv"});
+  EXPECT_EQ(found("*.{npz,bvh}"), (Names{"a.bvh", "t.npz"}));
+  EXPECT_EQ(found("{*.npz,*.csv.gz}"), (Names{"t.npz", "u.csv.gz"}));
+  folder.include = "*.bvh*";
+  EXPECT_EQ(example_names(folder), (Names{"a", "b"}));
+}
+
 class RealExamples : public testing::Test {
  protected:
   void SetUp() override {
