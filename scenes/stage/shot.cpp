@@ -180,6 +180,19 @@ Action dotted_action(const Shot& shot, const PointLightOptions& options, Action 
   return action;
 }
 
+/// The figure that can be drawn of the motions. Points to which no body could be fitted have a
+/// single joint: instead of a stick figure of it, they are shown as balls.
+Figure drawable(const Figure& figure, const std::vector<Performance>& performances) {
+  const motion::Clip& clip = performances.front().clip;
+  const bool are_points_alone = performances.size() == 1 && clip.body.joints.size() == 1 &&
+                                motion::markers_of(clip) != nullptr;
+  if (!std::holds_alternative<StickOptions>(figure) || !are_points_alone) return figure;
+  MarkersOptions balls;
+  balls.dots.size_m = 0.03;
+  balls.dots.colour = "#404850";
+  return balls;
+}
+
 }  // namespace
 
 motion::Vec3 mean_step(const motion::Clip& clip) {
@@ -215,6 +228,7 @@ Shot stage(const motion::Clip& clip, const Look& look) {
 
 Shot stage(const std::vector<Performance>& performances, const Look& given) {
   Look look = given;
+  look.figure = drawable(given.figure, performances);
   const bool together = performances.size() > 1;
   const std::string not_together = kind_of(look.figure).not_in_overlays;
   if (together && !not_together.empty())

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/refusal.h"
+#include "motion/skeleton/clip_markers.h"
 #include "scenes/marked_clip.h"
 #include "scenes/stage/shot.h"
 
@@ -277,6 +278,16 @@ TEST_F(MarkerDots, OfSeveralMotionsAreNotShownTogether) {
   const std::vector<Performance> two = {{.name = "a", .clip = clip}, {.name = "b", .clip = clip}};
   EXPECT_NE(mien::test::refusal_of([&] { scenes::stage(two, look); }).find("told apart"),
             std::string::npos);
+}
+
+TEST_F(MarkerDots, StandForAStickFigureOfPointsWithoutABody) {
+  const motion::Markers* const markers = motion::markers_of(clip);
+  ASSERT_NE(markers, nullptr);
+  const motion::Clip points = motion::clip_of_markers("points", 60.0, *markers);
+  Look look;
+  look.figure = StickOptions{};
+  EXPECT_EQ(scenes::stage(points, look).actors.front().dots.size(), test::carriers().size());
+  EXPECT_TRUE(scenes::stage(clip, look).actors.front().dots.empty()) << "a body is drawn as one";
 }
 
 }  // namespace
