@@ -101,20 +101,25 @@ void show_cycles(const motion::MotionSummary& summary, const Console& console) {
   }
 }
 
-void show_text(const motion::MotionSummary& summary, const Console& console) {
+void show_rig(const motion::MotionSummary& summary, const Console& console) {
+  console.out << fmt::format("rig      {}, {} joints", summary.rig, summary.joint_names.size());
+  if (summary.is_human)
+    console.out << fmt::format(", recognised with {:.0f} % confidence", 100.0 * summary.confidence);
+  console.out << fmt::format("\nunit     {:.6g} m, up {}\n", summary.unit_m, summary.up);
+}
+
+/// Of a file of points, rig and unit are those of the body that was fitted, and tell nothing.
+void show_text(const motion::MotionSummary& summary, bool is_of_points, const Console& console) {
   console.out << fmt::format("frames   {} at {:.4g} frames per second, {:.2f} s\n", summary.frames,
                              summary.frames_per_second, summary.duration_seconds);
   if (summary.takes.size() > 1)
     console.out << fmt::format("takes    {} (showing {})\n", fmt::join(summary.takes, ", "),
                                summary.take);
-  console.out << fmt::format("rig      {}, {} joints", summary.rig, summary.joint_names.size());
-  if (summary.is_human)
-    console.out << fmt::format(", recognised with {:.0f} % confidence", 100.0 * summary.confidence);
-  console.out << fmt::format("\nunit     {:.6g} m, up {}\n", summary.unit_m, summary.up);
+  if (!is_of_points) show_rig(summary, console);
   if (summary.is_human) {
     console.out << fmt::format("figure   {:.2f} m tall, moving at {:.2f} m/s\n", summary.height_m,
                                summary.speed_m_s);
-    show_mapping(summary, console);
+    if (!is_of_points) show_mapping(summary, console);
     show_cycles(summary, console);
   }
   for (const std::string& warning : summary.warnings) console.out << "warning: " << warning << '\n';
@@ -168,7 +173,7 @@ std::size_t point_of_longest_gap(const motion::GapSummary& gaps) {
 }
 
 void show_fit(const motion::FittedMotion& fit, const Console& console) {
-  console.out << fmt::format("fit      {:.1f} mm (root mean square of all markers)",
+  console.out << fmt::format("fit      {:.1f} mm (root mean square of all points)",
                              fit.residual_mm);
   const auto worst = std::ranges::max_element(fit.points, {}, &motion::FittedPoint::residual_mm);
   if (worst != fit.points.end() && worst->residual_mm > 0.0)
@@ -176,20 +181,45 @@ void show_fit(const motion::FittedMotion& fit, const Console& console) {
   console.out << '\n';
 }
 
+std::string unit_name(double metres) {
+  if (metres == 1.0) return "m";
+  if (metres == 0.01) return "cm";
+  if (metres == 0.001) return "mm";
+  return fmt::format("{:.6g} m", metres);
+}
+
+/// "Left Foot Strike 1.00 s, Right Foot Off 1.50 s, … (12 in all)"
+std::string events_in_words(const std::vector<motion::PointEvent>& events) {
+  constexpr std::size_t most = 6;
+  std::vector<std::string> words;
+  for (const motion::PointEvent& event : events) {
+    if (words.size() == most) {
+      words.push_back(fmt::format("… ({} in all)", events.size()));
+      break;
+    }
+    words.push_back(fmt::format("{}{}{} {:.2f} s", event.context, event.context.empty() ? "" : " ",
+                                event.label, event.seconds));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
 void show_text(const PointsSummary& summary, const Console& console) {
   const motion::PointRecording& points = summary.points;
   console.out << fmt::format("points   {}, {}\n", points.point_count(),
                              summary.set.name.empty() ? "no known marker set" : summary.set.name);
-  console.out << fmt::format(
-      "axes     {} up, in {}\n", summary.axes.up,
-      points.unit.empty() ? "a unit that the file does not state" : points.unit);
+  console.out << fmt::format("axes     {} up, in {}\n", summary.axes.up,
+                             points.unit.empty()
+                                 ? "a unit that the file does not state, taken to be " +
+                                       unit_name(summary.axes.metres_per_unit)
+                                 : points.unit);
   if (summary.gaps.missing_share > 0.0)
     console.out << fmt::format("missing  {:.1f} %, longest gap {:.2f} s ({})\n",
                                100.0 * summary.gaps.missing_share, summary.gaps.longest_gap_seconds,
                                points.points[point_of_longest_gap(summary.gaps)]);
   if (!points.subjects.empty())
     console.out << fmt::format("people   {}\n", fmt::join(points.subjects, ", "));
-  if (!points.events.empty()) console.out << fmt::format("events   {}\n", points.events.size());
+  if (!points.events.empty())
+    console.out << fmt::format("events   {}\n", events_in_words(points.events));
   if (summary.fit) show_fit(*summary.fit, console);
 }
 
@@ -214,7 +244,7 @@ int show_info(const InfoOptions& options, const Console& console) {
     console.out << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
   } else {
     if (points) show_text(*points, console);
-    show_text(summary, console);
+    show_text(summary, points.has_value(), console);
   }
   return exit_done;
 }
