@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "motion/formats/fbx/fbx_layer.h"
 #include "motion/formats/fbx/fbx_values.h"
 #include "motion/text/excerpt.h"
 
@@ -12,27 +13,30 @@ namespace mien::motion {
 
 namespace {
 
-/// How the values of a layer belong to the parts of a mesh.
-enum class Mapping { none, by_corner, by_vertex, by_polygon, all_same };
-
-Mapping mapping_of(const FbxDocument& document, std::uint32_t layer) {
-  const std::uint32_t node = find_child(document, layer, "MappingInformationType");
-  const std::string_view name = node == 0 ? std::string_view() : text_of(document, node, 0);
-  if (name == "ByPolygonVertex") return Mapping::by_corner;
-  if (name == "ByVertice" || name == "ByVertex" || name == "ByControlPoint") {
-    return Mapping::by_vertex;
-  }
-  if (name == "ByPolygon") return Mapping::by_polygon;
-  return name == "AllSame" ? Mapping::all_same : Mapping::none;
-}
-
 /// What is built, and where in the file it is.
 struct MeshSource {
   const FbxScene& scene;
   std::uint32_t node = 0;  ///< that holds vertices and layers
+  size_t* left = nullptr;  ///< numbers that may still be read
   std::vector<int> polygon_of_corner{};
   std::vector<int> polygon_of_triangle{};
 };
+
+constexpr size_t most_uv_sets = 8;
+
+std::vector<std::array<float, 3>> in_threes(const std::vector<float>& numbers) {
+  std::vector<std::array<float, 3>> threes(numbers.size() / 3);
+  for (size_t i = 0; i < threes.size(); ++i) {
+    threes[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+  }
+  return threes;
+}
+
+std::vector<std::array<float, 2>> in_pairs(const std::vector<float>& numbers) {
+  std::vector<std::array<float, 2>> pairs(numbers.size() / 2);
+  for (size_t i = 0; i < pairs.size(); ++i) pairs[i] = {numbers[2 * i], numbers[2 * i + 1]};
+  return pairs;
+}
 
 std::vector<double> numbers_below(const FbxDocument& document, std::uint32_t node,
                                   std::string_view name) {
@@ -67,105 +71,77 @@ void parse_positions(const MeshSource& source, FbxMesh& mesh) {
   }
 }
 
+/// The corner of a polygon from which triangles fan out without covering what is outside of it, as
+/// far as it is small; else the first one. A polygon with one dent has such a corner, as any of
+/// four corners has.
+size_t fan_corner(const FbxMesh& mesh, size_t first, size_t size) {
+  constexpr size_t most_compared = 16;
+  if (size < 4 || size > most_compared) return 0;
+  const auto at = [&](size_t i) -> const Vec3& {
+    return mesh.positions[static_cast<size_t>(mesh.corners[first + i % size])];
+  };
+  const auto area = [&](size_t a, size_t b, size_t c) -> Vec3 {
+    return (at(b) - at(a)).cross(at(c) - at(a));
+  };
+  Vec3 whole = Vec3::Zero();
+  for (size_t i = 1; i + 1 < size; ++i) whole += area(0, i, i + 1);
+  for (size_t start = 0; start < size; ++start) {
+    bool is_inside = true;
+    for (size_t i = 1; i + 1 < size; ++i) {
+      is_inside &= area(start, start + i, start + i + 1).dot(whole) >= 0.0;
+    }
+    if (is_inside) return start;
+  }
+  return 0;
+}
+
+void add_triangles(MeshSource& source, size_t first, int polygon, FbxMesh& mesh) {
+  const size_t size = mesh.corners.size() - first;
+  const size_t start = fan_corner(mesh, first, size);
+  const auto corner = [&](size_t i) { return static_cast<int>(first + (start + i) % size); };
+  for (size_t i = 1; i + 1 < size; ++i) {
+    mesh.triangles.push_back({corner(0), corner(i), corner(i + 1)});
+    source.polygon_of_triangle.push_back(polygon);
+  }
+}
+
 /// Polygons are lists of vertices; the last one of each is stored as −index − 1.
 void parse_polygons(MeshSource& source, FbxMesh& mesh) {
   const FbxDocument& document = source.scene.document;
-  int first = 0;
+  size_t first = 0;
   int polygon = 0;
   for (const std::int64_t stored : indices_below(document, source.node, "PolygonVertexIndex")) {
     const std::int64_t vertex = stored < 0 ? -(stored + 1) : stored;
     if (vertex >= static_cast<std::int64_t>(mesh.positions.size())) {
       refuse_fbx(document, source.node, "a polygon has a vertex that does not exist");
     }
-    const int corner = static_cast<int>(mesh.corners.size());
     mesh.corners.push_back(static_cast<int>(vertex));
     source.polygon_of_corner.push_back(polygon);
-    if (corner - first >= 2) {
-      mesh.triangles.push_back({first, corner - 1, corner});
-      source.polygon_of_triangle.push_back(polygon);
-    }
     if (stored >= 0) continue;
-    first = corner + 1;
+    add_triangles(source, first, polygon, mesh);
+    first = mesh.corners.size();
     ++polygon;
   }
+  if (first < mesh.corners.size()) add_triangles(source, first, polygon, mesh);
 }
 
-/// The index of a layer's value at a corner; −1 if the layer does not say.
-std::int64_t layer_index(Mapping mapping, const std::vector<std::int64_t>& indices, size_t corner,
-                         size_t vertex, size_t polygon) {
-  const size_t at = mapping == Mapping::by_corner    ? corner
-                    : mapping == Mapping::by_vertex  ? vertex
-                    : mapping == Mapping::by_polygon ? polygon
-                                                     : 0;
-  if (indices.empty()) return static_cast<std::int64_t>(at);
-  return at < indices.size() ? indices[at] : -1;
-}
-
-void parse_uv(const MeshSource& source, FbxMesh& mesh) {
+void parse_layers(const MeshSource& source, FbxMesh& mesh) {
   const FbxDocument& document = source.scene.document;
-  const std::uint32_t layer = find_child(document, source.node, "LayerElementUV");
-  const Mapping mapping = layer == 0 ? Mapping::none : mapping_of(document, layer);
-  if (mapping == Mapping::none) return;
-  const std::vector<double> numbers = numbers_below(document, layer, "UV");
-  const std::vector<std::int64_t> indices = indices_below(document, layer, "UVIndex");
-  mesh.uv.assign(mesh.corners.size(), {0.0f, 0.0f});
-  for (size_t c = 0; c < mesh.corners.size(); ++c) {
-    const std::int64_t index =
-        layer_index(mapping, indices, c, static_cast<size_t>(mesh.corners[c]),
-                    static_cast<size_t>(source.polygon_of_corner[c]));
-    // Corners without coordinates are stored as −1.
-    if (index < 0) continue;
-    if (static_cast<size_t>(index) >= numbers.size() / 2) {
-      refuse_fbx(document, layer, "a texture coordinate does not exist");
+  const FbxCorners corners{mesh.corners, source.polygon_of_corner};
+  for (std::uint32_t layer = first_child(source.node); layer < document.nodes[source.node].end;
+       layer = document.nodes[layer].end) {
+    const std::string_view name = document.nodes[layer].name;
+    mesh.has_colours |= name == "LayerElementColor";
+    if (name == "LayerElementNormal" && mesh.normals.empty()) {
+      mesh.normals = in_threes(layer_values(document, layer, corners, normal_layer));
     }
-    const auto at = static_cast<size_t>(index);
-    mesh.uv[c] = {static_cast<float>(numbers[2 * at]), static_cast<float>(numbers[2 * at + 1])};
+    if (name != "LayerElementUV" || mesh.uv_sets.size() == most_uv_sets) continue;
+    count(source.scene, layer, mesh.corners.size(), *source.left);
+    const std::uint32_t own_name = find_child(document, layer, "Name");
+    FbxUvSet set{own_name == 0 ? "" : decoded(document, text_of(document, own_name, 0)),
+                 in_pairs(layer_values(document, layer, corners, uv_layer))};
+    if (!set.uv.empty()) mesh.uv_sets.push_back(std::move(set));
   }
-}
-
-/// The file name and the bytes of a texture's picture.
-void parse_picture(const FbxScene& scene, int texture, FbxMaterial& material) {
-  const FbxObjects& objects = scene.objects;
-  const auto name_of = [&](int object) {
-    for (const std::string_view name : {"RelativeFilename", "FileName", "Filename"}) {
-      const std::uint32_t node =
-          find_child(scene.document, objects.objects[static_cast<size_t>(object)].node, name);
-      if (node == 0) continue;
-      std::string path = decoded(scene.document, text_of(scene.document, node, 0));
-      if (!path.empty()) return path;
-    }
-    return std::string();
-  };
-  material.picture = name_of(texture);
-  for (const int c : objects.to[static_cast<size_t>(texture)]) {
-    const int video = objects.connections[static_cast<size_t>(c)].child;
-    const FbxObject& object = objects.objects[static_cast<size_t>(video)];
-    if (object.kind != "Video") continue;
-    if (material.picture.empty()) material.picture = name_of(video);
-    const std::uint32_t node = find_child(scene.document, object.node, "Content");
-    const std::optional<FbxValue> value =
-        node == 0 ? std::nullopt : value_at(scene.document, node, 0);
-    if (value && value->kind == FbxValue::Kind::raw) material.contents = value->text;
-  }
-}
-
-FbxMaterial parse_material(const FbxScene& scene, int object) {
-  const FbxObject& given = scene.objects.objects[static_cast<size_t>(object)];
-  FbxMaterial material;
-  material.name = given.name;
-  for (const FbxProperty& property : properties_of(scene.document, given.node)) {
-    if (property.name == "DiffuseColor" && property.count == 3) {
-      material.colour = {property.numbers[0], property.numbers[1], property.numbers[2]};
-    }
-  }
-  for (const int c : scene.objects.to[static_cast<size_t>(object)]) {
-    const FbxConnection& connection = scene.objects.connections[static_cast<size_t>(c)];
-    const FbxObject& child = scene.objects.objects[static_cast<size_t>(connection.child)];
-    if (child.kind != "Texture" || connection.property != "DiffuseColor") continue;
-    parse_picture(scene, connection.child, material);
-    break;
-  }
-  return material;
 }
 
 void parse_materials(const MeshSource& source, FbxMesh& mesh) {
@@ -174,14 +150,14 @@ void parse_materials(const MeshSource& source, FbxMesh& mesh) {
   for (const int c : scene.objects.to[static_cast<size_t>(model_object)]) {
     const int child = scene.objects.connections[static_cast<size_t>(c)].child;
     if (scene.objects.objects[static_cast<size_t>(child)].kind == "Material") {
-      mesh.materials.push_back(parse_material(scene, child));
+      mesh.materials.push_back(child);
     }
   }
   if (mesh.materials.empty()) return;
   mesh.triangle_materials.assign(mesh.triangles.size(), 0);
   const std::uint32_t layer = find_child(scene.document, source.node, "LayerElementMaterial");
-  if (layer == 0 || mapping_of(scene.document, layer) != Mapping::by_polygon) return;
-  const std::vector<std::int64_t> indices = indices_below(scene.document, layer, "Materials");
+  if (layer == 0) return;
+  const std::vector<std::int64_t> indices = material_indices(scene.document, layer);
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto polygon = static_cast<size_t>(source.polygon_of_triangle[t]);
     const std::int64_t index = polygon < indices.size() ? indices[polygon] : 0;
@@ -208,6 +184,9 @@ FbxCluster parse_cluster(const FbxScene& scene, std::uint32_t node, int bone, si
   FbxCluster cluster;
   cluster.model = bone;
   cluster.to_bone = matrix_below(document, node, "Transform");
+  if (find_child(document, node, "TransformLink") != 0) {
+    cluster.bind = matrix_below(document, node, "TransformLink");
+  }
   const std::vector<std::int64_t> indices = indices_below(document, node, "Indexes");
   const std::vector<double> weights = numbers_below(document, node, "Weights");
   if (indices.size() != weights.size()) {
@@ -250,6 +229,24 @@ void parse_skin(const FbxScene& scene, const std::vector<int>& model_of, int obj
   }
 }
 
+bool is_visible(const FbxScene& scene, int model_object) {
+  const std::uint32_t node = scene.objects.objects[static_cast<size_t>(model_object)].node;
+  for (const FbxProperty& property : properties_of(scene.document, node)) {
+    const bool is_hidden =
+        property.name == "Visibility" && property.count > 0 && !(property.numbers[0] > 0.0);
+    if (is_hidden) return false;
+  }
+  return true;
+}
+
+bool has_blend_shapes(const FbxScene& scene, int object) {
+  const std::vector<int>& to = scene.objects.to[static_cast<size_t>(object)];
+  return std::ranges::any_of(to, [&](int c) {
+    const int child = scene.objects.connections[static_cast<size_t>(c)].child;
+    return scene.objects.objects[static_cast<size_t>(child)].sub_kind == "BlendShape";
+  });
+}
+
 Eigen::Affine3d geometric_transform(const FbxModel& model) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
   transform.linear() = rotation_of_angles(model.geometric_rotation, 0).toRotationMatrix() *
@@ -270,7 +267,7 @@ std::vector<FbxMesh> fbx_meshes(const FbxScene& scene) {
   const auto add = [&](int model, int object) {
     const FbxObject& holder = scene.objects.objects[static_cast<size_t>(object)];
     if (find_child(scene.document, holder.node, "Vertices") == 0) return;
-    MeshSource source{scene, holder.node};
+    MeshSource source{scene, holder.node, &left};
     FbxMesh mesh;
     mesh.model = model;
     mesh.name = scene.models[static_cast<size_t>(model)].name;
@@ -278,8 +275,10 @@ std::vector<FbxMesh> fbx_meshes(const FbxScene& scene) {
     parse_positions(source, mesh);
     parse_polygons(source, mesh);
     count(scene, holder.node, mesh.positions.size() + mesh.corners.size() + 1, left);
-    parse_uv(source, mesh);
+    parse_layers(source, mesh);
     parse_materials(source, mesh);
+    mesh.is_visible = is_visible(scene, scene.models[static_cast<size_t>(model)].object);
+    mesh.has_blend_shapes = has_blend_shapes(scene, object);
     parse_skin(scene, model_of, object, mesh, left);
     meshes.push_back(std::move(mesh));
   };

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "motion/formats/fbx/fbx_scene.h"
@@ -10,24 +10,23 @@
 
 namespace mien::motion {
 
-/// A colour and a picture; of the file's materials only these are read.
-struct FbxMaterial {
+/// Texture coordinates with v = 0 at the lower edge of the picture.
+struct FbxUvSet {
   std::string name;
-  Vec3 colour = Vec3(0.8, 0.8, 0.8);  ///< "DiffuseColor", linear as stated
-  std::string picture;  ///< file name of the picture of its colour, as in the file; may be empty
-  std::string_view contents;  ///< the picture's bytes if the file holds them
+  std::vector<std::array<float, 2>> uv;  ///< of each corner
 };
 
 /// What one bone moves of a mesh.
 struct FbxCluster {
   int model = -1;                                         ///< the bone
   Eigen::Affine3d to_bone = Eigen::Affine3d::Identity();  ///< mesh space → bone, in the bind pose
+  std::optional<Eigen::Affine3d> bind;  ///< bone → world in the bind pose, if the file states it
   std::vector<int> vertices;
   std::vector<float> weights;  ///< as many as vertices; those of a vertex need not sum to 1
 };
 
 /// A polygon mesh with its skin. Lengths are in the file's unit. A corner is where a polygon meets
-/// a vertex; polygons are split into triangles that fan out from their first corner.
+/// a vertex; polygons are split into triangles that fan out from one corner.
 struct FbxMesh {
   std::string name;
   int model = -1;                             ///< on which it hangs
@@ -35,9 +34,13 @@ struct FbxMesh {
   std::vector<int> corners;                   ///< the vertex of each corner
   std::vector<std::array<int, 3>> triangles;  ///< corners, counter-clockwise seen from outside
   std::vector<int> triangle_materials;        ///< indices in `materials`; empty if there are none
-  std::vector<std::array<float, 2>> uv;       ///< of each corner; empty if there are none
-  std::vector<FbxMaterial> materials;
+  std::vector<std::array<float, 3>> normals;  ///< of each corner, of any length; may be empty
+  std::vector<FbxUvSet> uv_sets;
+  std::vector<int> materials;        ///< objects of the file (fbx_material.h)
   std::vector<FbxCluster> clusters;  ///< empty if the mesh is not skinned
+  bool is_visible = true;
+  bool has_colours = false;       ///< of its vertices, which are not read
+  bool has_blend_shapes = false;  ///< which are not read
   /// Mesh space → the space of the model (GeometricTranslation, -Rotation and -Scaling).
   Eigen::Affine3d geometric = Eigen::Affine3d::Identity();
 };

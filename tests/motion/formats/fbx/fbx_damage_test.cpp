@@ -93,7 +93,7 @@ TEST(FbxMesh, FollowsItsBones) {
   const std::vector<FbxMesh> meshes = fbx_meshes(scene);
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_EQ(meshes[0].triangles, (std::vector<std::array<int, 3>>{{{0, 1, 2}}, {{0, 2, 3}}}));
-  EXPECT_EQ(meshes[0].uv[1], (std::array<float, 2>{1.0f, 1.0f}));
+  EXPECT_EQ(meshes[0].uv_sets.at(0).uv[1], (std::array<float, 2>{1.0f, 1.0f}));
   std::vector<FbxMoving> moving = at_rest(scene);
   apply(parse_fbx_animation(scene.document, scene.objects, scene.models, scene.takes[0]),
         scene.models, fbx_ticks_per_second, moving);

@@ -11,11 +11,16 @@
 
 namespace mien::test {
 
+/// Bytes that are no text, such as those of a picture.
+struct FbxTestBytes {
+  std::string bytes;
+};
+
 /// A node of an FBX file as tests build it. Texts hold "Name::Class" as in binary files: "\0\1".
 struct FbxTestNode {
-  using Value =
-      std::variant<std::int32_t, std::int64_t, double, std::string, std::vector<double>,
-                   std::vector<float>, std::vector<std::int32_t>, std::vector<std::int64_t>>;
+  using Value = std::variant<std::int32_t, std::int64_t, double, std::string, std::vector<double>,
+                             std::vector<float>, std::vector<std::int32_t>,
+                             std::vector<std::int64_t>, FbxTestBytes>;
   std::string name;
   std::vector<Value> values;
   std::vector<FbxTestNode> children;
@@ -76,6 +81,11 @@ class FbxTestWriter {
     number<std::uint32_t>(static_cast<std::uint32_t>(text.size()));
     bytes_ += text;
   }
+  void operator()(const FbxTestBytes& raw) {
+    bytes_ += 'R';
+    number<std::uint32_t>(static_cast<std::uint32_t>(raw.bytes.size()));
+    bytes_ += raw.bytes;
+  }
   void operator()(const std::vector<double>& numbers) { array('d', numbers); }
   void operator()(const std::vector<float>& numbers) { array('f', numbers); }
   void operator()(const std::vector<std::int32_t>& numbers) { array('i', numbers); }
@@ -126,6 +136,21 @@ class FbxTestTextWriter {
     return '"' + name + '"';
   }
 
+  static std::string base64(const std::string& bytes) {
+    constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (size_t i = 0; i < bytes.size(); i += 3) {
+      std::uint32_t three = 0;
+      for (size_t k = 0; k < 3; ++k) {
+        const auto byte = i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u;
+        three = three << 8 | byte;
+      }
+      for (int k = 3; k >= 0; --k) text += letters[three >> (6 * k) & 63];
+    }
+    for (size_t k = 0; k < (3 - bytes.size() % 3) % 3; ++k) text[text.size() - 1 - k] = '=';
+    return text;
+  }
+
   template <class Number>
   void array(const std::vector<Number>& numbers) {
     text_ << '*' << numbers.size() << " {\n a: ";
@@ -137,6 +162,13 @@ class FbxTestTextWriter {
   }
 
   void operator()(const std::string& text) { text_ << quoted(text); }
+  /// In base64, in pieces on lines of their own, as programs write it after an empty value.
+  void operator()(const FbxTestBytes& raw) {
+    constexpr size_t piece = 57;
+    for (size_t at = 0; at < raw.bytes.size(); at += piece) {
+      text_ << (at > 0 ? ",\n" : ",") << '"' << base64(raw.bytes.substr(at, piece)) << '"';
+    }
+  }
   template <class Number>
   void operator()(const std::vector<Number>& numbers) {
     array(numbers);
