@@ -1,7 +1,10 @@
 #include "scenes/character/character.h"
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "motion/error.h"
 #include "motion/rig/joint_word.h"
@@ -9,9 +12,12 @@
 #include "motion/rig/retarget.h"
 #include "motion/rig/rig_motion.h"
 #include "motion/skeleton/sole.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
 #include "scenes/character/character_file.h"
+#include "scenes/character/character_parts.h"
+#include "scenes/character/fbx_character.h"
 #include "scenes/character/leaf_twist.h"
 
 namespace mien::scenes {
@@ -25,14 +31,14 @@ using motion::Vec3;
 constexpr double assumed_extent = 1.7;  // metres: of the joints, while the figure is recognised
 
 /// The bind pose as a motion of one frame.
-motion::Recording bind_recording(const BindPoseRig& rig, const std::string& name) {
+motion::Recording bind_recording(const CharacterParts& parts) {
   motion::Recording recording;
-  recording.name = name;
-  recording.format = "bind pose";  // in which glTF promises neither metres nor an up axis
-  recording.skeleton = rig.skeleton;
+  recording.name = parts.file;
+  recording.format = "bind pose";  // in which no format promises metres or an up axis
+  recording.skeleton = parts.rig;
   motion::Pose pose;
-  pose.root_position = rig.skeleton.joints.front().offset;
-  pose.rotations.assign(rig.skeleton.joints.size(), Quat::Identity());
+  pose.root_position = parts.rig.joints.front().offset;
+  pose.rotations.assign(parts.rig.joints.size(), Quat::Identity());
   recording.poses = {pose};
   return recording;
 }
@@ -145,70 +151,82 @@ void measure_stature(Character& character) {
 }
 
 /// Numbers that were finite in the file may be so no more in the bind pose.
-void check_meshes(const CharacterFile& file, const Character& character) {
+void check_meshes(const std::string& file, const Character& character) {
   try {
     for (const SkinnedMesh& mesh : character.meshes) validate(mesh, character.rig.size());
   } catch (const std::invalid_argument& wrong) {
-    motion::refuse(file.gltf, std::string("its meshes are faulty: ") + wrong.what(),
-                   "export or download the file again");
+    throw Error({file}, std::string("its meshes are faulty: ") + wrong.what(),
+                "export or download the file again");
   }
 }
 
-Character character_of(const CharacterFile& file) {
+Character character_of(CharacterParts parts) {
   Character character;
-  character.name = std::filesystem::path(file.gltf.name).stem().string();
-  const BindPoseRig rig = bind_pose_rig(file, character.warnings);
-  character.rig = rig.skeleton;
-  character.meshes = character_meshes(file, rig, character.warnings);
-  CharacterMaterials paint = character_materials(file, character.warnings);
-  character.materials = std::move(paint.materials);
-  character.textures = std::move(paint.textures);
+  character.name = motion::recording_name(parts.file);
+  character.rig = parts.rig;
+  character.meshes = std::move(parts.meshes);
+  character.materials = std::move(parts.paint.materials);
+  character.textures = std::move(parts.paint.textures);
+  character.warnings = std::move(parts.warnings);
   const double extent = extent_of(character.rig);
   if (!(extent > 1e-9)) {
-    motion::refuse(file.gltf, "all joints are at the same point",
-                   "export the figure in its bind pose");
+    throw Error({parts.file}, "all joints are at the same point",
+                "export the figure in its bind pose");
   }
-  motion::Recording recording = bind_recording(rig, file.gltf.name);
+  motion::Recording recording = bind_recording(parts);
   for (motion::Joint& joint : recording.skeleton.joints) joint.offset *= assumed_extent / extent;
   recording.poses.front().root_position *= assumed_extent / extent;
-  const motion::BodyMapping mapping = recognised(recording, rig.is_mirrored, file.gltf.name);
+  const motion::BodyMapping mapping = recognised(recording, parts.is_mirrored, parts.file);
   character.warnings.insert(character.warnings.end(), mapping.warnings.begin(),
                             mapping.warnings.end());
   character.joints = mapping.joints;
   character.body = mapping.body;
   character.bind_rotations = bind_rotations_of(recording, mapping);
   transform(character, mapping.to_y_up, mapping.metres_per_unit * assumed_extent / extent);
-  check_meshes(file, character);
+  check_meshes(parts.file, character);
   for (SkinnedMesh& mesh : character.meshes) cluster_triangles(mesh);
   name_parts(character);
   measure_stature(character);
   return character;
 }
 
-CharacterFile read_file(const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const std::string bytes = motion::read_contents(path);
-  motion::require_kind(bytes, path.string(), "gltf");
-  return parse_character_file(bytes, path.string(), folder);
+CharacterParts gltf_parts(const CharacterFile& file) {
+  CharacterParts parts;
+  parts.file = file.gltf.name;
+  const BindPoseRig rig = gltf_rig(file, parts.warnings);
+  parts.rig = rig.skeleton;
+  parts.is_mirrored = rig.is_mirrored;
+  parts.meshes = gltf_meshes(file, rig, parts.warnings);
+  parts.paint = gltf_materials(file, parts.warnings);
+  return parts;
 }
 
-}  // namespace
-
-bool is_character_file(const std::filesystem::path& path) {
-  return std::ranges::find(character_endings, path.extension().string()) !=
-         std::end(character_endings);
+std::string lower_case_ending(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
 }
 
-Character parse_character(std::string_view bytes, const std::string& file_name) {
-  return character_of(parse_character_file(bytes, file_name, std::nullopt));
+bool is_fbx(const std::filesystem::path& path) { return lower_case_ending(path) == ".fbx"; }
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-Character read_character(const std::filesystem::path& path) {
-  return character_of(read_file(path));
+std::string contents_of(const std::filesystem::path& path) {
+  std::string bytes = motion::read_contents(path);
+  motion::require_kind(bytes, path.string(), is_fbx(path) ? "fbx" : "gltf");
+  return bytes;
 }
 
-std::vector<std::filesystem::path> files_of_character(const std::filesystem::path& path) {
-  const CharacterFile file = read_file(path);
+CharacterParts parts_of(std::string_view bytes, const std::string& name,
+                        const std::optional<std::filesystem::path>& folder) {
+  if (is_fbx(name)) return fbx_parts(bytes, name, folder);
+  return gltf_parts(parse_character_file(bytes, name, folder));
+}
+
+std::vector<std::filesystem::path> files_of_gltf(const CharacterFile& file) {
   std::vector<std::filesystem::path> parts;
   for (const char* list : {"buffers", "images"}) {
     for (const nlohmann::json& entry : list_in(file.json, list)) {
@@ -220,6 +238,27 @@ std::vector<std::filesystem::path> files_of_character(const std::filesystem::pat
     }
   }
   return parts;
+}
+
+}  // namespace
+
+bool is_character_file(const std::filesystem::path& path) {
+  return std::ranges::find(character_endings, lower_case_ending(path)) !=
+         std::end(character_endings);
+}
+
+Character parse_character(std::string_view bytes, const std::string& file_name) {
+  return character_of(parts_of(bytes, file_name, std::nullopt));
+}
+
+Character read_character(const std::filesystem::path& path) {
+  return character_of(parts_of(contents_of(path), path.string(), folder_of(path)));
+}
+
+std::vector<std::filesystem::path> files_of_character(const std::filesystem::path& path) {
+  const std::string bytes = contents_of(path);
+  if (is_fbx(path)) return files_of_fbx(bytes, path.string(), folder_of(path));
+  return files_of_gltf(parse_character_file(bytes, path.string(), folder_of(path)));
 }
 
 Character scaled_to_body(Character character, const motion::Skeleton& body) {

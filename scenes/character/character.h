@@ -13,7 +13,7 @@
 
 namespace mien::scenes {
 
-/// A skinned character from a glTF file, driven by motions of the canonical body.
+/// A skinned character from a glTF or FBX file, driven by motions of the canonical body.
 ///
 /// Everything is in its bind pose: +Y up, joint frames parallel to the world's.
 struct Character {
@@ -37,12 +37,13 @@ struct Character {
 };
 
 /// File name endings that `read_character` supports.
-inline constexpr std::string_view character_endings[] = {".gltf", ".glb", ".vrm"};
+inline constexpr std::string_view character_endings[] = {".gltf", ".glb", ".vrm", ".fbx"};
 
-/// Whether a path has one of these endings.
+/// Whether a path has one of these endings, in upper or lower case.
 bool is_character_file(const std::filesystem::path& path);
 
-/// Reads a text or binary glTF 2.0 file with its buffers and pictures.
+/// Reads a text or binary glTF 2.0 file, or an FBX file of version 6.1 to 7.7, with its buffers and
+/// pictures.
 ///
 /// - All triangle primitives are read, of skinned meshes and of meshes without a skin that are
 ///   attached to a joint, with base colour factors, textures and normal maps (PNG, JPEG, WebP).
@@ -53,6 +54,10 @@ bool is_character_file(const std::filesystem::path& path);
 /// - The bind pose is that of the inverse bind matrices. The pose of the file's nodes
 ///   determines only the orientation of the whole, and the positions of skins that share no joint,
 ///   of joints without such a matrix and of meshes without a skin.
+/// - In FBX files the joints are those of the file's motion (motion/formats/fbx/fbx.h). Pictures
+/// are
+///   in the file, or beside it under their relative name or in its folder; surfaces whose picture
+///   is missing or of another kind get their plain colour, with a warning.
 ///
 /// Throws mien::Error, naming the file, if it does not contain such a character: no skin, no human
 /// figure, indices out of range, numbers that are not finite, cycles, missing pictures.
@@ -61,8 +66,9 @@ Character read_character(const std::filesystem::path& path);
 /// As `read_character`, but from a file in memory with all buffers and pictures embedded.
 Character parse_character(std::string_view bytes, const std::string& file_name);
 
-/// The external files of a glTF file, buffers and pictures, in the order of the file, whether or
-/// not they exist. Throws mien::Error when it cannot be read.
+/// The external files of a character, buffers and pictures, in the order of the file: of glTF
+/// whether or not they exist, of FBX those pictures that exist. Throws mien::Error when it cannot
+/// be read.
 std::vector<std::filesystem::path> files_of_character(const std::filesystem::path& path);
 
 /// The character, scaled uniformly to the leg length of `body`, so that steps keep their length.

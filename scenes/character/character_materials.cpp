@@ -115,10 +115,9 @@ bool is_see_through(const json& given) {
 
 }  // namespace
 
-CharacterMaterials character_materials(const CharacterFile& file,
-                                       std::vector<std::string>& warnings) {
+CharacterMaterials gltf_materials(const CharacterFile& file, std::vector<std::string>& warnings) {
   Painter painter{file, {}, {}, false};
-  painter.paint.materials.push_back({render::Color(0.6f, 0.6f, 0.6f), 0.03f, 0.5f});
+  painter.paint.materials.push_back(plain_material());
   bool has_see_through = false;
   bool has_other_coordinates = false;
   const json& materials = list_in(file.json, "materials");

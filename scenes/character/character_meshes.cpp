@@ -1,17 +1,16 @@
 
 #include "motion/formats/gltf/gltf_accessor.h"
 #include "scenes/character/character_file.h"
+#include "scenes/character/placed_mesh.h"
 
 namespace mien::scenes {
 
 namespace {
 
-using motion::Mat3;
 using motion::Vec3;
 using nlohmann::json;
 
 using motion::get_it_again;
-constexpr size_t most_vertices = 4'000'000;
 constexpr int triangles_mode = 4;
 constexpr int strip_mode = 5;
 constexpr int fan_mode = 6;
@@ -81,17 +80,6 @@ std::vector<std::array<int, 3>> triangles_of(const std::vector<int>& corners, in
   return triangles;
 }
 
-/// Area-weighted means of the triangles' normals.
-std::vector<Vec3> normals_of(const SkinnedMesh& mesh) {
-  std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
-  for (const auto& t : mesh.triangles) {
-    const auto at = [&](size_t k) { return mesh.positions[static_cast<size_t>(t[k])]; };
-    const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0));
-    for (const int vertex : t) normals[static_cast<size_t>(vertex)] += normal;
-  }
-  return normals;
-}
-
 /// Joints and weights of every vertex; joints as the skin counts them.
 std::vector<std::vector<Influence>> influences_of(const Primitive& primitive, size_t vertices,
                                                   size_t joint_count, bool& has_unweighted) {
@@ -122,40 +110,6 @@ std::vector<std::vector<Influence>> influences_of(const Primitive& primitive, si
     normalize(influence);
   }
   return influences;
-}
-
-Vec3 turned(const Mat3& linear, const Vec3& normal) {
-  Mat3 cofactors;
-  cofactors.col(0) = linear.col(1).cross(linear.col(2));
-  cofactors.col(1) = linear.col(2).cross(linear.col(0));
-  cofactors.col(2) = linear.col(0).cross(linear.col(1));
-  return cofactors * normal;
-}
-
-/// From mesh space into the bind pose, by the same blend as skinning; then joints are the rig's.
-void place(const BindPoseRig& rig, const std::vector<int>& skin_joints,
-           const std::vector<Eigen::Affine3d>& to_world, SkinnedMesh& mesh) {
-  for (size_t v = 0; v < mesh.positions.size(); ++v) {
-    Eigen::Matrix<double, 3, 4> blend = Eigen::Matrix<double, 3, 4>::Zero();
-    for (Influence& influence : mesh.influences[v]) {
-      const auto joint = static_cast<size_t>(influence.joint);
-      blend += static_cast<double>(influence.weight) * to_world[joint].matrix().topRows<3>();
-      influence.joint = rig.joint_of_node[static_cast<size_t>(skin_joints[joint])];
-    }
-    const Mat3 linear = blend.leftCols<3>();
-    mesh.positions[v] = linear * mesh.positions[v] + blend.col(3);
-    if (!mesh.normals.empty()) mesh.normals[v] = turned(linear, mesh.normals[v]);
-  }
-  if (to_world.front().linear().determinant() >= 0.0) return;
-  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-  for (Vec3& normal : mesh.normals) normal = -normal;
-}
-
-void make_unit(std::vector<Vec3>& normals) {
-  for (Vec3& normal : normals) {
-    const double length = normal.norm();
-    normal = length > 1e-30 ? Vec3(normal / length) : Vec3::UnitY();
-  }
 }
 
 void put_uv(const Primitive& primitive, size_t vertices, SkinnedMesh& mesh) {
@@ -198,13 +152,12 @@ SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const 
     const auto skin = static_cast<size_t>(placed.skin);
     const std::vector<int>& joints = primitive.file.gltf.model.skins[skin].joints;
     mesh.influences = influences_of(primitive, vertices, joints.size(), unsupported.has_unweighted);
-    place(rig, joints, rig.skin_to_world[skin], mesh);
+    place_mesh(rig, joints, rig.skin_to_world[skin], mesh);
   } else {
     mesh.influences.assign(vertices, {{0, 1.0f}});
-    place(rig, {rig.nodes[static_cast<size_t>(placed.joint)]}, {placed.to_world}, mesh);
+    place_mesh(rig, {rig.nodes[static_cast<size_t>(placed.joint)]}, {placed.to_world}, mesh);
   }
-  if (mesh.normals.empty()) mesh.normals = normals_of(mesh);
-  make_unit(mesh.normals);
+  complete_normals(mesh);
   mesh.material = 1 + index_in(primitive.file, primitive.given, "material",
                                list_in(primitive.file.json, "materials").size(), primitive.use);
   return mesh;
@@ -212,8 +165,8 @@ SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const 
 
 }  // namespace
 
-std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BindPoseRig& rig,
-                                          std::vector<std::string>& warnings) {
+std::vector<SkinnedMesh> gltf_meshes(const CharacterFile& file, const BindPoseRig& rig,
+                                     std::vector<std::string>& warnings) {
   std::vector<SkinnedMesh> meshes;
   std::size_t vertices = 0;
   UnsupportedFeatures unsupported;
