@@ -48,6 +48,10 @@ FileContents read_c3d_file(const path& file, const ReadOptions& how) {
 
 FileContents read_npz_file(const path& file, const ReadOptions& how) {
   if (holds_smpl_motion(npz_contents(file), file.string())) return read_smpl(file, how);
+  if (!how.body_model.empty()) {
+    throw Error({file.string()}, "holds no rotations of SMPL joints, so no body model can be used",
+                "omit the body model");
+  }
   return read_npy_positions(file, how);
 }
 
@@ -194,6 +198,10 @@ FileContents read_file(const std::filesystem::path& path, const ReadOptions& opt
   if (!options.joints.empty() && !format->has_nameless_points) {
     throw Error({path.string(), 0, 0}, "has names of its joints or points, so none can be given",
                 "omit the names of joints");
+  }
+  if (!options.body_model.empty() && format->read != read_npz_file) {
+    throw Error({path.string(), 0, 0}, "is no SMPL motion, so no body model can be used",
+                "omit the body model; only SMPL, SMPL-H and SMPL-X motions (.npz) take one");
   }
   const double rate = options.frames_per_second.value_or(1.0);
   if (!(rate >= least_rate && rate <= greatest_rate)) {

@@ -24,6 +24,8 @@ std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest) {
   if (manifest.examples.builtin.empty() && !manifest.examples.folder.empty()) {
     files = motion::example_files(example_folder(manifest.examples));
   }
+  const std::filesystem::path& body_model = manifest.examples.how.body_model;
+  if (!body_model.empty()) files.push_back(body_model);
   if (!manifest.scales.file.empty()) files.push_back(manifest.scales.file);
   if (manifest.ratings.source == Ratings::Source::file) files.push_back(manifest.ratings.file);
   return files;

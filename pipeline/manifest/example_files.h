@@ -13,7 +13,8 @@ namespace mien::pipeline {
 /// Returns the manifest's folder of examples as a type of the motion module.
 motion::ExampleFolder example_folder(const Examples& examples);
 
-/// Returns the files of the repertoire: those of the examples, their ratings and their scales,
+/// Returns the files of the repertoire: those of the examples, their SMPL model, their ratings and
+/// their scales,
 /// which determine every clip made from the examples.
 std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ struct RecordingChoice {
   std::string subject;              ///< name or number of one of several people; empty: the first
   std::optional<double> fps;        ///< frame rate of the recording; none: as the file states it
   std::vector<std::string> joints;  ///< names of points that have none in the file
+  /// SMPL model (.npz) that gives the body of SMPL motions, resolved; empty: mien's own body.
+  std::filesystem::path body_model;
 
   friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
 };
@@ -26,6 +29,7 @@ inline motion::ReadOptions read_options(const RecordingChoice& choice) {
   if (!choice.subject.empty()) options.subject = choice.subject;
   options.frames_per_second = choice.fps;
   options.joints = choice.joints;
+  options.body_model = choice.body_model;
   return options;
 }
 
@@ -34,6 +38,7 @@ void pose_fields(auto&& field, auto& choice, unsigned concern) {
   field("take", choice.take, concern);
   field("subject", choice.subject, concern);
   field("joints", choice.joints, concern);
+  field("body_model", choice.body_model, concern);
 }
 void recording_fields(auto&& field, auto& choice, unsigned concern) {
   pose_fields(field, choice, concern);

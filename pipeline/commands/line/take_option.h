@@ -26,9 +26,10 @@ struct RecordingArguments {
   std::string take;
   std::string subject;
   double fps = 0.0;  ///< 0: as the file states it
+  std::string body_model;
 };
 
-/// The options --take, --subject and --recorded-fps.
+/// The options --take, --subject, --recorded-fps and --body-model.
 inline std::vector<CommandOption> recording_options(RecordingArguments& arguments) {
   return {take_option(arguments.take),
           option("--subject", &arguments.subject,
@@ -36,7 +37,10 @@ inline std::vector<CommandOption> recording_options(RecordingArguments& argument
           option("--recorded-fps", &arguments.fps,
                  "Frames per second of the recording, for files that do not state it (fps: in "
                  "manifests)")
-              .positive()};
+              .positive(),
+          option("--body-model", &arguments.body_model,
+                 "Your SMPL, SMPL-H or SMPL-X model (.npz), whose proportions an SMPL motion "
+                 "(.npz) gets")};
 }
 
 /// A motion file as named on the command line, and how it is read.
@@ -59,6 +63,7 @@ inline NamedRecording named_recording(const std::string& name,
   if (!arguments.take.empty()) named.how.take = arguments.take;
   if (!arguments.subject.empty()) named.how.subject = arguments.subject;
   if (arguments.fps > 0.0) named.how.frames_per_second = arguments.fps;
+  named.how.body_model = arguments.body_model;
   return named;
 }
 

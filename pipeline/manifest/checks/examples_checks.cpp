@@ -8,6 +8,7 @@
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/checks/take_checks.h"
 #include "pipeline/manifest/example_files.h"
 
 namespace mien::pipeline {
@@ -76,6 +77,7 @@ std::vector<Fault> check_examples(const Manifest& manifest) {
   FaultList list(manifest.places);
   check_folder(manifest.examples, list);
   check_takes(manifest.examples, list);
+  check_body_model("examples.set.body_model", {}, read_options(manifest.examples.how), list);
   check_keytimes(manifest.examples, list);
   check_ratings(manifest, list);
   check_scales(manifest, list);

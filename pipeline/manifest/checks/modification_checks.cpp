@@ -90,6 +90,7 @@ class StepChecker : FaultList {
       check_file(path, pose.file, "the name of an example or a motion file",
                  motion::max_recording_bytes);
     check_take(member_path(path, "take"), pose.file, read_options(pose.how), *this);
+    check_body_model(member_path(path, "body_model"), pose.file, read_options(pose.how), *this);
     if (!pose.example.empty() && !pose.how.take.empty()) {
       add(member_path(path, "take"),
           motion::in_quotes(pose.example) + " is an example with one motion",

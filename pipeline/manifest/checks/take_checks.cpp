@@ -81,9 +81,21 @@ void check_motion_file(const std::string& path, const std::filesystem::path& fil
   list.check_file(at, file, "a motion file: " + motion::formats_read(),
                   motion::max_recording_bytes);
   check_take(member_path(path, "take"), file, how, list);
+  check_body_model(member_path(path, "body_model"), file, how, list);
   if (motion::is_motion_file(file)) return;
   list.add(at, motion::in_quotes(file.extension().string()) + " is not a motion file format",
            "use " + motion::formats_read());
+}
+
+void check_body_model(const std::string& path, const std::filesystem::path& file,
+                      const motion::ReadOptions& how, FaultList& list) {
+  if (how.body_model.empty()) return;
+  if (motion::is_motion_file(file) && motion::lower_case_ending(file) != ".npz") {
+    list.add(path, "a file of " + file.extension().string() + " holds no SMPL motion",
+             "omit body_model; only SMPL motions (.npz) take one");
+  }
+  list.check_file(path, how.body_model, "an SMPL, SMPL-H or SMPL-X model (.npz)",
+                  motion::max_recording_bytes);
 }
 
 void check_take(const std::string& path, const std::filesystem::path& file,

@@ -20,6 +20,11 @@ void check_motion_file(const std::string& path, const std::filesystem::path& fil
 void check_take(const std::string& path, const std::filesystem::path& file,
                 const motion::ReadOptions& how, FaultList& list);
 
+/// Adds the faults of a body model: that it cannot be read, or that the motion file (empty: of a
+/// folder) is no SMPL motion. `path` is the path of the model in the manifest.
+void check_body_model(const std::string& path, const std::filesystem::path& file,
+                      const motion::ReadOptions& how, FaultList& list);
+
 /// Returns a fault for each take or frame that a stimulus requests and its motion file lacks, and
 /// one for each such file that cannot be interpreted. Reads only files of which a take or a frame
 /// is requested, and ignores other faults of the manifest.

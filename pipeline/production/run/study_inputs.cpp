@@ -90,19 +90,26 @@ void add_motion_file(std::vector<fs::path>& files, const fs::path& file) {
   for (const fs::path& part : motion_parts(file)) files.push_back(part);
 }
 
+/// A motion file with its companion files and the model of its body.
+void add_recording(std::vector<fs::path>& files, const fs::path& file, const RecordingChoice& how) {
+  add_motion_file(files, file);
+  if (!how.body_model.empty()) files.push_back(how.body_model);
+}
+
 /// Motions and characters, with the files that belong to them, each once.
 std::vector<fs::path> uncopied_files(const Manifest& manifest) {
   std::vector<fs::path> files;
   for (const fs::path& file : repertoire_files(manifest)) add_motion_file(files, file);
   for (const Stimulus* film : films_of(manifest)) {
-    if (film->clip) add_motion_file(files, film->clip->file);
+    if (film->clip) add_recording(files, film->clip->file, film->clip->how);
     if (film->walk) {
-      for (const GraphMotion& motion : film->walk->graph) add_motion_file(files, motion.file);
+      for (const GraphMotion& motion : film->walk->graph)
+        add_recording(files, motion.file, motion.how);
     }
     for (const ModificationStep& step : film->modify) {
       if (!step.pose) continue;
-      add_motion_file(files, step.pose->neutral.file);
-      add_motion_file(files, step.pose->posed.file);
+      add_recording(files, step.pose->neutral.file, step.pose->neutral.how);
+      add_recording(files, step.pose->posed.file, step.pose->posed.how);
     }
     if (const fs::path* file = scenes::file_of(film->look.figure)) {
       files.push_back(*file);

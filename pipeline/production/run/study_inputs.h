@@ -32,9 +32,9 @@ std::vector<InputCopy> input_copies(const Manifest& manifest);
 void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_read, Store& store);
 
 /// Returns the hashes of all input files of the study. Keys are the paths of the copies; files
-/// that are not copied (motions and characters) have as key the names of their folder and of the
-/// file, followed by a number if several are equal. Where such a folder is on the machine is not
-/// part of the key.
+/// that are not copied (motions, SMPL models and characters) have as key the names of their folder
+/// and of the file, followed by a number if several are equal. Where such a folder is on the
+/// machine is not part of the key.
 std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest);
 
 }  // namespace mien::pipeline

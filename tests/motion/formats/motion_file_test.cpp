@@ -119,6 +119,9 @@ TEST(MotionFormats, RefuseChoicesThatTheirFilesDoNotHave) {
   ReadOptions person;
   person.subject = "Ann";
   EXPECT_TRUE(holds(test::refusal_of([&] { read_motion("walk.glb", person); }), "one person"));
+  ReadOptions model;
+  model.body_model = "SMPLX_NEUTRAL.npz";
+  EXPECT_TRUE(holds(test::refusal_of([&] { read_motion("walk.bvh", model); }), "no SMPL motion"));
 }
 
 // A table of answers in a folder of motions is none of them.

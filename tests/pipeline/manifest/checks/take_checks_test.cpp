@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "motion/formats/motion_file.h"
+#include "motion/formats/smpl/smpl.h"
+#include "motion/formats/smpl/smpl_model_file.h"
 #include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/body.h"
 #include "motion/two_takes.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/determinants.h"
+#include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/synthesis/synthesis.h"
 #include "pipeline/temporary_folder.h"
 
@@ -76,6 +82,45 @@ TEST_F(Takes, OfFilesThatHoldOneMotionAreRefusedWhereTheyStand) {
   EXPECT_EQ(fault_in("examples:\n  set: {folder: captures, take: Walk}\n  ratings: none\n"
                      "stimuli: [{id: a, weights: {walk: 1}}]"),
             "examples.set.take:4");
+}
+
+TEST_F(Takes, OfSmplMotionsHaveTheBodyOfTheirModel) {
+  const motion::Clip walk = motion::builtin_examples("walks-10").examples[0].clip;
+  motion::write_amass_npz(motion::to_recording(walk), folder_.path() / "walk.npz");
+  write_file(folder_.path() / "tall.npz", test::smpl_model_of_size(1.1));
+  const auto leg = [&](const std::string& more) {
+    return motion::leg_length(motion_of("{id: a, clip: {file: walk.npz" + more + "}}").body);
+  };
+  EXPECT_NEAR(leg(", body_model: tall.npz") / leg(""), 1.1, 1e-6);
+  EXPECT_EQ(fault_in("stimuli:\n  - id: a\n    clip: {file: walk.npz,\n      body_model: no.npz}"),
+            "stimuli[0].clip.body_model:6");
+  EXPECT_EQ(fault_in("stimuli:\n  - id: a\n    clip: {file: captures/walk.bvh,\n"
+                     "      body_model: tall.npz}"),
+            "stimuli[0].clip.body_model:6");
+  EXPECT_EQ(fault_in("examples:\n  set: {folder: captures,\n    body_model: no.npz}\n"
+                     "  ratings: none\nstimuli: [{id: a, weights: {walk: 1}}]"),
+            "examples.set.body_model:5");
+}
+
+// What is made depends on the model's contents, which are among the inputs of the study.
+TEST_F(Takes, OfSmplMotionsDependOnTheirModel) {
+  const motion::Clip walk = motion::builtin_examples("walks-10").examples[0].clip;
+  motion::write_amass_npz(motion::to_recording(walk), folder_.path() / "walk.npz");
+  std::set<std::string> hashes, keys;
+  for (const double size : {0.9, 1.1}) {
+    write_file(folder_.path() / "model.npz", test::smpl_model_of_size(size));
+    const Manifest manifest =
+        read("stimuli: [{id: a, clip: {file: walk.npz, body_model: model.npz}}]").manifest;
+    for (const auto& [name, hash] : hashes_of_inputs(manifest)) {
+      if (name.ends_with("/model.npz")) hashes.insert(hash);
+    }
+    FileKeys files;
+    KeyBuilder key;
+    add_motion(key, manifest.stimuli.at(0), files);
+    keys.insert(key.key());
+  }
+  EXPECT_EQ(hashes.size(), 2u);
+  EXPECT_EQ(keys.size(), 2u);
 }
 
 TEST_F(Takes, OfClipsAreShownByName) {

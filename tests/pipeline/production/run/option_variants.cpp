@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "motion/formats/motion_file.h"
+#include "motion/formats/smpl/smpl.h"
+#include "motion/formats/smpl/smpl_model_file.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/skeleton/recording.h"
 #include "motion/two_takes.h"
@@ -109,6 +111,8 @@ const Surroundings surroundings[] = {
     {"modify.seed", "{}", R"({"variation": 0.5})"},
     {"modify.pose.neutral.subject", "{}", R"({"motion": "one/sad.bvh"})"},
     {"modify.pose.posed.subject", "{}", R"({"motion": "one/sad.bvh"})"},
+    {"modify.pose.neutral.body_model", "{}", R"({"motion": "smpl/sad.npz"})"},
+    {"modify.pose.posed.body_model", "{}", R"({"motion": "smpl/sad.npz"})"},
     {"modify.pose.neutral.take", "{}", R"({"motion": "takes.gltf"})"},
     {"modify.pose.posed.take", "{}", R"({"motion": "takes.gltf"})"},
     {"modify.pose.neutral.", "{}", R"({"motion": "normal"})"},
@@ -122,6 +126,8 @@ const Surroundings surroundings[] = {
     {"recipes",
      R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})",
      "{}"},
+    {"examples.set.body_model", with_folder,
+     R"({"folder": "smpl", "include": "*.npz", "cycle": "whole"})"},
     {"examples.set.take", with_folder, R"({"folder": "takes", "cycle": "whole"})"},
     {"examples.set.", with_folder, R"({"folder": "one", "cycle": "whole"})"},
     {"examples.set", with_a_folder_or_set, "{}"},
@@ -131,6 +137,7 @@ const Surroundings surroundings[] = {
     {"stimuli[].clip.frames", "{}", R"({"file": "one/normal.bvh"})"},
     {"stimuli[].clip.take", "{}", R"({"file": "takes.gltf"})"},
     {"stimuli[].clip.subject", "{}", R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].clip.body_model", "{}", R"({"file": "smpl/normal.npz"})"},
     {"stimuli[].clip.fps", "{}", R"({"file": "one/normal.bvh"})"},
     {"stimuli[].path.script[].walk", "{}", "{}"},
     {"stimuli[].path.script[].turn", "{}", "{}"},
@@ -140,6 +147,7 @@ const Surroundings surroundings[] = {
     {"stimuli[].path.points", "{}", "{}"},
     {"stimuli[].path.graph[].take", with_graph, R"({"file": "takes.gltf"})"},
     {"stimuli[].path.graph[].subject", with_graph, R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].path.graph[].body_model", with_graph, R"({"file": "smpl/normal.npz"})"},
     {"stimuli[].path.graph[].fps", with_graph, R"({"file": "one/normal.bvh"})"},
     {"stimuli[].path.graph[].file", with_graph, "{}"},
     {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}]})"},
@@ -182,6 +190,11 @@ const Values chosen_values[] = {
     {"graph[].subject", R"(["1", "Pelvis"])"},
     {"neutral.subject", R"(["1", "Pelvis"])"},
     {"posed.subject", R"(["1", "Pelvis"])"},
+    {"clip.body_model", R"(["small.npz", "tall.npz"])"},
+    {"set.body_model", R"(["small.npz", "tall.npz"])"},
+    {"graph[].body_model", R"(["small.npz", "tall.npz"])"},
+    {"neutral.body_model", R"(["small.npz", "tall.npz"])"},
+    {"posed.body_model", R"(["small.npz", "tall.npz"])"},
     {"clip.fps", "[40, 50]"},
     {"set.fps", "[40, 50]"},
     {"graph[].fps", "[40, 50]"},
@@ -522,6 +535,9 @@ OptionVariants variants_of(const std::string& path, const json& node) {
 void write_variant_files(const std::filesystem::path& folder) {
   const motion::ExampleSet walks = motion::builtin_examples("walks-10");
   std::filesystem::create_directories(folder / "takes");
+  std::filesystem::create_directories(folder / "smpl");
+  std::ofstream(folder / "small.npz", std::ios::binary) << smpl_model_of_size(0.9);
+  std::ofstream(folder / "tall.npz", std::ios::binary) << smpl_model_of_size(1.1);
   for (const char* name : {"one", "two"}) {
     std::filesystem::create_directories(folder / name);
     for (const motion::Example& example : walks.examples) {
@@ -531,6 +547,7 @@ void write_variant_files(const std::filesystem::path& folder) {
       if (std::string(name) == "two") clip.poses.pop_back();
       motion::write_motion(motion::to_recording(clip), folder / name / (label + ".bvh"));
       std::ofstream(folder / "takes" / (label + ".gltf")) << two_takes(motion::to_recording(clip));
+      motion::write_amass_npz(motion::to_recording(clip), folder / "smpl" / (label + ".npz"));
     }
   }
   std::ofstream(folder / "takes.gltf")
