@@ -16,12 +16,15 @@
 #include "motion/formats/fbx/fbx.h"
 #include "motion/formats/gltf/gltf.h"
 #include "motion/formats/keypoints/keypoints.h"
+#include "motion/formats/motion_format.h"
 #include "motion/formats/mvnx/mvnx.h"
+#include "motion/formats/numpy/npy_description.h"
 #include "motion/formats/numpy/npy_positions.h"
 #include "motion/formats/numpy/npz.h"
 #include "motion/formats/smpl/smpl.h"
 #include "motion/formats/table/bids_motion.h"
 #include "motion/formats/table/point_table.h"
+#include "motion/formats/table/tidy_csv.h"
 #include "motion/formats/trc/trc.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/file_contents.h"
@@ -67,13 +70,29 @@ FileContents read_with(const path& file, const ReadOptions& how) {
 
 Recording read_bvh_file(const path& file, const ReadOptions& how) { return read_bvh(file, how); }
 
+std::vector<std::string> trc_bytes(const PointRecording& points, const PointFile&) {
+  return {to_trc(points)};
+}
+
+std::vector<std::string> npy_bytes(const PointRecording& points, const PointFile& file) {
+  return {to_positions_npy(points), npy_description(points, file.axes)};
+}
+
+std::vector<std::string> csv_bytes(const PointRecording& points, const PointFile& file) {
+  return {to_tidy_csv(points), tidy_csv_sidecar(points, file.axes)};
+}
+
+std::vector<std::string> bids_bytes(const PointRecording& points, const PointFile& file) {
+  return bids_motion_texts(points, file.name);
+}
+
 constexpr MotionFormat formats[] = {
     {.ending = ".bvh",
      .name = "BVH",
      .has_subjects = true,
      .is_streamed = true,
      .read = read_with<read_bvh_file>,
-     .write = write_bvh},
+     .bytes_of_motion = to_bvh},
     {.ending = ".amc",
      .name = "Acclaim",
      .part_ending = ".asf",
@@ -89,31 +108,54 @@ constexpr MotionFormat formats[] = {
      .has_takes = true,
      .is_metric = true,
      .read = read_gltf_file,
-     .write = write_glb},
+     .bytes_of_motion = to_glb},
     {.ending = ".vrma", .name = "VRM", .has_takes = true, .read = read_gltf_file},
     {.ending = ".vrm", .name = "VRM", .has_takes = true, .read = read_gltf_file},
     {.ending = ".mvnx", .name = "MVNX", .has_subjects = true, .read = read_with<read_mvnx>},
     {.ending = ".c3d", .name = "C3D", .has_subjects = true, .read = read_c3d_file},
-    {.ending = ".trc", .name = "TRC", .read = read_with<read_trc>},
-    {.ending = ".npz", .name = "NumPy", .is_of_motions = false, .read = read_npz_file},
+    {.ending = ".trc",
+     .name = "TRC",
+     .is_metric = true,
+     .states_unit = true,
+     .read = read_with<read_trc>,
+     .bytes_of_points = trc_bytes},
+    {.ending = ".npz",
+     .name = "NumPy",
+     .is_metric = true,
+     .is_of_body = true,
+     .is_of_motions = false,
+     .read = read_npz_file,
+     .bytes_of_motion = to_amass_npz},
     {.ending = ".npy",
      .name = "NumPy",
+     .part_ending = ".json",
+     .is_metric = true,
      .has_nameless_points = true,
      .is_of_motions = false,
-     .read = read_with<read_npy_positions>},
+     .read = read_with<read_npy_positions>,
+     .bytes_of_points = npy_bytes,
+     .companions = {".npy.json"}},
     {.ending = ".csv",
      .name = "tables of points",
      .has_subjects = true,
+     .is_metric = true,
      .has_nameless_points = true,
      .is_of_motions = false,
-     .read = read_with<read_point_table>},
+     .read = read_with<read_point_table>,
+     .bytes_of_points = csv_bytes,
+     .companions = {".csv.json"}},
     {.ending = ".tsv",
      .name = "tables of points",
      .part_ending = ".json",
      .has_subjects = true,
+     .is_metric = true,
      .has_nameless_points = true,
      .is_of_motions = false,
-     .read = read_tsv_file},
+     .read = read_tsv_file,
+     .bytes_of_points = bids_bytes,
+     .written_ending = "_motion.tsv",
+     .companions = {"_channels.tsv", "_motion.json"},
+     .require_name = require_bids_motion_name},
     {.ending = ".json",
      .name = "keypoints",
      .has_subjects = true,
@@ -121,13 +163,17 @@ constexpr MotionFormat formats[] = {
      .read = read_with<read_keypoints>},
 };
 
-std::string names_and_extensions(bool (*is_meant)(const MotionFormat&)) {
+std::string names_and_extensions(
+    bool (*is_meant)(const MotionFormat&),
+    std::string (*ending_of)(const MotionFormat&) = [](const MotionFormat& format) {
+      return std::string(format.ending);
+    }) {
   std::vector<std::string> parts;  // "glTF (.gltf, .glb"
   std::string_view name;
   for (const MotionFormat& format : formats) {
     if (!is_meant(format)) continue;
     if (format.name != name) parts.push_back(std::string(format.name) + " (");
-    parts.back() += (format.name == name ? ", " : "") + std::string(format.ending);
+    parts.back() += (format.name == name ? ", " : "") + ending_of(format);
     name = format.name;
   }
   std::string words;
@@ -158,7 +204,11 @@ std::string formats_read() {
 }
 
 std::string formats_written() {
-  return names_and_extensions([](const MotionFormat& format) { return format.write != nullptr; });
+  return names_and_extensions([](const MotionFormat& format) { return format.is_written(); },
+                              [](const MotionFormat& format) {
+                                const bool is_free = format.written_ending == format.ending;
+                                return (is_free ? "" : "*") + std::string(format.written_ending);
+                              });
 }
 
 std::string formats_with_takes() {
@@ -228,15 +278,6 @@ Recording read_motion(const std::filesystem::path& path, const std::optional<std
 
 Recording read_take(const std::filesystem::path& path, const std::string& take) {
   return read_motion(path, take.empty() ? std::nullopt : std::optional(take));
-}
-
-void write_motion(const Recording& recording, const std::filesystem::path& path) {
-  const MotionFormat* format = motion_format(path);
-  if (format == nullptr || format->write == nullptr) {
-    throw Error({path.string(), 0, 0}, "is not a motion file that can be written",
-                "use " + formats_written());
-  }
-  format->write(recording, path);
 }
 
 }  // namespace mien::motion

@@ -53,7 +53,4 @@ std::string to_bvh(const Recording& recording);
 /// and without per-pose offsets.
 Recording as_read_from_bvh(const Recording& recording);
 
-/// Writes a recording as a BVH file. Throws WriteFailure if the file cannot be written.
-void write_bvh(const Recording& recording, const std::filesystem::path& path);
-
 }  // namespace mien::motion

@@ -6,7 +6,6 @@
 #include "motion/formats/bvh/bvh.h"
 #include "motion/formats/bvh/bvh_rotation.h"
 #include "motion/formats/bvh/bvh_text.h"
-#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -160,10 +159,6 @@ std::string to_bvh(const Recording& recording) {
   std::string text = bvh.head(std::to_string(recording.poses.size()), recording.frames_per_second);
   for (const Pose& pose : recording.poses) bvh.append_frame(text, pose);
   return text;
-}
-
-void write_bvh(const Recording& recording, const std::filesystem::path& path) {
-  write_result(path, to_bvh(recording));
 }
 
 }  // namespace mien::motion

@@ -58,7 +58,4 @@ Recording parse_gltf(std::string_view bytes, const std::string& file_name,
 /// The recording has at least one pose. The same recording always produces the same bytes.
 std::string to_glb(const Recording& recording);
 
-/// Writes a recording as a GLB file. Throws WriteFailure if the file cannot be written.
-void write_glb(const Recording& recording, const std::filesystem::path& path);
-
 }  // namespace mien::motion

@@ -11,7 +11,6 @@
 #include "motion/formats/gltf/gltf_track.h"
 #include "motion/math/rotation.h"
 #include "motion/skeleton/skeleton.h"
-#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -220,10 +219,6 @@ std::string to_glb(const Recording& recording) {
   GlbBuffer binary;
   Json document = document_of(recording, binary);
   return glb_of(std::move(document), binary);
-}
-
-void write_glb(const Recording& recording, const std::filesystem::path& path) {
-  write_result(path, to_glb(recording));
 }
 
 }  // namespace mien::motion

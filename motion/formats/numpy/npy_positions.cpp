@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "motion/formats/numpy/array_rate.h"
+#include "motion/formats/numpy/npy_description.h"
 #include "motion/formats/numpy/npz.h"
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/points/joint_orders.h"
@@ -14,7 +15,6 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
-#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -243,24 +243,48 @@ PointRecording parse_npy_positions(std::string_view bytes, const std::string& fi
   return recording;
 }
 
+namespace {
+
+/// As described beside the file, except for what the options say.
+PointRecording described_positions(std::string_view bytes, const std::string& file,
+                                   const NpyDescription& description, ReadOptions options) {
+  const std::optional<Extents> extents = extents_of(parse_npy(bytes, file));
+  if (extents && extents->joints != description.points.size())
+    throw Error({description.file},
+                "names " + std::to_string(description.points.size()) +
+                    " points, but the array holds " + std::to_string(extents->joints),
+                "put the description of this file beside it, or remove it");
+  if (options.joints.empty()) options.joints = description.points;
+  if (!options.frames_per_second) options.frames_per_second = description.frames_per_second;
+  PointRecording recording = parse_npy_positions(bytes, file, options);
+  recording.unit = description.unit;
+  recording.metres_per_unit = description.unit.empty() ? 0.0 : 1.0;
+  recording.notes.push_back("The description beside the file says what its points are.");
+  return recording;
+}
+
+}  // namespace
+
 PointRecording read_npy_positions(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string bytes = read_contents(path);
   require_kind(bytes, path.string(), bytes.starts_with("PK") ? "npz" : "npy");
-  return parse_npy_positions(bytes, path.string(), options);
+  const bool is_complete = options.frames_per_second && !options.joints.empty();
+  if (is_complete || bytes.starts_with("PK"))
+    return parse_npy_positions(bytes, path.string(), options);
+  const std::optional<NpyDescription> description = read_npy_description(path);
+  if (!description) return parse_npy_positions(bytes, path.string(), options);
+  return described_positions(bytes, path.string(), *description, options);
 }
 
-std::string to_positions_npy(const Recording& recording) {
+std::string to_positions_npy(const PointRecording& recording) {
+  const double metres = recording.metres_per_unit > 0.0 ? recording.metres_per_unit : 1.0;
   std::vector<double> numbers;
-  numbers.reserve(3 * recording.poses.size() * recording.skeleton.joints.size());
-  for (const Pose& pose : recording.poses)
-    for (const Vec3& position : world_positions(recording.skeleton, pose))
-      numbers.insert(numbers.end(), position.begin(), position.end());
-  return to_npy(
-      array_of_floats(numbers, {recording.poses.size(), recording.skeleton.joints.size(), 3}));
-}
-
-void write_positions_npy(const Recording& recording, const std::filesystem::path& path) {
-  write_result(path, to_positions_npy(recording));
+  numbers.reserve(3 * recording.positions.size());
+  for (std::size_t i = 0; i < recording.positions.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      numbers.push_back(recording.seen[i] ? recording.positions[i][axis] * metres : NAN);
+  const auto frames = static_cast<std::size_t>(recording.frame_count());
+  return to_npy(array_of_floats(numbers, {frames, recording.points.size(), 3}));
 }
 
 }  // namespace mien::motion

@@ -6,7 +6,6 @@
 
 #include "motion/formats/reading/read_options.h"
 #include "motion/points/point_recording.h"
-#include "motion/skeleton/recording.h"
 
 namespace mien::motion {
 
@@ -26,6 +25,8 @@ namespace mien::motion {
 /// Throws mien::Error, naming the array and its shape, for arrays of HumanML3D or KIT-ML features
 /// (T × 263, T × 251), two-dimensional positions (T × J × 2), other shapes, Python objects, numbers
 /// of joints whose order is not known, and files without a rate.
+/// Beside an .npy file, a description may lie (npy_description.h), which states names, frame rate
+/// and unit as far as the options do not; a note says so.
 PointRecording read_npy_positions(const std::filesystem::path& path,
                                   const ReadOptions& options = {});
 
@@ -33,11 +34,9 @@ PointRecording read_npy_positions(const std::filesystem::path& path,
 PointRecording parse_npy_positions(std::string_view bytes, const std::string& file_name,
                                    const ReadOptions& options = {});
 
-/// The joint positions of a recording as an .npy file: T × J × 3 numbers of 32 bits, in the unit
-/// and axes of the recording, joints in its order.
-std::string to_positions_npy(const Recording& recording);
-
-/// Writes them. Throws WriteFailure if the file cannot be written.
-void write_positions_npy(const Recording& recording, const std::filesystem::path& path);
+/// The points as an .npy file: T × J × 3 numbers of 32 bits, in metres, or as they are if their
+/// unit is not known; NaN where a point is missing. Names and the frame rate have no place in it
+/// (npy_description.h).
+std::string to_positions_npy(const PointRecording& recording);
 
 }  // namespace mien::motion

@@ -63,7 +63,4 @@ PointRecording parse_smpl_markers(std::string_view bytes, const std::string& fil
 /// poses. The same recording always produces the same bytes.
 std::string to_amass_npz(const Recording& recording);
 
-/// Writes a recording as an AMASS file. Throws WriteFailure if the file cannot be written.
-void write_amass_npz(const Recording& recording, const std::filesystem::path& path);
-
 }  // namespace mien::motion

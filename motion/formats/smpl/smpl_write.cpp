@@ -4,7 +4,6 @@
 #include "motion/formats/smpl/smpl_joints.h"
 #include "motion/math/rotation.h"
 #include "motion/skeleton/body.h"
-#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -54,10 +53,6 @@ std::string to_amass_npz(const Recording& recording) {
       {"dmpls", array_of(dmpls, {frames, 8})},
       {"poses", array_of(poses, {frames, 3 * smplh_joints})}};
   return to_npz(arrays);
-}
-
-void write_amass_npz(const Recording& recording, const std::filesystem::path& path) {
-  write_result(path, to_amass_npz(recording));
 }
 
 }  // namespace mien::motion

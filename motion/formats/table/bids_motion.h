@@ -60,4 +60,13 @@ struct BidsLabels {
 std::vector<std::pair<std::string, std::string>> to_bids_motion(const PointRecording& recording,
                                                                 const BidsLabels& labels = {});
 
+/// As above, the contents alone, for a motion file of this name, which gives the labels; acq and
+/// run may be among them. Throws mien::Error if BIDS does not allow the name.
+std::vector<std::string> bids_motion_texts(const PointRecording& recording,
+                                           const std::filesystem::path& motion_tsv);
+
+/// Throws mien::Error unless a motion file may have this name in BIDS:
+/// "sub-01_task-walk_tracksys-markers_motion.tsv".
+void require_bids_motion_name(const std::filesystem::path& file);
+
 }  // namespace mien::motion

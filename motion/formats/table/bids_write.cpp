@@ -1,5 +1,9 @@
+#include <map>
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
+#include "motion/error.h"
 #include "motion/formats/table/bids_motion.h"
 #include "motion/formats/table/column_name.h"
 #include "motion/formats/table/decimal_text.h"
@@ -89,7 +93,51 @@ std::string sidecar(const PointRecording& recording, const BidsLabels& labels) {
   return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
+/// Parts of the name of a motion file, in the order that BIDS demands.
+struct NamePart {
+  std::string_view key;
+  bool is_required = false;
+};
+
+constexpr NamePart name_parts[] = {{"sub-", true},      {"ses-", false}, {"task-", true},
+                                   {"tracksys-", true}, {"acq-", false}, {"run-", false}};
+
+/// The labels in a file's name. Throws mien::Error if it is not one of BIDS.
+BidsLabels labels_of(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  std::string_view rest = name;
+  std::map<std::string_view, std::string> labels;
+  bool is_valid = true;
+  for (const NamePart& part : name_parts) {
+    const std::size_t end = rest.find('_');
+    const bool is_there = rest.starts_with(part.key) && end != std::string_view::npos;
+    if (!is_there) {
+      is_valid = is_valid && !part.is_required;
+      continue;
+    }
+    std::string label(rest.substr(part.key.size(), end - part.key.size()));
+    is_valid = is_valid && letters_and_digits(label, "") == label && !label.empty();
+    labels[part.key] = std::move(label);
+    rest.remove_prefix(end + 1);
+  }
+  if (!is_valid || rest != "motion.tsv")
+    throw Error({file.string()},
+                "is not a name of motion in BIDS, the only table in .tsv that is "
+                "written",
+                "name it as in sub-01_task-walk_tracksys-markers_motion.tsv, with labels of "
+                "letters and digits");
+  return {labels["sub-"], labels["ses-"], labels["task-"], labels["tracksys-"]};
+}
+
 }  // namespace
+
+void require_bids_motion_name(const std::filesystem::path& file) { labels_of(file); }
+
+std::vector<std::string> bids_motion_texts(const PointRecording& recording,
+                                           const std::filesystem::path& motion_tsv) {
+  return {motion_table(recording), channels_table(recording),
+          sidecar(recording, labels_of(motion_tsv))};
+}
 
 std::vector<std::pair<std::string, std::string>> to_bids_motion(const PointRecording& recording,
                                                                 const BidsLabels& labels) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/formats/table/decimal_text.h"
+#include "motion/formats/writing/point_description.h"
 
 namespace mien::motion {
 
@@ -84,23 +85,11 @@ std::string to_tidy_csv(const PointRecording& recording) {
   return text;
 }
 
-std::string tidy_csv_sidecar(const PointRecording& recording) {
+std::string tidy_csv_sidecar(const PointRecording& recording, const std::string& axes) {
   OrderedJson json;
   json["description"] = "Positions of points over time; a row is a point of a frame.";
   json["columns"] = columns_of(is_metric(recording));
-  json["axes"] = "as in the source";
-  json["frames_per_second"] = recording.frames_per_second;
-  json["frames"] = recording.frame_count();
-  json["points"] = recording.points;
-  json["source"] = {
-      {"name", recording.name}, {"format", recording.format}, {"unit", recording.unit}};
-  if (!recording.subject.empty()) json["subject"] = recording.subject;
-  OrderedJson events = OrderedJson::array();
-  for (const PointEvent& event : recording.events)
-    events.push_back(
-        {{"label", event.label}, {"context", event.context}, {"seconds", event.seconds}});
-  if (!events.empty()) json["events"] = std::move(events);
-  if (!recording.notes.empty()) json["notes"] = recording.notes;
+  add_description(recording, axes, json);
   // Names may be in any encoding.
   return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }

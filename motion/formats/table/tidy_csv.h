@@ -18,8 +18,8 @@ namespace mien::motion {
 std::string to_tidy_csv(const PointRecording& recording);
 
 /// The description of that table, as JSON to be written beside it: the columns with their units,
-/// the axes, the frame rate, numbers of frames and points, names of the points, the source, its
-/// events and the reader's notes.
-std::string tidy_csv_sidecar(const PointRecording& recording);
+/// and what point_description.h adds; `axes` says what they are.
+std::string tidy_csv_sidecar(const PointRecording& recording,
+                             const std::string& axes = "as in the source");
 
 }  // namespace mien::motion

@@ -38,8 +38,4 @@ PointRecording read_trc(const std::filesystem::path& path, const ReadOptions& op
 /// points, no frames, or no known unit.
 std::string to_trc(const PointRecording& recording);
 
-/// Writes a recording as a TRC file. Throws as `to_trc`, and WriteFailure if the file cannot be
-/// written.
-void write_trc(const PointRecording& recording, const std::filesystem::path& path);
-
 }  // namespace mien::motion

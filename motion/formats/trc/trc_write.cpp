@@ -5,7 +5,6 @@
 
 #include "motion/error.h"
 #include "motion/formats/trc/trc.h"
-#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -110,10 +109,6 @@ std::string to_trc(const PointRecording& recording) {
     text += '\n';
   }
   return text;
-}
-
-void write_trc(const PointRecording& recording, const std::filesystem::path& path) {
-  write_result(path, to_trc(recording));
 }
 
 }  // namespace mien::motion

@@ -9,6 +9,7 @@
 #include "motion/random_recording.h"
 #include "motion/refusal.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/result_file.h"
 
 #include "real_data.h"
 
@@ -388,7 +389,7 @@ TEST(BvhFiles, GoToDiskAndBack) {
   const Recording recording = random_recording(random);
   const std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / "mien_bvh_test.bvh";
-  write_bvh(recording, path);
+  write_result(path, to_bvh(recording));
   EXPECT_EQ(read_contents(path), to_bvh(recording));
   EXPECT_EQ(read_bvh(path).name, "mien_bvh_test");
   std::filesystem::remove(path);

@@ -8,6 +8,7 @@
 
 #include "motion/formats/numpy/numpy_files.h"
 #include "motion/points/joint_orders.h"
+#include "motion/points/joint_points.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/refusal.h"
 #include "motion/skeleton/clip.h"
@@ -213,7 +214,7 @@ TEST(NpyPositions, WhatIsWrittenIsReadAgain) {
   ReadOptions options = at_30_hz();
   for (const Joint& joint : walk.body.joints) options.joints.push_back(joint.name);
   const PointRecording read =
-      parse_npy_positions(to_positions_npy(to_recording(walk)), "walk.npy", options);
+      parse_npy_positions(to_positions_npy(joint_points(to_recording(walk))), "walk.npy", options);
   ASSERT_EQ(read.frame_count(), walk.frame_count());
   for (int t = 0; t < read.frame_count(); ++t) {
     const std::vector<Vec3> places =

@@ -10,6 +10,7 @@
 
 #include "motion/refusal.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/result_file.h"
 
 using mien::test::refusal_of;
 
@@ -343,7 +344,7 @@ TEST(TrcFiles, GoToDiskAndBack) {
   std::mt19937_64 random(5);
   const PointRecording recording = random_recording(random, 0.001);
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "mien_test.trc";
-  write_trc(recording, path);
+  write_result(path, to_trc(recording));
   EXPECT_EQ(read_contents(path), to_trc(recording));
   EXPECT_EQ(read_trc(path).name, "mien_test");
   std::filesystem::remove(path);
