@@ -1,6 +1,6 @@
 #include "pipeline/manifest/example_files.h"
 
-#include "motion/formats/motion_file.h"
+#include "motion/formats/motion_format.h"
 #include "motion/procedural/builtin_sets.h"
 
 namespace mien::pipeline {

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "motion/error.h"
-#include "motion/formats/motion_file.h"
+#include "motion/formats/motion_format.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
 

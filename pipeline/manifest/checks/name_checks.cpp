@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/formats/written_motion.h"
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
@@ -14,6 +15,7 @@
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "render/video/video_kind.h"
+#include "scenes/figures/figure.h"
 
 namespace mien::pipeline {
 
@@ -82,17 +84,29 @@ void check_unique(const std::string& id, const std::string& path, TakenIds& take
   }
 }
 
-/// Videos of two films may have the same file name: "a.lossless" as mp4 and "a" as mp4-lossless.
-void check_video_names(const Manifest& manifest, FaultList& list) {
+/// The videos and motion files of a film, as they are named.
+Names file_names(const Stimulus& film) {
+  Names names;
+  for (const render::VideoKind kind : film.output.video)
+    names.push_back("video " + render::with_ending(film.id, kind).string());
+  for (const std::string& ending : film.output.clips)
+    for (const auto& file : motion::written_files(film.id + "." + ending))
+      names.push_back("clip " + file.string());
+  if (scenes::kind_of(film.look.figure).has_dots) names.push_back("clip " + film.id + ".dots.csv");
+  return names;
+}
+
+/// Files of two films may have the same name: "a.lossless" as mp4 and "a" as mp4-lossless, or
+/// "a.dots" as csv and the dots of "a".
+void check_file_names(const Manifest& manifest, FaultList& list) {
   std::map<std::string, std::string> taken;
   for (const Stimulus* film : films_of(manifest)) {
-    for (const render::VideoKind kind : film->output.video) {
-      const std::string file = render::with_ending(film->id, kind).string();
+    for (const std::string& file : file_names(*film)) {
       const auto [first, is_new] = taken.emplace(without_case(file), film->id);
       // Ids that differ by case alone have been reported.
       if (is_new || without_case(first->second) == without_case(film->id)) continue;
       list.add(member_path(film->path, "id"),
-               "its video " + file + " would be that of " + motion::in_quotes(first->second),
+               "its " + file + " would be that of " + motion::in_quotes(first->second),
                "use another id");
     }
   }
@@ -241,7 +255,7 @@ std::vector<Fault> check_ids(const Manifest& manifest) {
         has_two_motions(sheet.target, sheet.created))
       check_unique(sheet.id, sheet.path, sheets, list);
   }
-  check_video_names(manifest, list);
+  check_file_names(manifest, list);
   return list.take();
 }
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "motion/formats/motion_file.h"
+#include "motion/formats/motion_format.h"
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/manifest.h"
@@ -51,7 +51,7 @@ void ClipsForm::read(const DocumentValue& given, std::vector<std::string>& clips
   clips.clear();
   for (const motion::MotionFormat& format : motion::motion_formats()) {
     const std::string name(format.ending.substr(1));
-    if (format.write != nullptr && holds(given.value, name)) clips.push_back(name);
+    if (format.is_of_clips() && holds(given.value, name)) clips.push_back(name);
   }
 }
 

@@ -51,6 +51,8 @@ void decode_by_ending(const fs::path& file) {
       {".json", read_as_json},
       {".pdf", [](const fs::path& one) { read_from_to(one, "%PDF-", "%%EOF"); }},
       {".html", [](const fs::path& one) { read_from_to(one, "<!", "</html>"); }},
+      {".npz", [](const fs::path& one) { motion::read_file(one); }},
+      {".npy", [](const fs::path& one) { motion::read_file(one); }},
       {".md", read_as_text},
       {".bib", read_as_text},
       {".yaml", read_as_text},
@@ -59,7 +61,7 @@ void decode_by_ending(const fs::path& file) {
   if (render::video_kind_of(file)) {
     render::probe(file);
   } else if (motion::is_found_as_motion(file)) {
-    motion::read_motion(file);
+    motion::read_file(file);
   } else if (reader != readers.end()) {
     reader->second(file);
   }

@@ -11,6 +11,7 @@
 #include "pipeline/production/report/study_tasks.h"
 #include "pipeline/production/run/stimuli_table.h"
 #include "pipeline/production/synthesis/durations_task.h"
+#include "pipeline/production/synthesis/motion_task.h"
 
 namespace mien::pipeline {
 
@@ -18,7 +19,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::vector<TableForm> table_forms(const Equalize& equalize, bool has_any_dots) {
+std::vector<TableForm> table_forms(const Equalize& equalize, bool has_any_dots,
+                                   bool has_clip_points) {
   std::vector<TableForm> forms = {stimuli_form};
   for (const TableForm& form : study_table_forms()) forms.push_back(form);
   for (const TableForm& form : film_table_forms()) forms.push_back(form);
@@ -28,7 +30,12 @@ std::vector<TableForm> table_forms(const Equalize& equalize, bool has_any_dots) 
   if (equalize.place) forms.push_back(places_form);
   if (equalize.luminance) forms.push_back(exposure_form);
   if (has_any_dots) forms.push_back(dots_form);
+  if (has_clip_points) forms.push_back(clip_points_form);
   return forms;
+}
+
+bool has_table_of_points(const Stimulus& stimulus) {
+  return std::ranges::count(stimulus.output.clips, "csv") > 0;
 }
 
 ordered_json as_json(const Column& column, const std::string& name) {
@@ -52,11 +59,13 @@ ordered_json as_json(const TableForm& form, const std::vector<std::string>& fact
 
 std::vector<TableForm> all_table_forms() {
   constexpr EqualizeGroup study = EqualizeGroup::study;
-  return table_forms({.luminance = study, .size = study, .place = study, .duration = true}, true);
+  return table_forms({.luminance = study, .size = study, .place = study, .duration = true}, true,
+                     true);
 }
 
 std::vector<TableForm> table_forms_of(const Manifest& manifest) {
-  return table_forms(manifest.equalize, std::ranges::any_of(manifest.stimuli, has_dots));
+  return table_forms(manifest.equalize, std::ranges::any_of(manifest.stimuli, has_dots),
+                     std::ranges::any_of(manifest.stimuli, has_table_of_points));
 }
 
 std::string codebook_json(const Manifest& manifest) {

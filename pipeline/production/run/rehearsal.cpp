@@ -12,6 +12,7 @@
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/methods/study_facts.h"
+#include "pipeline/production/synthesis/motion_task.h"
 #include "pipeline/tasks/parallel.h"
 
 namespace mien::pipeline {
@@ -79,15 +80,22 @@ class Rehearsal : public FaultList {
   }
 
   void tell(const Stimulus& stimulus, const Staging& staging) {
-    if (staging.wrong.empty()) return check_fades(stimulus, staging.frames);
-    add(stimulus.path, staging.wrong, "");
+    if (!staging.wrong.empty()) return add(stimulus.path, staging.wrong, "");
+    check_fades(stimulus, staging.frames);
+    if (const std::string wrong = unwritable_clip(stimulus, motions_); !wrong.empty())
+      add_of_output(stimulus, "output.clips", wrong, "omit this format");
   }
 
   void check_fades(const Stimulus& film, int frames) {
     const std::string wrong = fade_fault(film, frames);
-    if (wrong.empty()) return;
-    const std::string own = member_path(film.path, "output.presentation");
-    add(was_given(own) ? own : "output.presentation", wrong, fade_remedy);
+    if (!wrong.empty()) add_of_output(film, "output.presentation", wrong, fade_remedy);
+  }
+
+  /// A fault of what the film states itself or, if it does not, the manifest.
+  void add_of_output(const Stimulus& film, const char* path, const std::string& wrong,
+                     const std::string& remedy) {
+    const std::string own = member_path(film.path, path);
+    add(was_given(own) ? own : path, wrong, remedy);
   }
 
   const Manifest& manifest_;

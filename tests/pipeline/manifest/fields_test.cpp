@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 #include <string>
 #include <variant>
@@ -5,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/formats/motion_file.h"
+#include "motion/formats/motion_format.h"
 #include "pipeline/base/reading/field_names.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/base/reading/schema.h"
@@ -52,10 +53,12 @@ TEST(Fields, OfRecipesAreThoseOfTheirSchema) {
 TEST(Fields, ForMotionFilesAllowTheFormatsThatAreWritten) {
   std::vector<std::string> written;
   for (const motion::MotionFormat& format : motion::motion_formats())
-    if (format.write != nullptr) written.emplace_back(format.ending.substr(1));
+    if (format.is_of_clips()) written.emplace_back(format.ending.substr(1));
   const json& clips = manifest_schema()["definitions"]["output"]["properties"]["clips"];
   EXPECT_EQ(clips["items"]["enum"], json(written));
   EXPECT_EQ(clips["maxItems"], written.size());
+  for (const char* needed : {"bvh", "glb", "trc", "npz", "csv"})
+    EXPECT_EQ(std::ranges::count(written, needed), 1) << needed;
 }
 
 /// Each default that the schema states under `path` beside what a struct has unless told.

@@ -548,5 +548,21 @@ TEST(VideoNames, OfTwoStimuliMustDiffer) {
   EXPECT_TRUE(is_told());
 }
 
+TEST(ClipNames, OfTwoStimuliMustDiffer) {
+  Manifest manifest = study();
+  manifest.stimuli[0].id = "a.dots";
+  manifest.stimuli[1].id = "a";
+  manifest.stimuli[1].look.figure = scenes::PointLightOptions();
+  const auto is_told = [&] {
+    const std::vector<Fault> faults = check_meaning({.manifest = manifest});
+    return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
+      return fault.wrong == "its clip a.dots.csv would be that of \"a.dots\"";
+    });
+  };
+  EXPECT_FALSE(is_told());
+  manifest.stimuli[0].output.clips = {"bvh", "csv"};
+  EXPECT_TRUE(is_told());
+}
+
 }  // namespace
 }  // namespace mien::pipeline

@@ -278,7 +278,7 @@ const Values chosen_values[] = {
     {"output.fps", "[5, 6]"},
     {"output.cycles", "[1, 2]"},
     {"output.video", R"([["gif"], ["gif", "apng"]])"},
-    {"output.clips", R"([["bvh"], []])"},
+    {"output.clips", R"([["bvh", "trc", "npz", "npy", "csv"], []])"},
     {"card.seconds", "[0.2, 0.4]"},
     {"presentation.card", R"([{"text": "A", "seconds": 0.2}, {"text": "B", "seconds": 0.2}])"},
     {"card.text", R"(["A", "B"])"},
