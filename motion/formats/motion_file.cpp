@@ -20,7 +20,6 @@
 #include "motion/formats/mvnx/mvnx.h"
 #include "motion/formats/numpy/npy_description.h"
 #include "motion/formats/numpy/npy_positions.h"
-#include "motion/formats/numpy/npz.h"
 #include "motion/formats/smpl/smpl.h"
 #include "motion/formats/table/bids_motion.h"
 #include "motion/formats/table/point_table.h"
@@ -28,6 +27,7 @@
 #include "motion/formats/trc/trc.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/file_kind.h"
 
 namespace mien::motion {
 
@@ -45,17 +45,19 @@ FileContents read_gltf_file(const path& file, const ReadOptions& how) {
 
 // Theia's files hold rotations instead of points.
 FileContents read_c3d_file(const path& file, const ReadOptions& how) {
-  if (holds_c3d_rotations(read_contents(file))) return read_c3d_rotations(file, how);
-  return read_c3d(file, how);
+  const std::string bytes = read_contents(file);
+  require_kind(bytes, file.string(), "c3d");
+  if (holds_c3d_rotations(bytes)) return parse_c3d_rotations(bytes, file.string(), how);
+  return parse_c3d(bytes, file.string(), how);
 }
 
 FileContents read_npz_file(const path& file, const ReadOptions& how) {
-  if (holds_smpl_motion(npz_contents(file), file.string())) return read_smpl(file, how);
+  if (holds_smpl_motion(file)) return read_smpl(file, how);
   if (!how.body_model.empty()) {
     throw Error({file.string()}, "holds no rotations of SMPL joints, so no body model can be used",
                 "omit the body model");
   }
-  return read_npy_positions(file, how);
+  return read_npz_positions(file, how);
 }
 
 FileContents read_tsv_file(const path& file, const ReadOptions& how) {

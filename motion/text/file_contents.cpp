@@ -12,6 +12,7 @@
 
 #include "motion/error.h"
 #include "motion/text/compressed_file.h"
+#include "motion/text/open_file.h"
 
 namespace mien::motion {
 
@@ -45,23 +46,6 @@ std::string status_error(const struct stat& status, std::uintmax_t most_bytes) {
          " that can be read";
 }
 
-/// An open file that closes itself.
-class OpenFile {
- public:
-  explicit OpenFile(const std::filesystem::path& path)
-      : number_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) {}
-  ~OpenFile() {
-    if (number_ >= 0) ::close(number_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 FileReading failed_reading(std::string problem) { return {std::nullopt, std::move(problem)}; }
 
 /// A file may grow while it is read, or not know its size.
@@ -89,17 +73,32 @@ std::string read_error(const std::filesystem::path& path, std::uintmax_t most_by
   return status_error(status, most_bytes);
 }
 
-FileReading bytes_of_file(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+OpenFile::OpenFile(const std::filesystem::path& path, std::uintmax_t most_bytes)
+    : error_(read_error(path, most_bytes)) {
   // Looked at before it is opened, because opening a device may do something.
-  if (std::string problem = read_error(path, most_bytes); !problem.empty())
-    return failed_reading(std::move(problem));
-  const OpenFile file(path);
+  if (!error_.empty()) return;
+  number_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
   struct stat status {};
-  if (file.number() < 0 || ::fstat(file.number(), &status) != 0)
-    return failed_reading(unreadable(errno));
-  if (std::string problem = status_error(status, most_bytes); !problem.empty())
-    return failed_reading(std::move(problem));
-  return read_to_end(file.number(), static_cast<std::uintmax_t>(status.st_size), most_bytes);
+  const bool is_open = number_ >= 0 && ::fstat(number_, &status) == 0;
+  error_ = is_open ? status_error(status, most_bytes) : unreadable(errno);
+  size_ = static_cast<std::uintmax_t>(status.st_size);
+}
+
+OpenFile::~OpenFile() {
+  if (number_ >= 0) ::close(number_);
+}
+
+std::string OpenFile::beginning(std::size_t count) const {
+  std::string bytes(count, '\0');
+  const ssize_t there = ::pread(number_, bytes.data(), count, 0);
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(there, 0)));
+  return bytes;
+}
+
+FileReading bytes_of_file(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+  const OpenFile file(path, most_bytes);
+  if (!file.error().empty()) return failed_reading(file.error());
+  return read_to_end(file.number(), file.size(), most_bytes);
 }
 
 std::string read_contents(const std::filesystem::path& path) {

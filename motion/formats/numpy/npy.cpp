@@ -23,21 +23,14 @@ std::optional<std::size_t> bytes_of(const NpyHeader& header) {
   return bytes;
 }
 
-/// An array without its elements, and where they begin.
-struct Outline {
-  NpyArray array;
-  std::size_t start = 0;
-};
-
-/// Checks that the elements are there, and nothing else.
-Outline outline(std::string_view bytes, const std::string& file_name, std::string_view name) {
-  const NpyHeader header = parse_npy_header(bytes, file_name, name);
-  const NpyArray array{std::string(name),       header.type, header.shape,
-                       header.is_fortran_order, true,        {}};
-  require_readable(array, {file_name});
+/// The array of a header, without its elements, of which so many bytes are there.
+NpyArray outline(NpyHeader header, std::size_t present, const std::string& file_name,
+                 std::string_view name) {
   const std::optional<std::size_t> declared = bytes_of(header);
-  const std::size_t present = bytes.size() - header.start;
-  if (declared == present) return {array, header.start};
+  NpyArray array{std::string(name),       header.type, std::move(header.shape),
+                 header.is_fortran_order, true,        {}};
+  require_readable(array, {file_name});
+  if (declared == present) return array;
   const bool is_short = !declared || *declared > present;
   throw Error({file_name},
               described(array) + " of shape " + excerpt(shape_text(array)) +
@@ -85,23 +78,25 @@ void require_readable(const NpyArray& array, const Place& place) {
   }
 }
 
-NpyArray parse_npy(std::string_view bytes, const std::string& file_name) {
-  auto [array, start] = outline(bytes, file_name, {});
-  array.bytes = bytes.substr(start);
+NpyArray npy_member(NpyHeader header, std::string elements, const std::string& file_name,
+                    std::string_view name) {
+  NpyArray array = outline(std::move(header), elements.size(), file_name, name);
+  array.bytes = std::move(elements);
   return array;
 }
 
-NpyArray npy_member(std::string bytes, const std::string& file_name, std::string_view name) {
-  auto [array, start] = outline(bytes, file_name, name);
-  bytes.erase(0, start);
-  array.bytes = std::move(bytes);
+NpyArray parse_npy(std::string_view bytes, const std::string& file_name) {
+  NpyHeader header = parse_npy_header(bytes, file_name);
+  const std::string_view elements = bytes.substr(header.start);
+  NpyArray array = outline(std::move(header), elements.size(), file_name, {});
+  array.bytes = elements;
   return array;
 }
 
 NpyArray read_npy(const std::filesystem::path& path) {
-  std::string bytes = read_contents(path);
+  const std::string bytes = read_contents(path);
   require_kind(bytes, path.string(), "npy");
-  return npy_member(std::move(bytes), path.string(), {});
+  return parse_npy(bytes, path.string());
 }
 
 NpyArray array_of_text(std::string_view ascii) {

@@ -53,8 +53,10 @@ NpyHeader parse_npy_header(std::string_view bytes, const std::string& file_name,
 NpyArray parse_npy(std::string_view bytes, const std::string& file_name);
 NpyArray read_npy(const std::filesystem::path& path);
 
-/// As `parse_npy`, for a member of an .npz file; takes over its bytes.
-NpyArray npy_member(std::string bytes, const std::string& file_name, std::string_view name);
+/// As `parse_npy`, for a member of an .npz file: the array of a header and the bytes that follow
+/// it.
+NpyArray npy_member(NpyHeader header, std::string elements, const std::string& file_name,
+                    std::string_view name);
 
 /// The elements as numbers, the last index varying fastest, whatever the order in the file. At most
 /// 2²⁹ numbers of 8 to 64 bits or booleans; throws mien::Error at `place` for others.

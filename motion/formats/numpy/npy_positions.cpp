@@ -13,8 +13,7 @@
 #include "motion/points/joint_orders.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
-#include "motion/text/file_contents.h"
-#include "motion/text/file_kind.h"
+#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -75,14 +74,15 @@ std::string positions_name(const Npz& outlines) {
               save_positions);
 }
 
-/// The array, and the rates and names where it stands in an .npz file.
-Npz positions_in(std::string_view bytes, const std::string& file) {
-  if (!bytes.starts_with("PK")) return {file, {parse_npy(bytes, file)}};
-  const std::string name = positions_name(parse_npz(bytes, file, WantedArrays(std::in_place)));
+/// The array of positions in an .npz file, then the rates and names. `read` gives the wanted
+/// arrays.
+template <class Read>
+Npz npz_positions(Read read) {
+  const std::string name = positions_name(read(WantedArrays(std::in_place)));
   std::vector<std::string_view> wanted = rate_array_names();
   wanted.push_back(name);
   wanted.insert(wanted.end(), std::begin(name_arrays), std::end(name_arrays));
-  Npz npz = parse_npz(bytes, file, wanted);
+  Npz npz = read(wanted);
   const auto found = std::find_if(npz.arrays.begin(), npz.arrays.end(),
                                   [&](const NpyArray& array) { return array.name == name; });
   std::iter_swap(npz.arrays.begin(), found);
@@ -205,11 +205,9 @@ void set_rate(PointRecording& recording, bool is_taken_as_humanml3d, const Npz& 
   recording.frames_per_second = *rate;
 }
 
-}  // namespace
-
-PointRecording parse_npy_positions(std::string_view bytes, const std::string& file_name,
-                                   const ReadOptions& options) {
-  const Npz npz = positions_in(bytes, file_name);
+/// The positions of the first array.
+PointRecording positions_of(const Npz& npz, const ReadOptions& options) {
+  const std::string& file_name = npz.file;
   const NpyArray& array = npz.arrays.front();
   const std::optional<Extents> extents = extents_of(array);
   if (!extents) refuse_shape(array, file_name);
@@ -243,12 +241,10 @@ PointRecording parse_npy_positions(std::string_view bytes, const std::string& fi
   return recording;
 }
 
-namespace {
-
 /// As described beside the file, except for what the options say.
-PointRecording described_positions(std::string_view bytes, const std::string& file,
+PointRecording described_positions(NpyArray array, const std::string& file,
                                    const NpyDescription& description, ReadOptions options) {
-  const std::optional<Extents> extents = extents_of(parse_npy(bytes, file));
+  const std::optional<Extents> extents = extents_of(array);
   if (extents && extents->joints != description.points.size())
     throw Error({description.file},
                 "names " + std::to_string(description.points.size()) +
@@ -256,7 +252,7 @@ PointRecording described_positions(std::string_view bytes, const std::string& fi
                 "put the description of this file beside it, or remove it");
   if (options.joints.empty()) options.joints = description.points;
   if (!options.frames_per_second) options.frames_per_second = description.frames_per_second;
-  PointRecording recording = parse_npy_positions(bytes, file, options);
+  PointRecording recording = positions_of({file, {std::move(array)}}, options);
   recording.unit = description.unit;
   recording.metres_per_unit = description.unit.empty() ? 0.0 : 1.0;
   recording.notes.push_back("The description beside the file says what its points are.");
@@ -265,15 +261,29 @@ PointRecording described_positions(std::string_view bytes, const std::string& fi
 
 }  // namespace
 
+PointRecording parse_npy_positions(std::string_view bytes, const std::string& file_name,
+                                   const ReadOptions& options) {
+  if (!bytes.starts_with("PK"))
+    return positions_of({file_name, {parse_npy(bytes, file_name)}}, options);
+  return positions_of(npz_positions([&](const WantedArrays& wanted) {
+                        return parse_npz(bytes, file_name, wanted);
+                      }),
+                      options);
+}
+
 PointRecording read_npy_positions(const std::filesystem::path& path, const ReadOptions& options) {
-  const std::string bytes = read_contents(path);
-  require_kind(bytes, path.string(), bytes.starts_with("PK") ? "npz" : "npy");
+  NpyArray array = read_npy(path);
   const bool is_complete = options.frames_per_second && !options.joints.empty();
-  if (is_complete || bytes.starts_with("PK"))
-    return parse_npy_positions(bytes, path.string(), options);
-  const std::optional<NpyDescription> description = read_npy_description(path);
-  if (!description) return parse_npy_positions(bytes, path.string(), options);
-  return described_positions(bytes, path.string(), *description, options);
+  std::optional<NpyDescription> description;
+  if (!is_complete) description = read_npy_description(path);
+  if (description)
+    return described_positions(std::move(array), path.string(), *description, options);
+  return positions_of({path.string(), {std::move(array)}}, options);
+}
+
+PointRecording read_npz_positions(const std::filesystem::path& path, const ReadOptions& options) {
+  return positions_of(
+      npz_positions([&](const WantedArrays& wanted) { return read_npz(path, wanted); }), options);
 }
 
 std::string to_positions_npy(const PointRecording& recording) {

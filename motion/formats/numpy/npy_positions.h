@@ -30,6 +30,10 @@ namespace mien::motion {
 PointRecording read_npy_positions(const std::filesystem::path& path,
                                   const ReadOptions& options = {});
 
+/// As above, for an .npz file, of which only the positions and the rate are read.
+PointRecording read_npz_positions(const std::filesystem::path& path,
+                                  const ReadOptions& options = {});
+
 /// As above, for an .npy or .npz file in memory.
 PointRecording parse_npy_positions(std::string_view bytes, const std::string& file_name,
                                    const ReadOptions& options = {});

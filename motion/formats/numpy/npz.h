@@ -32,15 +32,16 @@ using WantedArrays = std::optional<std::vector<std::string_view>>;
 ///
 /// Throws mien::Error naming the file and the array if the archive is damaged, encrypted or has
 /// more than `most_npz_members` files, if two arrays have one name, if the wanted arrays unpack to
-/// more than `most_bytes` (checked before unpacking by the sizes that the archive states, and while
+/// more than `most_bytes`, or to much more than the archive has (`largest_inflated`,
+/// compressed_file.h; checked before unpacking by the sizes that the archive states, and while
 /// unpacking), or if an array is invalid.
 Npz parse_npz(std::string_view bytes, const std::string& file_name,
               const WantedArrays& wanted = std::nullopt,
               std::uintmax_t most_bytes = max_recording_bytes);
-Npz read_npz(const std::filesystem::path& path, const WantedArrays& wanted = std::nullopt);
 
-/// The bytes of an .npz file. Throws mien::Error if it cannot be read or is clearly another file.
-std::string npz_contents(const std::filesystem::path& path);
+/// As `parse_npz`, from a file, of which only the directory and the wanted arrays are read. Throws
+/// mien::Error also if the file cannot be read or is clearly another one.
+Npz read_npz(const std::filesystem::path& path, const WantedArrays& wanted = std::nullopt);
 
 /// The array of that name; null if there is none.
 const NpyArray* find_array(const Npz& npz, std::string_view name);

@@ -12,7 +12,9 @@
 namespace mien::motion {
 
 /// Whether an .npz file holds rotations of SMPL joints: an array `poses`, `pose`, `root_orient` or
-/// `global_orient`. Throws mien::Error if it is no .npz file.
+/// `global_orient`. Only the directory of a file and the headers of its arrays are read. Throws
+/// mien::Error if it is no .npz file.
+bool holds_smpl_motion(const std::filesystem::path& path);
 bool holds_smpl_motion(std::string_view bytes, const std::string& file_name);
 
 /// Reads a motion of SMPL, SMPL-H or SMPL-X (.npz), as in AMASS and BEAT2: for each of T frames the

@@ -62,15 +62,15 @@ std::vector<std::string> distinct(std::vector<std::string> names) {
   return names;
 }
 
-}  // namespace
-
-PointRecording parse_smpl_markers(std::string_view bytes, const std::string& file_name,
-                                  const ReadOptions& options) {
+WantedArrays marker_arrays() {
   std::vector<std::string_view> wanted = rate_array_names();
   wanted.insert(wanted.end(), {"marker_data", "marker_labels"});
-  const Npz npz = parse_npz(bytes, file_name, wanted);
+  return wanted;
+}
+
+PointRecording smpl_markers(const Npz& npz, const ReadOptions& options) {
   PointRecording recording;
-  recording.name = recording_name(file_name);
+  recording.name = recording_name(npz.file);
   recording.format = "smpl";
   const NpyArray& markers = markers_in(npz);
   recording.points = distinct(labels_in(npz, markers.shape[1]));
@@ -91,8 +91,15 @@ PointRecording parse_smpl_markers(std::string_view bytes, const std::string& fil
   return recording;
 }
 
+}  // namespace
+
+PointRecording parse_smpl_markers(std::string_view bytes, const std::string& file_name,
+                                  const ReadOptions& options) {
+  return smpl_markers(parse_npz(bytes, file_name, marker_arrays()), options);
+}
+
 PointRecording read_smpl_markers(const std::filesystem::path& path, const ReadOptions& options) {
-  return parse_smpl_markers(npz_contents(path), path.string(), options);
+  return smpl_markers(read_npz(path, marker_arrays()), options);
 }
 
 }  // namespace mien::motion

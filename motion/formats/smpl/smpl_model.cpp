@@ -91,22 +91,21 @@ void require_parents(const Npz& model, const Skeleton& expected) {
   }
 }
 
-}  // namespace
+WantedArrays model_arrays() {
+  return WantedArrays({"v_template", "shapedirs", "J_regressor", "kintree_table"});
+}
 
-void set_smpl_proportions(Skeleton& skeleton, std::string_view bytes, const std::string& file_name,
-                          std::span<const double> betas) {
-  const Npz model = parse_npz(
-      bytes, file_name, WantedArrays({"v_template", "shapedirs", "J_regressor", "kintree_table"}));
+void set_proportions(Skeleton& skeleton, const Npz& model, std::span<const double> betas) {
   const std::vector<Vec3> joints = joints_of(model, shaped_vertices(model, betas));
   if (joints.size() == 22 || !is_smpl_joint_count(joints.size()))
-    throw Error({file_name}, "has " + std::to_string(joints.size()) + " joints, not 24, 52 or 55",
+    throw Error({model.file}, "has " + std::to_string(joints.size()) + " joints, not 24, 52 or 55",
                 name_model);
   const Skeleton known = smpl_skeleton(joints.size());
   require_parents(model, known);
   for (Joint& joint : skeleton.joints) {
     const int j = find_joint(known, joint.name);
     if (j < 0)
-      throw Error({file_name},
+      throw Error({model.file},
                   "is a model of " + std::string(smpl_layout_name(joints.size())) +
                       ", which has no joint " + joint.name,
                   "name a model of " + std::string(smpl_layout_name(skeleton.joints.size())) +
@@ -118,11 +117,18 @@ void set_smpl_proportions(Skeleton& skeleton, std::string_view bytes, const std:
   }
 }
 
+}  // namespace
+
+void set_smpl_proportions(Skeleton& skeleton, std::string_view bytes, const std::string& file_name,
+                          std::span<const double> betas) {
+  set_proportions(skeleton, parse_npz(bytes, file_name, model_arrays()), betas);
+}
+
 void set_smpl_proportions(Skeleton& skeleton, const std::filesystem::path& model,
                           std::span<const double> betas) {
   if (model.extension() == ".pkl")
     throw Error({model.string()}, "holds Python objects, which are never unpickled", name_model);
-  set_smpl_proportions(skeleton, npz_contents(model), model.string(), betas);
+  set_proportions(skeleton, read_npz(model, model_arrays()), betas);
 }
 
 }  // namespace mien::motion

@@ -93,17 +93,9 @@ Vec3 vector_at(const std::vector<double>& numbers, std::size_t index) {
   return {numbers[3 * index], numbers[3 * index + 1], numbers[3 * index + 2]};
 }
 
-}  // namespace
-
-bool holds_smpl_motion(std::string_view bytes, const std::string& file_name) {
-  return has_smpl_rotations(parse_npz(bytes, file_name, WantedArrays(std::in_place)));
-}
-
-Recording parse_smpl(std::string_view bytes, const std::string& file_name,
-                     const ReadOptions& options) {
-  const Npz npz = parse_npz(bytes, file_name, motion_arrays());
+Recording smpl_motion(const Npz& npz, const ReadOptions& options) {
   Recording recording;
-  recording.name = recording_name(file_name);
+  recording.name = recording_name(npz.file);
   recording.format = "smpl";
   const SmplRotations rotations = smpl_rotations(npz, recording.notes);
   recording.frames_per_second = rate_of(npz, options);
@@ -127,8 +119,23 @@ Recording parse_smpl(std::string_view bytes, const std::string& file_name,
   return recording;
 }
 
+}  // namespace
+
+bool holds_smpl_motion(const std::filesystem::path& path) {
+  return has_smpl_rotations(read_npz(path, WantedArrays(std::in_place)));
+}
+
+bool holds_smpl_motion(std::string_view bytes, const std::string& file_name) {
+  return has_smpl_rotations(parse_npz(bytes, file_name, WantedArrays(std::in_place)));
+}
+
 Recording read_smpl(const std::filesystem::path& path, const ReadOptions& options) {
-  return parse_smpl(npz_contents(path), path.string(), options);
+  return smpl_motion(read_npz(path, motion_arrays()), options);
+}
+
+Recording parse_smpl(std::string_view bytes, const std::string& file_name,
+                     const ReadOptions& options) {
+  return smpl_motion(parse_npz(bytes, file_name, motion_arrays()), options);
 }
 
 }  // namespace mien::motion
