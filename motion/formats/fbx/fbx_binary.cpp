@@ -5,6 +5,7 @@
 
 #include "motion/formats/fbx/fbx_document.h"
 #include "motion/formats/fbx/fbx_values.h"
+#include "motion/text/compressed_file.h"
 
 namespace mien::motion {
 
@@ -15,6 +16,8 @@ struct BinaryCursor {
   FbxDocument& document;
   std::uint64_t at = 27;
   std::uint64_t inflated = 0;  ///< bytes that the arrays so far have once they are inflated
+  std::uint64_t most_inflated =
+      largest_inflated(document.bytes.size(), fbx_limits::most_inflated_bytes);
 
   const char* here() const { return document.bytes.data() + at; }
 };
@@ -64,7 +67,7 @@ void check_values(BinaryCursor& cursor, std::string_view list, std::uint64_t cou
         (array.is_deflated
              ? array.inflated_bytes() / fbx_limits::most_inflation <= array.stored.size()
              : array.inflated_bytes() == array.stored.size());
-    if (!is_possible || cursor.inflated > fbx_limits::most_inflated_bytes) {
+    if (!is_possible || cursor.inflated > cursor.most_inflated) {
       refuse_fbx(cursor.document, list.data() + at,
                  "an array states " + std::to_string(array.count) +
                      " elements, which its bytes cannot hold or which are too many",

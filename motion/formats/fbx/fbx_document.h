@@ -37,8 +37,9 @@ struct FbxDocument {
 /// Parses a binary or text file of versions 6100 to 7700. Throws mien::Error with the byte (binary)
 /// or line and column (text) if a node does not fit into its parent or the file, nodes are nested
 /// more than 64 deep, there are more than four million of them, an array has more than 2^26
-/// elements, arrays would inflate to more than 4 GiB or by more than deflate can compress, or the
-/// version is another one.
+/// elements, arrays would inflate to more than 4 GiB, to much more than the file has
+/// (`largest_inflated`, compressed_file.h) or by more than deflate can compress, or the version is
+/// another one.
 FbxDocument parse_fbx_document(std::string_view bytes, const std::string& file_name);
 
 /// Whether the bytes begin like a binary FBX file.
