@@ -42,7 +42,7 @@ struct BidsMotionTexts {
 
 PointRecording parse_bids_motion(const BidsMotionTexts& texts, const ReadOptions& options = {});
 
-/// Whether a file is named as motion in BIDS: "…_motion.tsv".
+/// Whether a file is named as motion in BIDS: "…_motion.tsv", also "…_motion.tsv.gz".
 bool is_bids_motion(const std::filesystem::path& path);
 
 /// Labels for names of BIDS files. Characters other than letters and digits are left out.

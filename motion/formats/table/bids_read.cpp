@@ -242,7 +242,7 @@ fs::path sidecar_of(const fs::path& motion, const std::string& prefix) {
 }  // namespace
 
 bool is_bids_motion(const fs::path& path) {
-  const std::string name = path.filename().string();
+  const std::string name = without_compression(path).filename().string();
   return name == motion_ending || name.ends_with("_motion.tsv");
 }
 
@@ -265,7 +265,7 @@ PointRecording parse_bids_motion(const BidsMotionTexts& texts, const ReadOptions
 }
 
 PointRecording read_bids_motion(const fs::path& motion_tsv, const ReadOptions& options) {
-  const std::string name = motion_tsv.filename().string();
+  const std::string name = without_compression(motion_tsv).filename().string();
   if (!is_bids_motion(motion_tsv))
     throw Error({motion_tsv.string()}, "is not named as motion in BIDS",
                 "give the path of a …_motion.tsv");
