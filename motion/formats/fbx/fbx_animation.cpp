@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "motion/error.h"
+#include "motion/formats/fbx/fbx_numbers.h"
 #include "motion/formats/fbx/fbx_values.h"
 #include "motion/math/rotation.h"
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "motion/formats/fbx/fbx_numbers.h"
 #include "motion/formats/fbx/fbx_values.h"
 
 namespace mien::motion {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "motion/formats/fbx/fbx_layer.h"
+#include "motion/formats/fbx/fbx_numbers.h"
 #include "motion/formats/fbx/fbx_values.h"
 #include "motion/text/excerpt.h"
 

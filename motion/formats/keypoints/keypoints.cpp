@@ -8,8 +8,10 @@
 #include "motion/formats/keypoints/keypoint_take.h"
 #include "motion/formats/reading/chosen_subject.h"
 #include "motion/formats/reading/json_text.h"
+#include "motion/formats/reading/option_names.h"
 #include "motion/formats/table/column_name.h"
-#include "motion/formats/table/point_names.h"
+#include "motion/points/joint_orders.h"
+#include "motion/points/point_names.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
@@ -99,7 +101,7 @@ PointRecording recording_of(KeypointTake take, const KeypointFile& file, std::si
   const std::size_t points = take.points.size();
   require_present_size({file.name}, points, timing.frame_count, bytes);
   PointRecording recording;
-  recording.points = distinct_names(std::move(take.points));
+  recording.points = distinct_point_names(std::move(take.points), take.notes);
   recording.frames_per_second = timing.frames_per_second;
   const std::size_t cells = static_cast<std::size_t>(timing.frame_count) * points;
   recording.positions.assign(cells, Vec3::Zero());
@@ -158,11 +160,16 @@ std::optional<double> coordinate(const Json* value, const KeypointFile& file, st
 
 std::vector<std::string> names_for(std::size_t count, const std::vector<std::string>& known,
                                    const KeypointFile& file) {
-  if (!file.options.joints.empty() && file.options.joints.size() == count)
-    return file.options.joints;
+  const std::vector<std::string> given = given_point_names(file.options.joints);
+  if (!given.empty() && given.size() != count)
+    throw Error({file.name},
+                std::to_string(given.size()) + " names of points are given, but it holds " +
+                    std::to_string(count) + " points",
+                "name the points in the order of the file");
+  if (!given.empty()) return given;
   if (known.size() == count) return known;
   throw Error({file.name}, "holds " + std::to_string(count) + " points without names",
-              "list the names of the points as joints:");
+              std::string("list the names of the points with ") + joints_option);
 }
 
 void refuse_flat(const KeypointFile& file, const std::string& what) {

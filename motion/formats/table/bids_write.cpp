@@ -7,7 +7,7 @@
 #include "motion/formats/table/bids_motion.h"
 #include "motion/formats/table/column_name.h"
 #include "motion/formats/table/decimal_text.h"
-#include "motion/formats/table/point_names.h"
+#include "motion/points/point_names.h"
 
 namespace mien::motion {
 
@@ -68,7 +68,8 @@ std::string channels_table(const PointRecording& recording) {
   std::string text = "name\tcomponent\ttype\ttracked_point\tunits\n";
   std::vector<std::string> names;
   for (const std::string& point : recording.points) names.push_back(as_field(point));
-  for (const std::string& name : distinct_names(std::move(names))) {
+  std::vector<std::string> notes;  // the names are those of the recording but for odd characters
+  for (const std::string& name : distinct_point_names(std::move(names), notes)) {
     for (int axis = 0; axis < 3; ++axis) {
       const char letter = axis_letters[axis];
       text += name + '_' + letter + '\t' + letter + "\tPOS\t" + name + '\t' + unit + '\n';

@@ -81,6 +81,12 @@ std::optional<AxisName> with_axis(std::string_view name) {
   return std::nullopt;
 }
 
+std::optional<LengthUnit> metric_unit(std::string_view word) {
+  constexpr std::array<std::string_view, 3> metric = {"m", "cm", "mm"};
+  const std::optional<LengthUnit> unit = length_unit(word);
+  return unit && is_one_of(unit->name, metric) ? unit : std::nullopt;
+}
+
 struct TimeUnit {
   std::string_view word;
   double seconds;
@@ -122,23 +128,6 @@ bool is_frame(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::optional<LengthUnit> length_unit(std::string_view word) {
-  struct Named {
-    std::string_view word;
-    LengthUnit unit;
-  };
-  constexpr LengthUnit m{"m", 1.0};
-  constexpr LengthUnit cm{"cm", 0.01};
-  constexpr LengthUnit mm{"mm", 0.001};
-  constexpr Named units[] = {
-      {"m", m},   {"metre", m},       {"metres", m},       {"meter", m},       {"meters", m},
-      {"cm", cm}, {"centimetre", cm}, {"centimetres", cm}, {"centimeter", cm}, {"centimeters", cm},
-      {"mm", mm}, {"millimetre", mm}, {"millimetres", mm}, {"millimeter", mm}, {"millimeters", mm}};
-  for (const Named& named : units)
-    if (same_word(named.word, word)) return named.unit;
-  return std::nullopt;
-}
-
 std::optional<AxisName> axis_name(std::string_view name) {
   name = without_joiners_at_ends(name);
   std::optional<LengthUnit> unit;
@@ -151,7 +140,7 @@ std::optional<AxisName> axis_name(std::string_view name) {
   if (!unit && end.size() < name.size()) {
     const std::string_view before =
         without_joiners_at_ends(name.substr(0, name.size() - end.size()));
-    const std::optional<LengthUnit> at_end = length_unit(end);
+    const std::optional<LengthUnit> at_end = metric_unit(end);
     if (const auto axis = at_end ? with_axis(before) : std::nullopt) {
       found = axis;
       unit = at_end;

@@ -4,19 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "motion/points/length_unit.h"
+
 namespace mien::motion {
 
 /// The names of the axes in columns.
 inline constexpr char axis_letters[] = "xyz";
-
-/// A unit of length as files name it.
-struct LengthUnit {
-  std::string_view name;  ///< "m", "cm", "mm"
-  double metres = 0.0;
-};
-
-/// The unit for "m", "metres", "Meters", "mm", "Millimeters", "cm", …; nothing for other words.
-std::optional<LengthUnit> length_unit(std::string_view word);
 
 /// What the name of a column says of a coordinate.
 struct AxisName {
@@ -26,7 +19,8 @@ struct AxisName {
 };
 
 /// Reads "nose_x", "nose.X", "nose x", "nose:x", "noseX", "x_nose", "X", and these with a unit:
-/// "nose_x (mm)", "nose_x_m". "nose_pos_x" is of "nose".
+/// "nose_x (mm)", "nose_x_m". "nose_pos_x" is of "nose". Without brackets only metres, centimetres
+/// and millimetres are units: "x_left_foot" is of the left foot.
 std::optional<AxisName> axis_name(std::string_view name);
 
 /// Whether a base is of values that are no positions: "hip_rot", "hand velocity", "quat".

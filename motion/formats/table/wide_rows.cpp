@@ -3,9 +3,9 @@
 
 #include "motion/formats/table/column_name.h"
 #include "motion/formats/table/frame_times.h"
-#include "motion/formats/table/point_names.h"
 #include "motion/formats/table/table_cell.h"
 #include "motion/formats/table/wide_table.h"
+#include "motion/points/point_names.h"
 #include "motion/text/excerpt.h"
 
 namespace mien::motion {
@@ -147,7 +147,7 @@ class WideReader {
                          rows_.cursor().text.size());
     std::vector<std::string> names;
     for (PointColumns& point : columns_.points) names.push_back(std::move(point.name));
-    recording.points = distinct_names(std::move(names));
+    recording.points = distinct_point_names(std::move(names), recording.notes);
     if (static_cast<std::size_t>(timing.frame_count) == moments_.count) {
       recording.positions = std::move(positions_);
       recording.seen = std::move(seen_);

@@ -169,6 +169,13 @@ TEST(Keypoints, OtherNumbersOfPointsNeedNames) {
   EXPECT_EQ(recording.positions[recording.at(1, 1)], Vec3(4, 5, 7));
 }
 
+TEST(Keypoints, NamesThatDoNotFitAreRefused) {
+  ReadOptions options = at_rate(30);
+  options.joints = {"a", "b", "c"};
+  expect_words(refusal("[[[1,2,3],[4,5,6]]]", options),
+               "3 names of points are given, but it holds 2");
+}
+
 TEST(Keypoints, FreeMocapIsRead) {
   std::string text = R"({"info":{},"data_by_frame":{)";
   for (int f = 0; f < 12; ++f)
