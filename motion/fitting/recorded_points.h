@@ -17,9 +17,11 @@ struct RecordedPoints {
   std::string rejection;            ///< why not, as a sentence; else empty
 };
 
-/// Fits the body to the points (fit.h). If that is not possible, the figure is a single joint in
-/// their centre, so that the points can still be shown, and a note says why. Notes are those of the
-/// reader and of the fit, with its warnings. Throws mien::Error if there are no frames or points.
+/// Fits the body to the points (fit.h); of several people whose points are together, named
+/// "person:point", to those of the one with the most points (the first of equals). If that is not
+/// possible, the figure is a single joint in their centre, so that the points can still be shown,
+/// and a note says why. Notes are those of the reader and of the fit, with its warnings. Throws
+/// mien::Error if there are no frames or points.
 RecordedPoints recorded_points(const PointRecording& points);
 
 }  // namespace mien::motion

@@ -40,7 +40,7 @@ constexpr double least_rate = 0.1;
 constexpr double greatest_rate = 10000.0;
 
 FileContents read_gltf_file(const path& file, const ReadOptions& how) {
-  return read_gltf(file, how.take);
+  return read_gltf(file, how.take, how.subject);
 }
 
 // Theia's files hold rotations instead of points.
@@ -51,8 +51,16 @@ FileContents read_c3d_file(const path& file, const ReadOptions& how) {
   return parse_c3d(bytes, file.string(), how);
 }
 
+[[noreturn]] void refuse_names(const path& file) {
+  throw Error({file.string()}, "has names of its joints or points, so none can be given",
+              "omit the names of joints");
+}
+
 FileContents read_npz_file(const path& file, const ReadOptions& how) {
-  if (holds_smpl_motion(file)) return read_smpl(file, how);
+  if (holds_smpl_motion(file)) {
+    if (!how.joints.empty()) refuse_names(file);
+    return read_smpl(file, how);
+  }
   if (!how.body_model.empty()) {
     throw Error({file.string()}, "holds no rotations of SMPL joints, so no body model can be used",
                 "omit the body model");
@@ -99,24 +107,39 @@ constexpr MotionFormat formats[] = {
      .name = "Acclaim",
      .part_ending = ".asf",
      .read = [](const path& file, const ReadOptions&) { return FileContents(read_amc(file)); }},
-    {.ending = ".fbx", .name = "FBX", .has_takes = true, .read = read_with<read_fbx>},
+    {.ending = ".fbx",
+     .name = "FBX",
+     .has_takes = true,
+     .has_subjects = true,
+     .read = read_with<read_fbx>},
     {.ending = ".gltf",
      .name = "glTF",
      .part_ending = ".bin",
      .has_takes = true,
+     .has_subjects = true,
      .read = read_gltf_file},
     {.ending = ".glb",
      .name = "glTF",
      .has_takes = true,
+     .has_subjects = true,
      .is_metric = true,
      .read = read_gltf_file,
      .bytes_of_motion = to_glb},
-    {.ending = ".vrma", .name = "VRM", .has_takes = true, .read = read_gltf_file},
-    {.ending = ".vrm", .name = "VRM", .has_takes = true, .read = read_gltf_file},
+    {.ending = ".vrma",
+     .name = "VRM",
+     .has_takes = true,
+     .has_subjects = true,
+     .read = read_gltf_file},
+    {.ending = ".vrm",
+     .name = "VRM",
+     .has_takes = true,
+     .has_subjects = true,
+     .read = read_gltf_file},
     {.ending = ".mvnx", .name = "MVNX", .has_subjects = true, .read = read_with<read_mvnx>},
     {.ending = ".c3d", .name = "C3D", .has_subjects = true, .read = read_c3d_file},
     {.ending = ".trc",
      .name = "TRC",
+     .has_subjects = true,
      .is_metric = true,
      .states_unit = true,
      .read = read_with<read_trc>,
@@ -125,6 +148,7 @@ constexpr MotionFormat formats[] = {
      .name = "NumPy",
      .is_metric = true,
      .is_of_body = true,
+     .has_nameless_points = true,
      .is_of_motions = false,
      .read = read_npz_file,
      .bytes_of_motion = to_amass_npz},
@@ -161,6 +185,7 @@ constexpr MotionFormat formats[] = {
     {.ending = ".json",
      .name = "keypoints",
      .has_subjects = true,
+     .has_nameless_points = true,
      .is_of_motions = false,
      .read = read_with<read_keypoints>},
 };
@@ -247,10 +272,7 @@ FileContents read_file(const std::filesystem::path& path, const ReadOptions& opt
     throw Error({path.string(), 0, 0}, "holds one person, so no subject can be chosen",
                 "omit the subject");
   }
-  if (!options.joints.empty() && !format->has_nameless_points) {
-    throw Error({path.string(), 0, 0}, "has names of its joints or points, so none can be given",
-                "omit the names of joints");
-  }
+  if (!options.joints.empty() && !format->has_nameless_points) refuse_names(path);
   if (!options.body_model.empty() && format->read != read_npz_file) {
     throw Error({path.string(), 0, 0}, "is no SMPL motion, so no body model can be used",
                 "omit the body model; only SMPL, SMPL-H and SMPL-X motions (.npz) take one");

@@ -91,4 +91,10 @@ const JointOrder* joint_order(std::string_view name) {
   return found == orders.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> given_point_names(const std::vector<std::string>& given) {
+  const JointOrder* const order = given.size() == 1 ? joint_order(given.front()) : nullptr;
+  if (order == nullptr) return given;
+  return {order->joints.begin(), order->joints.end()};
+}
+
 }  // namespace mien::motion

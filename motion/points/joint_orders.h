@@ -24,4 +24,7 @@ std::span<const JointOrder> joint_orders();
 /// The order of that name; null if there is none.
 const JointOrder* joint_order(std::string_view name);
 
+/// Names of points as users give them: those of a known order if its name alone is given.
+std::vector<std::string> given_point_names(const std::vector<std::string>& given);
+
 }  // namespace mien::motion

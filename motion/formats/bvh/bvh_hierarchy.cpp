@@ -97,6 +97,7 @@ class HierarchyReader {
     while (parse_statement()) {
     }
     if (roots_.size() > 1) keep_one_figure();
+    if (roots_.size() == 1) check_only_figure();
     return std::move(hierarchy_);
   }
 
@@ -139,7 +140,7 @@ class HierarchyReader {
     if (same_word(word, "ROOT")) {
       if (!roots_.empty() && !choice_.may_choose) {
         fail(cursor_, place, "a second ROOT, but one figure alone can be streamed",
-             "stream each figure by itself");
+             "choose one as the subject, or stream each figure by itself");
       }
       roots_.push_back({joints().size(), place});
       open_joint("ROOT", place);
@@ -229,6 +230,11 @@ class HierarchyReader {
     }
     channel->joint = joint;
     hierarchy_.channels.push_back(*channel);
+  }
+
+  void check_only_figure() const {
+    chosen_subject(place_at(cursor_, roots_.front().place), {hierarchy_.skeleton.joints[0].name},
+                   choice_.subject);
   }
 
   /// The joints of a figure follow each other, up to the next root.

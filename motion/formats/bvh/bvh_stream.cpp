@@ -69,7 +69,8 @@ void BvhStream::read_head() {
   TextCursor cursor = start_of(plain, file_);
   const size_t mark = text_.size() - cursor.text.size();
   BvhHead head;
-  head.hierarchy = parse_bvh_hierarchy(cursor, {.may_choose = false});
+  head.hierarchy =
+      parse_bvh_hierarchy(cursor, {.subject = subject_, .may_choose = subject_.has_value()});
   const auto [frames, place] = parse_bvh_frame_count(cursor);
   head.claimed_frames = frames;
   if (head.hierarchy.channels.empty()) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "motion/formats/bvh/bvh_hierarchy.h"
 #include "motion/skeleton/pose.h"
@@ -22,11 +23,14 @@ struct BvhHead {
 /// one frame.
 ///
 /// Throws mien::Error with file, line and column as soon as the text is found not to be BVH: for
-/// the same faults as `parse_bvh` except a wrong number of frames, and also for a second ROOT, for
-/// a header of more than 4 MiB, or a frame of more than 4 KiB plus 64 characters per number.
+/// the same faults as `parse_bvh` except a wrong number of frames, and also for a second ROOT if no
+/// figure is chosen, for a header of more than 4 MiB, or a frame of more than 4 KiB plus 64
+/// characters per number.
 class BvhStream {
  public:
-  explicit BvhStream(std::string file_name) : file_(std::move(file_name)) {}
+  /// `subject` chooses one of several figures, as for `parse_bvh`.
+  explicit BvhStream(std::string file_name, std::optional<std::string> subject = std::nullopt)
+      : file_(std::move(file_name)), subject_(std::move(subject)) {}
 
   /// Adds the next chunk of the text.
   void push(std::string_view piece);
@@ -47,6 +51,7 @@ class BvhStream {
   void drop(size_t count);
 
   std::string file_;
+  std::optional<std::string> subject_;
   std::string text_;    ///< input that has not been parsed yet
   size_t seen_ = 0;     ///< number of characters of `text_` scanned so far, in whole lines
   size_t numbers_ = 0;  ///< number of words in these lines, once the header is complete

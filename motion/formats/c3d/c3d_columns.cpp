@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "motion/error.h"
+#include "motion/formats/reading/option_names.h"
 #include "motion/points/point_names.h"
 #include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
@@ -121,12 +122,12 @@ bool ends_as_a_result(std::string_view label) {
   return false;
 }
 
-void note_people(const People& people, const C3dColumns& chosen,
-                    std::vector<std::string>& notes) {
+void note_people(const People& people, const C3dColumns& chosen, std::vector<std::string>& notes) {
   if (people.with_labels < 2) return;
   if (chosen.subject.empty()) {
     notes.push_back("The file holds the points of " + std::to_string(people.with_labels) +
-                    " people; all are read. Choose one as subject: " + listed(people.names) + ".");
+                    " people (" + listed(people.names) + "); all are read. Choose one with " +
+                    subject_option + ".");
   } else {
     notes.push_back("Only the points of " + excerpt(chosen.subject) + " are read, one of " +
                     std::to_string(people.with_labels) + " people in the file.");

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "motion/error.h"
-#include "motion/text/excerpt.h"
+#include "motion/formats/reading/chosen_figure.h"
 
 namespace mien::motion {
 
@@ -96,9 +96,10 @@ std::vector<int> roots_of(const FbxScene& scene, const std::vector<bool>& is_joi
   return root;
 }
 
-/// The root with the most joints.
+/// The root of the figure that is asked for, else of the one with the most joints.
 int chosen_root(const FbxScene& scene, const std::vector<bool>& is_joint,
-                const std::vector<int>& root, std::vector<std::string>& notes) {
+                const std::vector<int>& root, const std::optional<std::string>& wanted,
+                Recording& recording) {
   std::vector<int> sizes(scene.models.size(), 0);
   for (size_t m = 0; m < scene.models.size(); ++m) {
     if (is_joint[m] && root[m] >= 0) ++sizes[static_cast<size_t>(root[m])];
@@ -108,20 +109,16 @@ int chosen_root(const FbxScene& scene, const std::vector<bool>& is_joint,
     throw Error({scene.document.file}, "holds no skeleton and nothing that moves",
                 "export the skeleton with its motion");
   }
-  const int chosen = static_cast<int>(largest - sizes.begin());
-  std::vector<std::string> others;
+  std::vector<int> roots;
+  std::vector<std::string> names;
   for (const int m : scene.parents_first) {
-    if (m != chosen && sizes[static_cast<size_t>(m)] >= 2) {
-      others.push_back(scene.models[static_cast<size_t>(m)].name);
-    }
+    if (m != largest - sizes.begin() && sizes[static_cast<size_t>(m)] < 2) continue;
+    roots.push_back(m);
+    names.push_back(scene.models[static_cast<size_t>(m)].name);
   }
-  if (!others.empty()) {
-    notes.push_back("The file holds " + std::to_string(others.size() + 1) + " figures; that of " +
-                    in_quotes(scene.models[static_cast<size_t>(chosen)].name) +
-                    " is used, because it has the most joints, without that of " + listed(others) +
-                    ".");
-  }
-  return chosen;
+  const auto first = std::ranges::find(roots, static_cast<int>(largest - sizes.begin()));
+  return roots[chosen_figure({scene.document.file}, names,
+                             static_cast<size_t>(first - roots.begin()), wanted, recording)];
 }
 
 /// An end as exporters of bones write it: "HeadTop_End", "Bip01 ToeNub".
@@ -175,9 +172,9 @@ std::vector<bool> fbx_joints(const FbxScene& scene, const std::vector<bool>& mov
 }
 
 FbxFigure fbx_figure(const FbxScene& scene, const std::vector<bool>& is_joint,
-                     std::vector<std::string>& notes) {
+                     const std::optional<std::string>& wanted, Recording& recording) {
   const std::vector<int> root = roots_of(scene, is_joint);
-  const int chosen = chosen_root(scene, is_joint, root, notes);
+  const int chosen = chosen_root(scene, is_joint, root, wanted, recording);
   std::vector<bool> kept(scene.models.size(), false);
   for (auto m = scene.parents_first.rbegin(); m != scene.parents_first.rend(); ++m) {
     const auto index = static_cast<size_t>(*m);

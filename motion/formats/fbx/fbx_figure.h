@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "motion/formats/fbx/fbx_scene.h"
+#include "motion/skeleton/recording.h"
 
 namespace mien::motion {
 
@@ -20,11 +22,12 @@ struct FbxFigure {
 std::vector<bool> fbx_joints(const FbxScene& scene, const std::vector<bool>& moved);
 
 /// The figure: joints that hang on the same topmost joint, and the models between them. The bones
-/// of a skin belong to the same figure even if only another model connects them. If there are
-/// several figures, the one with the most joints is returned (the first of equals), and a sentence
-/// about others of two or more joints is added to `notes`. Throws mien::Error if there is none.
+/// of a skin belong to the same figure even if only another model connects them. Of several figures
+/// of two or more joints, named after their roots, the one that is asked for is returned, else the
+/// one with the most joints (the first of equals); `recording` gets their names and a note
+/// (chosen_figure.h). Throws mien::Error if there is no figure, or not the one asked for.
 FbxFigure fbx_figure(const FbxScene& scene, const std::vector<bool>& is_joint,
-                     std::vector<std::string>& notes);
+                     const std::optional<std::string>& wanted, Recording& recording);
 
 /// Takes ends of bones out of the figure's joints, such as "HeadTop_End": models without children
 /// and motion that are the only child of their parent and are called an end.

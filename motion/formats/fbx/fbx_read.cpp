@@ -145,13 +145,15 @@ Recording recording_of(const FbxScene& scene, const ReadOptions& options) {
   if (chosen.take) recording.take = chosen.take->name;
   note_choice(scene, options, recording);
   const std::vector<bool> moved = moved_models(scene, chosen.animation);
-  FbxFigure figure = fbx_figure(scene, fbx_joints(scene, moved), recording.notes);
+  FbxFigure figure = fbx_figure(scene, fbx_joints(scene, moved), options.subject, recording);
   drop_ends(scene, moved, figure);
   require_reasonable_size({scene.document.file}, figure.joints.size(), 1);
+  // Figures of one file keep their common time, whichever of them is read.
+  const FbxAnimation whole = recording.subjects.empty() ? FbxAnimation{} : chosen.animation;
   keep_tracks_of(scene, figure, chosen.animation);
   note_layers(chosen.animation, recording);
-  const FbxTiming timing =
-      fbx_timing(scene, chosen.animation, chosen.take, options, recording.notes);
+  const FbxTiming timing = fbx_timing(scene, recording.subjects.empty() ? chosen.animation : whole,
+                                      chosen.take, options, recording.notes);
   recording.frames_per_second = timing.frames_per_second;
   recording.skeleton = fbx_skeleton(scene, figure, moved);
   recording.poses = sampled(scene, figure, std::move(chosen.animation), timing);

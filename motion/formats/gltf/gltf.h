@@ -17,8 +17,9 @@ namespace mien::motion {
 ///
 /// - The skeleton consists of the joints of the skins and the nodes between them, parents first and
 ///   children in the order of the file. Without a skin, it consists of the nodes of the tree that
-///   the animation moves, with exceptions (gltf_figure.h). If there are several figures, the one
-///   with the most joints is used, and `notes` gets a sentence about others of two or more joints.
+///   the animation moves, with exceptions (gltf_figure.h). Of several figures, `subject` chooses
+///   one by the name of its root or by number (from 1); without it, the one with the most joints is
+///   used, and `notes` gets a sentence about it.
 ///   A node without a name is called "joint_0", "joint_1", … by its index in the skeleton. If the
 ///   only child of a leaf joint is a node that is not animated and has no children, mesh or camera,
 ///   its position is the `tip` of the joint.
@@ -40,13 +41,15 @@ namespace mien::motion {
 /// figure or is invalid: for example if `take` does not exist, indices or buffers are out of
 /// bounds, a node has two parents, numbers are not finite, or the motion is longer than an hour.
 Recording read_gltf(const std::filesystem::path& path,
-                    const std::optional<std::string>& take = std::nullopt);
+                    const std::optional<std::string>& take = std::nullopt,
+                    const std::optional<std::string>& subject = std::nullopt);
 
 /// As `read_gltf`, for a file in memory; `file_name` is used in error messages and, without folder
 /// and extension, as the name of the recording. A file that refers to other files for its buffers
 /// is refused.
 Recording parse_gltf(std::string_view bytes, const std::string& file_name,
-                     const std::optional<std::string>& take = std::nullopt);
+                     const std::optional<std::string>& take = std::nullopt,
+                     const std::optional<std::string>& subject = std::nullopt);
 
 /// The recording as a binary glTF file. It has a node for each joint and one named "…_end" for each
 /// tip; one animation, with a rotation track for every joint and a translation track for the root

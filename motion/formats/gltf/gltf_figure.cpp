@@ -5,7 +5,7 @@
 #include <set>
 #include <string_view>
 
-#include "motion/text/excerpt.h"
+#include "motion/formats/reading/chosen_figure.h"
 
 namespace mien::motion {
 
@@ -13,7 +13,7 @@ namespace {
 
 std::string title_of(const GltfFile& file, int node) {
   const std::string& name = file.model.nodes[static_cast<size_t>(node)].name;
-  return name.empty() ? "node " + std::to_string(node) : in_quotes(name);
+  return name.empty() ? "node " + std::to_string(node) : name;
 }
 
 void sort_unique(std::vector<int>& nodes) {
@@ -170,22 +170,21 @@ std::vector<JointSet> moving_trees(const GltfFile& file, const GltfNodes& nodes,
   return trees;
 }
 
+/// The figure that is asked for, else the one with the most joints.
 JointSet chosen(const GltfFile& file, std::vector<JointSet> figures,
-                std::vector<std::string>& notes) {
-  const auto largest = std::ranges::max_element(
-      figures, [](const auto& a, const auto& b) { return a.joints.size() < b.joints.size(); });
-  JointSet figure = *largest;
-  figures.erase(largest);
+                const std::optional<std::string>& wanted, Recording& recording) {
+  const auto by_size = [](const JointSet& a, const JointSet& b) {
+    return a.joints.size() < b.joints.size();
+  };
+  const int largest = std::ranges::max_element(figures, by_size)->root;
   // A prop that moves is no figure.
-  std::erase_if(figures, [](const JointSet& set) { return set.joints.size() < 2; });
-  if (figures.empty()) return figure;
-  std::string others;
-  for (const JointSet& other : figures) {
-    others += (others.empty() ? "" : ", ") + title_of(file, other.root);
-  }
-  notes.push_back("The file holds " + std::to_string(figures.size() + 1) + " figures; that of " +
-                  title_of(file, figure.root) + " is used, without that of " + others + ".");
-  return figure;
+  std::erase_if(figures,
+                [&](const JointSet& set) { return set.joints.size() < 2 && set.root != largest; });
+  std::vector<std::string> names;
+  for (const JointSet& figure : figures) names.push_back(title_of(file, figure.root));
+  const auto usual = std::ranges::find(figures, largest, &JointSet::root) - figures.begin();
+  return std::move(
+      figures[chosen_figure({file.name}, names, static_cast<size_t>(usual), wanted, recording)]);
 }
 
 }  // namespace
@@ -207,14 +206,15 @@ int tip_node(const GltfFile& file, const GltfNodes& nodes, const std::vector<boo
 }
 
 GltfFigure gltf_figure(const GltfFile& file, const GltfNodes& nodes,
-                       const std::vector<GltfTrack>& tracks, std::vector<std::string>& notes) {
-  std::vector<JointSet> figures = human_figure(file, nodes, notes);
+                       const std::vector<GltfTrack>& tracks,
+                       const std::optional<std::string>& wanted, Recording& recording) {
+  std::vector<JointSet> figures = human_figure(file, nodes, recording.notes);
   if (figures.empty()) figures = skinned_figures(file, nodes);
   if (figures.empty()) figures = moving_trees(file, nodes, tracks);
   if (figures.empty()) {
     refuse(file, "there is neither a skin nor an animation", "export the armature with its motion");
   }
-  const JointSet set = chosen(file, std::move(figures), notes);
+  const JointSet set = chosen(file, std::move(figures), wanted, recording);
   GltfFigure figure;
   figure.joints = nodes_between(nodes, set.root, set.joints);
   for (int node = nodes.parents[static_cast<size_t>(set.root)]; node >= 0;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "motion/formats/gltf/gltf_library.h"
 #include "motion/formats/gltf/gltf_nodes.h"
 #include "motion/formats/gltf/gltf_track.h"
+#include "motion/skeleton/recording.h"
 
 namespace mien::motion {
 
@@ -20,12 +22,13 @@ struct GltfFigure {
 /// joints of its skins and the nodes between them. Skins belong to the
 /// same figure if the root of one is at or below the root of the other. Without a skin, the figure
 /// consists of the nodes of the animated tree from the first one that moves or has several
-/// children, except cameras and the ends of bones. If there are several figures, the one with the
-/// most joints is returned (the first of equals), and a sentence about others of two or more joints
-/// is added to `notes`. Throws mien::Error if there is neither a VRM
-/// humanoid nor a skin nor an animation.
+/// children, except cameras and the ends of bones. Of several figures of two or more joints, named
+/// after their roots, the one that is asked for is returned, else the one with the most joints (the
+/// first of equals); `recording` gets their names and a note (chosen_figure.h). Throws mien::Error
+/// if there is neither a VRM humanoid nor a skin nor an animation, or not the figure asked for.
 GltfFigure gltf_figure(const GltfFile& file, const GltfNodes& nodes,
-                       const std::vector<GltfTrack>& tracks, std::vector<std::string>& notes);
+                       const std::vector<GltfTrack>& tracks,
+                       const std::optional<std::string>& wanted, Recording& recording);
 
 /// For each node, whether a track moves it.
 std::vector<bool> moved_nodes(const GltfNodes& nodes, const std::vector<GltfTrack>& tracks);

@@ -149,7 +149,8 @@ void note_choice(Recording& recording, bool was_asked_for) {
                             in_quotes(recording.take) + " is used, because no take was chosen.");
 }
 
-Recording recording_of(const GltfFile& file, const std::optional<std::string>& wanted) {
+Recording recording_of(const GltfFile& file, const std::optional<std::string>& wanted,
+                       const std::optional<std::string>& subject) {
   const GltfNodes nodes = parse_nodes(file);
   const std::vector<GltfTake> takes = gltf_takes(file);
   const std::optional<GltfTake> take = chosen_take(file, takes, wanted);
@@ -161,14 +162,19 @@ Recording recording_of(const GltfFile& file, const std::optional<std::string>& w
   for (const GltfTake& one : takes) recording.takes.push_back(one.name);
   if (take) recording.take = take->name;
   note_choice(recording, wanted.has_value());
-  const GltfFigure figure = gltf_figure(file, nodes, tracks, recording.notes);
+  const GltfFigure figure = gltf_figure(file, nodes, tracks, subject, recording);
   require_reasonable_size({file.name}, figure.joints.size(), 1);
   recording.skeleton = skeleton_of(file, nodes, figure, tracks);
+  // Figures of one file keep their common time, whichever of them is read.
+  std::optional<TrackTiming> common;
+  if (!recording.subjects.empty() && !tracks.empty())
+    common = timing_of(tracks, stated_frame_rate(file, take->animation));
   keep_tracks_of(figure, nodes, tracks);
   if (tracks.empty()) {
     recording.poses = {pose_of(file, figure, nodes.at_rest)};
   } else {
-    const TrackTiming timing = timing_of(tracks, stated_frame_rate(file, take->animation));
+    const TrackTiming timing =
+        common ? *common : timing_of(tracks, stated_frame_rate(file, take->animation));
     recording.frames_per_second = timing.frames_per_second;
     recording.poses = sampled(file, nodes, figure, tracks, timing);
   }
@@ -179,15 +185,17 @@ Recording recording_of(const GltfFile& file, const std::optional<std::string>& w
 }  // namespace
 
 Recording parse_gltf(std::string_view bytes, const std::string& file_name,
-                     const std::optional<std::string>& take) {
-  return recording_of(parse_gltf_file(bytes, file_name, std::nullopt), take);
+                     const std::optional<std::string>& take,
+                     const std::optional<std::string>& subject) {
+  return recording_of(parse_gltf_file(bytes, file_name, std::nullopt), take, subject);
 }
 
-Recording read_gltf(const std::filesystem::path& path, const std::optional<std::string>& take) {
+Recording read_gltf(const std::filesystem::path& path, const std::optional<std::string>& take,
+                    const std::optional<std::string>& subject) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const std::string bytes = read_contents(path);
   require_kind(bytes, path.string(), "gltf");
-  return recording_of(parse_gltf_file(bytes, path.string(), folder), take);
+  return recording_of(parse_gltf_file(bytes, path.string(), folder), take, subject);
 }
 
 }  // namespace mien::motion

@@ -7,6 +7,7 @@
 #include "motion/formats/mvnx/mvnx_skeleton.h"
 #include "motion/formats/reading/chosen_subject.h"
 #include "motion/formats/reading/frame_rate.h"
+#include "motion/formats/reading/option_names.h"
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/file_contents.h"
@@ -193,7 +194,8 @@ void set_frame_rate(const TextCursor& cursor, const MvnxSubject& subject,
         "The file does not state its frame rate; that of the frames' times, " +
         short_number(timed) + " Hz, is used.");
   } else {
-    fail(cursor, subject.place, "the frame rate is not stated", "give it with fps:");
+    fail(cursor, subject.place, "the frame rate is not stated",
+         std::string("give it with ") + rate_option);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/formats/reading/frame_rate.h"
+#include "motion/formats/reading/option_names.h"
 
 namespace mien::motion {
 
@@ -13,7 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 6> rate_names = {
     "mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate", "frames_per_second"};
 
-constexpr std::string_view ask_for_rate = "state the rate with fps:";
+std::string ask_for_rate() { return std::string("state the rate with ") + rate_option; }
 
 bool is_plausible(double rate) { return rate >= 0.1 && rate <= 10'000.0; }
 
@@ -29,7 +30,8 @@ double rate_in(const NpyArray& array, const std::string& file) {
   if (numbers.size() == 1 && is_plausible(numbers[0])) return snapped_frame_rate(numbers[0]);
   const std::string value =
       numbers.size() == 1 ? number(numbers[0]) + " Hz" : "of shape " + shape_text(array);
-  throw Error({file}, described(array) + " is " + value + ", which is no frame rate", ask_for_rate);
+  throw Error({file}, described(array) + " is " + value + ", which is no frame rate",
+              ask_for_rate());
 }
 
 }  // namespace
@@ -50,7 +52,7 @@ std::optional<double> stated_rate(const Npz& npz) {
       throw Error({npz.file},
                   "its frame rates contradict each other: " + first->name + " is " + number(rate) +
                       " Hz, " + array->name + " is " + number(stated) + " Hz",
-                  ask_for_rate);
+                  ask_for_rate());
     }
   }
   return first ? std::optional(rate) : std::nullopt;
@@ -58,12 +60,14 @@ std::optional<double> stated_rate(const Npz& npz) {
 
 double checked_rate(double frames_per_second, const std::string& file_name) {
   if (is_plausible(frames_per_second)) return frames_per_second;
-  throw Error({file_name}, "fps: " + number(frames_per_second) + " is not between 0.1 and 10000 Hz",
-              "state the rate of the recording");
+  throw Error(
+      {file_name},
+      "the given frame rate, " + number(frames_per_second) + ", is not between 0.1 and 10000 Hz",
+      "state the rate of the recording");
 }
 
 Error no_rate(const std::string& file_name) {
-  return Error({file_name}, "does not state its frame rate", ask_for_rate);
+  return Error({file_name}, "does not state its frame rate", ask_for_rate());
 }
 
 }  // namespace mien::motion

@@ -9,6 +9,7 @@
 #include "motion/formats/numpy/array_rate.h"
 #include "motion/formats/numpy/npy_description.h"
 #include "motion/formats/numpy/npz.h"
+#include "motion/formats/reading/option_names.h"
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/points/joint_orders.h"
 #include "motion/text/compressed_file.h"
@@ -163,8 +164,9 @@ void set_names(PointRecording& recording, std::size_t joints, const Npz& npz,
         std::set<std::string>(given.begin(), given.end()).size() == given.size();
     if (given.size() != joints || !all_differ || std::count(given.begin(), given.end(), "") > 0)
       throw Error({file},
-                  "joints: gives " + std::to_string(given.size()) + " names, but the array holds " +
-                      std::to_string(joints) + " joints, each of which needs a name of its own",
+                  std::to_string(given.size()) +
+                      " names of joints are given, but the array holds " + std::to_string(joints) +
+                      " joints, each of which needs a name of its own",
                   "name the joints in the order of the array");
     recording.points = given;
     return;
@@ -174,11 +176,12 @@ void set_names(PointRecording& recording, std::size_t joints, const Npz& npz,
   const JointOrder* const order = named ? named : order_by_count(recording, joints);
   if (!order)
     throw Error({file}, "the order of its " + std::to_string(joints) + " joints is not known",
-                "list their names with joints:, in the order of the array, or name a known order "
-                "(humanml3d, smpl, h36m, kinect, body_25, mediapipe)");
+                std::string("list their names, in the order of the array, or name a known order "
+                            "(humanml3d, smpl, h36m, kinect, body_25, mediapipe), with ") +
+                    joints_option);
   if (order->joints.size() != joints)
     throw Error({file},
-                "joints: " + std::string(order->name) + " has " +
+                "the order " + std::string(order->name) + " has " +
                     std::to_string(order->joints.size()) + " joints, but the array holds " +
                     std::to_string(joints),
                 "list the names of the joints in the order of the array");
@@ -186,7 +189,7 @@ void set_names(PointRecording& recording, std::size_t joints, const Npz& npz,
   if (!named)
     recording.notes.push_back("The order of the " + std::to_string(joints) +
                               " joints is taken to be that of " + std::string(order->name) +
-                              "; another can be named with joints:.");
+                              "; another can be named with " + joints_option + ".");
 }
 
 void set_rate(PointRecording& recording, bool is_taken_as_humanml3d, const Npz& npz,

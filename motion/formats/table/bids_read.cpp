@@ -7,8 +7,8 @@
 
 #include "motion/formats/reading/chosen_subject.h"
 #include "motion/formats/reading/json_text.h"
+#include "motion/formats/reading/option_names.h"
 #include "motion/formats/table/bids_motion.h"
-#include "motion/formats/table/point_names.h"
 #include "motion/formats/table/table_cell.h"
 #include "motion/formats/table/table_rows.h"
 #include "motion/formats/table/wide_table.h"
@@ -279,7 +279,8 @@ PointRecording read_bids_motion(const fs::path& motion_tsv, const ReadOptions& o
   const fs::path sidecar = sidecar_of(motion_tsv, prefix);
   if (sidecar.empty() && !options.frames_per_second)
     throw Error({motion_tsv.string()}, "has no …_motion.json, which states the frame rate",
-                "put it beside the motion file, or state the frames per second as fps:");
+                std::string("put it beside the motion file, or state the frames per second with ") +
+                    rate_option);
   const std::string motion_text = read_contents(motion_tsv);
   const std::string channels_text = read_contents(channels);
   const std::string sidecar_text = sidecar.empty() ? "" : read_contents(sidecar);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "motion/formats/reading/frame_rate.h"
+#include "motion/formats/reading/option_names.h"
 #include "motion/formats/reading/recording_limits.h"
 
 namespace mien::motion {
@@ -15,7 +16,9 @@ namespace {
 
 constexpr double least_rate = 1e-3;
 constexpr double greatest_rate = 1e5;
-constexpr char ask_for_rate[] = "state the frames per second as fps:";
+std::string ask_for_rate() {
+  return std::string("state the frames per second with ") + rate_option;
+}
 
 /// "119.88"
 std::string short_number(double value) {
@@ -113,9 +116,8 @@ std::vector<std::int64_t> frames_by_number(const MomentTimes& moments, FrameTimi
   throw Error(moments.place(moment),
               "the times are not evenly spaced: that of " + place_name + ", " +
                   short_number(moments.times[moment]) + ", does not fit the others",
-              "resample the motion at even times, or state the frames per second as fps: to take "
-              "the " +
-                  moments.moment + "s as evenly spaced");
+              "resample the motion at even times, or, to take the " + moments.moment +
+                  "s as evenly spaced, " + ask_for_rate());
 }
 
 /// Seconds per unit of the times, where they state none: a choice by how many frames a second
@@ -168,7 +170,7 @@ std::optional<double> place_in_time(const MomentTimes& moments, FrameTiming& tim
   if (grid.off_grid) {
     if (!is_rate_told) refuse_uneven(moments, *grid.off_grid);
     timing.notes.push_back("The times are not evenly spaced; the " + moments.moment +
-                           "s are taken as frames at the rate given as fps:.");
+                           "s are taken as frames at the given rate.");
     return std::nullopt;
   }
   const double in_seconds = seconds_per_unit(moments, grid.period, timing);
@@ -177,7 +179,7 @@ std::optional<double> place_in_time(const MomentTimes& moments, FrameTiming& tim
 
 void require_usable_rate(double rate, const std::string& file) {
   if (rate >= least_rate && rate <= greatest_rate) return;
-  throw Error({file}, short_number(rate) + " frames per second are not usable", ask_for_rate);
+  throw Error({file}, short_number(rate) + " frames per second are not usable", ask_for_rate());
 }
 
 }  // namespace
@@ -199,7 +201,7 @@ FrameTiming timing_of(const MomentTimes& moments, const std::string& file,
   const std::optional<double> timed = place_in_time(moments, timing, told.has_value());
   timing.frame_count = timing.frame_of.empty() ? 0 : timing.frame_of.back() + 1;
   const std::optional<double> rate = told ? told : timed ? timed : moments.stated_rate;
-  if (!rate) throw Error({file}, "states no frame rate", ask_for_rate);
+  if (!rate) throw Error({file}, "states no frame rate", ask_for_rate());
   require_usable_rate(*rate, file);
   timing.frames_per_second = *rate;
   const auto contradicts = [&](const std::optional<double>& other) {
@@ -207,11 +209,12 @@ FrameTiming timing_of(const MomentTimes& moments, const std::string& file,
   };
   if (contradicts(moments.stated_rate))
     timing.notes.push_back(moments.rate_source + " says " + short_number(*moments.stated_rate) +
-                           " Hz, but " + (told ? "fps: says " : "the times are those of ") +
+                           " Hz, but " + (told ? "the given rate is " : "the times are those of ") +
                            short_number(*rate) + " Hz, which is used.");
   if (told && contradicts(timed))
     timing.notes.push_back("The times are those of " + short_number(*timed) +
-                           " Hz, but fps: says " + short_number(*told) + " Hz, which is used.");
+                           " Hz, but the given rate is " + short_number(*told) +
+                           " Hz, which is used.");
   const auto missing = timing.frame_count - static_cast<std::int64_t>(moments.count);
   if (missing > 0)
     timing.notes.push_back(std::to_string(missing) + " of " + std::to_string(timing.frame_count) +

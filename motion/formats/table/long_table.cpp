@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "motion/formats/reading/chosen_subject.h"
 #include "motion/formats/table/column_name.h"
 #include "motion/formats/table/frame_times.h"
-#include "motion/formats/table/point_names.h"
 #include "motion/formats/table/table_cell.h"
 #include "motion/formats/table/wide_table.h"
+#include "motion/points/point_names.h"
 #include "motion/text/excerpt.h"
 
 namespace mien::motion {
@@ -38,6 +39,9 @@ class NameList {
   std::vector<std::string> names_;
   std::uint32_t last_ = 0;
 };
+
+/// The point of rows of people who are not read.
+constexpr std::uint32_t of_another = std::numeric_limits<std::uint32_t>::max();
 
 struct LongRow {
   double moment = 0.0;  ///< number of the frame, or else the time
@@ -147,15 +151,16 @@ class LongReader {
   void keep_one_subject() {
     if (subjects_.names().size() < 2 && !options_.subject) return;
     if (subjects_.names().empty())
-      throw Error({file()}, "names no people, so none can be chosen", "remove subject:");
+      throw Error({file()}, "names no people, so none can be chosen", "omit the subject");
     const std::size_t chosen = chosen_subject({file()}, subjects_.names(), options_.subject);
     if (const std::string note = note_on_subject(subjects_.names(), chosen, options_.subject);
         !note.empty())
       notes_.push_back(note);
-    std::erase_if(all_, [&](const LongRow& row) { return row.subject != chosen; });
     subject_ = subjects_.names()[chosen];
     NameList kept;
-    for (LongRow& row : all_) row.point = kept.index_of(points_.names()[row.point]);
+    // The rows of others stay for the times, which are common to all.
+    for (LongRow& row : all_)
+      row.point = row.subject == chosen ? kept.index_of(points_.names()[row.point]) : of_another;
     points_ = std::move(kept);
   }
 
@@ -219,7 +224,7 @@ class LongReader {
   }
 
   /// Without the model where the name alone is different from all others.
-  std::vector<std::string> point_names() const {
+  std::vector<std::string> point_names() {
     if (columns_.model < 0) return points_.names();
     std::unordered_map<std::string_view, int> count;
     const auto name_of = [](std::string_view key) { return key.substr(0, key.find('\n')); };
@@ -230,7 +235,7 @@ class LongReader {
       names.push_back(count[name] == 1 ? std::string(name)
                                        : key.substr(name.size() + 1) + " " + std::string(name));
     }
-    return distinct_names(std::move(names));
+    return distinct_point_names(std::move(names), notes_);
   }
 
   void place_rows(const std::vector<std::size_t>& first_rows, const FrameTiming& times,
@@ -243,6 +248,7 @@ class LongReader {
     std::vector<bool> is_given(cells, false);
     std::size_t moment = 0;
     for (const LongRow& row : all_) {
+      if (row.point == of_another) continue;
       if (all_[first_rows[moment]].moment != row.moment) {
         const auto found = std::ranges::lower_bound(first_rows, row.moment, {},
                                                     [&](std::size_t r) { return all_[r].moment; });

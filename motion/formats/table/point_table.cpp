@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "motion/formats/reading/option_names.h"
+#include "motion/formats/reading/points_of_subject.h"
 #include "motion/formats/table/long_table.h"
-#include "motion/formats/table/point_names.h"
 #include "motion/formats/table/program_tables.h"
 #include "motion/formats/table/table_cell.h"
 #include "motion/formats/table/wide_table.h"
+#include "motion/points/joint_orders.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
@@ -89,15 +91,18 @@ WideColumns columns_without_header(TableRows& rows, const ReadOptions& options) 
     rows.go_to(rows.row_start());
     return columns;
   }
-  if (options.joints.empty())
-    rows.refuse(0, "there is no header that names the columns",
-                "name them in the first row, or list the points as joints:");
-  if (width != 3 * options.joints.size())
+  const std::vector<std::string> joints = given_point_names(options.joints);
+  if (joints.empty())
+    rows.refuse(
+        0, "there is no header that names the columns",
+        std::string("name them in the first row, or list the points with ") + joints_option);
+  if (width != 3 * joints.size())
     rows.refuse(0,
-                "the row has " + std::to_string(width) + " columns, but joints: lists " +
-                    std::to_string(options.joints.size()) + " points, three columns each",
+                "the row has " + std::to_string(width) + " columns, but " +
+                    std::to_string(joints.size()) +
+                    " points are named, which have three columns each",
                 "list all points");
-  for (const std::string& name : options.joints) {
+  for (const std::string& name : joints) {
     const int first = 3 * static_cast<int>(columns.points.size());
     columns.points.push_back({name, {first, first + 1, first + 2}});
   }
@@ -150,7 +155,7 @@ PointRecording parse_point_table(std::string_view text, const std::string& file_
   PointRecording recording = read_rows(rows, options);
   recording.name = recording_name(file_name);
   recording.format = separator == '\t' ? "tsv" : "csv";
-  if (recording.subjects.empty()) split_subjects(recording, options, {file_name});
+  if (recording.subjects.empty()) keep_points_of_subject(recording, options, {file_name});
   return recording;
 }
 

@@ -18,6 +18,8 @@ namespace mien::motion {
 ///
 /// - A point is missing in a frame if one of its cells is empty or NaN, if the row ends before it,
 ///   or if it is at exactly 0 0 0, which several converters write for missing points.
+/// - People: where all points are named "person:point", `options.subject` chooses a person
+///   (reading/points_of_subject.h).
 /// - Frame rate and frames: from the column Time (trc_times.h), which is more reliable than the
 ///   header's DataRate. Frames that have no row are frames without any point, with a note.
 ///

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "motion/error.h"
+#include "motion/formats/reading/points_of_subject.h"
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/formats/trc/trc.h"
 #include "motion/formats/trc/trc_header.h"
@@ -204,6 +205,7 @@ PointRecording parse_trc(std::string_view text, const std::string& file_name,
   add_notes(header, rows, recording.notes);
   set_unit(header, recording);
   set_frames(cursor, std::move(rows), frames.frame_of_row, recording);
+  keep_points_of_subject(recording, options, {file_name});
   return recording;
 }
 

@@ -110,6 +110,40 @@ TEST(RecordedPoints, ThatCannotBeFittedAreShownAlone) {
   EXPECT_NE(refusal_of([&] { recognise(result.recording); }), "");
 }
 
+// A body of the points of two people would be nobody's.
+TEST(RecordedPoints, OfSeveralPeopleGiveTheBodyOfOne) {
+  const PointRecording alone = recorded(truth(), canonical_joints());
+  PointRecording both = alone;
+  both.subjects = {"Cane", "Ann", "Bo"};
+  both.points = {"Cane:tip"};
+  both.positions.clear();
+  for (const char* person : {"Ann:", "Bo:"})
+    for (const std::string& point : alone.points) both.points.push_back(person + point);
+  const auto count = static_cast<std::size_t>(alone.point_count());
+  for (int frame = 0; frame < alone.frame_count(); ++frame) {
+    both.positions.push_back(Vec3::UnitX());
+    const auto first = alone.positions.begin() + static_cast<long>(alone.at(frame, 0));
+    both.positions.insert(both.positions.end(), first, first + static_cast<long>(count));
+    for (std::size_t i = 0; i < count; ++i)
+      both.positions.push_back(*(first + static_cast<long>(i)) + Vec3(0.0, 0.0, 3.0));
+  }
+  both.seen.assign(both.positions.size(), true);
+  const RecordedPoints result = recorded_points(both);
+  ASSERT_TRUE(result.fit);
+  EXPECT_LT(result.fit->residual_mm, 10.0);
+  const Clip clip = clip_of(result.recording), of_ann = clip_of(recorded_points(alone).recording);
+  EXPECT_LT((clip.poses[5].root_position - of_ann.poses[5].root_position).norm(), 1e-9);
+  EXPECT_EQ(markers_of(clip)->points, both.points);
+  ASSERT_EQ(result.fit->points.size(), both.points.size());
+  EXPECT_EQ(result.fit->points[0].use, PointUse::unknown);
+  EXPECT_EQ(result.fit->points[1].use, PointUse::used);
+  EXPECT_EQ(result.fit->points[1].name, "Ann:" + alone.points[0]);
+  const auto told = std::ranges::find_if(result.recording.notes, [](const std::string& note) {
+    return note.find("The body is that of \"Ann\", one of 3 people") != std::string::npos;
+  });
+  EXPECT_NE(told, result.recording.notes.end());
+}
+
 TEST(RecordedPoints, WithoutFramesAreRefused) {
   PointRecording nothing;
   nothing.name = "empty";

@@ -117,7 +117,7 @@ TEST(MotionFormats, RefuseChoicesThatTheirFilesDoNotHave) {
   EXPECT_TRUE(holds(test::refusal_of([&] { read_motion("walk.bvh", joints); }), "names of"));
   ReadOptions person;
   person.subject = "Ann";
-  EXPECT_TRUE(holds(test::refusal_of([&] { read_motion("walk.glb", person); }), "one person"));
+  EXPECT_TRUE(holds(test::refusal_of([&] { read_motion("walk.amc", person); }), "one person"));
   ReadOptions model;
   model.body_model = "SMPLX_NEUTRAL.npz";
   EXPECT_TRUE(holds(test::refusal_of([&] { read_motion("walk.bvh", model); }), "no SMPL motion"));

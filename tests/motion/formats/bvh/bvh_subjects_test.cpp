@@ -139,6 +139,32 @@ TEST(BvhSubjects, AreTooManyForAStream) {
   EXPECT_NE(said.find("a second ROOT, but one figure alone can be streamed"), std::string::npos);
 }
 
+TEST(BvhSubjects, AreStreamedIfChosen) {
+  const std::vector<Recording> figures = three_figures();
+  const Recording alone = parse_bvh(to_bvh(figures[2]), "f.bvh");
+  BvhStream stream("f.bvh", "A:Hips 3");
+  stream.push(together(figures));
+  stream.finish();
+  for (const Pose& pose : alone.poses) {
+    const std::optional<Pose> next = stream.next();
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->root_position, pose.root_position);
+    for (size_t j = 0; j < pose.rotations.size(); ++j)
+      EXPECT_EQ(next->rotations[j].coeffs(), pose.rotations[j].coeffs());
+  }
+  EXPECT_FALSE(stream.next());
+}
+
+TEST(BvhSubjects, OfAFileOfOneAreOnlyThatOne) {
+  const std::string text = to_bvh(three_figures()[1]);
+  EXPECT_EQ(parse_bvh(text, "f.bvh", asking_for_figure("B:Hips")).skeleton.size(), 1);
+  EXPECT_EQ(parse_bvh(text, "f.bvh", asking_for_figure("1")).skeleton.size(), 1);
+  const std::string said =
+      mien::test::refusal_of([&] { parse_bvh(text, "f.bvh", asking_for_figure("Ann")); });
+  EXPECT_NE(said.find("there is no subject \"Ann\"; it holds only \"B:Hips\""), std::string::npos)
+      << said;
+}
+
 TEST(BvhSubjects, OfAFileOfOneAreNotListed) {
   const std::string text = to_bvh(three_figures()[1]);
   const Recording read = parse_bvh(text, "f.bvh");

@@ -207,7 +207,7 @@ TEST(C3d, OneOfSeveralPeopleIsChosenByNameOrNumber) {
   EXPECT_EQ(all.points, file.labels);
   EXPECT_EQ(all.subject, "");
   EXPECT_EQ(all.events.size(), 2u);
-  EXPECT_TRUE(has_note(all.notes, "2 people; all are read. Choose one as subject: Ann, Bo."));
+  EXPECT_TRUE(has_note(all.notes, "2 people (Ann, Bo); all are read. Choose one with subject:"));
   for (const char* choice : {"Bo", "bo", "2"}) {
     const PointRecording bo = parse_c3d(file.bytes(), "walk.c3d", with_subject(choice));
     EXPECT_EQ(bo.points, (std::vector<std::string>{"LASI", "RASI"}));

@@ -215,12 +215,39 @@ TEST(Fbx, SamplesTheTakesSpanAtTheRateOfTheKeysOrTheTimeMode) {
   EXPECT_EQ(read(file, options).frame_count(), 21);
 }
 
-TEST(Fbx, UsesTheLargerOfTwoFigures) {
+/// The arm, and a figure of four joints that stands still.
+FbxSceneBuilder fbx_of_two_figures() {
   FbxSceneBuilder file = fbx_arm();
   std::int64_t parent = 0;
   for (const char* name : {"hips", "spine", "neck", "head"}) {
     parent = file.model(name, "LimbNode", parent, {0, 50, 0});
   }
+  return file;
+}
+
+TEST(Fbx, ReadsTheFigureThatIsAskedFor) {
+  const FbxSceneBuilder file = fbx_of_two_figures();
+  const Recording alone = read(fbx_arm());
+  ReadOptions options;
+  for (const char* wanted : {"upper", "1"}) {
+    options.subject = wanted;
+    const Recording arm = read(file, options);
+    EXPECT_EQ(arm.subject, "upper");
+    EXPECT_EQ(arm.subjects, (std::vector<std::string>{"upper", "hips"}));
+    EXPECT_TRUE(arm.notes.empty());
+    EXPECT_EQ(mien::test::largest_joint_distance(arm, alone), 0.0);
+  }
+  // Both have the time of the take, though only one moves.
+  options.subject = "hips";
+  EXPECT_EQ(read(file, options).frame_count(), alone.frame_count());
+  options.subject = "tail";
+  const std::string said = mien::test::refusal_of([&] { read(file, options); });
+  EXPECT_NE(said.find("there is no subject \"tail\"; it holds upper, hips"), std::string::npos)
+      << said;
+}
+
+TEST(Fbx, UsesTheLargerOfTwoFigures) {
+  const FbxSceneBuilder file = fbx_of_two_figures();
   const Recording recording = read(file);
   EXPECT_EQ(recording.skeleton.size(), 4);
   ASSERT_EQ(recording.notes.size(), 1u);

@@ -236,7 +236,8 @@ TEST(Gltf, LeavesOutNodesThatNothingMovesElsewhere) {
   EXPECT_TRUE(recording.notes.empty());
 }
 
-TEST(Gltf, TellsOfASecondFigure) {
+/// Two figures: "a" of two joints, at rest, and "b" of three joints.
+std::string two_figures() {
   const std::string nodes =
       R"("nodes":[{"name":"a","children":[1]},{"name":"a1","translation":[0,1,0]},)"
       R"({"name":"b","children":[3]},{"name":"b1","translation":[0,1,0],"children":[4]},)"
@@ -245,15 +246,33 @@ TEST(Gltf, TellsOfASecondFigure) {
   GltfNumbers numbers;
   const int times = numbers.add({0, 1}, "SCALAR");
   const int turns = numbers.add({0, 0, 0, 1, 0, 0, half, half}, "VEC4");
-  const Recording recording = parse_gltf(gltf_text(numbers, nodes, gltf_channel(0, 3, "rotation"),
-                                                   gltf_sampler(times, turns, "LINEAR")),
-                                         "two.gltf");
+  return gltf_text(numbers, nodes, gltf_channel(0, 3, "rotation"),
+                   gltf_sampler(times, turns, "LINEAR"));
+}
+
+TEST(Gltf, TellsOfASecondFigure) {
+  const Recording recording = parse_gltf(two_figures(), "two.gltf");
   // The second and third skin share a joint: one figure, and the larger one.
   ASSERT_EQ(recording.skeleton.size(), 3);
   EXPECT_EQ(recording.skeleton.joints[0].name, "b");
   ASSERT_EQ(recording.notes.size(), 1u);
   EXPECT_EQ(recording.notes[0],
-            "The file holds 2 figures; that of \"b\" is used, without that of \"a\".");
+            "The file holds 2 figures (a, b); that of \"b\" is used, because it has the most "
+            "joints and no subject was chosen.");
+  EXPECT_EQ(recording.subject, "b");
+}
+
+TEST(Gltf, ReadsTheFigureThatIsAskedFor) {
+  for (const char* wanted : {"a", "1"}) {
+    const Recording a = parse_gltf(two_figures(), "two.gltf", std::nullopt, wanted);
+    EXPECT_EQ(a.skeleton.size(), 2);
+    EXPECT_EQ(a.subjects, (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(a.subject, "a");
+    EXPECT_TRUE(a.notes.empty());
+  }
+  const std::string said =
+      mien::test::refusal_of([&] { parse_gltf(two_figures(), "two.gltf", std::nullopt, "c"); });
+  EXPECT_NE(said.find("there is no subject \"c\"; it holds a, b"), std::string::npos) << said;
 }
 
 /// The arm with a second and a third animation, of other lengths; the third has no name.

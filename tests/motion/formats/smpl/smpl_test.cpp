@@ -211,7 +211,8 @@ TEST(Smpl, TheRateIsNeverGuessed) {
   const std::vector<ZipMember> members =
       without(amass_members(random_motion(52), 30.0), "mocap_framerate");
   EXPECT_EQ(refusal_of_members(members),
-            "walk_01.npz: does not state its frame rate; state the rate with fps:");
+            "walk_01.npz: does not state its frame rate; state the rate with fps: "
+            "(--recorded-fps on the command line)");
   ReadOptions options;
   options.frames_per_second = 25.0;
   EXPECT_EQ(recording_of(members, options).frames_per_second, 25.0);
@@ -235,7 +236,8 @@ TEST(Smpl, TheRateIsNeverGuessed) {
         contains(refusal_of_members(with(members, {"fps", array})), "which is no frame rate"));
   }
   options.frames_per_second = -1.0;
-  EXPECT_TRUE(contains(refusal_of_members(members, options), "fps: -1 is not between"));
+  EXPECT_TRUE(
+      contains(refusal_of_members(members, options), "the given frame rate, -1, is not between"));
 }
 
 TEST(Smpl, WithoutTranslationTheFigureStaysInPlace) {

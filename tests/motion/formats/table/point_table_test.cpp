@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/formats/table/tidy_csv.h"
+#include "motion/points/joint_orders.h"
 #include "motion/refusal.h"
 #include "motion/text/excerpt.h"
 
@@ -151,7 +152,43 @@ TEST(PointTable, WithoutAHeaderTheOptionsNameThePoints) {
       parse_point_table("1,2,3,4,5,6\n1,2,3,7,8,9\n", "w.csv", options);
   EXPECT_EQ(recording.points, options.joints);
   EXPECT_EQ(recording.positions[recording.at(1, 1)], Vec3(7, 8, 9));
-  expect_words(refusal("1,2,3\n", options), "3 columns, but joints: lists 2 points");
+  expect_words(refusal("1,2,3\n", options), "3 columns, but 2 points are named");
+}
+
+TEST(PointTable, WithoutAHeaderAKnownOrderNamesThePoints) {
+  ReadOptions options = at_rate(50);
+  options.joints = {"h36m"};
+  std::string row;
+  for (int i = 0; i < 3 * 17; ++i) row += (i > 0 ? "," : "") + std::to_string(i);
+  const PointRecording recording = parse_point_table(row + "\n", "w.csv", options);
+  ASSERT_EQ(recording.point_count(), 17);
+  EXPECT_EQ(recording.points[0], joint_order("h36m")->joints[0]);
+  EXPECT_EQ(recording.positions[16], Vec3(48, 49, 50));
+}
+
+TEST(PointTable, PartsOfTheBodyAreNoUnits) {
+  const PointRecording recording = parse_point_table(
+      "frame,x_left_foot,y_left_foot,z_left_foot\n1,1,2,3\n", "w.csv", at_rate(50));
+  EXPECT_EQ(recording.points, std::vector<std::string>{"left_foot"});
+  EXPECT_EQ(recording.unit, "");
+  EXPECT_EQ(parse_point_table("frame,a_x (ft),a_y (ft),a_z (ft)\n1,1,2,3\n", "w.csv", at_rate(50))
+                .metres_per_unit,
+            0.3048);
+}
+
+// Otherwise people who appear at different times would not be shown together.
+TEST(PointTable, LongTablesHaveOneTimeForAllPeople) {
+  const std::string text =
+      "frame,person,point,x,y,z\n1,Ann,a,1,2,3\n2,Ann,a,1,2,3\n2,Bob,b,4,5,6\n3,Bob,b,4,5,7\n";
+  ReadOptions options = at_rate(50);
+  for (const char* const chosen : {"Ann", "Bob"}) {
+    options.subject = chosen;
+    EXPECT_EQ(parse_point_table(text, "w.csv", options).frame_count(), 3) << chosen;
+  }
+  const PointRecording bob = parse_point_table(text, "w.csv", options);
+  EXPECT_EQ(bob.points, std::vector<std::string>{"b"});
+  EXPECT_EQ(bob.seen, (std::vector<bool>{false, true, true}));
+  EXPECT_EQ(bob.positions[1], Vec3(4, 5, 6));
 }
 
 TEST(PointTable, MissingPositionsAreNotAtTheOrigin) {

@@ -350,5 +350,26 @@ TEST(TrcFiles, GoToDiskAndBack) {
   std::filesystem::remove(path);
 }
 
+TEST(Trc, PeopleAreInTheNamesOfPoints) {
+  const std::string text = with(with(head, "LASI", "Ann:LASI"), "RASI", "Bo:LASI") + rows;
+  const PointRecording all = parsed(text);
+  EXPECT_EQ(all.points, (std::vector<std::string>{"Ann:LASI", "Bo:LASI"}));
+  EXPECT_EQ(all.subjects, (std::vector<std::string>{"Ann", "Bo"}));
+  EXPECT_TRUE(has_note(all, "2 people or objects (Ann, Bo); all are read")) << all_notes(all);
+  ReadOptions options;
+  for (const char* wanted : {"Bo", "2"}) {
+    options.subject = wanted;
+    const PointRecording bo = parse_trc(text, "walk.trc", options);
+    EXPECT_EQ(bo.points, std::vector<std::string>{"LASI"});
+    EXPECT_EQ(bo.subject, "Bo");
+    EXPECT_EQ(bo.positions[0], Vec3(4.5, -5, 60));
+  }
+  options.subject = "Cy";
+  const std::string said = refusal_of([&] { parse_trc(text, "walk.trc", options); });
+  EXPECT_NE(said.find("it holds Ann, Bo: choose one of these"), std::string::npos) << said;
+  const std::string none = refusal_of([&] { parse_trc(head + rows, "walk.trc", options); });
+  EXPECT_NE(none.find("names no people, so \"Cy\" cannot be chosen"), std::string::npos) << none;
+}
+
 }  // namespace
 }  // namespace mien::motion
