@@ -9,9 +9,13 @@
 #include <vector>
 
 #include "motion/formats/motion_file.h"
+#include "motion/formats/numpy/numpy_files.h"
 #include "motion/formats/smpl/smpl.h"
 #include "motion/formats/smpl/smpl_model_file.h"
+#include "motion/formats/trc/trc.h"
+#include "motion/points/point_recording.h"
 #include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/body.h"
 #include "motion/skeleton/recording.h"
 #include "motion/two_takes.h"
 #include "scenes/skinned_gltf.h"
@@ -51,6 +55,8 @@ constexpr char with_points[] =
     R"({"stimuli": [{"id": "a", "path": {"points": [[0, 0], [0, 1]]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_graph[] =
     R"({"stimuli": [{"id": "a", "path": {"graph": [{}], "script": [{"walk": 1}]}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_markers[] =
+    R"({"stimuli": [{"id": "a", "weights": null, "clip": "normal.trc"}, {"id": "b", "clip": "sad.trc"}]})";
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
 constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
 
@@ -109,6 +115,8 @@ const Surroundings surroundings[] = {
     {"modify.limbs", "{}", R"({"acceleration": 0.5})"},
     {"modify.signal", "{}", R"({"paths": 0.5})"},
     {"modify.seed", "{}", R"({"variation": 0.5})"},
+    {"modify.pose.neutral.joints", "{}", R"({"motion": "nameless/normal.npz"})"},
+    {"modify.pose.posed.joints", "{}", R"({"motion": "nameless/normal.npz"})"},
     {"modify.pose.neutral.subject", "{}", R"({"motion": "one/sad.bvh"})"},
     {"modify.pose.posed.subject", "{}", R"({"motion": "one/sad.bvh"})"},
     {"modify.pose.neutral.body_model", "{}", R"({"motion": "smpl/sad.npz"})"},
@@ -128,6 +136,8 @@ const Surroundings surroundings[] = {
      "{}"},
     {"examples.set.body_model", with_folder,
      R"({"folder": "smpl", "include": "*.npz", "cycle": "whole"})"},
+    {"examples.set.joints", with_folder,
+     R"({"folder": "nameless", "include": "*.npz", "cycle": "whole"})"},
     {"examples.set.take", with_folder, R"({"folder": "takes", "cycle": "whole"})"},
     {"examples.set.", with_folder, R"({"folder": "one", "cycle": "whole"})"},
     {"examples.set", with_a_folder_or_set, "{}"},
@@ -135,6 +145,7 @@ const Surroundings surroundings[] = {
     {"examples.expect[].", "{}", R"({"parameter": "quickness", "order": ["sad", "normal"]})"},
     {"stimuli[].features", "{}", "{}"},
     {"stimuli[].clip.frames", "{}", R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].clip.joints", "{}", R"({"file": "nameless/normal.npz"})"},
     {"stimuli[].clip.take", "{}", R"({"file": "takes.gltf"})"},
     {"stimuli[].clip.subject", "{}", R"({"file": "one/normal.bvh"})"},
     {"stimuli[].clip.body_model", "{}", R"({"file": "smpl/normal.npz"})"},
@@ -145,6 +156,7 @@ const Surroundings surroundings[] = {
     {"stimuli[].path.script[].", "{}", R"({"walk": 1})"},
     {"stimuli[].path.script", "{}", "{}"},
     {"stimuli[].path.points", "{}", "{}"},
+    {"stimuli[].path.graph[].joints", with_graph, R"({"file": "nameless/normal.npz"})"},
     {"stimuli[].path.graph[].take", with_graph, R"({"file": "takes.gltf"})"},
     {"stimuli[].path.graph[].subject", with_graph, R"({"file": "one/normal.bvh"})"},
     {"stimuli[].path.graph[].body_model", with_graph, R"({"file": "smpl/normal.npz"})"},
@@ -162,6 +174,7 @@ const Surroundings surroundings[] = {
     {"screen.distance_cm", "{}", R"({"width_cm": 50})"},
     {"screen.width_cm", "{}", R"({"distance_cm": 60})"},
     {"screen.degrees", "{}", R"({"distance_cm": 60, "width_cm": 50})"},
+    {"look.figure.markers", with_markers, "{}"},
     {"trail.every", "{}", R"({"before": 2})"},
     {"trail.min_opacity", "{}", R"({"before": 2})"},
     {"trail.trace_width", "{}", R"({"traces": ["hands"]})"},
@@ -328,6 +341,13 @@ const Values chosen_values[] = {
     {"look.figure.point-light.colour", R"(["#ff0000", "#00ff00"])"},
     {"look.figure.point-light.background", R"(["#100000", "#001000"])"},
     {"look.figure.point-light", R"([{}, {"inverted": true}])"},
+    {"look.figure.markers.noise", "[2, 5]"},
+    {"look.figure.markers.mask", "[2, 5]"},
+    {"look.figure.markers.colour", R"(["#ff0000", "#00ff00"])"},
+    {"look.figure.markers.background", R"(["#100000", "#001000"])"},
+    {"look.figure.markers.show", R"([["Left*"], ["Right*"]])"},
+    {"look.figure.markers.pairs", R"([[["LeftHip", "LeftKnee"]], [["RightHip", "RightKnee"]]])"},
+    {"look.figure.markers", R"([{"gaps": "dark"}, {"gaps": "fill"}])"},
     {"look.figure.trail.figure", R"(["stick", "mannequin"])"},
     {"look.figure.trail.traces", R"([["hands"], ["feet"]])"},
     {"look.figure.trail", R"([{"poses": 2}, {"poses": 3}])"},
@@ -496,6 +516,50 @@ void add_around(json& manifest, const std::string& path) {
   if (path == "stimuli[].adjectives") manifest["stimuli"][0].erase("weights");
 }
 
+/// Names of the body's joints in their order, and with left and right exchanged.
+json names_of_nameless() {
+  json names = json::array(), exchanged = json::array();
+  for (const motion::Joint& joint : motion::standard_body().joints) {
+    names.push_back(joint.name);
+    std::string other = joint.name;
+    if (joint.name.starts_with("Left")) other.replace(0, 4, "Right");
+    if (joint.name.starts_with("Right")) other.replace(0, 5, "Left");
+    exchanged.push_back(other);
+  }
+  return {names, exchanged};
+}
+
+/// The joints of a clip as markers, of which one is missing for a while.
+motion::PointRecording as_markers(const motion::Clip& clip) {
+  motion::PointRecording markers;
+  markers.name = clip.name;
+  markers.frames_per_second = clip.frames_per_second;
+  markers.unit = "m";
+  markers.metres_per_unit = 1.0;
+  for (const motion::Joint& joint : clip.body.joints) markers.points.push_back(joint.name);
+  for (const std::vector<motion::Vec3>& places : motion::joint_paths(clip))
+    markers.positions.insert(markers.positions.end(), places.begin(), places.end());
+  markers.seen.assign(markers.positions.size(), true);
+  for (int frame = 4; frame < 6; ++frame) {
+    const std::size_t at = markers.at(frame, motion::LeftWrist);
+    markers.seen[at] = false;
+    markers.positions[at].setZero();
+  }
+  return markers;
+}
+
+/// The places of a clip's joints without their names, as .npz.
+std::string nameless(const motion::Clip& clip) {
+  std::vector<double> numbers;
+  for (const std::vector<motion::Vec3>& places : motion::joint_paths(clip))
+    for (const motion::Vec3& place : places)
+      numbers.insert(numbers.end(), {place.x(), place.y(), place.z()});
+  const std::string shape = "(" + std::to_string(clip.frame_count()) + ", " +
+                            std::to_string(clip.body.joints.size()) + ", 3)";
+  return npz_file(
+      {{"fps", npy_f8("()", {clip.frames_per_second})}, {"joints", npy_f8(shape, numbers)}});
+}
+
 json with_value(const std::string& path, const json& value) {
   json manifest = tiny_study();
   const Surroundings* around = nullptr;
@@ -514,21 +578,19 @@ json with_value(const std::string& path, const json& value) {
 }  // namespace
 
 bool has_one_value(const std::string& path) {
-  // Names of points are for files that have none.
-  for (const char* of_file :
-       {"set.joints", "clip.joints", "graph[].joints", "neutral.joints", "posed.joints"})
-    if (path.ends_with(of_file)) return true;
-  // Markers need a recording that holds some, and this study has none.
-  if (path.find("look.figure.markers") != std::string::npos) return true;
-  // An overlay takes neither point lights nor trails.
+  // An overlay takes neither dots nor trails.
   const bool is_refused = path.starts_with("overlays[].look.figure.point-light") ||
+                          path.starts_with("overlays[].look.figure.markers") ||
                           path.starts_with("overlays[].look.figure.trail");
   return path == "mien" || path.ends_with(".stick") || is_refused;
 }
 
 OptionVariants variants_of(const std::string& path, const json& node) {
   const Values* chosen = entry_for(chosen_values, path);
-  const json two = chosen != nullptr ? parsed(chosen->two) : two_values(node);
+  const bool is_of_nameless = path.ends_with(".joints") && chosen == nullptr;
+  const json two = chosen != nullptr ? parsed(chosen->two)
+                   : is_of_nameless  ? names_of_nameless()
+                                     : two_values(node);
   return {with_value(path, two[0]), with_value(path, two[1])};
 }
 
@@ -538,6 +600,7 @@ void write_variant_files(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / "smpl");
   std::ofstream(folder / "small.npz", std::ios::binary) << smpl_model_of_size(0.9);
   std::ofstream(folder / "tall.npz", std::ios::binary) << smpl_model_of_size(1.1);
+  std::filesystem::create_directories(folder / "nameless");
   for (const char* name : {"one", "two"}) {
     std::filesystem::create_directories(folder / name);
     for (const motion::Example& example : walks.examples) {
@@ -548,6 +611,8 @@ void write_variant_files(const std::filesystem::path& folder) {
       motion::write_motion(motion::to_recording(clip), folder / name / (label + ".bvh"));
       std::ofstream(folder / "takes" / (label + ".gltf")) << two_takes(motion::to_recording(clip));
       motion::write_amass_npz(motion::to_recording(clip), folder / "smpl" / (label + ".npz"));
+      std::ofstream(folder / "nameless" / (label + ".npz")) << nameless(clip);
+      motion::write_trc(as_markers(clip), folder / (label + ".trc"));
     }
   }
   std::ofstream(folder / "takes.gltf")
