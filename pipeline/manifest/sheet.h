@@ -37,7 +37,9 @@ void fields_of(auto&& field, MaybeConst<Sheet> auto& sheet) {
 }
 
 inline constexpr Words<scenes::Layout> layout_words = {
-    {"superimposed", scenes::Layout::superimposed}, {"side-by-side", scenes::Layout::side_by_side}};
+    {"superimposed", scenes::Layout::superimposed},
+    {"side-by-side", scenes::Layout::side_by_side},
+    {"as-recorded", scenes::Layout::as_recorded}};
 
 /// Several motions on one stage.
 struct Overlay {
@@ -47,7 +49,7 @@ struct Overlay {
   std::string created;    ///< stimulus or example
   std::string reference;  ///< stimulus or example; empty for none
   scenes::Layout layout = scenes::Layout::superimposed;
-  double opacity = 0.75;  ///< of superimposed figures; figures side by side are opaque
+  double opacity = 0.75;  ///< of superimposed figures; others are opaque
 };
 
 void fields_of(auto&& field, MaybeConst<Overlay> auto& overlay) {

@@ -35,8 +35,10 @@ motion::Clip moved(motion::Clip clip, const motion::Quat& turn, const Vec3& from
 
 Vec3 on_floor(const Vec3& point) { return {point.x(), 0.0, point.z()}; }
 
-/// The clips where the layout wants them: all begin where the first one does.
+/// The clips where the layout wants them: unless they stay as recorded, all begin where the first
+/// one does.
 std::vector<Performance> laid_out(std::vector<Performance> performances, Layout layout) {
+  if (layout == Layout::as_recorded) return performances;
   const Vec3 forward = action_of(performances.front().clip).forward;
   const Vec3 start = on_floor(performances.front().clip.poses.front().root_position);
   const Vec3 right = forward.cross(Vec3::UnitY());

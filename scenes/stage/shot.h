@@ -78,7 +78,8 @@ Shot stage(const motion::Clip& clip, const Look& look);
 
 /// Stages several clips together, by `layout` and with their roles. Superimposed clips begin at the
 /// same position, facing the same direction. Clips side by side have a lane each, the first on the
-/// left in the front view. The set and the cameras are fitted to all clips. Also throws Error for
+/// left in the front view. Clips as recorded keep their places, headings and frames. The set and
+/// the cameras are fitted to all clips. Also throws Error for
 /// several figures of a kind that overlays cannot show (FigureKind), and for figures side by side
 /// if the camera looks across their lanes (layout.h).
 Shot stage(const std::vector<Performance>& performances, const Look& look);

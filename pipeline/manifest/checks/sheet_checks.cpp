@@ -16,12 +16,13 @@ void check_figure(const Overlay& overlay, FaultList& list) {
 }
 
 void check_layout(const Overlay& overlay, FaultList& list) {
-  if (overlay.layout != scenes::Layout::side_by_side) return;
+  if (overlay.layout == scenes::Layout::superimposed) return;
   const std::string opacity = member_path(overlay.film.path, "opacity");
   if (list.was_given(opacity)) {
-    list.add_at_key(opacity, "figures side by side cannot be transparent",
+    list.add_at_key(opacity, "only superimposed figures can be transparent",
                     "omit it, or use layout: superimposed");
   }
+  if (overlay.layout != scenes::Layout::side_by_side) return;
   if (!scenes::looks_across_lanes(overlay.film.look.camera)) return;
   list.add(member_path(overlay.film.path, "layout"),
            "figures side by side hide each other in a side view",

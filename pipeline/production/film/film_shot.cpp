@@ -60,7 +60,7 @@ scenes::Shot shot_of(const Overlay& overlay, FinishedMotions& motions, std::uint
   scenes::Look look = look_of(overlay.film, seed);
   look.layout = overlay.layout;
   const Output output = output_for(overlay.film.output, look.set);
-  const bool is_clear = overlay.layout == scenes::Layout::side_by_side;
+  const bool is_clear = overlay.layout != scenes::Layout::superimposed;
   std::vector<scenes::Performance> performances;
   for (const auto& [role, name] : motions_on(overlay)) {
     performances.push_back({.name = name,

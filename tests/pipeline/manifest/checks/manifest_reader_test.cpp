@@ -338,7 +338,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{id: a, target: a, created: normal, "
              "layout: side-by-side, opacity: 0.5}]\n",
              "m.yaml:5:17: overlays[0].id: \"a\" is already the id of stimuli[0]; give each a "
-             "different one\nm.yaml:5:70: overlays[0].opacity: figures side by side cannot be "
+             "different one\nm.yaml:5:70: overlays[0].opacity: only superimposed figures can be "
              "transparent; omit it, or use layout: superimposed\n"},
         Case{"output: {fps: .inf}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:15: output.fps: not a finite number; write a finite one\n"},
