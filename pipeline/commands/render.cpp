@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -12,17 +10,13 @@
 #include <fmt/ranges.h>
 
 #include "motion/formats/motion_file.h"
-#include "motion/lint/lint.h"
-#include "motion/rig/body_mapping.h"
-#include "motion/rig/recording_clip.h"
-#include "motion/skeleton/straighten.h"
 #include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/production_options.h"
-#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/render_options.h"
+#include "pipeline/commands/render_performances.h"
 #include "pipeline/manifest/look/look_checks.h"
 #include "pipeline/manifest/look/look_options.h"
 #include "pipeline/production/film/film.h"
@@ -39,7 +33,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float superimposed_opacity = 0.75f;
 constexpr double small_figure = 0.25;  // of the picture's height
 
 /// The whole film as one task, for the progress bar.
@@ -51,48 +44,6 @@ TaskGraph one_task(const std::string& name) {
   task.cost_seconds = 1.0;
   graph.add(std::move(task));
   return graph;
-}
-
-/// `wanted`, or a variation of it that is not in `names` yet; adds it there.
-std::string name_among(std::set<std::string>& names, const std::string& wanted) {
-  std::string name = wanted;
-  for (int number = 2; !names.insert(name).second; ++number)
-    name = fmt::format("{}-{}", wanted, number);
-  return name;
-}
-
-/// Reads the clip of a file; prints warnings about its rig.
-motion::Clip clip_in(const std::string& file, const RecordingArguments& arguments,
-                     const Console& console) {
-  const NamedRecording named = named_recording(file, arguments);
-  const motion::Recording recording = motion::read_motion(named.file, named.how);
-  for (const std::string& warning : motion::analyse_rig(recording).warnings)
-    console.err << "warning: " << file << ": " << warning << '\n';
-  motion::Clip clip = clip_of(recording);
-  if (const std::optional<motion::Finding> pose = motion::calibration_pose(clip))
-    console.err << "warning: " << file << ": " << pose->sentence << '\n';
-  return clip;
-}
-
-/// One motion in neutral colours, or a target, the motion created to match it, and a reference.
-std::vector<scenes::Performance> performances_of(const RenderOptions& options, const Output& output,
-                                                 const Console& console) {
-  constexpr std::array roles = {scenes::Role::target, scenes::Role::created,
-                                scenes::Role::reference};
-  const bool is_alone = options.files.size() == 1;
-  const bool is_clear = is_alone || layout_of(options) == scenes::Layout::side_by_side;
-  std::set<std::string> names;
-  std::vector<scenes::Performance> performances;
-  for (std::size_t i = 0; i < options.files.size(); ++i) {
-    motion::Clip clip =
-        motion::resampled(clip_in(options.files[i], options.recording, console), output.fps);
-    if (output.in_place) clip = motion::kept_in_place(clip);
-    performances.push_back({.name = name_among(names, fs::path(options.files[i]).stem().string()),
-                            .clip = std::move(clip),
-                            .role = is_alone ? scenes::Role::neutral : roles[i],
-                            .opacity = is_clear ? 1.0f : superimposed_opacity});
-  }
-  return performances;
 }
 
 render::Background background_of(const RenderOptions& options) {
@@ -137,15 +88,16 @@ void write_dots(const scenes::Shot& shot, const fs::path& file) {
 
 scenes::Shot shot_of(const RenderOptions& options, const RenderPlan& plan, const Console& console) {
   const Output& output = plan.settings.output;
-  return scenes::stage(performances_of(options, output, console), {.set = staged_set(plan.look),
-                                                                   .figure = plan.look.figure,
-                                                                   .camera = plan.look.camera,
-                                                                   .size = output.whole_size(),
-                                                                   .window = output.window(),
-                                                                   .pixel_scale = output.scale,
-                                                                   .in_place = output.in_place,
-                                                                   .layout = layout_of(options),
-                                                                   .seed = options.seed});
+  const RenderedMotions motions = rendered_motions(options, output, console);
+  return scenes::stage(motions.performances, {.set = staged_set(plan.look),
+                                              .figure = plan.look.figure,
+                                              .camera = plan.look.camera,
+                                              .size = output.whole_size(),
+                                              .window = output.window(),
+                                              .pixel_scale = output.scale,
+                                              .in_place = output.in_place,
+                                              .layout = motions.layout,
+                                              .seed = options.seed});
 }
 
 /// Renders the file with a progress bar. Returns a description of it.
@@ -192,6 +144,15 @@ int render_file(const RenderOptions& options, const Console& console) {
   return exit_done;
 }
 
+/// The options of recordings, and that of all people of a file.
+std::vector<CommandOption> recordings_to_render(RecordingArguments& recording) {
+  std::vector<CommandOption> options = options_of_recordings(recording);
+  for (CommandOption& option : options)
+    if (option.names.front() == "--subject")
+      option.help += "; all: everyone in the file, each in his recorded place";
+  return options;
+}
+
 /// Options for input motions and the output file.
 std::vector<CommandOption> file_options(RenderOptions& options) {
   return all_of(
@@ -200,10 +161,12 @@ std::vector<CommandOption> file_options(RenderOptions& options) {
                    "; or two or three in one scene: target (green), created (blue), reference "
                    "(red)")
           .values(1, 3),
-      recording_options(options.recording),
-      option("--layout", &options.layout, "How two or three motions are shown in one scene")
-          .one_of({"superimposed", "side-by-side"})
-          .with_default(),
+      recordings_to_render(options.recording),
+      choice("--layout", options.layout,
+             {{"superimposed", scenes::Layout::superimposed},
+              {"side-by-side", scenes::Layout::side_by_side},
+              {"as-recorded", scenes::Layout::as_recorded}},
+             "How two or three motions are shown in one scene"),
       option(
           "-o,--output", &options.out,
           "Video (" + video_endings() +
@@ -264,6 +227,7 @@ Command render_command() {
               "Examples:\n"
               "  mien render walk.bvh\n"
               "  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080\n"
+              "  mien render two-people.bvh --subject all\n"
               "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
               "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
               "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"

@@ -176,9 +176,4 @@ std::string video_endings() {
   return endings;
 }
 
-scenes::Layout layout_of(const RenderOptions& options) {
-  return options.layout == "side-by-side" ? scenes::Layout::side_by_side
-                                          : scenes::Layout::superimposed;
-}
-
 }  // namespace mien::pipeline

@@ -9,6 +9,7 @@
 
 #include "pipeline/base/documents/places.h"
 #include "pipeline/commands/line/command.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/manifest/look/look.h"
 #include "pipeline/manifest/look/look_options.h"
 #include "pipeline/manifest/output.h"
@@ -48,7 +49,7 @@ struct RenderOptions {
   std::string out;
   OutputFlags output;
   LookOptions look;
-  std::string layout = "superimposed";
+  scenes::Layout layout = scenes::Layout::superimposed;
   std::string background = "shown";
   std::string dots;                  ///< CSV to write the positions of the dots to; empty: none
   std::optional<std::string> still;  ///< time of a single image: seconds, or "middle"
@@ -71,8 +72,6 @@ RenderPlan plan_of(const RenderOptions& options);
 
 /// Whether a single image is rendered instead of a film.
 bool is_still(const RenderOptions& options, const RenderPlan& plan);
-
-scenes::Layout layout_of(const RenderOptions& options);
 
 /// Whether a file name has the extension of an image, .png or .exr.
 bool is_picture(const std::filesystem::path& out);

@@ -9,6 +9,8 @@
 
 #include <sys/wait.h>
 
+#include "end_to_end/two_people.h"
+
 namespace mien::test {
 
 namespace {
@@ -94,6 +96,8 @@ PageFolder::PageFolder() {
     for (const std::string& file : motion.files) write(file, bvh);
   }
   make({"study", "simulate", "--examples", "builtin:walks-27", "-o", path() / "answers.csv"});
+  write("captures/dance.bvh",
+        two_people(text_of(path() / "walk.bvh"), text_of(path() / "created.bvh")).both);
   write("broken.bvh", broken(text_of(path() / "walk.bvh")));
   write("study.yaml", small_study);
   write("sessions.csv", sessions);

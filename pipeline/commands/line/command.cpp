@@ -199,4 +199,10 @@ const Command* subcommand_named(const Command& command, const std::string& name)
   return found == command.commands.end() ? nullptr : &*found;
 }
 
+std::vector<CommandOption> that_need(const std::string& option,
+                                     std::vector<CommandOption> options) {
+  for (CommandOption& one : options) one = one.needs(option);
+  return options;
+}
+
 }  // namespace mien::pipeline

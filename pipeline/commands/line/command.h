@@ -130,6 +130,9 @@ struct Command {
   std::vector<CommandOption> named_options() const;  ///< options and flags
 };
 
+/// The options, each of which requires another one.
+std::vector<CommandOption> that_need(const std::string& option, std::vector<CommandOption> options);
+
 /// Concatenates options and lists of options.
 template <class... Parts>
 std::vector<CommandOption> all_of(const Parts&... parts) {

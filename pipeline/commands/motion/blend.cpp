@@ -6,6 +6,8 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/commands/line/examples_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/reading/example_source.h"
@@ -20,6 +22,7 @@ namespace {
 
 struct BlendCommandOptions {
   std::string examples;
+  RecordingArguments recording;
   std::string weights;
   std::string out;
   double fps = 30.0;
@@ -38,7 +41,7 @@ void refuse_unknown(const NamedValues& weights, const std::vector<std::string>& 
 
 int blend(const BlendCommandOptions& options, const Console& console) {
   Manifest manifest;
-  manifest.examples = parse_examples(options.examples);
+  manifest.examples = examples_of(options.examples, options.recording);
   Stimulus stimulus;
   stimulus.id = "blend";
   stimulus.weights = parse_weights(options.weights);
@@ -65,18 +68,19 @@ Command motion_blend_command() {
   return {
       .name = "blend",
       .summary = "Blend motions by weights",
-      .options =
-          {option("--examples", &options->examples, examples_help).required(),
-           option("--weights", &options->weights, "Weights by name: normal=0.6,proud=0.4")
-               .required(),
-           option("-o,--output", &options->out, "File to write: " + motion::formats_written())
-               .required(),
-           option("--fps", &options->fps, "Frames per second").between(1.0, 240.0).with_default(),
-           option("--cycles", &options->cycles, "Repetitions of a loop")
-               .between(1, 1000)
-               .with_default(),
-           flag("--in-place", &options->in_place, "Walk in place"),
-           flag("--no-foot-lock", &options->no_foot_lock, "Do not lock planted feet to the floor")},
+      .options = all_of(
+          option("--examples", &options->examples, examples_help).required(),
+          recording_options(options->recording),
+          option("--weights", &options->weights, "Weights by name: normal=0.6,proud=0.4")
+              .required(),
+          option("-o,--output", &options->out, "File to write: " + motion::formats_written())
+              .required(),
+          option("--fps", &options->fps, "Frames per second").between(1.0, 240.0).with_default(),
+          option("--cycles", &options->cycles, "Repetitions of a loop")
+              .between(1, 1000)
+              .with_default(),
+          flag("--in-place", &options->in_place, "Walk in place"),
+          flag("--no-foot-lock", &options->no_foot_lock, "Do not lock planted feet to the floor")),
       .notes =
           "Example:\n  mien motion blend --examples builtin:walks-10 --weights happy=0.7,tired=0.3 "
           "-o mix.bvh",

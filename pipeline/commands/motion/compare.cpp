@@ -8,7 +8,7 @@
 #include "motion/examples/compared_example.h"
 #include "motion/formats/motion_file.h"
 #include "motion/measures/distance/distance.h"
-#include "pipeline/commands/line/take_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
 
 namespace mien::pipeline {
@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 struct CompareOptions {
   std::string target;
   std::string created;
-  std::vector<std::string> takes;
+  RecordingArguments recording;
   std::string align = "pelvis";
   bool as_captured = false;
   bool json = false;
@@ -41,6 +41,8 @@ struct Basis {
   std::string created;
   std::string target_take;  ///< where its file holds several
   std::string created_take;
+  std::string target_person;  ///< where its file holds several
+  std::string created_person;
 
   std::string warning() const {
     if (target == created) return "";
@@ -66,14 +68,20 @@ ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
           {"per_time", distance.by_time()},
           {"basis", {{"target", basis.target}, {"created", basis.created}}},
           {"takes", {{"target", basis.target_take}, {"created", basis.created_take}}},
+          {"people", {{"target", basis.target_person}, {"created", basis.created_person}}},
           {"warnings", basis.warning().empty() ? ordered_json::array()
                                                : ordered_json::array({basis.warning()})}};
 }
 
-/// Shows which motions were used of files with several.
-void show_takes(const Basis& basis, const Console& console) {
-  if (!basis.target_take.empty()) console.out << "target   take " << basis.target_take << '\n';
-  if (!basis.created_take.empty()) console.out << "other    take " << basis.created_take << '\n';
+/// Shows which motions and people were used of files with several.
+void show_choices(const Basis& basis, const Console& console) {
+  const auto show = [&](const char* which, const char* what, const std::string& chosen) {
+    if (!chosen.empty()) console.out << which << what << chosen << '\n';
+  };
+  show("target   ", "take ", basis.target_take);
+  show("target   ", "person ", basis.target_person);
+  show("other    ", "take ", basis.created_take);
+  show("other    ", "person ", basis.created_person);
 }
 
 void show_text(const motion::Distance& distance, const Basis& basis, const Console& console) {
@@ -84,7 +92,7 @@ void show_text(const motion::Distance& distance, const Basis& basis, const Conso
                              1000.0 * distance.mpjpe);
   console.out << fmt::format("over     {} of the target, {} of the other motion\n", basis.target,
                              basis.created);
-  show_takes(basis, console);
+  show_choices(basis, console);
   if (!basis.warning().empty()) console.out << "warning: " << basis.warning() << '\n';
   const auto by_joint = distance.by_joint();
   for (std::size_t j = 0; j < by_joint.size(); ++j)
@@ -97,15 +105,16 @@ void show_text(const motion::Distance& distance, const Basis& basis, const Conso
 int compare(const CompareOptions& options, const Console& console) {
   const auto alignment =
       options.align == "world" ? motion::Alignment::world : motion::Alignment::pelvis;
-  const auto [target_take, created_take] =
-      takes_of(options.takes, {options.target, options.created});
-  const motion::Recording target_file = read_take(options.target, target_take);
-  const motion::Recording created_file = read_take(options.created, created_take);
+  const std::vector<NamedRecording> named =
+      named_recordings({options.target, options.created}, options.recording);
+  const motion::Recording target_file = motion::read_motion(named[0].file, named[0].how);
+  const motion::Recording created_file = motion::read_motion(named[1].file, named[1].how);
   const motion::Example target = motion::compared_example(target_file, !options.as_captured);
   const motion::Example created = motion::compared_example(created_file, !options.as_captured);
   const motion::Distance distance = motion::distance(target, created, alignment);
-  const Basis basis{basis_of(target), basis_of(created), chosen_take(target_file),
-                    chosen_take(created_file)};
+  const Basis basis{basis_of(target),           basis_of(created),
+                    chosen_take(target_file),   chosen_take(created_file),
+                    chosen_person(target_file), chosen_person(created_file)};
   if (options.json) {
     console.out << as_json(distance, basis).dump(2) << '\n';
   } else {
@@ -123,7 +132,7 @@ Command motion_compare_command() {
           .options = all_of(
               argument("target", &options->target, "Motion file of the target"),
               argument("created", &options->created, "Motion file to compare with it"),
-              takes_option(options->takes),
+              options_of_recordings(options->recording),
               option("--align", &options->align,
                      "pelvis: remove horizontal position and heading in every frame; world: in the "
                      "first frame only")
@@ -141,7 +150,9 @@ Command motion_compare_command() {
               "of a published matching task; this threshold is not a measure of "
               "perceptibility.\n\n"
               "Example:\n"
-              "  mien motion compare captured.bvh made.bvh --json",
+              "  mien motion compare captured.bvh made.bvh --json\n"
+              "  mien motion compare dance.c3d dance.c3d --subject Anna --subject Ben\n"
+              "  mien motion compare walk.fbx#Slow walk.fbx#Fast",
           .run = [options](const Console& console) { return compare(*options, console); }};
 }
 

@@ -11,7 +11,7 @@
 #include "motion/points/point_axes.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
-#include "pipeline/commands/line/take_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
 
 namespace mien::pipeline {
@@ -99,9 +99,9 @@ Conversion converted(motion::FileContents contents, const ConvertOptions& option
 }
 
 int convert(const ConvertOptions& options, const Console& console) {
-  for (const std::filesystem::path& file : motion::written_files(options.out))
-    refuse_own_input(options.in, file.string());
   const NamedRecording named = named_recording(options.in, options.recording);
+  for (const std::filesystem::path& file : motion::written_files(options.out))
+    refuse_own_input(named.file, file.string());
   const Conversion conversion =
       converted(motion::read_file(named.file, named.how), options, console);
   motion::write_results(conversion.files);

@@ -13,7 +13,7 @@
 #include "motion/measures/features/motion_features.h"
 #include "motion/rig/body_mapping.h"
 #include "pipeline/base/documents/table.h"
-#include "pipeline/commands/line/take_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
 
 namespace mien::pipeline {
@@ -34,7 +34,8 @@ struct FeaturesOptions {
 /// A motion file, what was measured, and over which frames.
 struct MeasuredFile {
   std::string file;
-  std::string take;  ///< where the file holds several
+  std::string take;    ///< where the file holds several
+  std::string person;  ///< where the file holds several
   std::string name;
   motion::PreparedExample prepared;
   motion::FeatureValues values;
@@ -48,14 +49,18 @@ motion::FeatureOptions feature_options(const FeaturesOptions& options) {
   return result;
 }
 
-MeasuredFile measured(const std::string& file, const RecordingArguments& arguments,
-                      const motion::FeatureOptions& options, const Console& console) {
-  const motion::Recording recording = read_with_warnings(file, arguments, console);
+MeasuredFile measured(const NamedRecording& named, const motion::FeatureOptions& options,
+                      const Console& console) {
+  const motion::Recording recording = read_with_warnings(named, console);
   const motion::Clip clip = motion::to_body(recording);
   motion::PreparedExample prepared = motion::prepare_example(clip);
   const motion::FeatureValues values = motion::measure_features(prepared.example, options);
-  return {file, chosen_take(recording), std::filesystem::path(file).stem().string(),
-          std::move(prepared), values};
+  return {named.file,
+          chosen_take(recording),
+          chosen_person(recording),
+          std::filesystem::path(named.file).stem().string(),
+          std::move(prepared),
+          values};
 }
 
 std::vector<std::string> warnings_of(const MeasuredFile& measured) {
@@ -79,6 +84,7 @@ ordered_json as_json(const MeasuredFile& measured) {
                          {"features", values},
                          {"warnings", warnings_of(measured)}};
   if (!measured.take.empty()) result["take"] = measured.take;
+  if (!measured.person.empty()) result["person"] = measured.person;
   return result;
 }
 
@@ -161,8 +167,8 @@ void show_table(const std::vector<MeasuredFile>& all, const Console& console) {
 
 int show_features(const FeaturesOptions& options, const Console& console) {
   std::vector<MeasuredFile> all;
-  for (const std::string& file : options.files)
-    all.push_back(measured(file, options.recording, feature_options(options), console));
+  for (const NamedRecording& named : named_recordings(options.files, options.recording))
+    all.push_back(measured(named, feature_options(options), console));
   if (options.json) {
     show_json(all, console);
   } else if (options.csv) {
@@ -177,31 +183,31 @@ int show_features(const FeaturesOptions& options, const Console& console) {
 
 Command motion_features_command() {
   const auto options = std::make_shared<FeaturesOptions>();
-  return {
-      .name = "features",
-      .summary = "Measure the 51 motion features by which motions can be specified",
-      .options = all_of(
-          argument("files", &options->files, "Motion files"), recording_options(options->recording),
-          option("--masses", &options->masses,
-                 "Body segment masses: male, female (de Leva 1996), winter (Winter 2009)")
-              .one_of({"male", "female", "winter"})
-              .with_default(),
-          option("--sideways", &options->sideways,
-                 "Sign of lateral angles of arms, legs and feet: outward from the body, or all "
-                 "to the left")
-              .one_of({"outward", "left"})
-              .with_default(),
-          flag("--json", &options->json, "As JSON"),
-          flag("--csv", &options->csv, "As a table with one row per motion and feature")
-              .excludes("--json")),
-      .notes =
-          "Measures the steadiest gait cycle, or the whole motion if there is none. \"mu\" is "
-          "a mean, \"sigma\" a standard deviation over the cycle; fb is forward and backward, "
-          "lr left and right, v up and down.\n\n"
-          "Examples:\n"
-          "  mien motion features walk.bvh\n"
-          "  mien motion features --csv captures/*.bvh > features.csv",
-      .run = [options](const Console& console) { return show_features(*options, console); }};
+  return {.name = "features",
+          .summary = "Measure the 51 motion features by which motions can be specified",
+          .options = all_of(
+              argument("files", &options->files, "Motion files"),
+              options_of_recordings(options->recording),
+              option("--masses", &options->masses,
+                     "Body segment masses: male, female (de Leva 1996), winter (Winter 2009)")
+                  .one_of({"male", "female", "winter"})
+                  .with_default(),
+              option("--sideways", &options->sideways,
+                     "Sign of lateral angles of arms, legs and feet: outward from the body, or all "
+                     "to the left")
+                  .one_of({"outward", "left"})
+                  .with_default(),
+              flag("--json", &options->json, "As JSON"),
+              flag("--csv", &options->csv, "As a table with one row per motion and feature")
+                  .excludes("--json")),
+          .notes =
+              "Measures the steadiest gait cycle, or the whole motion if there is none. \"mu\" is "
+              "a mean, \"sigma\" a standard deviation over the cycle; fb is forward and backward, "
+              "lr left and right, v up and down.\n\n"
+              "Examples:\n"
+              "  mien motion features walk.bvh\n"
+              "  mien motion features --csv captures/*.bvh > features.csv",
+          .run = [options](const Console& console) { return show_features(*options, console); }};
 }
 
 }  // namespace mien::pipeline

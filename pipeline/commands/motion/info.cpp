@@ -15,7 +15,7 @@
 #include "motion/points/gaps.h"
 #include "motion/points/marker_sets.h"
 #include "motion/points/point_axes.h"
-#include "pipeline/commands/line/take_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
 
 namespace mien::pipeline {
@@ -216,11 +216,18 @@ void show_text(const PointsSummary& summary, const Console& console) {
     console.out << fmt::format("missing  {:.1f} %, longest gap {:.2f} s ({})\n",
                                100.0 * summary.gaps.missing_share, summary.gaps.longest_gap_seconds,
                                points.points[point_of_longest_gap(summary.gaps)]);
-  if (!points.subjects.empty())
-    console.out << fmt::format("people   {}\n", fmt::join(points.subjects, ", "));
   if (!points.events.empty())
     console.out << fmt::format("events   {}\n", events_in_words(points.events));
   if (summary.fit) show_fit(*summary.fit, console);
+}
+
+void show_people(const motion::Recording& recording, const Console& console) {
+  if (recording.subjects.empty()) return;
+  console.out << fmt::format("people   {}", fmt::join(recording.subjects, ", "));
+  if (recording.subjects.size() > 1)
+    console.out << fmt::format(" (showing {})",
+                               recording.subject.empty() ? "all" : recording.subject);
+  console.out << '\n';
 }
 
 int show_info(const InfoOptions& options, const Console& console) {
@@ -240,9 +247,13 @@ int show_info(const InfoOptions& options, const Console& console) {
   const motion::MotionSummary summary = motion::summarise(recording);
   if (options.json) {
     ordered_json json = as_json(summary);
+    json["people"] = recording.subjects;
+    json["person"] = nullptr;
+    if (!recording.subject.empty()) json["person"] = recording.subject;
     if (points) json["recorded"] = as_json(*points);
     console.out << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
   } else {
+    show_people(recording, console);
     if (points) show_text(*points, console);
     show_text(summary, points.has_value(), console);
   }

@@ -14,7 +14,7 @@
 #include "motion/rig/recording_clip.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/table.h"
-#include "pipeline/commands/line/take_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/production/report/lint_timeline.h"
 
@@ -28,7 +28,7 @@ using nlohmann::ordered_json;
 struct LintCommand {
   std::vector<std::string> files;
   std::string original;
-  std::string original_take;
+  RecordingArguments of_original;
   std::string timeline;
   RecordingArguments recording;
   double mass_kg = motion::LintOptions().body_mass_kg;
@@ -41,7 +41,8 @@ struct LintCommand {
 /// A motion file and its findings.
 struct LintedFile {
   std::string file;
-  std::string take;  ///< where the file holds several
+  std::string take;    ///< where the file holds several
+  std::string person;  ///< where the file holds several
   bool is_human = false;
   LintedMotion motion;
 };
@@ -67,17 +68,18 @@ motion::Clip looped_if_requested(motion::Clip clip, bool loop) {
   return loop ? as_loop(std::move(clip)) : clip;
 }
 
-LintedFile linted(const std::string& file, const LintCommand& command, const motion::Clip* original,
-                  const Console& console) {
+LintedFile linted(const NamedRecording& named, const LintCommand& command,
+                  const motion::Clip* original, const Console& console) {
   motion::LintOptions options;
   options.body_mass_kg = command.mass_kg;
-  const motion::Recording recording = read_with_warnings(file, command.recording, console);
+  const motion::Recording recording = read_with_warnings(named, console);
   const motion::Clip clip = looped_if_requested(clip_of(recording), command.loop);
   LintedFile result;
-  result.file = file;
+  result.file = named.file;
   result.take = chosen_take(recording);
+  result.person = chosen_person(recording);
   result.is_human = motion::is_body(clip.body);
-  result.motion = {fs::path(file).stem().string(),
+  result.motion = {fs::path(named.file).stem().string(),
                    clip.frame_count(),
                    clip.frames_per_second,
                    original != nullptr,
@@ -123,6 +125,7 @@ void show_json(const std::vector<LintedFile>& all, const Console& console) {
                        {"errors", errors_in(one)},
                        {"findings", findings}});
     if (!one.take.empty()) motions.back()["take"] = one.take;
+    if (!one.person.empty()) motions.back()["person"] = one.person;
   }
   const ordered_json result = {{"motions", motions}};
   console.out << result.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
@@ -196,16 +199,17 @@ int show_findings(const LintCommand& command, const Console& console) {
   require_timeline(command);
   std::optional<motion::Clip> original;
   if (!command.original.empty()) {
-    original = looped_if_requested(
-        clip_of(read_with_warnings(command.original, {.take = command.original_take}, console)),
-        command.loop);
+    original =
+        looped_if_requested(clip_of(read_with_warnings(
+                                named_recording(command.original, command.of_original), console)),
+                            command.loop);
     if (!motion::is_body(original->body))
       throw Error(fmt::format("no human body was recognised in \"{}\"", command.original),
                   "the original must be a human motion");
   }
   std::vector<LintedFile> all;
-  for (const std::string& file : command.files)
-    all.push_back(linted(file, command, original ? &*original : nullptr, console));
+  for (const NamedRecording& named : named_recordings(command.files, command.recording))
+    all.push_back(linted(named, command, original ? &*original : nullptr, console));
   if (command.json) {
     show_json(all, console);
   } else if (command.csv) {
@@ -241,12 +245,18 @@ Command motion_lint_command() {
       .summary =
           "Find implausible movement: foot sliding, jumps, overstretched joints and other faults",
       .options = all_of(
-          argument("files", &options->files, "Motion files"), recording_options(options->recording),
+          argument("files", &options->files, "Motion files"),
+          options_of_recordings(options->recording),
           option("--original", &options->original,
                  "The unmodified motion; faults that it already has are reported only where they "
                  "have grown, and timing is compared"),
-          option("--original-take", &options->original_take,
-                 "Motion to use from the --original file, if it has several")
+          option("--original-take", &options->of_original.takes,
+                 "Motion to use from the --original file, if it has several; also as FILE#TAKE")
+              .values(1, 1)
+              .needs("--original"),
+          option("--original-subject", &options->of_original.subjects,
+                 "Person to use from the --original file, if it has several")
+              .values(1, 1)
               .needs("--original"),
           option("--mass", &options->mass_kg,
                  "Body mass in kg; heavier bodies are allowed larger joint torques")

@@ -6,7 +6,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/commands/line/take_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/manifest/reading/recipes.h"
@@ -21,18 +21,21 @@ struct ModifyOptions {
   std::string in;
   std::string out;
   std::string change;
-  std::string take;
+  RecordingArguments recording;
   std::string recipes = "builtin";
   std::string on_fault = "warn";
   double fps = 0.0;
 };
 
 int modify_file(const ModifyOptions& options, const Console& console) {
-  refuse_own_input(options.in, options.out);
-  Stimulus stimulus = stimulus_of({options.in, options.change, options.recipes, options.on_fault});
-  stimulus.clip->how.take = options.take;
-  stimulus.output.fps =
-      options.fps > 0.0 ? options.fps : read_take(options.in, options.take).frames_per_second;
+  const NamedRecording named = named_recording(options.in, options.recording);
+  refuse_own_input(named.file, options.out);
+  Stimulus stimulus = stimulus_of({named.file, options.change, options.recipes, options.on_fault});
+  stimulus.clip->how = {named.how.take.value_or(""), named.how.subject.value_or(""),
+                        named.how.frames_per_second, named.how.joints};
+  stimulus.output.fps = options.fps > 0.0
+                            ? options.fps
+                            : motion::read_motion(named.file, named.how).frames_per_second;
   const Synthesis made = synthesize(stimulus, {});
   motion::write_motion(motion::to_recording(made.motion.clip), options.out);
   console.out << fmt::format("{}: {}{}, {} frames\n", options.out, made.modified,
@@ -80,7 +83,7 @@ Command motion_modify_command() {
           argument("change", &options->change,
                    "An emotion, or the value of `modify:` in a manifest"),
           argument("out", &options->out, "File to write: " + motion::formats_written()),
-          take_option(options->take),
+          recording_options(options->recording),
           option("--recipes", &options->recipes,
                  "builtin, fig29 (after figure 29 of a thesis on emotion in motion capture), or a "
                  "file of recipes")
@@ -101,6 +104,7 @@ Command motion_modify_command() {
           "  mien motion modify walk.bvh sad sad.bvh\n"
           "  mien motion modify walk.bvh 'emotion: angry, strength: 0.6' angry.glb\n"
           "  mien motion modify walk.bvh '[{emotion: sad}, {tempo: 1.2}]' brisk-sad.bvh\n"
+          "  mien motion modify dance.c3d sad sad.bvh --subject Anna\n"
           "  mien motion modify walk.bvh 'paths: 1.4, posture: {head-flexion: 12}' longer.bvh",
       .run = [options](const Console& console) { return modify_file(*options, console); }};
 }

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -9,7 +11,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/commands/line/take_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/live_stream.h"
 #include "pipeline/commands/motion/motion.h"
@@ -26,6 +28,7 @@ struct StreamOptions {
   std::string change;
   std::string out;
   std::string recipes = "builtin";
+  std::string subject;
   std::string calibration;
   std::string json;
   std::vector<std::string> leave_out;
@@ -60,6 +63,16 @@ motion::Modification modification_of(const StreamOptions& options) {
   return modification;
 }
 
+/// The recording for the calibration: of several people the one who is streamed, if he is in it.
+motion::Recording calibration_of(const StreamOptions& options) {
+  NamedRecording named = named_recording(options.calibration);
+  motion::Recording recording = motion::read_motion(named.file, named.how);
+  if (std::ranges::find(recording.subjects, options.subject) == recording.subjects.end())
+    return recording;
+  named.how.subject = options.subject;
+  return motion::read_motion(named.file, named.how);
+}
+
 LiveOptions live_options(const StreamOptions& options, const std::string& name) {
   LiveOptions live;
   live.name = name;
@@ -67,7 +80,7 @@ LiveOptions live_options(const StreamOptions& options, const std::string& name) 
   live.measure = options.measure;
   if (options.still_legs) live.scope = motion::PathScope::upper_body;
   if (options.delay_ms >= 0.0) live.delay_ms = options.delay_ms;
-  if (!options.calibration.empty()) live.calibration = motion::read_motion(options.calibration);
+  if (!options.calibration.empty()) live.calibration = calibration_of(options);
   return live;
 }
 
@@ -159,10 +172,11 @@ class Pace {
 };
 
 /// Processes all frames. Returns false if the reader has closed the pipe.
-bool process_frames(MotionSource& source, LiveStream& live, bool paced,
+bool process_frames(MotionSource& source, LiveStream& live, const StreamOptions& options,
                     const std::stop_token& stop) {
-  motion::BvhStream text(source.name());
-  Pace pace(paced);
+  motion::BvhStream text(source.name(),
+                         options.subject.empty() ? std::nullopt : std::optional(options.subject));
+  Pace pace(options.paced);
   bool is_read = true;
   const auto pass = [&] {
     while (is_read && !stop.stop_requested()) {
@@ -191,7 +205,7 @@ int stream_motion(const StreamOptions& options, const Console& console) {
   MotionSink sink(console.out, options.out,
                   options.lines ? MotionSink::Form::lines : MotionSink::Form::bvh);
   LiveStream live(live_options(options, source.name()), sink);
-  const bool is_read = process_frames(source, live, options.paced, console.stop);
+  const bool is_read = process_frames(source, live, options, console.stop);
   if (console.stop.stop_requested() && !live.has_begun()) return exit_interrupted;
   const LiveReport report = live.finish();
   sink.publish();
@@ -225,8 +239,11 @@ Command motion_stream_command() {
            flag("--still-legs", &options->still_legs,
                 "Change the amplitude of movement (paths) of trunk, head and arms only, so that "
                 "feet do not slide"),
+           option("--subject", &options->subject,
+                  "Name or number of the person to use, if the BVH file has several"),
            option("--calibration", &options->calibration,
-                  "A recording of the same rig from which its proportions and floor are measured"),
+                  "A recording of the same rig (FILE or FILE#TAKE) from which its proportions and "
+                  "floor are measured"),
            option("--recipes", &options->recipes,
                   "builtin, fig29 (after figure 29 of a thesis on emotion in motion capture), or a "
                   "file of recipes")

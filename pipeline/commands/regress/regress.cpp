@@ -10,8 +10,9 @@
 #include "motion/math/geometry.h"
 #include "motion/measures/differences/motion_tolerance.h"
 #include "pipeline/base/documents/fault.h"
+#include "pipeline/commands/line/examples_option.h"
 #include "pipeline/commands/line/external_programs.h"
-#include "pipeline/commands/line/take_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/regress/regress_study.h"
 #include "pipeline/regression/comparison/compared_media.h"
 #include "pipeline/regression/comparison/compared_motions.h"
@@ -23,9 +24,9 @@ namespace {
 
 /// Options of `mien regress`.
 struct RegressOptions {
-  std::string before;              ///< what was approved
-  std::string now;                 ///< what is to be judged
-  std::vector<std::string> takes;  ///< of motion files: of both, or of each
+  std::string before;            ///< what was approved
+  std::string now;               ///< what is to be judged
+  RecordingArguments recording;  ///< of motion files
   motion::MotionTolerance tolerance;
   double rotation_degrees = 0.1;  ///< of the tolerance, as it is typed
   double perceptual = 0.0;        ///< mean ꟻLIP that pictures may have
@@ -81,17 +82,17 @@ int regress_files(const RegressOptions& options, const Console& console) {
   const auto both = [&](const auto& is_kind) {
     return is_kind(options.before) && is_kind(options.now);
   };
-  require_file(options.before);
-  require_file(options.now);
-  if (both([](const std::string& file) { return motion::is_found_as_motion(file); })) {
-    const auto takes = takes_of(options.takes, {options.before, options.now});
-    return print_comparison(
-        compared_motion_files(options.before, options.now, options.tolerance, takes), options,
-        console);
+  const std::vector<NamedRecording> named =
+      named_recordings({options.before, options.now}, options.recording);
+  require_file(named[0].file);
+  require_file(named[1].file);
+  if (motion::is_motion_file(named[0].file) && motion::is_motion_file(named[1].file)) {
+    return print_comparison(compared_motion_files(named[0].file, named[1].file, options.tolerance,
+                                                  {named[0].how, named[1].how}),
+                            options, console);
   }
   if (both([](const std::string& file) { return is_media(file); })) {
-    if (!options.takes.empty())
-      throw Error({"--take"}, "applies to motions, not to images and videos", "omit it");
+    refuse_recording_options(options.recording, "images and videos", "omit them");
     return print_comparison(compared_media(options.before, options.now, options.perceptual),
                             options, console);
   }
@@ -116,9 +117,8 @@ int regress(RegressOptions options, StudyArguments study, const Console& console
     return regress_files(options, console);
   }
   refuse_lone_file(options.before);
-  if (!options.takes.empty())
-    throw Error({"--take"}, "applies to two motion files, not to a study",
-                "set take: in the manifest");
+  refuse_recording_options(options.recording, "a study",
+                           "set take:, subject:, fps: and joints: in the manifest");
   refuse_options(options.given, "applies to two files, not to a study",
                  "set regression: in the manifest");
   study.production.manifest = options.before;
@@ -274,7 +274,7 @@ Command regress_command() {
                       "Proportion of unchanged stimuli that are nevertheless rendered and compared")
                       .between(0.0, 1.0)
                       .with_default())),
-          takes_option(options->takes),
+          options_of_recordings(options->recording),
           in_group(files_group, options->given, file_options(*options)),
           flag("--json", &options->json, "Complete result as JSON")),
       .commands = {approve_command()},

@@ -50,7 +50,8 @@ std::optional<fs::path> stored_scales(const fs::path& study) {
 struct AnalyzeOptions {
   std::string answers;
   std::string examples;
-  std::string stimuli;  ///< folder of a study, or its parameters.csv
+  RecordingArguments recording;  ///< how the files of the examples are read
+  std::string stimuli;           ///< folder of a study, or its parameters.csv
   std::string scales;
   std::string out;
   std::string clusters = "4";
@@ -193,7 +194,8 @@ int analyze(AnalyzeOptions options, const Console& console) {
     throw Error("the rated stimuli were not specified",
                 "give --examples, or --stimuli with the folder of a study");
   options.analysis.clusters = cluster_count(options.clusters);
-  const Manifest subject = manifest_of({options.examples, "", options.scales}, console);
+  const Manifest subject =
+      manifest_of({options.examples, "", options.scales, options.recording}, console);
   const ScaleSet scales =
       subject.scales.file.empty() ? builtin_scales() : read_scales(subject.scales.file);
   const std::vector<RatedExample> examples = rated_examples(subject);
@@ -242,6 +244,7 @@ Command study_analyze_command() {
                    "order, comment"),
           option("--examples", &options->examples,
                  "Rated examples: " + std::string(examples_help) + ", or a manifest"),
+          that_need("--examples", recording_options(options->recording)),
           option("--stimuli", &options->stimuli,
                  "Rated stimuli of a study instead: its folder (out/my-study). Compares requested, "
                  "reached and perceived values, and gives corrected values for the next round")

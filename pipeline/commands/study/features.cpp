@@ -62,17 +62,18 @@ Command study_features_command() {
   return {
       .name = "features",
       .summary = "Cluster the motion features of a set of examples",
-      .options = {option("--examples", &options->subject.examples,
-                         std::string("Examples: a manifest, ") + examples_help)
-                      .required(),
-                  option("--clusters", &options->clusters, "Number of clusters")
-                      .between(1, motion::motion_feature_count)
-                      .with_default(),
-                  choice("--scaling", options->scaling,
-                         {{"min-max", motion::FeatureScaling::min_max},
-                          {"z-score", motion::FeatureScaling::z_score}},
-                         "Normalize features over the examples to 0 … 1, or to z-scores"),
-                  option("-o,--output", &options->out, "Folder for the results").required()},
+      .options = all_of(option("--examples", &options->subject.examples,
+                               std::string("Examples: a manifest, ") + examples_help)
+                            .required(),
+                        recording_options(options->subject.recording),
+                        option("--clusters", &options->clusters, "Number of clusters")
+                            .between(1, motion::motion_feature_count)
+                            .with_default(),
+                        choice("--scaling", options->scaling,
+                               {{"min-max", motion::FeatureScaling::min_max},
+                                {"z-score", motion::FeatureScaling::z_score}},
+                               "Normalize features over the examples to 0 … 1, or to z-scores"),
+                        option("-o,--output", &options->out, "Folder for the results").required()),
       .notes =
           "Writes features.csv, linkage.csv, clusters.csv and dendrogram.pdf, .svg, .png, and "
           "prints the agreement\n"

@@ -84,7 +84,7 @@ Command study_interfaces_command() {
       .name = "interfaces",
       .summary = "Compare sliders for adjectives, features and weights with simulated users",
       .options = all_of(
-          subject_options(options->subject),
+          subject_and_recording_options(options->subject),
           option("--targets", &options->targets, "Number of targets")
               .between(1, 100)
               .with_default(),

@@ -62,7 +62,7 @@ Command study_methods_command() {
       .name = "methods",
       .summary = "Compare the interpolation methods on feasible requests",
       .options = all_of(
-          subject_options(options->subject),
+          subject_and_recording_options(options->subject),
           option("--parameters", &options->parameters,
                  "Parameters, separated by commas (default: the primary groups)")
               .with_commas(),

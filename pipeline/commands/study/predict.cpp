@@ -11,7 +11,7 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
 #include "pipeline/base/documents/table.h"
-#include "pipeline/commands/line/take_option.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/production/synthesis/parameter_label.h"
 #include "pipeline/study/analysis/feature_regression.h"
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 struct PredictOptions {
   StudySubject subject;
   std::vector<std::string> motions;
-  std::string take;
+  RecordingArguments recording;  ///< of `motions`
   std::string out;
 };
 
@@ -37,10 +37,10 @@ struct Unrated {
 };
 
 /// Features of a file's motion on the examples' body, as measured for the examples.
-motion::FeatureValues features_of(const std::string& file, const std::string& take,
-                                  const Repertoire& repertoire, const Console& console) {
+motion::FeatureValues features_of(const NamedRecording& named, const Repertoire& repertoire,
+                                  const Console& console) {
   motion::Example example =
-      motion::make_example(motion::to_body(read_with_warnings(file, {.take = take}, console)));
+      motion::make_example(motion::to_body(read_with_warnings(named, console)));
   const motion::Skeleton& body = repertoire.examples.examples.front().clip.body;
   example.clip = motion::retarget(example.clip, body);
   return motion::measure_features(example);
@@ -50,15 +50,12 @@ std::vector<Unrated> predicted_motions(const PredictOptions& options, const Repe
                                        const FeatureRegression& regression,
                                        const Console& console) {
   std::vector<Unrated> all;
-  for (const std::string& file : options.motions) {
-    Unrated one{
-        fs::path(file).stem().string(),
-        features_of(file, motion::may_hold_takes(file) ? options.take : "", repertoire, console),
-        {}};
+  for (const NamedRecording& named : named_recordings(options.motions, options.recording)) {
+    Unrated one{fs::path(named.file).stem().string(), features_of(named, repertoire, console), {}};
     try {
       one.predictions = predict(regression, one.features);
     } catch (const Error& error) {
-      throw Error(file + ": " + error.what(), "");
+      throw Error(named.file + ": " + error.what(), "");
     }
     all.push_back(std::move(one));
   }
@@ -186,7 +183,7 @@ Command study_predict_command() {
       .summary = "Predict ratings from motion features, with cross-validation",
       .options = all_of(subject_options(options->subject),
                         option("--motions", &options->motions, "Motion files without ratings"),
-                        take_option(options->take),
+                        that_need("--motions", options_of_recordings(options->recording)),
                         option("-o,--output", &options->out, "Folder for the tables (CSV)")),
       .notes =
           "Ridge regression from motion features to each rated parameter, with two "

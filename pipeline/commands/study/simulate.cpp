@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/commands/line/examples_option.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 struct SimulateCommand {
   std::string manifest;
   std::string examples;
+  RecordingArguments recording;  ///< how the files of the examples are read
   std::string scales;
   std::string truth;
   std::string out;
@@ -59,7 +61,7 @@ int put_answers(const SimulateCommand& command, const Manifest& manifest, const 
 
 int simulate_examples(const SimulateCommand& command, const Console& console) {
   Manifest manifest;
-  manifest.examples = parse_examples(command.examples);
+  manifest.examples = examples_of(command.examples, command.recording);
   if (!command.scales.empty()) manifest.scales = scales_in(command.scales);
   manifest.ratings.source = Ratings::Source::simulated;
   manifest.ratings.raters = command.raters;
@@ -144,6 +146,7 @@ Command study_simulate_command() {
           option(
               "--examples", &options->examples,
               std::string("Rate examples instead of answering a questionnaire: ") + examples_help),
+          that_need("--examples", recording_options(options->recording)),
           option("--scales", &options->scales,
                  "With --examples: scales file (YAML) (default: the 41 built-in adjective pairs)"),
           option("--raters", &options->raters, "With --examples: number of raters")

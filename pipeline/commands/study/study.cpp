@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "pipeline/commands/line/examples_option.h"
 #include "pipeline/commands/line/external_programs.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/production_options.h"
@@ -59,10 +60,12 @@ Manifest manifest_of(const StudySubject& subject, const Console& console) {
   const std::filesystem::path file(subject.examples);
   Manifest manifest;
   if (file.extension() == ".yaml" || file.extension() == ".yml") {
+    refuse_recording_options(subject.recording, "a manifest",
+                             "set take:, subject:, fps: and joints: in the manifest");
     manifest = load_with_warnings(resolve_input_file(subject.examples, console), {}, console);
     refuse_unblendable(manifest.examples);
   } else {
-    manifest.examples = parse_examples(subject.examples);
+    manifest.examples = examples_of(subject.examples, subject.recording);
     if (!manifest.examples.builtin.empty()) manifest.ratings.source = Ratings::Source::builtin;
   }
   if (!subject.ratings.empty()) {
@@ -81,6 +84,10 @@ std::vector<CommandOption> subject_options(StudySubject& subject) {
              "Answers (CSV) (default: those of the manifest or built-in set)"),
       option("--scales", &subject.scales,
              "Scales file (YAML) (default: that of the manifest, or the 41 adjective pairs)")};
+}
+
+std::vector<CommandOption> subject_and_recording_options(StudySubject& subject) {
+  return all_of(subject_options(subject), recording_options(subject.recording));
 }
 
 Command study_command() {

@@ -5,6 +5,7 @@
 
 #include "motion/interpolation/interpolation_options.h"
 #include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/manifest/manifest.h"
 
 namespace mien::pipeline {
@@ -32,17 +33,20 @@ struct Console;
 
 /// The examples, ratings and scales of a study command, from its options.
 struct StudySubject {
-  std::string examples;  ///< a manifest (.yaml, .yml), or the syntax of `parse_examples`
-  std::string ratings;   ///< CSV; empty: the manifest's, or those of a built-in set
-  std::string scales;    ///< YAML; empty: the manifest's, or the built-in pairs
+  std::string examples;          ///< a manifest (.yaml, .yml), or the syntax of `parse_examples`
+  std::string ratings;           ///< CSV; empty: the manifest's, or those of a built-in set
+  std::string scales;            ///< YAML; empty: the manifest's, or the built-in pairs
+  RecordingArguments recording;  ///< how the files of a folder are read
 };
 
 /// The named manifest with the options applied, or a manifest built from the options alone. If the
 /// named file does not exist, an installed manifest of that name is used. Throws Error.
 Manifest manifest_of(const StudySubject& subject, const Console& console);
 
-/// The options --examples (required), --ratings and --scales.
+/// The options --examples (required), --ratings and --scales, and those of `recording_options` if
+/// the command has no other motion files.
 std::vector<CommandOption> subject_options(StudySubject& subject);
+std::vector<CommandOption> subject_and_recording_options(StudySubject& subject);
 
 Command studio_command();
 Command study_command();

@@ -99,7 +99,7 @@ Command study_targets_command() {
       .name = "targets",
       .summary = "Sample target motions for a matching experiment",
       .options = all_of(
-          subject_options(options->subject),
+          subject_and_recording_options(options->subject),
           option("--from", &options->kind, "Space in which targets are sampled")
               .one_of({"adjectives", "features"})
               .with_default(),

@@ -15,6 +15,11 @@ std::string several_take(const motion::Recording& recording) {
   return recording.takes.size() > 1 ? recording.take : "";
 }
 
+/// The person who moves in the recording, where its file holds several; else empty.
+std::string several_people(const motion::Recording& recording) {
+  return recording.subjects.size() > 1 ? recording.subject : "";
+}
+
 /// Where these frames hold no whole cycle (of a take that holds half a one), as it is by itself.
 motion::PreparedExample prepared_over_same_frames(const motion::Clip& clip,
                                                   const motion::ExampleOptions& same_frames) {
@@ -42,13 +47,19 @@ std::vector<motion::FeatureDifference> features_of(const motion::Clip& before,
 
 ComparedMotions compared_motion_files(const std::string& before, const std::string& now,
                                       const motion::MotionTolerance& tolerance,
-                                      const std::array<std::string, 2>& takes) {
-  const motion::Recording was = motion::read_take(before, takes[0]);
-  const motion::Recording is = motion::read_take(now, takes[1]);
+                                      const std::array<motion::ReadOptions, 2>& how) {
+  const motion::Recording was = motion::read_motion(before, how[0]);
+  const motion::Recording is = motion::read_motion(now, how[1]);
   const motion::ComparedRecordings recordings = motion::compared_recordings(was, is);
-  ComparedMotions result{
-      before,    now, several_take(was), several_take(is), motion::motion_difference(recordings),
-      tolerance, {}};
+  ComparedMotions result{before,
+                         now,
+                         several_take(was),
+                         several_take(is),
+                         several_people(was),
+                         several_people(is),
+                         motion::motion_difference(recordings),
+                         tolerance,
+                         {}};
   if (recordings.body_before && recordings.body_now) {
     try {
       result.difference.features = features_of(*recordings.body_before, *recordings.body_now);

@@ -150,6 +150,8 @@ ordered_json as_json(const ComparedMotions& motions) {
       {"now", motions.now},
       {"take_before", motions.take_before},
       {"take_now", motions.take_now},
+      {"person_before", motions.person_before},
+      {"person_now", motions.person_now},
       {"alike", motions.are_alike()},
       {"identical", difference.identical},
       {"largest_change", motion::largest_change(difference)},

@@ -211,6 +211,10 @@ std::string take_names_text(const ComparedMotions& motions) {
     text += fmt::format("  take before: {} of {}\n", motions.take_before, motions.before);
   if (!motions.take_now.empty())
     text += fmt::format("  take now: {} of {}\n", motions.take_now, motions.now);
+  if (!motions.person_before.empty())
+    text += fmt::format("  person before: {} of {}\n", motions.person_before, motions.before);
+  if (!motions.person_now.empty())
+    text += fmt::format("  person now: {} of {}\n", motions.person_now, motions.now);
   return text;
 }
 

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/commands/line/program.h"
-#include "pipeline/commands/line/take_option.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -183,23 +182,6 @@ TEST(CommandValues, AreWhatHelpTells) {
   for (const CommandOption& option : program.commands[0].options)
     EXPECT_NE(help.find(option.is_argument() ? option.argument : option.names.back()),
               std::string::npos);
-}
-
-// "file#take", unless a file has that whole name.
-TEST(NamedRecordings, HaveATakeAfterTheHash) {
-  const test::TemporaryFolder folder;
-  const std::string walk = (folder.path() / "walk.fbx").string();
-  std::ofstream(walk) << "FBX";
-  EXPECT_EQ(named_recording(walk + "#Run", {}).file, walk);
-  EXPECT_EQ(named_recording(walk + "#Run", {}).how.take, "Run");
-  EXPECT_EQ(named_recording(walk, {}).how.take, std::nullopt);
-  EXPECT_EQ(named_recording(walk + "#Run", {.take = "Walk"}).how.take, "Walk");
-  std::ofstream(walk + "#Run") << "FBX";
-  EXPECT_EQ(named_recording(walk + "#Run", {}).file, walk + "#Run");
-  EXPECT_EQ(named_recording("gone.fbx#Run", {}).file, "gone.fbx#Run");
-  const NamedRecording chosen = named_recording(walk, {.subject = "2", .fps = 50.0});
-  EXPECT_EQ(chosen.how.subject, "2");
-  EXPECT_EQ(chosen.how.frames_per_second, 50.0);
 }
 
 }  // namespace

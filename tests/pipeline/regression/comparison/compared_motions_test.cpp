@@ -71,19 +71,27 @@ TEST_F(ComparedMotionFiles, OfAnyRateNameWhatDiffersBesideIt) {
   EXPECT_FALSE(contains_words(head, "per second")) << head;
 }
 
+motion::ReadOptions of_take(const std::string& take) {
+  motion::ReadOptions how;
+  how.take = take;
+  return how;
+}
+
 TEST_F(ComparedMotionFiles, OfSeveralTakesAreComparedTakeByTake) {
   write(walk_, "walk.bvh");
   write_file(in("takes.gltf"), test::two_takes(motion::read_motion(in("walk.bvh"))));
   const std::string file = in("takes.gltf");
   EXPECT_TRUE(compared_motion_files(file, file, {}).are_alike());
-  EXPECT_TRUE(compared_motion_files(file, in("walk.bvh"), {}, {"Walk", ""}).are_alike());
-  const ComparedMotions others = compared_motion_files(file, file, {}, {"Walk", "Stand"});
+  EXPECT_TRUE(compared_motion_files(file, in("walk.bvh"), {}, {of_take("Walk"), {}}).are_alike());
+  const ComparedMotions others =
+      compared_motion_files(file, file, {}, {of_take("Walk"), of_take("Stand")});
   EXPECT_FALSE(others.are_alike());
   const std::string text = as_text(others);
   EXPECT_TRUE(contains_words(text, "take before: Walk of " + file)) << text;
   EXPECT_TRUE(contains_words(text, "take now: Stand of " + file)) << text;
   EXPECT_EQ(as_json(others)["take_now"], "Stand");
-  EXPECT_THROW(compared_motion_files(file, file, {}, {"", "Jump"}), Error);
+  EXPECT_THROW(compared_motion_files(file, file, {}, {motion::ReadOptions(), of_take("Jump")}),
+               Error);
 }
 
 TEST_F(ComparedMotionFiles, OfOneTakeAreNotSaidToBeOfOne) {
