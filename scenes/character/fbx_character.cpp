@@ -1,11 +1,13 @@
 #include "scenes/character/fbx_character.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "motion/error.h"
 #include "motion/formats/fbx/fbx_figure.h"
 #include "motion/formats/fbx/fbx_pose.h"
+#include "motion/skeleton/recording.h"
 
 namespace mien::scenes {
 
@@ -75,8 +77,10 @@ FbxCharacter parse_fbx_character(std::string_view bytes, const std::string& name
   character.scene = motion::parse_fbx_scene(bytes, name);
   const motion::FbxScene& scene = character.scene;
   const std::vector<bool> none_moves(scene.models.size(), false);
+  motion::Recording noted;
   const motion::FbxFigure figure =
-      motion::fbx_figure(scene, motion::fbx_joints(scene, none_moves), warnings);
+      motion::fbx_figure(scene, motion::fbx_joints(scene, none_moves), std::nullopt, noted);
+  warnings.insert(warnings.end(), noted.notes.begin(), noted.notes.end());
   RigNodes rig{figure.joints, {}};
   for (const motion::Joint& joint : motion::fbx_skeleton(scene, figure, none_moves).joints) {
     rig.names.push_back(joint.name);

@@ -13,7 +13,8 @@
 namespace mien::pipeline {
 
 /// How the motion files of a command are read: values of --take, --subject, --recorded-fps,
-/// --joints and --body-model. Each option is given once for all files, or once for each file in their order.
+/// --joints and --body-model. Each option is given once for all files, or once for each file in
+/// their order.
 struct RecordingArguments {
   std::vector<std::string> takes;
   std::vector<std::string> subjects;
@@ -41,9 +42,9 @@ struct NamedRecording {
 
 /// The files and how each is read. "walk.fbx#Run" is the take "Run" of walk.fbx, unless there is a
 /// file of that whole name. What is given once applies to all files whose format may hold several
-/// takes or people, points without names, or SMPL motions; a take after # goes before it. If it applies to none,
-/// it is left to the first file, whose reader refuses it. Throws Error if an option is given
-/// otherwise than once or once for each file, or if a file has two different takes.
+/// takes or people, points without names, or SMPL motions; a take after # goes before it. If it
+/// applies to none, it is left to the first file, whose reader refuses it. Throws Error if an
+/// option is given otherwise than once or once for each file, or if a file has two different takes.
 std::vector<NamedRecording> named_recordings(const std::vector<std::string>& names,
                                              const RecordingArguments& arguments);
 
