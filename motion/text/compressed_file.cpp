@@ -82,8 +82,8 @@ std::string recording_name(const std::filesystem::path& path) {
 }
 
 std::uintmax_t largest_inflated(std::uintmax_t bytes, std::uintmax_t most_bytes) {
-  constexpr std::uintmax_t always = std::uintmax_t{64} << 20;
-  constexpr std::uintmax_t ratio = 100;
+  constexpr std::uintmax_t always = std::uintmax_t{8} << 20;
+  constexpr std::uintmax_t ratio = 50;
   const std::uintmax_t by_ratio = bytes > most_bytes / ratio ? most_bytes : bytes * ratio;
   return std::min(std::max(by_ratio, always), most_bytes);
 }

@@ -18,8 +18,8 @@ std::filesystem::path without_compression(const std::filesystem::path& path);
 /// The name of a recording, from the name of its file: "walk" of "motions/walk.bvh.gz".
 std::string recording_name(const std::filesystem::path& path);
 
-/// The most that a gzip file of `bytes` is inflated to: a hundred times its size, but at least
-/// 64 MiB and at most `most_bytes`. Text of motions shrinks to a third or a tenth, so more is a
+/// The most that a gzip file of `bytes` is inflated to: fifty times its size, but at least
+/// 8 MiB and at most `most_bytes`. Text of motions shrinks to a third or a tenth, so more is a
 /// sign of a file made to exhaust the memory.
 std::uintmax_t largest_inflated(std::uintmax_t bytes, std::uintmax_t most_bytes);
 

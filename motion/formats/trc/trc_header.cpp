@@ -9,6 +9,8 @@ namespace mien::motion {
 
 namespace {
 
+constexpr std::size_t most_points = 65'536;
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
@@ -119,6 +121,10 @@ TrcHeader parse_trc_header(TextCursor& cursor, std::vector<std::string>& notes) 
       !same_word(cells[1].substr(0, 4), "Time")) {
     fail(cursor, names_at, "the fourth line does not name the columns Frame#, Time and the points",
          "export the file again, with its cells separated by tabs");
+  }
+  if (cells.size() > 2 + 3 * most_points) {
+    fail(cursor, names_at, "there are more than " + std::to_string(most_points) + " points",
+         "keep the markers of the recording");
   }
   std::optional<std::size_t> labelled;
   for (std::size_t line_at = cursor.at; !at_end(cursor); line_at = cursor.at) {

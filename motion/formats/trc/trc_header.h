@@ -29,7 +29,7 @@ bool is_blank_line(std::string_view line);
 
 /// Parses the lines before the rows, and leaves the cursor at the first row (or the end). The
 /// number of points is that of the coordinate labels (X1 Y1 Z1 …), or else of the names. If
-/// NumMarkers differs, a note says so. Throws mien::Error.
+/// NumMarkers differs, a note says so. Throws mien::Error, also for more than 65,536 points.
 TrcHeader parse_trc_header(TextCursor& cursor, std::vector<std::string>& notes);
 
 }  // namespace mien::motion

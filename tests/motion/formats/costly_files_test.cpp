@@ -90,6 +90,32 @@ TEST_F(CostlyFiles, ThatInflateToGigabytesAreRefused) {
   }
 }
 
+std::string repeated(std::string text, const std::string& part, std::size_t megabytes) {
+  while (text.size() < megabytes << 20) text += part;
+  return text;
+}
+
+// Long recordings of next to nothing, of which each byte takes many in memory.
+TEST_F(CostlyFiles, ThatInflateToLongRecordingsAreRefused) {
+  for (SmallFile file : test::small_files()) {
+    std::string part;
+    if (file.name == "walk.bvh") part = "0 0 0 0 0 0 0 0 0\n";
+    if (file.name == "walk.trc") part = "3\t\t\n";
+    if (file.name == "walk.csv") part = "2,,,,,,,\n";
+    if (file.name == "walk.json") part = "[0,0,0],";
+    if (part.empty()) continue;
+    file.name += ".gz";
+    expect_cheap(file, test::gzipped(repeated(file.bytes, part, 60)), true);
+  }
+}
+
+TEST_F(CostlyFiles, OfMillionsOfPointsAreRefused) {
+  const std::string head =
+      "PathFileType\t4\t(X/Y/Z)\ta.trc\nDataRate\tNumMarkers\n100\t2\nFrame#\tTime\t";
+  expect_cheap({"walk.trc", {}}, repeated(head, "a\t\t\t", 16), true);
+  expect_cheap({"walk.csv", {}}, repeated("frame,", "a,", 16), true);
+}
+
 /// An array of zeros, which deflates to a thousandth.
 std::string zeros(const std::string& shape, std::size_t megabytes) {
   return test::npy_file("'<f8'", shape, std::string(megabytes << 20, '\0'));
