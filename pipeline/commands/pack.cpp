@@ -1,7 +1,9 @@
 #include "pipeline/production/archive/pack.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -9,9 +11,14 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/shell_word.h"
+#include "pipeline/base/documents/environment.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/verification_text.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/run/study_inputs.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
@@ -24,6 +31,11 @@ constexpr char pack_notes[] =
     "The archive is a bag (BagIt, RFC 8493): the study in data/, with SHA-256 sums beside it for "
     "sha256sum -c manifest-sha256.txt. The same study with the same options gives the same bytes. "
     "The study is verified first, and refused if anything is missing or changed.\n\n"
+    "Recordings are not packed unless --recordings is given. Those that the manifest marks with "
+    "licence: {name: …, share: false} are left out even then, and so are the motion files in "
+    "clips/ "
+    "that were made from them; --restricted packs these, too. What was left out is listed, also in "
+    "the archive (bag-info.txt and data/recordings.json).\n\n"
     "Examples:\n"
     "  mien pack out/my-study -o my-study.tar.zst\n"
     "  mien pack out/my-study --organization \"University of Somewhere\" --license CC-BY-4.0\n"
@@ -33,6 +45,8 @@ struct PackOptions {
   std::string study;
   std::string output;
   BagInfo info;
+  bool recordings = false;
+  bool restricted = false;
   bool force = false;
   bool json = false;
 };
@@ -50,6 +64,57 @@ Verification verified_or_refused(const StudyContents& contents, const Console& c
                   " restores what is missing or damaged; use mien clean to leave something out");
 }
 
+std::string counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// Where the recordings of a study are, and how its inputs/as-run.yaml names their folders.
+void locate_recordings(const StudyContents& contents, RecordingPacking& packing) {
+  const Manifest manifest = load_manifest(contents.provenance(), process_environment());
+  const std::map<fs::path, std::string> names = names_of_uncopied_inputs(manifest);
+  std::map<fs::path, std::string> folders;
+  for (const auto& [file, name] : names) {
+    packing.files[name] = file;
+    folders[file.parent_path()] = fs::path(name).parent_path().generic_string();
+  }
+  const fs::path as_run = contents.folder / contents.as_run;
+  for (const auto& [text, resolved] :
+       named_files(read_file(as_run), as_run, process_environment())) {
+    const fs::path packed = packed_place(contents.packed, contents.folder, text);
+    const fs::path place = fs::absolute(packed.empty() ? resolved : packed).lexically_normal();
+    const auto whole = folders.find(place);
+    const auto around = folders.find(place.parent_path());
+    if (whole != folders.end()) {
+      packing.folders[text] = whole->second;
+    } else if (around != folders.end()) {
+      packing.folders[fs::path(text).parent_path().generic_string()] = around->second;
+    }
+  }
+}
+
+/// What was left out, and why: path → licences.
+std::map<std::string, std::string> left_out(const StudyContents& contents,
+                                            const PackedRecordings& recordings) {
+  std::map<std::string, std::string> paths;
+  for (const std::string& name : recordings.left_out)
+    paths[name] = contents.find_recording(name)->licence;
+  for (const std::string& path : recordings.left_out_files)
+    paths[path] = fmt::format("{}", fmt::join(contents.find(path)->restricting, ", "));
+  return paths;
+}
+
+/// "1 recording and 2 motion files, which must not be shared (licence AMASS licence); …"
+std::string left_out_note(const std::map<std::string, std::string>& paths,
+                          const PackedRecordings& recordings) {
+  if (paths.empty()) return "";
+  std::set<std::string> licences;
+  for (const auto& [path, licence] : paths) licences.insert(licence);
+  return fmt::format(
+      "{} and {}, which must not be shared (licence {}); listed in data/recordings.json",
+      counted(recordings.left_out.size(), "recording"),
+      counted(recordings.left_out_files.size(), "motion file"), fmt::join(licences, ", "));
+}
+
 int run_pack(const PackOptions& options, const Console& console) {
   const StudyContents contents = contents_of(options.study);
   const fs::path archive = options.output.empty() ? contents.study + ".tar.zst" : options.output;
@@ -58,10 +123,15 @@ int run_pack(const PackOptions& options, const Console& console) {
     throw Error({archive.string()}, "exists already; nothing was packed",
                 "--force replaces it, -o names another file");
   const Verification verification = verified_or_refused(contents, console);
-  const std::vector<PayloadFile> payload = payload_of(contents);
+  RecordingPacking packing{options.recordings, options.restricted};
+  if (options.recordings) locate_recordings(contents, packing);
+  const auto [payload, recordings] = packed_study(contents, packing);
+  const std::map<std::string, std::string> omitted = left_out(contents, recordings);
+  BagInfo info = options.info;
+  info.left_out = left_out_note(omitted, recordings);
   {
     ProgressBar bar(console.err, console.err_is_terminal);
-    pack(contents, payload, options.info, archive, console.stop,
+    pack(contents, payload, info, archive, console.stop,
          [&](double share, const std::string& path) { bar.show(share, path); });
   }
   std::uint64_t bytes = 0;
@@ -75,13 +145,18 @@ int run_pack(const PackOptions& options, const Console& console) {
                                            {"study", contents.study},
                                            {"files", payload.size()},
                                            {"bytes", bytes},
-                                           {"extra", extra}};
+                                           {"extra", extra},
+                                           {"recordings", recordings.packed.size()},
+                                           {"left_out", omitted}};
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;
     console.out << result.dump(2, ' ', false, replace) << '\n';
     return exit_done;
   }
   for (const auto& path : extra)
     console.out << "also packed, though not made by mien: " << path.get<std::string>() << '\n';
+  for (const auto& [path, licence] : omitted)
+    console.out << fmt::format("left out  {}: licence {}\n", motion::printable(path),
+                               motion::printable(licence));
   console.out << fmt::format("{}: {}, {} files of {}\n", archive.string(),
                              size_text(fs::file_size(archive)), payload.size(), size_text(bytes));
   return exit_done;
@@ -107,6 +182,10 @@ Command pack_command() {
               argument("study", &options->study, "Folder of a study, or its provenance.json"),
               option("-o,--output", &options->output,
                      "Archive to write: .tar.zst, .tar.gz or .tar (default: <study>.tar.zst)"),
+              flag("--recordings", &options->recordings,
+                   "Pack the recordings, too, except those that must not be shared"),
+              flag("--restricted", &options->restricted,
+                   "Pack even recordings and motion files that must not be shared"),
               flag("--force", &options->force, "Replace an existing archive"),
               info_options(options->info),
               flag("--json", &options->json, "List of packed files as JSON on standard output")),

@@ -14,7 +14,8 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::array finding_kinds = {Finding::Kind::missing, Finding::Kind::changed,
-                                      Finding::Kind::extra, Finding::Kind::not_kept};
+                                      Finding::Kind::extra, Finding::Kind::not_kept,
+                                      Finding::Kind::left_out};
 
 /// "1 missing, 2 changed, 3 extra"; kinds that do not affect the result only if present.
 std::string counts_text(const Verification& verification) {
@@ -79,8 +80,9 @@ ordered_json as_json(const Verification& verification, const StudyContents& cont
       {"bytes", verification.bytes},        {"videos", verification.videos},
       {"pictures", verification.pictures}};
   for (const Finding::Kind kind : finding_kinds) {
-    const std::string key =
-        kind == Finding::Kind::not_kept ? "not_kept" : std::string(name_of(kind));
+    const std::string key = kind == Finding::Kind::not_kept   ? "not_kept"
+                            : kind == Finding::Kind::left_out ? "left_out"
+                                                              : std::string(name_of(kind));
     result[key] = ordered_json::array();
     for (const Finding& finding : verification.findings)
       if (finding.kind == kind)

@@ -120,9 +120,11 @@ Command verify_command() {
                       .between(1, 1024),
                   flag("--json", &options->json, "Findings as JSON on standard output")},
       .notes =
-          "Every artifact is hashed and decoded frame by frame, and every copied input is hashed. "
+          "Every artifact is hashed and decoded frame by frame, and every copied input and packed "
+          "recording is hashed. "
           "The report lists what is missing, changed or extra (of unknown origin), and what mien "
-          "clean removed. Exit code: 1 if anything is missing or changed, or a rerendered frame "
+          "clean removed or mien pack left out because of a licence. Exit code: 1 if anything is "
+          "missing or changed, or a rerendered frame "
           "differs; extra files are reported only.\n\n"
           "A rerendered frame must have the same bytes as the frame that was kept. If only a video "
           "was kept, the rerendered frame must match the video: exactly for lossless formats; "

@@ -8,6 +8,7 @@
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
+#include "pipeline/manifest/recording_files.h"
 #include "pipeline/tasks/code_identity.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"
@@ -109,6 +110,12 @@ void add_page(KeyBuilder& key, const Manifest& manifest) {
   for (const Stimulus& stimulus : manifest.stimuli) {
     for (const auto& [factor, level] : stimulus.factors)
       key.add("factor", factor).add("level", level);
+  }
+  for (const RecordingFile& recording : recording_files(manifest)) {
+    key.add("recording", recording.file.filename().string())
+        .add("licence", recording.licence.name)
+        .add("share", std::int64_t{recording.licence.share})
+        .add("source", recording.source);
   }
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 void add_pose(const std::string& path, const PoseSource& pose, std::vector<NamedMotion>& motions) {
   if (pose.file.empty()) return;
-  motions.push_back(
-      {path, "motion", pose.file, read_options(pose.how), pose.frame, member_path(path, "frame")});
+  motions.push_back({path, "motion", pose.file, read_options(pose.how), pose.frame,
+                     member_path(path, "frame"), pose.how.licence, pose.how.source});
 }
 
 }  // namespace
@@ -22,13 +22,15 @@ std::vector<NamedMotion> named_motions(const Stimulus& stimulus) {
     const ClipSource& clip = *stimulus.clip;
     const std::string path = member_path(stimulus.path, "clip");
     motions.push_back({path, "file", clip.file, read_options(clip.how),
-                       clip.frames ? (*clip.frames)[1] : 0, member_path(path, "frames")});
+                       clip.frames ? (*clip.frames)[1] : 0, member_path(path, "frames"),
+                       clip.how.licence, clip.how.source});
   }
   if (stimulus.walk) {
     const std::string path = member_path(stimulus.path, "path.graph");
     for (std::size_t i = 0; i < stimulus.walk->graph.size(); ++i) {
       const auto& [file, how] = stimulus.walk->graph[i];
-      motions.push_back({element_path(path, i), "file", file, read_options(how), 0, ""});
+      motions.push_back(
+          {element_path(path, i), "file", file, read_options(how), 0, "", how.licence, how.source});
     }
   }
   for (const ModificationStep& step : stimulus.modify) {

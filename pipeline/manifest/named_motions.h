@@ -17,6 +17,8 @@ struct NamedMotion {
   motion::ReadOptions how;  ///< which motion of the file
   int last_frame = 0;       ///< last requested frame, counted from 0; 0 if all frames are used
   std::string frame_at;     ///< path in the manifest of the requested frame
+  Licence licence = {};
+  std::string source = {};  ///< where the recording can be obtained; empty: not stated
 };
 
 /// Returns the motion files of the stimulus's clip, of its path's graph and of its modifications'

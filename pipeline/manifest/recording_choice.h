@@ -10,6 +10,14 @@
 
 namespace mien::pipeline {
 
+/// The licence of a recording, as far as the manifest states one.
+struct Licence {
+  std::string name;   ///< "CC BY 4.0"; empty: not stated
+  bool share = true;  ///< false: the recording must not be passed on (mien pack leaves it out)
+
+  friend bool operator==(const Licence&, const Licence&) = default;
+};
+
 /// Which motion of a file is used, and what the file itself does not state.
 struct RecordingChoice {
   std::string take;                 ///< of a file with several; empty: the first
@@ -18,6 +26,8 @@ struct RecordingChoice {
   std::vector<std::string> joints;  ///< names of points that have none in the file
   /// SMPL model (.npz) that gives the body of SMPL motions, resolved; empty: mien's own body.
   std::filesystem::path body_model;
+  Licence licence;
+  std::string source;  ///< where the recording can be obtained; empty: not stated
 
   friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
 };
@@ -39,6 +49,12 @@ void pose_fields(auto&& field, auto& choice, unsigned concern) {
   field("subject", choice.subject, concern);
   field("joints", choice.joints, concern);
   field("body_model", choice.body_model, concern);
+  constexpr unsigned stated = concerns::page | concerns::unkeyed;
+  field.group("licence", [&](auto& licence) {
+    licence("name", choice.licence.name, stated | concerns::alone);
+    licence("share", choice.licence.share, stated);
+  });
+  field("source", choice.source, stated);
 }
 void recording_fields(auto&& field, auto& choice, unsigned concern) {
   pose_fields(field, choice, concern);

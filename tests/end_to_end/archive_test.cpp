@@ -162,6 +162,140 @@ TEST_F(Archive, IsABagThatOthersUnpackAndCheck) {
   EXPECT_EQ(verified.code, 0) << verified.output << verified.errors;
 }
 
+/// A study of two recordings, of which one must not be shared, in an own folder.
+class ArchiveOfRecordings : public Archive {
+ protected:
+  ArchiveOfRecordings() {
+    fs::create_directories(here / "captures");
+    fs::create_directories(here / "amass");
+    fs::copy(study / "clips/a.bvh", here / "captures/free.bvh");
+    fs::copy(study / "clips/b.bvh", here / "amass/walk.bvh");
+    std::ofstream(here / "m.yaml") << R"(mien: 1
+study: two
+output: {size: [64, 48], fps: 8, cycles: 1, quality: draft, frames: none, video: [gif], clips: [bvh]}
+stimuli:
+  - {id: free, clip: {file: captures/free.bvh, licence: CC0, source: example.org/walks}}
+  - {id: bound, clip: {file: amass/walk.bvh, licence: {name: AMASS licence, share: false}, source: amass.is.tue.mpg.de}}
+  - {id: changed, clip: amass/walk.bvh, modify: {tempo: 0.9}}
+)";
+    must_run(mien_with({"run", (here / "m.yaml").string(), "--out", (here / "out").string()}));
+  }
+
+  /// Packs the study with these options and unpacks it elsewhere.
+  Ended pack(const std::vector<std::string>& options) const {
+    std::vector<std::string> words = {"pack", (here / "out/two").string(), "--force", "-o",
+                                      (here / "two.tar").string()};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended ended = run_mien(words);
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    EXPECT_EQ(shell("rm -rf far && mkdir -p far/away && tar xf mine/two.tar -C far/away && cd "
+                    "far/away/two && sha256sum --quiet --strict -c manifest-sha256.txt "
+                    "tagmanifest-sha256.txt"),
+              0);
+    return ended;
+  }
+  bool is_packed(const std::string& path) const { return fs::exists(bag / "data" / path); }
+  Ended verify_bag() const { return run_mien({"verify", bag.string()}); }
+  Ended run_again() const {
+    return run_mien({"run", (bag / "data/provenance.json").string(), "--out",
+                     (scratch.path() / "again").string()});
+  }
+
+  const fs::path here = scratch.path() / "mine";
+  const fs::path bag = scratch.path() / "far/away/two";
+};
+
+TEST_F(ArchiveOfRecordings, LeavesOutWhatMustNotBeShared) {
+  const Ended packed = pack({});
+  for (const char* line : {"left out  amass/walk.bvh: licence AMASS licence\n",
+                           "left out  clips/bound.bvh: licence AMASS licence\n",
+                           "left out  clips/changed.bvh: licence AMASS licence\n"})
+    EXPECT_TRUE(says(packed.output, line)) << packed.output;
+  EXPECT_FALSE(says(packed.output, "free")) << packed.output;
+  EXPECT_TRUE(says(text_of(bag / "bag-info.txt"),
+                   "Left-Out: 1 recording and 2 motion files, which must not be shared (licence "
+                   "AMASS licence)"))
+      << text_of(bag / "bag-info.txt");
+  EXPECT_TRUE(is_packed("clips/free.bvh"));
+  EXPECT_TRUE(is_packed("videos/bound.gif"));
+  EXPECT_FALSE(is_packed("clips/bound.bvh"));
+  EXPECT_FALSE(is_packed("clips/changed.bvh"));
+  EXPECT_FALSE(is_packed("recordings"));
+  const Ended verified = verify_bag();
+  EXPECT_EQ(verified.code, 0) << verified.output;
+  EXPECT_TRUE(says(verified.output, "left out  amass/walk.bvh: licence AMASS licence\n"))
+      << verified.output;
+  EXPECT_TRUE(says(verified.output, "0 missing, 0 changed, 3 left out\n")) << verified.output;
+  EXPECT_TRUE(says(verified.output, "(1 elsewhere, not checked)")) << verified.output;
+  fs::remove(bag / "data/clips/free.bvh");
+  const Ended damaged = verify_bag();
+  EXPECT_EQ(damaged.code, 1);
+  EXPECT_TRUE(says(damaged.output, "missing   clips/free.bvh\n")) << damaged.output;
+}
+
+TEST_F(ArchiveOfRecordings, HoldsTheOthersIfRequested) {
+  pack({"--recordings"});
+  EXPECT_EQ(text_of(bag / "data/recordings/captures/free.bvh"),
+            text_of(here / "captures/free.bvh"));
+  EXPECT_FALSE(is_packed("recordings/amass"));
+  const Ended verified = verify_bag();
+  EXPECT_EQ(verified.code, 0) << verified.output;
+  EXPECT_FALSE(says(verified.output, "elsewhere")) << verified.output;
+  // What is missing for another run, and where it belongs, is stated once.
+  const fs::path place = bag / "data/recordings/amass/walk.bvh";
+  const json record = json::parse(text_of(bag / "data/provenance.json"));
+  const Ended refused = run_again();
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.errors,
+            (bag / "data/provenance.json").string() + ": the recording \"amass/walk.bvh\" (hash " +
+                record["recordings"][0]["hash"].get<std::string>() +
+                ", licence \"AMASS licence\", not to be shared) is missing; get it from "
+                "amass.is.tue.mpg.de and save it as " +
+                place.string() + "\n");
+  fs::create_directories(place.parent_path());
+  fs::copy(here / "amass/walk.bvh", place);
+  const Ended again = run_again();
+  EXPECT_EQ(again.code, 0) << again.errors;
+  EXPECT_EQ(text_of(scratch.path() / "again/two/clips/bound.bvh"),
+            text_of(here / "out/two/clips/bound.bvh"));
+  EXPECT_EQ(json::parse(text_of(scratch.path() / "again/two/provenance.json"))["recordings"],
+            record["recordings"]);
+  std::ofstream(bag / "data/recordings/captures/free.bvh", std::ios::app) << " ";
+  EXPECT_EQ(verify_bag().code, 1);
+}
+
+TEST_F(ArchiveOfRecordings, HoldsAllOnRequest) {
+  const Ended packed = pack({"--recordings", "--restricted"});
+  EXPECT_FALSE(says(packed.output, "left out")) << packed.output;
+  EXPECT_TRUE(is_packed("recordings/amass/walk.bvh"));
+  EXPECT_TRUE(is_packed("clips/bound.bvh"));
+  EXPECT_EQ(verify_bag().code, 0);
+  fs::rename(here, scratch.path() / "gone");
+  const Ended again = run_again();
+  EXPECT_EQ(again.code, 0) << again.errors;
+  // From an unpacked archive, what must not be shared is left out again.
+  const Ended second = run_mien(
+      {"pack", bag.string(), "--recordings", "-o", (scratch.path() / "second.tar").string()});
+  EXPECT_EQ(second.code, 0) << second.errors;
+  EXPECT_TRUE(says(second.output, "left out  clips/bound.bvh")) << second.output;
+  ASSERT_EQ(shell("mkdir other && tar xf second.tar -C other"), 0);
+  const fs::path data = scratch.path() / "other/two/data";
+  EXPECT_TRUE(fs::exists(data / "recordings/captures/free.bvh"));
+  EXPECT_FALSE(fs::exists(data / "recordings/amass"));
+  EXPECT_FALSE(fs::exists(data / "clips/bound.bvh"));
+}
+
+TEST_F(ArchiveOfRecordings, IsNotExcusedByAListOfItsOwn) {
+  pack({});
+  json list = json::parse(text_of(bag / "data/recordings.json"));
+  list["left_out_files"].push_back("clips/free.bvh");
+  std::ofstream(bag / "data/recordings.json") << list.dump();
+  fs::remove(bag / "data/clips/free.bvh");
+  const Ended verified = verify_bag();
+  EXPECT_EQ(verified.code, 1);
+  EXPECT_TRUE(says(verified.output, "missing   clips/free.bvh\n")) << verified.output;
+}
+
 TEST_F(Archive, IsNotPackedWhenItIsNotWhatItWas) {
   std::ofstream(study / "clips/a.bvh", std::ios::app) << " ";
   const fs::path archive = scratch.path() / "a.tar.zst";

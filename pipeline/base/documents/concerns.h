@@ -47,6 +47,7 @@ enum : unsigned {
   // These do not concern artifacts, but how the option is written:
   required = 1U << 16,  ///< required by the schema, so it is always written
   alone = 1U << 17,     ///< its value may be written in place of the whole map
+  unkeyed = 1U << 18,   ///< left out of artifacts' keys also where the map around it is in them
 
   everything = ~0U,  ///< all options, including those that affect nothing
 };

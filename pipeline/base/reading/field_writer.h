@@ -72,6 +72,7 @@ class FieldWriter {
   }
 
   bool is_selected(unsigned concerns) const {
+    if (how_.for_key && (concerns & concerns::unkeyed) != 0) return false;
     return how_.concerned == concerns::everything || (concerns & how_.concerned) != 0;
   }
 

@@ -88,6 +88,24 @@ std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem
   return {};
 }
 
+namespace {
+
+/// Entries that are not as mien writes them are skipped: they only help with missing files.
+std::vector<RecordedInput> recordings_in(const nlohmann::json& record) {
+  std::vector<RecordedInput> recordings;
+  if (!record.contains("recordings")) return recordings;
+  for (const nlohmann::json& entry : record["recordings"]) {
+    try {
+      recordings.push_back({entry.at("path"), entry.at("hash"), entry.value("licence", ""),
+                            entry.value("source", ""), entry.value("share", true)});
+    } catch (const nlohmann::json::exception&) {
+    }
+  }
+  return recordings;
+}
+
+}  // namespace
+
 std::optional<StudyRecord> study_record_in(const std::filesystem::path& file) {
   if (file.extension() != ".json") return std::nullopt;
   const motion::FileReading reading = motion::bytes_of_file(file, motion::max_table_bytes);
@@ -104,7 +122,8 @@ std::optional<StudyRecord> study_record_in(const std::filesystem::path& file) {
   const auto kept = [&](const char* place) {
     return motion::inside(folder, text(place), {file.string()});
   };
-  return StudyRecord{kept("/manifest/as_run"), kept("/manifest/copy"), text("/command")};
+  return StudyRecord{kept("/manifest/as_run"), kept("/manifest/copy"), text("/command"),
+                     recordings_in(record)};
 }
 
 }  // namespace mien::pipeline

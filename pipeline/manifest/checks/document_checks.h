@@ -26,11 +26,21 @@ Fault not_a_manifest_fault(DocumentKind kind, const std::filesystem::path& file)
 /// Returns the faults of a scales, set or recipes file. Never throws because of the file's content.
 std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file);
 
+/// A recording of a study, as its provenance.json records it.
+struct RecordedInput {
+  std::string name;  ///< name of its folder and of the file: "captures/walk.bvh"
+  std::string hash;
+  std::string licence;  ///< empty: not stated
+  std::string source;   ///< empty: not stated
+  bool share = true;
+};
+
 /// The part of a provenance.json that identifies the manifest behind a study.
 struct StudyRecord {
   std::filesystem::path as_run;    ///< manifest that reproduces the study
   std::filesystem::path manifest;  ///< copy of the author's manifest
   std::string command;             ///< command line that made the study
+  std::vector<RecordedInput> recordings;
 };
 
 /// Returns the record if the file is a provenance file: a .json file in which `manifest.as_run` is

@@ -13,14 +13,14 @@
 namespace mien::pipeline {
 
 ManifestReading parse_manifest(std::string_view text, const std::filesystem::path& file,
-                               const Environment& environment) {
+                               const Environment& environment, const PathVisitor& paths) {
   const nlohmann::json& schema = manifest_schema();
   std::vector<Fault> faults;
   JsonReading written = read_json(text, file.string(), schema, environment, faults);
   if (written.document.is_null() && !faults.empty())
     return {{.file = file}, in_reading_order(std::move(faults))};
   std::vector<Fault> against_schema = check_schema(written.document, schema, written.places);
-  ResolvedManifest resolved = resolve(build_manifest(std::move(written), file));
+  ResolvedManifest resolved = resolve(build_manifest(std::move(written), file, paths));
   std::vector<Fault> meaning = check_meaning(resolved);
   return {std::move(resolved.manifest),
           merged_faults({std::move(faults), std::move(against_schema), std::move(resolved.faults),
@@ -40,7 +40,8 @@ std::vector<NamedFile> named_files(std::string_view text, const std::filesystem:
   return named;
 }
 
-ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment) {
+ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment,
+                              const PathVisitor& paths) {
   const motion::FileReading text = motion::bytes_of_file(file, motion::max_document_bytes);
   ManifestReading other;
   other.manifest.file = file;
@@ -48,7 +49,7 @@ ManifestReading read_manifest(const std::filesystem::path& file, const Environme
     other.faults.push_back({{file.string(), 0, 0}, "", text.error, "name a manifest (YAML)"});
     return other;
   }
-  ManifestReading reading = parse_manifest(*text.bytes, file, environment);
+  ManifestReading reading = parse_manifest(*text.bytes, file, environment, paths);
   if (reading.faults.empty()) return reading;
   const DocumentKind kind = kind_of_document(*text.bytes, file);
   if (kind == DocumentKind::manifest) return reading;

@@ -8,6 +8,7 @@
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/reading/resolved_manifest.h"
 
 namespace mien::pipeline {
 
@@ -20,9 +21,9 @@ struct ManifestReading {
 
 /// Reads YAML, expands ${NAME} and ${NAME:-default}, validates against the JSON Schema and performs
 /// the checks that do not need the examples (check_meaning). Relative paths are resolved against
-/// the folder of `file`. Never throws because of the text's content.
+/// the folder of `file`, and `paths` may replace them. Never throws because of the text's content.
 ManifestReading parse_manifest(std::string_view text, const std::filesystem::path& file,
-                               const Environment& environment);
+                               const Environment& environment, const PathVisitor& paths = {});
 
 /// A file or folder that a manifest names.
 struct NamedFile {
@@ -38,6 +39,7 @@ std::vector<NamedFile> named_files(std::string_view text, const std::filesystem:
 
 /// Like parse_manifest, from a file. If the file cannot be read or contains another kind of
 /// document (scales, a set, recipes), that is reported as the only fault.
-ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment);
+ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment,
+                              const PathVisitor& paths = {});
 
 }  // namespace mien::pipeline

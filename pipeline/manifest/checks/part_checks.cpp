@@ -10,6 +10,7 @@
 #include "pipeline/base/documents/places.h"
 #include "pipeline/manifest/checks/film_checks.h"
 #include "pipeline/manifest/look/look_checks.h"
+#include "pipeline/manifest/recording_files.h"
 #include "scenes/cameras/camera_settings.h"
 #include "scenes/point_light/dot_joints.h"
 
@@ -85,6 +86,7 @@ std::vector<Fault> check_parts(const Manifest& manifest) {
   append(faults, check_equalized(manifest, manifest.equalize.place, has_own_place, "position",
                                  "omit place, or give that camera a view"));
   append(faults, check_modifications(manifest));
+  append(faults, check_licences(manifest));
   return faults;
 }
 

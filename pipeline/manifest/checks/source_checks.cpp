@@ -46,10 +46,12 @@ class SourceChecker : public FaultList {
   }
 
  private:
-  /// Except for the copies of inputs, which a rerun from a study's record reads.
+  /// Except for the copies of inputs and packed recordings, which a rerun from a study's record
+  /// reads.
   bool is_inside(const fs::path& source) const {
     const auto [rest_of_folder, rest] = std::ranges::mismatch(folder_, source);
-    return rest_of_folder == folder_.end() && (rest == source.end() || *rest != "inputs");
+    return rest_of_folder == folder_.end() &&
+           (rest == source.end() || (*rest != "inputs" && *rest != "recordings"));
   }
 
   std::string study_;

@@ -142,9 +142,8 @@ ResolvedManifest resolve(Manifest manifest) {
   return {std::move(manifest), std::move(faults), are_experiments_resolved};
 }
 
-Manifest build_manifest(
-    JsonReading reading, const std::filesystem::path& file,
-    const std::function<void(const std::string&, const std::filesystem::path&)>& names) {
+Manifest build_manifest(JsonReading reading, const std::filesystem::path& file,
+                        const PathVisitor& names) {
   Manifest manifest;
   manifest.file = file;
   manifest.places = std::move(reading.places);

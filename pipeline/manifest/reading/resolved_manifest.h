@@ -24,13 +24,15 @@ struct ResolvedManifest {
 /// the checks.
 ResolvedManifest resolve(Manifest manifest);
 
+/// Called with a path as written in a document and as resolved, which it may replace.
+using PathVisitor = std::function<void(const std::string&, std::filesystem::path&)>;
+
 /// Returns the manifest that a document describes. Paths are resolved against the folder of `file`;
 /// other references are not resolved. A stimulus's own values replace the manifest's. Values that
 /// are absent or of a wrong type keep their defaults; check_schema reports wrong types. Reads no
 /// file; `names` is called for each file or folder that the document names, with its path as
-/// written and as resolved.
-Manifest build_manifest(
-    JsonReading reading, const std::filesystem::path& file,
-    const std::function<void(const std::string&, const std::filesystem::path&)>& names = {});
+/// written and as resolved, and may replace the latter.
+Manifest build_manifest(JsonReading reading, const std::filesystem::path& file,
+                        const PathVisitor& names = {});
 
 }  // namespace mien::pipeline

@@ -1,5 +1,6 @@
 #include "pipeline/production/archive/pack.h"
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <set>
@@ -12,6 +13,7 @@
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/sha256.h"
 #include "pipeline/production/archive/tar_archive.h"
+#include "pipeline/tasks/hash.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
@@ -30,6 +32,24 @@ std::string as_line(std::string text) {
 
 std::string element(const char* label, const std::string& value) {
   return value.empty() ? "" : fmt::format("{}: {}\n", label, as_line(value));
+}
+
+/// A recording as it is packed.
+PayloadFile packed_recording(const RecordingRecord& recording, const RecordingPacking& packing) {
+  const auto file = packing.files.find(recording.path);
+  if (file == packing.files.end())
+    throw Error({recording.path}, "is not where the study was made from",
+                "restore it, or omit --recordings");
+  if (const std::string problem = motion::read_error(file->second, motion::any_size);
+      !problem.empty())
+    throw Error({file->second.string()}, problem, "restore it, or omit --recordings");
+  if (hash_of_file(file->second) != recording.hash)
+    throw Error({file->second.string()}, "has changed since the study was made",
+                "restore it, or run the study again");
+  return {std::string(packed_recordings_folder) + "/" + recording.path,
+          fs::file_size(file->second),
+          {},
+          file->second};
 }
 
 /// Collects files, those behind links too.
@@ -89,15 +109,19 @@ class BagWriter {
   /// A file beside data/.
   void add_tag_file(const std::string& name, const std::string& text) {
     put(name, text);
-    Sha256 sha;
-    sha.add(text);
-    tag_manifest_ += bag_manifest_line(sha.finish(), name);
+    tag_manifest_ += bag_manifest_line(sha256_of(text), name);
   }
 
   void add_payload(const PayloadFile& file) {
     const std::string path = "data/" + file.path;
     tar_.begin(root_ + path, file.size);
-    std::ifstream stream(folder_ / file.path, std::ios::binary);
+    if (!file.text.empty()) {
+      tar_.add(file.text);
+      manifest_ += bag_manifest_line(sha256_of(file.text), path);
+      return;
+    }
+    const fs::path source = file.from.empty() ? folder_ / file.path : file.from;
+    std::ifstream stream(source, std::ios::binary);
     Sha256 sha;
     std::string piece(1 << 20, '\0');
     std::uint64_t read = 0;
@@ -109,7 +133,7 @@ class BagWriter {
       read += bytes.size();
     }
     if (stream.bad() || read != file.size)
-      throw std::runtime_error((folder_ / file.path).string() + ": changed while it was packed");
+      throw std::runtime_error(source.string() + ": changed while it was packed");
     manifest_ += bag_manifest_line(sha.finish(), path);
   }
 
@@ -140,7 +164,41 @@ std::vector<PayloadFile> payload_of(const StudyContents& contents) {
     if (record.frames > 0) payload.add_frames(record.path);
   }
   payload.add_below("");
-  return payload.take();
+  std::set<std::string> recordings = {packed_recordings_path};
+  for (const RecordingRecord& recording : contents.recordings)
+    recordings.insert(std::string(packed_recordings_folder) + "/" + recording.path);
+  std::vector<PayloadFile> files = payload.take();
+  std::erase_if(files, [&](const PayloadFile& file) { return recordings.contains(file.path); });
+  return files;
+}
+
+PackedStudy packed_study(const StudyContents& contents, const RecordingPacking& packing) {
+  PackedStudy packed;
+  for (const PayloadFile& file : payload_of(contents)) {
+    const ArtifactRecord* artifact = contents.find(file.path);
+    const bool is_restricted = artifact != nullptr && !artifact->restricting.empty();
+    if (!is_restricted || packing.restricted) packed.payload.push_back(file);
+  }
+  for (const ArtifactRecord& artifact : contents.artifacts) {
+    const bool is_packed =
+        std::ranges::binary_search(packed.payload, artifact.path, {}, &PayloadFile::path);
+    if (!artifact.restricting.empty() && !is_packed)
+      packed.recordings.left_out_files.push_back(artifact.path);
+  }
+  for (const RecordingRecord& recording : contents.recordings) {
+    if (!recording.share && !packing.restricted) {
+      packed.recordings.left_out.push_back(recording.path);
+    } else if (packing.recordings) {
+      packed.payload.push_back(packed_recording(recording, packing));
+      packed.recordings.packed.push_back(recording.path);
+    }
+  }
+  if (packed.recordings.empty()) return packed;
+  if (packing.recordings) packed.recordings.folders = packing.folders;
+  const std::string list = to_json(packed.recordings);
+  packed.payload.push_back({packed_recordings_path, list.size(), {}, {}, list});
+  std::ranges::sort(packed.payload, {}, &PayloadFile::path);
+  return packed;
 }
 
 void refuse_archive(const StudyContents& contents, const fs::path& archive) {
@@ -189,7 +247,8 @@ std::string bag_info_text(const StudyContents& contents, const std::vector<Paylo
   return element("Bag-Software-Agent", "mien " + contents.program) +
          element("Contact-Email", info.contact_email) + element("Contact-Name", info.contact_name) +
          element("External-Description", info.description.empty() ? made_by : info.description) +
-         element("External-Identifier", contents.study) + element("License", info.license) +
+         element("External-Identifier", contents.study) + element("Left-Out", info.left_out) +
+         element("License", info.license) +
          element("Payload-Oxum", fmt::format("{}.{}", bytes, payload.size())) +
          element("Source-Organization", info.organization);
 }

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "pipeline/manifest/packed_recordings.h"
 #include "pipeline/production/archive/study_contents.h"
 #include "pipeline/production/archive/verify.h"
 
@@ -13,10 +15,33 @@ namespace mien::pipeline {
 
 /// A file of a bag's payload.
 struct PayloadFile {
-  std::string path;         ///< relative to the study's folder
-  std::uint64_t size = 0;   ///< bytes
-  std::string sha256 = {};  ///< not set: pack hashes the files itself
+  std::string path;                 ///< relative to the study's folder
+  std::uint64_t size = 0;           ///< bytes
+  std::string sha256 = {};          ///< not set: pack hashes the files itself
+  std::filesystem::path from = {};  ///< file to read; empty: the one at `path`
+  std::string text = {};            ///< the contents of a file that is only in the archive
 };
+
+/// Which recordings are packed with a study.
+struct RecordingPacking {
+  bool recordings = false;                                  ///< pack recordings, too
+  bool restricted = false;                                  ///< pack even what must not be shared
+  std::map<std::string, std::filesystem::path> files = {};  ///< recordings by their names
+  std::map<std::string, std::string> folders = {};          ///< as in PackedRecordings
+};
+
+/// The files to be packed, and the recordings among them.
+struct PackedStudy {
+  std::vector<PayloadFile> payload;  ///< sorted by path
+  PackedRecordings recordings;
+};
+
+/// Returns the files of a study (payload_of) with its recordings, if requested. Unless restricted
+/// ones are requested, recordings that must not be shared are left out, and so are the motion files
+/// made from them (ArtifactRecord::restricting): these carry the recorded movement. If recordings
+/// are packed or something is left out, recordings.json says so. Throws Error if a recording does
+/// not exist or has changed since the study was made.
+PackedStudy packed_study(const StudyContents& contents, const RecordingPacking& packing);
 
 /// Metadata of a bag, for its bag-info.txt (RFC 8493). Empty members are omitted, except
 /// `description`.
@@ -26,6 +51,7 @@ struct BagInfo {
   std::string contact_email;  ///< Contact-Email
   std::string description;    ///< External-Description; if empty, the command that made the study
   std::string license;        ///< License (not a label of the RFC)
+  std::string left_out;       ///< Left-Out (not a label of the RFC): what is not in the archive
 };
 
 /// Return the contents of bagit.txt and bag-info.txt, which lie next to data/ in a bag of version
@@ -38,7 +64,8 @@ std::string bag_info_text(const StudyContents& contents, const std::vector<Paylo
 /// returns and % are encoded as %0A, %0D and %25, as the RFC requires.
 std::string bag_manifest_line(const std::string& sha256, const std::string& path);
 
-/// Returns all files in a study's folder except bookkeeping, sorted by path. Frame sequences may be
+/// Returns all files in a study's folder except bookkeeping and the recordings of an archive from
+/// which it was unpacked, sorted by path. Frame sequences may be
 /// links to folders. Throws Error for anything else that is neither a file nor a folder.
 std::vector<PayloadFile> payload_of(const StudyContents& contents);
 

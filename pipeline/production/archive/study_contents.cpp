@@ -27,7 +27,8 @@ std::string safe_path(const std::string& path) {
 }
 
 ArtifactRecord artifact_of(const std::string& path, const json& entry) {
-  return {safe_path(path), entry.at("hash"), entry.at("size"), entry.value("frames", 0)};
+  return {safe_path(path), entry.at("hash"), entry.at("size"), entry.value("frames", 0),
+          entry.value("not_shared", std::vector<std::string>())};
 }
 
 void take(const json& record, StudyContents& contents) {
@@ -48,6 +49,10 @@ void take(const json& record, StudyContents& contents) {
       ++contents.inputs_elsewhere;
     }
   }
+  for (const json& entry : record.value("recordings", json::array()))
+    contents.recordings.push_back({safe_path(entry.at("path")), entry.at("hash"),
+                                   entry.value("licence", ""), entry.value("share", true)});
+  std::ranges::sort(contents.recordings, {}, &RecordingRecord::path);
   std::ranges::sort(contents.artifacts, {}, &ArtifactRecord::path);
   std::ranges::sort(contents.inputs, {}, &ArtifactRecord::path);
 }
@@ -57,6 +62,11 @@ void take(const json& record, StudyContents& contents) {
 const ArtifactRecord* StudyContents::find(const std::string& path) const {
   const auto found = std::ranges::lower_bound(artifacts, path, {}, &ArtifactRecord::path);
   return found != artifacts.end() && found->path == path ? &*found : nullptr;
+}
+
+const RecordingRecord* StudyContents::find_recording(const std::string& path) const {
+  const auto found = std::ranges::lower_bound(recordings, path, {}, &RecordingRecord::path);
+  return found != recordings.end() && found->path == path ? &*found : nullptr;
 }
 
 fs::path study_folder_of(const fs::path& study) {
@@ -99,6 +109,12 @@ StudyContents contents_of(const fs::path& study) {
     refuse();
   } catch (const std::runtime_error& error) {
     throw Error({file.string()}, error.what(), "do not trust this study");
+  }
+  contents.packed = packed_recordings_in(contents.folder);
+  for (const std::vector<std::string>* names :
+       {&contents.packed.packed, &contents.packed.left_out}) {
+    for (const std::string& name : *names)
+      contents.inputs_elsewhere -= contents.find_recording(name) != nullptr ? 1 : 0;
   }
   return contents;
 }

@@ -25,8 +25,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where a packed recording lies in the study's folder.
+std::string place_of(const RecordingRecord& recording) {
+  return std::string(packed_recordings_folder) + "/" + recording.path;
+}
+
 std::set<std::string> known_paths(const StudyContents& contents) {
-  std::set<std::string> known = {"provenance.json", not_kept_path, contents.as_run};
+  std::set<std::string> known = {"provenance.json", not_kept_path, packed_recordings_path,
+                                 contents.as_run};
+  for (const RecordingRecord& recording : contents.recordings) known.insert(place_of(recording));
   for (const ArtifactRecord& record : contents.artifacts) known.insert(record.path);
   for (const ArtifactRecord& record : contents.inputs) known.insert(record.path);
   // Of no graph at all, everything that has a receipt is stale.
@@ -79,11 +86,21 @@ class Verifier {
       not_kept_[record.path] = record;
     for (const ArtifactRecord& record : contents.artifacts) add(record);
     for (const ArtifactRecord& record : contents.inputs) add(record);
+    for (const std::string& name : contents.packed.packed) {
+      const RecordingRecord* recording = contents.find_recording(name);
+      if (recording != nullptr) recordings_.push_back({place_of(*recording), recording->hash});
+    }
+    for (const ArtifactRecord& record : recordings_) add(record);
+    for (const std::string& name : contents.packed.left_out) {
+      const RecordingRecord* recording = contents.find_recording(name);
+      if (recording != nullptr && !recording->share)
+        result_.findings.push_back({Finding::Kind::left_out, name, licences({recording->licence})});
+    }
   }
 
   Verification take(int jobs, const std::stop_token& stop) {
     result_.artifacts = static_cast<int>(contents_.artifacts.size());
-    result_.inputs = static_cast<int>(contents_.inputs.size());
+    result_.inputs = static_cast<int>(contents_.inputs.size() + recordings_.size());
     for_each_of(present_.size(), jobs, stop, [&](std::size_t i) { check(*present_[i]); });
     check_own_files();
     for (const std::string& path : extra_files(contents_))
@@ -101,11 +118,25 @@ class Verifier {
            (render::video_kind_of(record.path) ? of_a_video : 1.0);
   }
 
+  static std::string licences(const std::vector<std::string>& names) {
+    return fmt::format("licence {}", fmt::join(names, ", "));
+  }
+
+  bool is_left_out(const std::string& path) const {
+    return std::ranges::find(contents_.packed.left_out_files, path) !=
+           contents_.packed.left_out_files.end();
+  }
+
   void add(const ArtifactRecord& record) {
     std::error_code unknown;
     if (fs::exists(fs::symlink_status(contents_.folder / record.path, unknown))) {
       present_.push_back(&record);
       total_cost_ += cost_of(record);
+      return;
+    }
+    if (!record.restricting.empty() && is_left_out(record.path)) {
+      result_.findings.push_back(
+          {Finding::Kind::left_out, record.path, licences(record.restricting)});
       return;
     }
     const auto removed = not_kept_.find(record.path);
@@ -149,6 +180,7 @@ class Verifier {
   const ShareDone& done_;
   std::map<std::string, VideoRecord> videos_;
   std::map<std::string, ArtifactRecord> not_kept_;
+  std::vector<ArtifactRecord> recordings_;  ///< those packed with the study
   std::vector<const ArtifactRecord*> present_;
   std::mutex mutex_;  ///< of all below
   double total_cost_ = 0.0;
@@ -159,7 +191,7 @@ class Verifier {
 }  // namespace
 
 std::string_view name_of(Finding::Kind kind) {
-  constexpr std::string_view names[] = {"missing", "changed", "extra", "not kept"};
+  constexpr std::string_view names[] = {"missing", "changed", "extra", "not kept", "left out"};
   return names[static_cast<std::size_t>(kind)];
 }
 

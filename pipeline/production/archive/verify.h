@@ -17,6 +17,7 @@ struct Finding {
     changed,   ///< present, but with different content or not decodable
     extra,     ///< present, but not recorded
     not_kept,  ///< recorded, but removed on purpose (keep.h)
+    left_out,  ///< recorded, but not packed because of its licence (packed_recordings.h)
   };
   Kind kind;
   std::string path;  ///< relative to the study's folder
@@ -28,7 +29,7 @@ std::string_view name_of(Finding::Kind kind);
 /// The result of verifying a study.
 struct Verification {
   int artifacts = 0;  ///< number of artifacts recorded in the provenance
-  int inputs = 0;     ///< number of copies in inputs/
+  int inputs = 0;     ///< number of copies in inputs/ and of packed recordings
   int videos = 0;     ///< number of videos decoded
   int pictures = 0;   ///< number of pictures decoded, including the frames of sequences
   std::uint64_t bytes = 0;
@@ -42,7 +43,8 @@ struct Verification {
 /// threads, but never concurrently.
 using ShareDone = std::function<void(double share, const std::string& path)>;
 
-/// Verifies a finished study: hashes and decodes each artifact and each copied input, and searches
+/// Verifies a finished study: hashes and decodes each artifact, each copied input and each packed
+/// recording, and searches
 /// the folder for files that are not recorded. Changes nothing and needs only the provenance; if
 /// the store's receipts exist, frames that differ are named, and an edited provenance is detected.
 /// Throws Interrupted after a stop request, and Error if the list of removed artifacts (keep.h) is

@@ -11,6 +11,7 @@
 #include "pipeline/base/reading/value_codecs.h"
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
+#include "pipeline/manifest/recording_files.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/tasks/code_identity.h"
@@ -86,19 +87,61 @@ OrderedJson resolved_settings(const Overlay& overlay) {
   return map;
 }
 
-ordered_json artifacts_of(const std::vector<TaskOutcome>& outcomes) {
+/// The licences that do not permit sharing a file of clips/, by its path.
+std::map<std::string, std::vector<std::string>> restricted_clips(
+    const Manifest& manifest, const std::vector<RecordingFile>& recordings) {
+  std::map<std::string, std::vector<std::string>> restricted;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const std::vector<std::string> licences = restricting_licences(stimulus, recordings);
+    if (licences.empty()) continue;
+    std::vector<std::string> endings = stimulus.output.clips;
+    endings.emplace_back("dots.csv");
+    for (const std::string& ending : endings)
+      restricted["clips/" + stimulus.id + "." + ending] = licences;
+  }
+  return restricted;
+}
+
+ordered_json artifacts_of(const std::vector<TaskOutcome>& outcomes,
+                          const std::map<std::string, std::vector<std::string>>& restricted) {
   std::map<std::string, ordered_json> by_path;
   for (const TaskOutcome& outcome : outcomes) {
     for (const Receipt& product : outcome.products) {
       if (product.path.starts_with(".mien/")) continue;
       ordered_json entry = {{"hash", product.hash}, {"size", product.size}};
       if (!product.frames.empty()) entry["frames"] = product.frames.size();
+      const auto licences = restricted.find(product.path);
+      if (licences != restricted.end()) entry["not_shared"] = licences->second;
       by_path[product.path] = entry;
     }
   }
   ordered_json artifacts = ordered_json::object();
   for (auto& [path, entry] : by_path) artifacts[path] = entry;
   return artifacts;
+}
+
+/// The motion files, with what the manifest states about them.
+ordered_json recordings_of(const Manifest& manifest, const std::vector<RecordingFile>& recordings,
+                           const std::map<std::string, Hash>& hashes) {
+  const std::map<std::filesystem::path, std::string> names = names_of_uncopied_inputs(manifest);
+  std::map<std::string, ordered_json> entries;
+  for (const RecordingFile& recording : recordings) {
+    std::vector<std::filesystem::path> files = recording.parts;
+    files.insert(files.begin(), recording.file);
+    for (const std::filesystem::path& file : files) {
+      const auto name = names.find(std::filesystem::absolute(file).lexically_normal());
+      if (name == names.end()) continue;
+      ordered_json entry = {{"path", name->second}, {"hash", hashes.at(name->second)}};
+      if (!recording.source.empty()) entry["source"] = recording.source;
+      if (!recording.licence.name.empty()) entry["licence"] = recording.licence.name;
+      if (!recording.licence.share) entry["share"] = false;
+      const bool is_restricted = entries[name->second].contains("share");
+      if (!is_restricted) entries[name->second] = entry;  // a companion may belong to several
+    }
+  }
+  ordered_json list = ordered_json::array();
+  for (const auto& [name, entry] : entries) list.push_back(entry);
+  return list;
 }
 
 ordered_json stimuli_of(const Manifest& manifest) {
@@ -119,7 +162,9 @@ std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>&
   ordered_json libraries = ordered_json::object();
   for (const auto& [name, version] : library_versions()) libraries[name] = version;
   ordered_json inputs = ordered_json::object();
-  for (const auto& [path, hash] : hashes_of_inputs(manifest)) inputs[path] = hash;
+  const std::map<std::string, Hash> hashes = hashes_of_inputs(manifest);
+  for (const auto& [path, hash] : hashes) inputs[path] = hash;
+  const std::vector<RecordingFile> recordings = recording_files(manifest);
   const ordered_json record = {
       {"mien", program_version()},
       {"command", manifest.command},
@@ -134,10 +179,11 @@ std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>&
       {"code", {{"motion", motion_code()}, {"film", film_code()}, {"pipeline", study_code()}}},
       {"libraries", libraries},
       {"inputs", inputs},
+      {"recordings", recordings_of(manifest, recordings, hashes)},
       {"equalize", EqualizeForm::write(manifest.equalize, {})},
       {"stimuli", stimuli_of(manifest)},
       {"overlays", overlays_of(manifest)},
-      {"artifacts", artifacts_of(outcomes)}};
+      {"artifacts", artifacts_of(outcomes, restricted_clips(manifest, recordings))}};
   return record.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -1,6 +1,7 @@
 #include "pipeline/production/run/study_inputs.h"
 
 #include <algorithm>
+#include <set>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/example_files.h"
@@ -80,10 +81,6 @@ void put_text(Store& store, const std::string& path, const std::string& text) {
       path, key, [&](const fs::path& file) { write_file(file, text); }, [](const fs::path&) {});
 }
 
-std::string name_with_folder(const fs::path& file) {
-  return (fs::absolute(file).parent_path().filename() / file.filename()).generic_string();
-}
-
 void add_motion_file(std::vector<fs::path>& files, const fs::path& file) {
   if (file.empty()) return;
   files.push_back(file);
@@ -146,18 +143,35 @@ void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_
   put_text(store, as_run_path, manifest_yaml(again, folder));
 }
 
-std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest) {
-  std::map<std::string, Hash> hashes;
+std::map<fs::path, std::string> names_of_uncopied_inputs(const Manifest& manifest) {
   const std::vector<InputCopy> copies = input_copies(manifest);
-  for (const InputCopy& copy : copies) hashes[copy.path] = hash_of_file(copy.source);
+  std::set<fs::path> files;
   for (const fs::path& file : uncopied_files(manifest)) {
     if (std::ranges::find(copies, file, &InputCopy::source) != copies.end()) continue;
-    const std::string plain = name_with_folder(file);
-    std::string name = plain;
-    for (int number = 2; hashes.contains(name); ++number)
-      name = plain + " (" + std::to_string(number) + ")";
-    hashes[name] = hash_of_file(file);
+    files.insert(fs::absolute(file).lexically_normal());
   }
+  std::map<fs::path, std::string> folders;  // and their names
+  std::set<std::string> taken;
+  std::map<fs::path, std::string> names;
+  for (const fs::path& file : files) {
+    const fs::path folder = file.parent_path();
+    const std::string plain = folder.filename().string();
+    std::string& name = folders.try_emplace(folder).first->second;
+    for (int number = 1; name.empty() && !plain.empty(); ++number) {
+      const std::string tried = number == 1 ? plain : plain + " (" + std::to_string(number) + ")";
+      if (taken.insert(tried).second) name = tried;
+    }
+    names[file] = (fs::path(name) / file.filename()).generic_string();
+  }
+  return names;
+}
+
+std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest) {
+  std::map<std::string, Hash> hashes;
+  for (const InputCopy& copy : input_copies(manifest))
+    hashes[copy.path] = hash_of_file(copy.source);
+  for (const auto& [file, name] : names_of_uncopied_inputs(manifest))
+    hashes[name] = hash_of_file(file);
   return hashes;
 }
 

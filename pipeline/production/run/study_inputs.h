@@ -31,10 +31,14 @@ std::vector<InputCopy> input_copies(const Manifest& manifest);
 /// inputs when the study was planned; throws Error if one has changed since.
 void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_read, Store& store);
 
-/// Returns the hashes of all input files of the study. Keys are the paths of the copies; files
-/// that are not copied (motions, SMPL models and characters) have as key the names of their folder
-/// and of the file, followed by a number if several are equal. Where such a folder is on the
-/// machine is not part of the key.
+/// Returns the names of the inputs that are not copied (motions, SMPL models and characters), by
+/// their absolute paths: the names of the file's folder and of the file, "captures/walk.bvh".
+/// Folders with the same name are numbered: "captures (2)/walk.bvh". Where the folder is on the
+/// machine is not part of it.
+std::map<std::filesystem::path, std::string> names_of_uncopied_inputs(const Manifest& manifest);
+
+/// Returns the hashes of all input files of the study. Keys are the paths of the copies and, for
+/// files that are not copied, their names (names_of_uncopied_inputs).
 std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -13,6 +13,7 @@
 #include "motion/skeleton/clip_markers.h"
 #include "motion/text/result_file.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/recording_files.h"
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/tasks/code_identity.h"

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "motion/examples/settled_feet.h"
+#include "pipeline/manifest/recording_files.h"
 #include "pipeline/production/synthesis/walked_path.h"
 
 namespace mien::pipeline {
@@ -116,13 +117,6 @@ Synthesis Motions::synthesized(const Stimulus& requested) {
   if (!is_blend(requested) && !names_examples(requested))
     return synthesize(requested, Repertoire{});
   return synthesize(requested, repertoire());
-}
-
-bool names_examples(const Stimulus& stimulus) {
-  return std::any_of(stimulus.modify.begin(), stimulus.modify.end(), [](const auto& step) {
-    if (step.style) return true;
-    return step.pose && !(step.pose->neutral.example.empty() && step.pose->posed.example.empty());
-  });
 }
 
 bool blends_examples(const Manifest& manifest) {

@@ -67,9 +67,6 @@ class Motions : public FinishedMotions {
   double shortest_s_ = 0.0;  ///< duration of the shortest clip shown
 };
 
-/// Whether a modification of the stimulus uses an example.
-bool names_examples(const Stimulus& stimulus);
-
 /// Whether any stimulus is made from examples instead of from a file or along a path.
 bool blends_examples(const Manifest& manifest);
 

@@ -9,6 +9,7 @@
 #include "motion/live/live_core.h"
 #include "motion/live/live_message.h"
 #include "motion/measures/distance/distance.h"
+#include "pipeline/manifest/recording_files.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/synthesis.h"
 #include "pipeline/study/live/live_bundle_writer.h"

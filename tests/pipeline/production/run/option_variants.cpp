@@ -51,6 +51,12 @@ constexpr char with_folder[] =
     R"({"examples": {"set": null, "ratings": "simulated"}, "stimuli": [{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"normal": 1}}]})";
 constexpr char with_a_folder_or_set[] =
     R"({"stimuli": [{"id": "a", "features": {"step-length": 0.5}}, {"id": "b", "clip": "one/sad.bvh"}]})";
+constexpr char with_folder_of_licence[] =
+    R"({"examples": {"set": {"folder": "one", "cycle": "whole"}, "ratings": "simulated"}, "stimuli": [{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"normal": 1}}]})";
+constexpr char with_clip[] =
+    R"({"stimuli": [{"id": "a", "clip": {"file": "one/normal.bvh"}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_graph_of_file[] =
+    R"({"stimuli": [{"id": "a", "path": {"graph": [{"file": "one/normal.bvh"}], "script": [{"walk": 1}]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_points[] =
     R"({"stimuli": [{"id": "a", "path": {"points": [[0, 0], [0, 1]]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_graph[] =
@@ -117,6 +123,12 @@ const Surroundings surroundings[] = {
     {"modify.seed", "{}", R"({"variation": 0.5})"},
     {"modify.pose.neutral.joints", "{}", R"({"motion": "nameless/normal.npz"})"},
     {"modify.pose.posed.joints", "{}", R"({"motion": "nameless/normal.npz"})"},
+    {"modify.pose.neutral.licence.", "{}", R"({"name": "CC0"})"},
+    {"modify.pose.posed.licence.", "{}", R"({"name": "CC0"})"},
+    {"modify.pose.neutral.licence", "{}", R"({"motion": "one/sad.bvh"})"},
+    {"modify.pose.posed.licence", "{}", R"({"motion": "one/sad.bvh"})"},
+    {"modify.pose.neutral.source", "{}", R"({"motion": "one/sad.bvh"})"},
+    {"modify.pose.posed.source", "{}", R"({"motion": "one/sad.bvh"})"},
     {"modify.pose.neutral.subject", "{}", R"({"motion": "one/sad.bvh"})"},
     {"modify.pose.posed.subject", "{}", R"({"motion": "one/sad.bvh"})"},
     {"modify.pose.neutral.body_model", "{}", R"({"motion": "smpl/sad.npz"})"},
@@ -138,6 +150,7 @@ const Surroundings surroundings[] = {
      R"({"folder": "smpl", "include": "*.npz", "cycle": "whole"})"},
     {"examples.set.joints", with_folder,
      R"({"folder": "nameless", "include": "*.npz", "cycle": "whole"})"},
+    {"examples.set.licence.", with_folder_of_licence, R"({"name": "CC0"})"},
     {"examples.set.take", with_folder, R"({"folder": "takes", "cycle": "whole"})"},
     {"examples.set.", with_folder, R"({"folder": "one", "cycle": "whole"})"},
     {"examples.set", with_a_folder_or_set, "{}"},
@@ -146,6 +159,9 @@ const Surroundings surroundings[] = {
     {"stimuli[].features", "{}", "{}"},
     {"stimuli[].clip.frames", "{}", R"({"file": "one/normal.bvh"})"},
     {"stimuli[].clip.joints", "{}", R"({"file": "nameless/normal.npz"})"},
+    {"stimuli[].clip.licence.", with_clip, R"({"name": "CC0"})"},
+    {"stimuli[].clip.licence", "{}", R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].clip.source", "{}", R"({"file": "one/normal.bvh"})"},
     {"stimuli[].clip.take", "{}", R"({"file": "takes.gltf"})"},
     {"stimuli[].clip.subject", "{}", R"({"file": "one/normal.bvh"})"},
     {"stimuli[].clip.body_model", "{}", R"({"file": "smpl/normal.npz"})"},
@@ -157,6 +173,9 @@ const Surroundings surroundings[] = {
     {"stimuli[].path.script", "{}", "{}"},
     {"stimuli[].path.points", "{}", "{}"},
     {"stimuli[].path.graph[].joints", with_graph, R"({"file": "nameless/normal.npz"})"},
+    {"stimuli[].path.graph[].licence.", with_graph_of_file, R"({"name": "CC0"})"},
+    {"stimuli[].path.graph[].licence", with_graph, R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].path.graph[].source", with_graph, R"({"file": "one/normal.bvh"})"},
     {"stimuli[].path.graph[].take", with_graph, R"({"file": "takes.gltf"})"},
     {"stimuli[].path.graph[].subject", with_graph, R"({"file": "one/normal.bvh"})"},
     {"stimuli[].path.graph[].body_model", with_graph, R"({"file": "smpl/normal.npz"})"},
@@ -208,6 +227,9 @@ const Values chosen_values[] = {
     {"graph[].body_model", R"(["small.npz", "tall.npz"])"},
     {"neutral.body_model", R"(["small.npz", "tall.npz"])"},
     {"posed.body_model", R"(["small.npz", "tall.npz"])"},
+    {".licence", R"(["CC0", "MIT"])"},
+    {".licence.name", R"(["CC0", "MIT"])"},
+    {".source", R"(["example.org", "example.com"])"},
     {"clip.fps", "[40, 50]"},
     {"set.fps", "[40, 50]"},
     {"graph[].fps", "[40, 50]"},
@@ -505,7 +527,10 @@ void add_around(json& manifest, const std::string& path) {
         R"([{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [3, 1, 2], "target": [0, 1, 0]}])");
   }
   if (path.find("modify.pose.") != std::string::npos) {
-    manifest["stimuli"][0]["modify"]["pose"] = {{"neutral", "normal"}, {"posed", "sad"}};
+    const json file = {{"motion", "one/sad.bvh"}};
+    const bool is_of_file = path.find(".licence.") != std::string::npos;
+    manifest["stimuli"][0]["modify"]["pose"] = {{"neutral", is_of_file ? file : json("normal")},
+                                                {"posed", is_of_file ? file : json("sad")}};
   }
   if (path.starts_with("stimuli[].") && !path.starts_with("stimuli[].adjectives")) {
     json& stimulus = manifest["stimuli"][0];
