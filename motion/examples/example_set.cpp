@@ -5,6 +5,7 @@
 #include <set>
 
 #include "motion/error.h"
+#include "motion/formats/fitted_file.h"
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
@@ -156,12 +157,15 @@ std::vector<std::string> example_names(const ExampleFolder& folder) {
 
 LoadedExamples load_examples(const ExampleFolder& folder) {
   std::vector<Recording> recordings;
+  std::vector<std::optional<FitQuality>> fits;
   LoadedExamples loaded;
   const std::vector<fs::path> files = example_files(folder);
   for (const fs::path& file : files) {
     ReadOptions how = folder.how;
     if (!may_hold_takes(file)) how.take.reset();
-    recordings.push_back(read_motion(file, how));
+    FittedFile read = read_fitted(file, how);
+    recordings.push_back(std::move(read.recording));
+    fits.push_back(std::move(read.fit));
     for (const std::string& note : recordings.back().notes) {
       loaded.warnings.push_back(file.filename().string() + ": " + note);
     }
@@ -182,7 +186,7 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
       }
     }
     loaded.origins.push_back({files[i], take.frames_per_second, take.frame_count(), prepared.frames,
-                              prepared.cycle && prepared.cycle->is_half});
+                              prepared.cycle && prepared.cycle->is_half, std::move(fits[i])});
     loaded.set.examples.push_back(std::move(prepared.example));
   }
   loaded.set.blendable = folder.blendable;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "motion/examples/make_example.h"
+#include "motion/fitting/fit_quality.h"
 #include "motion/formats/reading/read_options.h"
 #include "motion/skeleton/example.h"
 
@@ -43,6 +45,7 @@ struct ExampleOrigin {
   int file_frames = 0;             ///< number of frames of the take
   FrameRange frames;               ///< frames of the take from which the example was cut
   bool is_mirrored = false;        ///< the range is one step; the other step is its mirror image
+  std::optional<FitQuality> fit = {};  ///< of a file of points
 };
 
 /// A set of examples and their sources.

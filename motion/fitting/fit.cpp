@@ -53,11 +53,17 @@ struct SquareSum {
   double root_mean() const { return count > 0 ? std::sqrt(sum / count) : 0.0; }
 };
 
+void note_far(int frame, FittedPoint& point) {
+  if (!point.first_far) point.first_far = frame;
+  point.last_far = frame;
+}
+
 /// Distances of the points from the fitted body.
 void set_residuals(const PointTracks& points, const std::vector<bool>& filled_values,
                    std::span<const Attachment> attached, const FrameRange& range,
                    FittedMotion& fitted) {
   constexpr double mm = 1000.0;
+  constexpr double far_mm2 = far_from_points_mm * far_from_points_mm;
   std::vector<SquareSum> by_point(points.recording.points.size());
   SquareSum all;
   for (int i = 0; i < range.size(); ++i) {
@@ -70,6 +76,8 @@ void set_residuals(const PointTracks& points, const std::vector<bool>& filled_va
       const Vec3 place =
           world.positions[attachment.joint] + world.rotations[attachment.joint] * attachment.place;
       const double square = (place - points.recording.positions[at]).squaredNorm() * mm * mm;
+      if (square > far_mm2)
+        note_far(range.first + i, fitted.points[static_cast<std::size_t>(attachment.point)]);
       by_point[static_cast<std::size_t>(attachment.point)].add(square);
       in_frame.add(square);
       all.add(square);
@@ -84,6 +92,20 @@ void set_residuals(const PointTracks& points, const std::vector<bool>& filled_va
   fitted.residual_mm = all.root_mean();
 }
 
+/// A gap is filled as a whole or not at all.
+std::vector<PointGap> gaps_in(const PointRecording& recording, int point,
+                              const std::vector<bool>& filled_values) {
+  std::vector<PointGap> gaps;
+  for (int frame = 0; frame < recording.frame_count(); ++frame) {
+    const std::size_t at = recording.at(frame, point);
+    if (recording.seen[at]) continue;
+    if (gaps.empty() || gaps.back().past != frame)
+      gaps.push_back({frame, frame, filled_values[at]});
+    gaps.back().past = frame + 1;
+  }
+  return gaps;
+}
+
 std::vector<FittedPoint> described_points(const PointRecording& recording, const MarkerSet& set,
                                           const std::vector<bool>& filled_values) {
   const GapSummary gaps = gaps_of(recording);
@@ -92,10 +114,9 @@ std::vector<FittedPoint> described_points(const PointRecording& recording, const
     FittedPoint described;
     described.name = recording.points[point];
     described.missing_share = gaps.points[point].missing_share;
+    described.gaps = gaps_in(recording, static_cast<int>(point), filled_values);
     int count = 0;
-    for (int frame = 0; frame < recording.frame_count(); ++frame) {
-      count += filled_values[recording.at(frame, static_cast<int>(point))];
-    }
+    for (const PointGap& gap : described.gaps) count += gap.filled ? gap.past - gap.first : 0;
     described.filled_share = static_cast<double>(count) / recording.frame_count();
     if (set.roles[point]) {
       described.role = words_for(*set.roles[point]);
@@ -148,13 +169,17 @@ void warn_of_exchanged_sides(const BodyTracks& tracks, FittedMotion& fitted) {
       "or the file's axes are left-handed.");
 }
 
-void warn_of_residuals(const FitOptions& options, FittedMotion& fitted) {
+void warn_of_residuals(FittedMotion& fitted) {
+  if (fitted.residual_mm > far_from_points_mm) {
+    fitted.warnings.push_back("The fitted body is " + in_words(fitted.residual_mm, 0) +
+                              " mm (RMS) away from the points.");
+  }
   for (const FittedPoint& point : fitted.points) {
     if (point.use == PointUse::missing) {
       fitted.warnings.push_back("The point " + in_quotes(point.name) + " (" + point.role +
                                 ") is missing in all frames.");
     }
-    if (point.residual_mm <= options.warned_residual_mm) continue;
+    if (point.residual_mm <= far_from_points_mm) continue;
     fitted.warnings.push_back("The point " + in_quotes(point.name) + " is " +
                               in_words(point.residual_mm, 0) +
                               " mm (RMS) away from the fitted body: it may be mislabelled or have "
@@ -170,8 +195,8 @@ std::string note_on_people(const PointRecording& recording, const std::string& f
 void add_notes(const PointRecording& recording, const FrameRange& range, FittedMotion& fitted) {
   if (!fitted.axes.note.empty()) fitted.notes.push_back(fitted.axes.note);
   if (range.size() < recording.frame_count()) {
-    fitted.notes.push_back("The motion has frames " + std::to_string(range.first + 1) + " to " +
-                           std::to_string(range.past) + " of " +
+    fitted.notes.push_back("The motion has frames " + std::to_string(range.first) + " to " +
+                           std::to_string(range.past - 1) + " (counted from 0) of " +
                            std::to_string(recording.frame_count()) +
                            "; in the others the pelvis is not seen.");
   }
@@ -216,6 +241,8 @@ FittedMotion fit_body(const PointRecording& recording, const FitOptions& options
   const BodyTracks tracks = body_tracks(PointTracks{with_whole_segments, set});
   const FrameRange range = frames_with_pelvis(tracks);
   require_parts(recording, tracks, range);
+  fitted.frames_per_second = recording.frames_per_second;
+  fitted.recorded_frames = recording.frame_count();
   fitted.first_frame = range.first;
   fitted.points = described_points(recording, set, complete.filled);
 
@@ -235,7 +262,7 @@ FittedMotion fit_body(const PointRecording& recording, const FitOptions& options
   add_notes(recording, range, fitted);
   warn_of_exchanged_sides(tracks, fitted);
   warn_of_parts_at_rest(tracks, fitted);
-  warn_of_residuals(options, fitted);
+  warn_of_residuals(fitted);
   return fitted;
 }
 

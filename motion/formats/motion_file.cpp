@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "motion/error.h"
-#include "motion/fitting/recorded_points.h"
 #include "motion/formats/acclaim/acclaim.h"
 #include "motion/formats/bvh/bvh.h"
 #include "motion/formats/c3d/c3d.h"
 #include "motion/formats/fbx/fbx.h"
+#include "motion/formats/fitted_file.h"
 #include "motion/formats/gltf/gltf.h"
 #include "motion/formats/keypoints/keypoints.h"
 #include "motion/formats/motion_format.h"
@@ -289,9 +289,7 @@ FileContents read_file(const std::filesystem::path& path, const ReadOptions& opt
 }
 
 Recording read_motion(const std::filesystem::path& path, const ReadOptions& options) {
-  FileContents contents = read_file(path, options);
-  if (auto* recording = std::get_if<Recording>(&contents)) return std::move(*recording);
-  return recorded_points(std::get<PointRecording>(contents)).recording;
+  return read_fitted(path, options).recording;
 }
 
 Recording read_motion(const std::filesystem::path& path, const std::optional<std::string>& take) {

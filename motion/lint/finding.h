@@ -18,7 +18,7 @@ std::string_view name_of(Severity severity);
 /// What a check found in a motion, and where.
 struct Finding {
   std::string check;  ///< identifier of the check: one of `lint_checks()` (lint.h)
-  /// "LeftKnee"; two interpenetrating parts: "LeftWrist/Chest"; empty: the whole body.
+  /// "LeftKnee"; two parts: "LeftWrist/Chest"; a recorded point: "LASI"; empty: the whole body.
   std::string joint;
   int first = 0;  ///< first frame of the finding, an index into the clip
   int last = 0;   ///< its last frame, inclusive; in a loop of n frames it may be n or more: frame n

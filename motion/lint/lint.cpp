@@ -32,6 +32,7 @@ const std::vector<LintCheck>& lint_checks() {
       {"balance", "loss of balance"},
       {"forces", "impossible ground reaction forces"},
       {"joint-torque", "excessive joint torques"},
+      {"fit-residual", "recorded points far from the body fitted to them"},
   };
   return checks;
 }

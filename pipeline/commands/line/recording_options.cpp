@@ -176,11 +176,15 @@ RecordingChoice recording_choice(const RecordingArguments& arguments) {
   return choice;
 }
 
-motion::Recording read_with_warnings(const NamedRecording& named, const Console& console) {
-  motion::Recording recording = motion::read_motion(named.file, named.how);
-  for (const std::string& note : recording.notes)
+motion::FittedFile read_fitted_with_warnings(const NamedRecording& named, const Console& console) {
+  motion::FittedFile read = motion::read_fitted(named.file, named.how);
+  for (const std::string& note : read.recording.notes)
     console.err << "warning: " << named.file << ": " << note << '\n';
-  return recording;
+  return read;
+}
+
+motion::Recording read_with_warnings(const NamedRecording& named, const Console& console) {
+  return read_fitted_with_warnings(named, console).recording;
 }
 
 std::string chosen_take(const motion::Recording& recording) {

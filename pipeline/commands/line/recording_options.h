@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/formats/fitted_file.h"
 #include "motion/formats/reading/read_options.h"
 #include "motion/skeleton/recording.h"
 #include "pipeline/commands/line/command.h"
@@ -54,8 +55,9 @@ NamedRecording named_recording(const std::string& name, const RecordingArguments
 /// The choice for a folder of files. Throws Error if an option is given more than once.
 RecordingChoice recording_choice(const RecordingArguments& arguments);
 
-/// Reads a motion and prints the reader's notes as warnings, such as which take or person is used
-/// if none was chosen. Throws Error.
+/// Read a motion and print the reader's notes as warnings, such as which take or person is used if
+/// none was chosen. Throw Error.
+motion::FittedFile read_fitted_with_warnings(const NamedRecording& named, const Console& console);
 motion::Recording read_with_warnings(const NamedRecording& named, const Console& console);
 
 /// The name of the recording's take if its file has several; otherwise empty.

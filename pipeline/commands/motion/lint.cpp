@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "motion/formats/motion_file.h"
+#include "motion/lint/fit_residuals.h"
 #include "motion/rig/recording_clip.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/table.h"
@@ -72,7 +72,8 @@ LintedFile linted(const NamedRecording& named, const LintCommand& command,
                   const motion::Clip* original, const Console& console) {
   motion::LintOptions options;
   options.body_mass_kg = command.mass_kg;
-  const motion::Recording recording = read_with_warnings(named, console);
+  const motion::FittedFile read = read_fitted_with_warnings(named, console);
+  const motion::Recording& recording = read.recording;
   const motion::Clip clip = looped_if_requested(clip_of(recording), command.loop);
   LintedFile result;
   result.file = named.file;
@@ -84,12 +85,17 @@ LintedFile linted(const NamedRecording& named, const LintCommand& command,
                    clip.frames_per_second,
                    original != nullptr,
                    {},
-                   clip.loops};
+                   clip.loops,
+                   read.fit.has_value()};
   std::vector<motion::Finding>& findings = result.motion.findings;
   // Putting it on the canonical body hides what its own bones do.
   if (result.is_human) findings = motion::lint(recording, options);
   const std::vector<motion::Finding> more = motion::lint(clip, options, original);
   findings.insert(findings.end(), more.begin(), more.end());
+  if (read.fit) {
+    const std::vector<motion::Finding> of_fit = motion::find_fit_residuals(*read.fit, clip);
+    findings.insert(findings.end(), of_fit.begin(), of_fit.end());
+  }
   if (command.errors_only) {
     std::erase_if(findings, [](const motion::Finding& finding) {
       return finding.severity != motion::Severity::error;
@@ -140,7 +146,8 @@ constexpr auto findings_columns = table_of<FileFinding>(
     "findings.csv", "finding",
     {{"motion", "", "name of the file", [](auto& r) { return r.motion; }},
      {"check", "", "lint rule", [](auto& r) { return r.found.check; }},
-     {"joint", "", "joint; empty if none is concerned", [](auto& r) { return r.found.joint; }},
+     {"joint", "", "joint, or recorded point; empty if none is concerned",
+      [](auto& r) { return r.found.joint; }},
      {"first", "", "first frame", [](auto& r) { return r.found.first; }},
      {"last", "", "last frame", [](auto& r) { return r.found.last; }},
      {"measured", "see unit", "measured value", [](auto& r) { return r.found.measured; }},

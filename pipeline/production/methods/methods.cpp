@@ -59,6 +59,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   describe_blends(out);
   describe_files(out);
   describe_paths(out);
+  describe_recordings(out);
   describe_modifications(out);
   describe_matching_settings(out);
   out.end_paragraph();

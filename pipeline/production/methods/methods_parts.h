@@ -37,6 +37,10 @@ class MethodsText {
 /// The examples and their ratings.
 void describe_examples(MethodsText& out);
 
+/// The licences and sources of the recordings, as far as they are stated, and how well bodies fit
+/// recorded points.
+void describe_recordings(MethodsText& out);
+
 /// The blending of examples, the deviations from the requested values, and the held parameters.
 void describe_blends(MethodsText& out);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "motion/interpolation/interpolation_options.h"
+#include "pipeline/manifest/recording_files.h"
 
 namespace mien::pipeline {
 

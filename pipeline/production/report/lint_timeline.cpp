@@ -134,8 +134,9 @@ std::vector<std::string> clean_lines(const LintedMotion& motion) {
   for (const motion::LintCheck& check : motion::lint_checks()) {
     const bool has_findings =
         std::ranges::count(motion.findings, check.id, &motion::Finding::check) > 0;
-    const bool looked =
-        (!check.needs_original || motion.was_compared) && (check.id != "loop-seam" || motion.loops);
+    const bool looked = (!check.needs_original || motion.was_compared) &&
+                        (check.id != "loop-seam" || motion.loops) &&
+                        (check.id != "fit-residual" || motion.is_fitted);
     if (has_findings || !looked) continue;
     if (lines.back().size() + check.id.size() > 120) lines.emplace_back();
     lines.back() += (lines.back().empty() ? "" : "  ") + std::string(check.id);

@@ -15,7 +15,8 @@ struct LintedMotion {
   double frames_per_second = 30.0;
   bool was_compared = false;  ///< compared with an original, which some rules need
   std::vector<motion::Finding> findings;
-  bool loops = false;  ///< false: the seam is not checked
+  bool loops = false;      ///< false: the seam is not checked
+  bool is_fitted = false;  ///< to recorded points, whose distance from the body was checked
 };
 
 /// Returns a plot of the findings over time: a row for each pair of rule and joint that has

@@ -9,6 +9,7 @@
 #include "pipeline/base/documents/html.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/methods/study_facts.h"
+#include "pipeline/production/report/recordings_section.h"
 #include "pipeline/production/report/report_sections.h"
 #include "pipeline/tasks/code_identity.h"
 
@@ -195,6 +196,7 @@ std::string report(const Manifest& manifest, Motions& motions, const Methods& me
   } else {
     body += parts_section(parts, manifest) + stills_section(manifest, motions);
   }
+  body += recordings_section(manifest, motions);
   if (blends_examples(manifest)) body += ratings_section(manifest, motions.repertoire());
   body += methods_section(methods) + "</main>\n" + page_footer(manifest);
   return html_page(manifest.study + " · mien", report_style, body);

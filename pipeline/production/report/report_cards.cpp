@@ -34,7 +34,8 @@ std::string finding_list(const Synthesis& made) {
   if (made.findings.empty()) return "";
   if (!errors.empty()) errors = "<ul class=\"errors\">\n" + errors + "</ul>\n";
   const LintedMotion linted{made.motion.name,       clip.frame_count(), clip.frames_per_second,
-                            !made.modified.empty(), made.findings,      clip.loops};
+                            !made.modified.empty(), made.findings,      clip.loops,
+                            made.fit.has_value()};
   const std::string title = made.findings.size() == 1
                                 ? "Lint: 1 finding"
                                 : fmt::format("Lint: {} findings", made.findings.size());

@@ -19,7 +19,7 @@ constexpr double report_cost_seconds = 0.01;
 constexpr const StudyTable* tables[] = {
     &distances_table,  &joint_distances_table, &weights_table,     &clips_table,
     &parameters_table, &examples_table,        &impressions_table, &expectations_table,
-    &findings_table,   &feature_changes_table, &foils_table};
+    &findings_table,   &feature_changes_table, &foils_table,       &fits_table};
 
 void put_page(TaskRun& run, std::size_t product, const std::string& text) {
   run.put_text(product, text, [&](const fs::path& file) {

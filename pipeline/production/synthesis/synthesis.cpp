@@ -6,14 +6,16 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "motion/formats/motion_file.h"
+#include "motion/formats/fitted_file.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
 #include "motion/gait/foot_slide.h"
 #include "motion/interpolation/interpolation.h"
+#include "motion/lint/fit_residuals.h"
 #include "motion/lint/lint.h"
 #include "motion/live/synthesis.h"
 #include "motion/rig/body_mapping.h"
+#include "motion/rig/recording_clip.h"
 #include "pipeline/manifest/named_motions.h"
 #include "pipeline/production/synthesis/modified_motion.h"
 #include "pipeline/production/synthesis/slider_interface.h"
@@ -206,8 +208,13 @@ void warn_of_default_takes(const Stimulus& stimulus, std::vector<std::string>& w
 Synthesis as_captured(const Stimulus& stimulus) {
   Synthesis result;
   const ClipSource& source = *stimulus.clip;
-  const motion::Recording recording = motion::read_motion(source.file, read_options(source.how));
-  if (source.frames) require_frame(recording, (*source.frames)[1], source.file);
+  motion::FittedFile file = motion::read_fitted(source.file, read_options(source.how));
+  const motion::Recording& recording = file.recording;
+  result.fit = std::move(file.fit);
+  if (source.frames) {
+    require_frame(recording, (*source.frames)[1], source.file);
+    result.clip_start_s = (*source.frames)[0] / recording.frames_per_second;
+  }
   const bool has_body = !recording.markers || motion::is_body(recording.skeleton);
   motion::Clip whole;
   if (has_body) {
@@ -293,6 +300,11 @@ Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
     result.findings = motion::lint(result.motion.clip);
   } else {
     apply_modifications(stimulus, repertoire, result);
+  }
+  if (result.fit) {
+    for (motion::Finding& finding :
+         motion::find_fit_residuals(*result.fit, result.motion.clip, result.clip_start_s))
+      result.findings.push_back(std::move(finding));
   }
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "motion/fitting/fit_quality.h"
 #include "motion/lint/finding.h"
 #include "motion/skeleton/example.h"
 #include "pipeline/manifest/manifest.h"
@@ -41,6 +42,9 @@ struct Synthesis {
   double modified_share = 1.0;  ///< applied share of the requested strengths (OnFault::reduce)
   /// Lint findings; a modified motion is compared with the original.
   std::vector<motion::Finding> findings;
+  /// How well the body fits the points of the clip's file, if that holds points.
+  std::optional<motion::FitQuality> fit;
+  double clip_start_s = 0.0;  ///< start of the clip in the motion of its file
 };
 
 /// Returns the blend weights of a stimulus that is made from examples: the given ones, or those

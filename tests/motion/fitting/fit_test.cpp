@@ -139,6 +139,39 @@ TEST(Fit, FindsTheRotationsOfAWalk) {
   }
 }
 
+TEST(Fit, MeasuresResidualsOnSeenPointsOnly) {
+  PointRecording points = recorded(truth(), canonical_joints());
+  for (int frame = 0; frame < points.frame_count(); ++frame) {
+    const bool is_hidden = (frame >= 20 && frame < 26) || (frame >= 40 && frame < 90);
+    if (!is_hidden) continue;
+    points.seen[points.at(frame, LeftWrist)] = false;
+    points.positions[points.at(frame, LeftWrist)] = Vec3::Zero();
+  }
+  const FittedMotion fitted = fit_body(points);
+  const FittedPoint& wrist = fitted.points[LeftWrist];
+  EXPECT_EQ(wrist.gaps, (std::vector<PointGap>{{20, 26, true}, {40, 90, false}}));
+  EXPECT_EQ(fitted.points[RightWrist].gaps, std::vector<PointGap>());
+  EXPECT_DOUBLE_EQ(wrist.filled_share, 6.0 / points.frame_count());
+  EXPECT_DOUBLE_EQ(wrist.missing_share, 56.0 / points.frame_count());
+  // The root mean square of all frames is that of all points, each with its number of frames.
+  ASSERT_EQ(fitted.frame_residual_mm.size(), fitted.clip.poses.size());
+  double by_frames = 0.0, by_points = 0.0;
+  int count = 0;
+  for (std::size_t frame = 0; frame < fitted.clip.poses.size(); ++frame) {
+    int seen = 0;
+    for (std::size_t point = 0; point < points.points.size(); ++point)
+      seen += points.seen[points.at(static_cast<int>(frame), static_cast<int>(point))] ? 1 : 0;
+    by_frames += seen * std::pow(fitted.frame_residual_mm[frame].value_or(0.0), 2);
+    count += seen;
+  }
+  for (const FittedPoint& point : fitted.points) {
+    const double frames = (1.0 - point.missing_share) * points.frame_count();
+    by_points += frames * std::pow(point.residual_mm, 2);
+  }
+  EXPECT_NEAR(std::sqrt(by_frames / count), fitted.residual_mm, 1e-9);
+  EXPECT_NEAR(std::sqrt(by_points / count), fitted.residual_mm, 1e-9);
+}
+
 TEST(Fit, KeepsEveryStyleOfWalk) {
   for (const WalkStyle& style : {happy_walk(), sad_walk(), proud_walk(), tired_walk()}) {
     const Clip smaller = truth(style, 100.0, standard_female_body(1.62));
