@@ -231,7 +231,7 @@ void show_people(const motion::Recording& recording, const Console& console) {
 }
 
 int show_info(const InfoOptions& options, const Console& console) {
-  const RecordingFile named = named_recording(options.file, options.recording);
+  const NamedRecording named = named_recording(options.file, options.recording);
   motion::FileContents contents = motion::read_file(named.file, named.how);
   std::optional<PointsSummary> points;
   motion::Recording recording;
