@@ -117,7 +117,7 @@ class ChannelReader {
     const std::optional<LengthUnit> unit = length_unit(word);
     if (!unit)
       rows_.refuse(at_[units], in_quotes(word) + " is not a unit of positions that is read",
-                   "give positions in m, cm or mm");
+                   "give positions in m, cm, mm, in or ft");
     return {std::string(unit->name), unit->metres};
   }
 

@@ -131,7 +131,8 @@ TEST(NpyPositions, NamesMayBeGiven) {
   const PointRecording read = parse_npy_positions(positions(2, 3), "a.npy", options);
   EXPECT_EQ(read.points, options.joints);
   EXPECT_TRUE(read.notes.empty());
-  EXPECT_TRUE(has(refused(positions(2, 4), options), "gives 3 names, but the array holds 4"));
+  EXPECT_TRUE(
+      has(refused(positions(2, 4), options), "3 names of joints are given, but the array holds 4"));
   options.joints = {"a", "b", "b"};
   EXPECT_TRUE(has(refused(positions(2, 3), options), "a name of its own"));
   options.joints = {"kinect"};

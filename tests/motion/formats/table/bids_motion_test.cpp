@@ -80,8 +80,8 @@ TEST(BidsMotion, FilesThatDoNotFitAreRefused) {
   expect_bids_words(refusal("1\t2\n", channels, sidecar), "2 columns, but there are 8 channels");
   expect_bids_words(refusal(motion, with(channels, "units", "unit"), sidecar),
                     "no column \"units\"");
-  expect_bids_words(refusal(motion, with(channels, "a\tmm", "a\tfeet"), sidecar),
-                    "\"feet\" is not a unit");
+  expect_bids_words(refusal(motion, with(channels, "a\tmm", "a\tparsecs"), sidecar),
+                    "\"parsecs\" is not a unit");
   expect_bids_words(refusal(motion, with(channels, "a\tmm", "a\tm"), sidecar),
                     "in different units");
   expect_bids_words(refusal(motion, with(channels, "a_y\ty", "a_y\tx"), sidecar),
