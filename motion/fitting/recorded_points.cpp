@@ -1,17 +1,10 @@
 #include "motion/fitting/recorded_points.h"
 
-#include <cstddef>
-#include <map>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "motion/error.h"
 #include "motion/points/gaps.h"
-#include "motion/points/kept_points.h"
 #include "motion/skeleton/clip_markers.h"
-#include "motion/text/excerpt.h"
 
 namespace mien::motion {
 namespace {
@@ -38,41 +31,6 @@ Markers markers_of_points(const PointRecording& points, const PointAxes& axes,
   return markers;
 }
 
-std::string_view person_of(std::string_view point) {
-  const std::size_t colon = point.find(':');
-  return colon == std::string_view::npos ? std::string_view() : point.substr(0, colon);
-}
-
-/// Indices of the points of the person with the most, if those of several people are together.
-std::vector<std::size_t> points_of_one_person(const PointRecording& points) {
-  if (points.subjects.size() < 2 || !points.subject.empty()) return {};
-  std::map<std::string_view, std::vector<std::size_t>> of_person;
-  for (std::size_t i = 0; i < points.points.size(); ++i)
-    if (const std::string_view person = person_of(points.points[i]); !person.empty())
-      of_person[person].push_back(i);
-  std::vector<std::size_t> most;
-  for (const auto& [person, own] : of_person) {
-    const bool is_earlier = !most.empty() && own.front() < most.front();
-    if (own.size() > most.size() || (own.size() == most.size() && is_earlier)) most = own;
-  }
-  return most;
-}
-
-/// The body of one of several people; what is told of the points is told of all.
-FittedMotion fit_one_person(const PointRecording& points, const std::vector<std::size_t>& own) {
-  PointRecording alone = points;
-  keep_points(alone, own);
-  FittedMotion fit = fit_body(alone);
-  std::vector<FittedPoint> all;
-  for (const std::string& name : points.points) all.push_back({.name = name});
-  for (std::size_t i = 0; i < own.size(); ++i) all[own[i]] = std::move(fit.points[i]);
-  fit.points = std::move(all);
-  fit.notes.insert(fit.notes.begin(),
-                   "The body is that of " + in_quotes(person_of(points.points[own.front()])) +
-                       ", one of " + std::to_string(points.subjects.size()) + " people.");
-  return fit;
-}
-
 }  // namespace
 
 RecordedPoints recorded_points(const PointRecording& points) {
@@ -81,8 +39,7 @@ RecordedPoints recorded_points(const PointRecording& points) {
                 "give a recording of at least one point and frame");
   RecordedPoints result;
   try {
-    const std::vector<std::size_t> own = points_of_one_person(points);
-    result.fit = own.empty() ? fit_body(points) : fit_one_person(points, own);
+    result.fit = fit_body(points);
   } catch (const Error& error) {
     result.rejection = error.what();
   }

@@ -18,10 +18,10 @@ struct RecordedPoints {
 };
 
 /// Fits the body to the points (fit.h); of several people whose points are together, named
-/// "person:point", to those of the one with the most points (the first of equals). If that is not
-/// possible, the figure is a single joint in their centre, so that the points can still be shown,
-/// and a note says why. Notes are those of the reader and of the fit, with its warnings. Throws
-/// mien::Error if there are no frames or points.
+/// "person:point", to those of the first whose points suffice. If that is not possible, the figure
+/// is a single joint in their centre, so that the points can still be shown, and a note says why.
+/// Notes are those of the reader and of the fit, with its warnings. Throws mien::Error if there are
+/// no frames or points.
 RecordedPoints recorded_points(const PointRecording& points);
 
 }  // namespace mien::motion
